@@ -20,8 +20,8 @@ from flint import fmpz_poly
 
 from exactspline import BSpline, Nurbs
 from exactspline.papers.chen_riesenfeld_cohen_2007.plane import curvature_derivative_numerator, f2, g2
+from exactspline.polynomials.bernstein import substituted
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.bernstein import substituted
 
 pari = cypari.pari
 

@@ -49,9 +49,6 @@ if TYPE_CHECKING:
     from exactspline.display.tables import symbolic_table as symbolic_table
     from exactspline.display.tables import verdicts as verdicts
     from exactspline.errors import ExactSplineError as ExactSplineError
-    from exactspline.exact import from_float as from_float
-    from exactspline.exact import from_floats as from_floats
-    from exactspline.exact import rational as rational
     from exactspline.geometry.analysis import analyse as analyse
     from exactspline.geometry.bisector.any_pair import bisector as bisector
     from exactspline.geometry.bisector.trimmed import trimmed_bisector as trimmed_bisector
@@ -80,7 +77,6 @@ if TYPE_CHECKING:
     from exactspline.interchange.bridges.scipy import to_scipy as to_scipy
     from exactspline.interchange.files import read as read
     from exactspline.interchange.files import write as write
-    from exactspline.language.choices import Side as Side
     from exactspline.language.complex_numbers import complex_product as complex_product
     from exactspline.language.complex_numbers import complex_quotient as complex_quotient
     from exactspline.language.complex_numbers import conjugate as conjugate
@@ -98,6 +94,10 @@ if TYPE_CHECKING:
     from exactspline.language.vector import perp as perp
     from exactspline.language.vector import triple as triple
     from exactspline.language.vector import wronskian as wronskian
+    from exactspline.numbers.exact import from_float as from_float
+    from exactspline.numbers.exact import from_floats as from_floats
+    from exactspline.numbers.exact import rational as rational
+    from exactspline.numbers.sides import Side as Side
     from exactspline.papers import find as find
     from exactspline.papers import load_paper as load_paper
     from exactspline.papers import paper as paper
@@ -177,17 +177,17 @@ _HOMES = {
     "ZeroSet": "roots.zero_set:ZeroSet",
     # words that are chosen from
     "Approach": "geometry.inspection:Approach",
-    "Side": "language.choices:Side",
+    "Side": "numbers.sides:Side",
     "Variant": "geometry.constructions:Variant",
     # numbers and files
-    "from_float": "exact:from_float",
-    "from_floats": "exact:from_floats",
+    "from_float": "numbers.exact:from_float",
+    "from_floats": "numbers.exact:from_floats",
     "at": "roots.values:at",
     "at_floats": "geometry.floats:at_floats",
     "floats": "geometry.floats:floats",
     "from_geomdl": "interchange.bridges.geomdl:from_geomdl",
     "from_scipy": "interchange.bridges.scipy:from_scipy",
-    "rational": "exact:rational",
+    "rational": "numbers.exact:rational",
     "square_root": "reals.real:square_root",
     "read": "interchange.files:read",
     "to_geomdl": "interchange.bridges.geomdl:to_geomdl",

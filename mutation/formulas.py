@@ -13,13 +13,13 @@ from random import Random
 from typing import Any
 
 from exactspline.errors import FormulaError, InapplicableError
-from exactspline.exact import mpq
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Symbol
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import split
 from exactspline.language.surface_kind import BOTH
+from exactspline.numbers.exact import mpq
 from exactspline.papers import papers
 from exactspline.readings.degree import DegreeReading
 from exactspline.readings.differential_order import order_of

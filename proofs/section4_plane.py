@@ -15,8 +15,8 @@ from theorem import establish, verdict_for_all
 from exactspline import dot
 from exactspline.geometry.derived import derive
 from exactspline.papers import find
+from exactspline.polynomials.bernstein import zero_on_segment
 from exactspline.readings.taylor import series_curve
-from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.examples import example, example_names
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]

@@ -3,7 +3,7 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline.exact import from_float
+from exactspline.numbers.exact import from_float
 
 DIALS = {
     "small integers": lambda random: mpq(random.randint(-4, 4)),

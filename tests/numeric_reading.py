@@ -10,11 +10,11 @@ from collections.abc import Iterable, Sequence
 from typing import Any, Protocol, cast
 
 from exactspline.errors import DomainError
-from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Side
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq, rational, short_text
+from exactspline.numbers.sides import Side
 from exactspline.readings.taylor import Coefficient, Series
 from exactspline.splines.nurbs import Nurbs
 

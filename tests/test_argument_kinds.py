@@ -7,11 +7,11 @@ import pytest
 import sympy
 
 from exactspline.errors import FormulaError, InapplicableError
-from exactspline.exact import mpq
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import formula
 from exactspline.language.kinds import HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, INTERSECTION, common_kind, kind_of
 from exactspline.language.vector import Vector, cross, det, dot, norm2, perp
+from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import DegreeReading
 from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading, generic_true_degree

@@ -14,10 +14,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
-from exactspline.exact import to_fmpq
 from exactspline.geometry.bisector.components import Solutions
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import to_fmpq
 from exactspline.roots.root import Root
 from tests.bisector_oracle import (
     FAMILIES,

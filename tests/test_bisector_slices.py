@@ -13,8 +13,9 @@ from flint import fmpq, fmpq_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
-from exactspline.geometry.bisector.polynomials import at, roots_in
 from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.polynomials.two_parameters import at
+from exactspline.roots.of_polynomials import roots_in
 from tests.bisector_oracle import FAMILIES, bezier, circle, mapped, spans
 from tests.dials import over_dials
 from tests.test_bisector_pairs import random_pair

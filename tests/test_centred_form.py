@@ -6,8 +6,8 @@ from itertools import pairwise
 import pytest
 from gmpy2 import mpq
 
-from exactspline.roots.centred_form import bounds_over
-from exactspline.splines.bernstein import from_bezier, value
+from exactspline.polynomials.bernstein import from_bezier, value
+from exactspline.polynomials.centred_form import bounds_over
 
 
 def hostile_form(chance, n):

@@ -20,8 +20,8 @@ np = pytest.importorskip("numpy")
 
 from exactspline.geometry.filtered import _programs, filtered  # noqa: E402  # needs numpy
 from exactspline.geometry.many_curves import _operands, features_in_parts, features_of_many  # noqa: E402
+from exactspline.polynomials.doubles import Rows, isolated, ordinates, values_at  # noqa: E402
 from exactspline.programs.doubles import in_doubles  # noqa: E402
-from exactspline.roots.doubles import Rows, isolated, ordinates, values_at  # noqa: E402
 
 #: The rounding modes of <fenv.h> by their numbers on x86.
 MODES = {"nearest": 0, "down": 0x400, "up": 0x800, "to zero": 0xC00}

@@ -8,12 +8,12 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, zeros
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.exact import text
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, join
+from exactspline.numbers.exact import text
 from exactspline.papers import all_formulas, find
 from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.printing.text import print_text, symbol_text

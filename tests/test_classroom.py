@@ -19,7 +19,7 @@ from exactspline.classroom.reading import AnswerError, numbers, points, polynomi
 from exactspline.classroom.topics import TOPICS, TopicError, exercise, exercises
 from exactspline.cli import app
 from exactspline.display.exercises import html_page, latex_document, plain, text_lines
-from exactspline.exact import mpq, rational
+from exactspline.numbers.exact import mpq, rational
 from exactspline.papers import find
 from exactspline.splines.curve_files import curve_data
 from exactspline.splines.examples import example

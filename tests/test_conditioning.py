@@ -18,8 +18,8 @@ from exactspline import BSpline
 from exactspline.cli.conditioning import conditioning as command
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.constructions import construction
+from exactspline.polynomials.bernstein import ONE, bezier, from_bezier
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.bernstein import ONE, bezier, from_bezier
 from exactspline.splines.curve_files import curve_data
 from exactspline.splines.examples import example
 from exactspline.verification.conditioning.compare import conditioning

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs, zeros
-from exactspline.splines.bernstein import from_bezier
+from exactspline.polynomials.bernstein import from_bezier
 from exactspline.splines.examples import example
 from exactspline.verification.conditioning import compare, double_precision
 from exactspline.verification.conditioning.compare import Conditioning, FormAtRoot, RootConditions, conditioning

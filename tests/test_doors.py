@@ -11,9 +11,9 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.cli.common import described
-from exactspline.exact import from_float
 from exactspline.geometry.analysis import QUESTIONS
 from exactspline.geometry.floats import place_of
+from exactspline.numbers.exact import from_float
 from tests.test_cli import run
 
 T = xs.BSpline.identity(0, 2)

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 import exactspline
 from exactspline.errors import NumberError
-from exactspline.exact import from_float, from_floats, ratio, rational, text, to_fmpq, to_fmpz
+from exactspline.numbers.exact import from_float, from_floats, ratio, rational, text, to_fmpq, to_fmpz
 from tests.strategies import numbers
 
 TAKEN = [

@@ -10,7 +10,7 @@ import pytest
 from exactspline import Nurbs, analyse, example, example_names
 from exactspline.batch.families import Family
 from exactspline.errors import ExactSplineError, NumberError, ShapeError
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 
 np = pytest.importorskip("numpy")
 

@@ -16,7 +16,7 @@ from mpmath import libmp, mp
 import exactspline as xs
 from exactspline import at_floats
 from exactspline.errors import ExactSplineError, NumberError
-from exactspline.exact import Rounding, double, is_float
+from exactspline.numbers.exact import Rounding, double, is_float
 from exactspline.reals.real import square_root
 from exactspline.roots.values import signed_root, value_at
 

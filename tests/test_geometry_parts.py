@@ -19,7 +19,7 @@ from exactspline.geometry.bisector.components import Cause, PairEquation, PlaneC
 from exactspline.geometry.bisector.conditions import _cells as cells_between
 from exactspline.geometry.bisector.correspondence import _value, graph_intervals
 from exactspline.geometry.bisector.lines import Path, along
-from exactspline.geometry.bisector.polynomials import S, T, _keeps_sign, vanish_together
+from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.single_pairs import zeros_of_vector
 from exactspline.geometry.bisector.special_pairs import _runs_on
 from exactspline.geometry.bisector.system import System, piece
@@ -34,17 +34,18 @@ from exactspline.geometry.surface import critical, singular
 from exactspline.geometry.surface.borders import is_inside, vanishes_at
 from exactspline.geometry.surface.forms import SurfaceForms, lowest
 from exactspline.geometry.surface.inspection import inspect_surface
-from exactspline.geometry.surface.isolation import isolate
 from exactspline.geometry.surface.joints import SurfaceJointKind
 from exactspline.geometry.surface.places import InnerZero, Place
-from exactspline.geometry.surface.planar_maps import _placed
 from exactspline.geometry.surface.singular import SingularPoints
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.common_zeros import isolate
 from exactspline.polynomials.elimination import discriminant
+from exactspline.polynomials.patch_forms import PatchForm, clusters
+from exactspline.polynomials.two_parameters import S, T
 from exactspline.questions.answers import CurvePiece
 from exactspline.reals.ball import InBalls
 from exactspline.reals.digits import Digits
 from exactspline.splines.examples import example
-from exactspline.splines.patch_forms import UNIT, PatchForm, clusters, together
 from exactspline.splines.tensor import TensorSpline
 from tests.bisector_oracle import FAMILIES
 
@@ -70,7 +71,7 @@ def test_significant_digits_are_certain(top, power, digits, sign, shift):
         def _enclosed(self, n):
             asked.append(n)
             width = mpq(1, 10**n)
-            return exact - width * mpq(shift, 9), exact + width * mpq(9 - shift, 9)
+            return Interval(exact - width * mpq(shift, 9), exact + width * mpq(9 - shift, 9))
 
         def _against_number(self, t):
             return (exact > t) - (exact < t)
@@ -203,7 +204,7 @@ def test_the_discriminant_of_a_quadratic_is_known_wherever_it_is_none(root, degr
 
 
 def test_exchanging_the_curves_twice_changes_nothing():
-    sides = (mpq(0), mpq(1)), (mpq(2), mpq(3))
+    sides = Box(Interval(mpq(0), mpq(1)), Interval(mpq(2), mpq(3)))
     for of in (0, 1):
         for cause in Cause:
             one = PlaneComponent(Solutions.PLANE, cause, sides, PairEquation.of(S * S - T), of=of)
@@ -265,7 +266,7 @@ def test_polynomials_of_one_of_two_irrational_parameters_vanish_at_that_one():
 def test_where_a_vector_vanishes_the_condition_beside_it_holds():
     """(A C, B D, 0) with the condition A B, whose zeros are not all: none with C = D = 0."""
     a, b, c, d = 4 * S - 1, 4 * T - 1, 4 * S - 3, 4 * T - 3
-    sides = (mpq(0), mpq(1)), (mpq(0), mpq(1))
+    sides = UNIT
     places, left_out = zeros_of_vector(a * b, [a * c, b * d, S * 0], sides)
     assert ({tuple(map(mpq, p)) for p in places}, left_out) == (
         {(mpq(1, 4), mpq(1, 4)), (mpq(1, 4), mpq(3, 4)), (mpq(3, 4), mpq(1, 4))},
@@ -295,10 +296,11 @@ def test_polynomials_along_a_path_are_their_values_times_one_power():
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_coefficients_of_one_sign_show_the_sign(sign):
-    assert _keeps_sign([fmpz_poly([sign, 2 * sign]), fmpz_poly([3 * sign, sign])], 1)
-    assert not _keeps_sign([fmpz_poly([sign, 2 * sign]), fmpz_poly([3 * sign])], 1)
-    assert not _keeps_sign([fmpz_poly([sign, 2 * sign]), fmpz_poly([3 * sign, -sign])], 1)
-    assert not _keeps_sign([fmpz_poly([0, 2 * sign])], 1)
+    def shown(*rows):
+        return PatchForm.of_rows([fmpz_poly([sign * x for x in row]) for row in rows], 1).sign
+
+    assert shown([1, 2], [3, 1]) == sign
+    assert shown([1, 2], [3]) is shown([1, 2], [3, -1]) is shown([0, 2]) is None
 
 
 def test_the_line_of_a_corner_runs_from_its_middle_to_both_sides_alike():
@@ -336,7 +338,7 @@ def test_a_cell_around_a_singular_point_lies_inside_the_patch():
 
     def cells(distance, more):
         a = 1 - distance
-        zero = SimpleNamespace(refine=lambda n: ((a, a), (y, y)), box=((a, a), (y, y)), region=UNIT)
+        zero = SimpleNamespace(refine=lambda n: Box.point(a, y), box=Box.point(a, y), region=UNIT)
         net = [[a * a + z for z in row] for row in ([mpq(1, 4), mpq(-1, 4), mpq(1, 4)],) * 3]
         net = [[z - 2 * a * mpq(i, 2) + (i == 2) for z in row] for i, row in enumerate(net)]
         return critical._cells(PatchForm.of_net([[int(z * 4**20) for z in row] for row in net]), [zero], bits + more)[0]
@@ -354,7 +356,7 @@ def test_cells_hold_their_points_where_the_box_of_one_spans_that_of_another(monk
     monkeypatch.setattr(critical, "_kind", lambda form, box: critical.Crossing.POINT)
 
     def zero(a, b, y):
-        box = (mpq(a), mpq(b)), (mpq(y), mpq(y))
+        box = Box(Interval(mpq(a), mpq(b)), Interval.point(mpq(y)))
         return SimpleNamespace(refine=lambda n: box, box=box, region=UNIT)
 
     zeros_at = [zero("2/5", "3/5", "1/5"), zero("1/2", "1/2", "4/5"), zero("1/8", "1/8", "1/2")]
@@ -381,7 +383,7 @@ def test_whether_an_irrational_zero_is_inside_is_decided_by_the_roots_on_the_bor
     sides = (x * 4 - 1) * (x * 8 - 7)
     for near in (0, mpq(1, 2**20), mpq(-1, 2**20), *[mpq(1, 2**k) for k in (50, 100, 200, 300)]):
         line, other = y + sides * near, sides * (x * x * 2 - 1) + y * 0
-        found = isolate(*together([line.elevated_to(other), other.elevated_to(line)], 0, 0)).zeros
+        found = isolate(*(f.elevated_to(g).patch_form(0, 0) for f, g in ((line, other), (other, line)))).zeros
         told = {tuple(round(float(a), 3) for a, _ in zero.refine(60)): is_inside(zero, UNIT) for zero in found}
         assert told.pop((0.707, 0.0), False) is (near > 0)
         assert told == {(0.25, 0.0): False, (0.875, 0.0): False}
@@ -410,7 +412,7 @@ def test_the_box_of_an_inner_zero_is_as_small_as_asked_for(digits):
         PatchForm.of_net([[0, -1, -2], [1, 0, -1], [2, 1, 0]]),
     )
     (zero,) = isolate(circle, line).zeros
-    sides = (mpq(0), mpq(1000)), (mpq(-1), mpq(2))
+    sides = Box(Interval(mpq(0), mpq(1000)), Interval(mpq(-1), mpq(2)))
     (a, b), (c, d) = InnerZero(zero, sides).box(digits)
     assert max(b - a, d - c) <= mpq(1, 10**digits)
     assert 2 * a * a <= 1000**2 <= 2 * b * b
@@ -452,7 +454,7 @@ def test_boxes_that_touch_are_one_cluster():
     """Of boxes in two groups, each of which touches in a chain."""
 
     def box(a, b):
-        return (mpq(a), mpq(a + 1)), (mpq(b), mpq(b + 1))
+        return Box(Interval(mpq(a), mpq(a + 1)), Interval(mpq(b), mpq(b + 1)))
 
     near, far = [box(0, 0), box(2, 1), box(1, 0)], [box(7, 7), box(8, 8)]
     for boxes in ([near[0], far[0], *near[1:], far[1]], [far[1], *near, far[0]]):
@@ -461,5 +463,6 @@ def test_boxes_that_touch_are_one_cluster():
 
 
 def test_points_of_a_patch_have_parameters_of_the_surface():
-    sides = (mpq(0), mpq(4)), (mpq(-1), mpq(1))
-    assert _placed((mpq(1, 4), mpq(3, 4)), sides) == (1, mpq(1, 2))
+    sides = Box(Interval(mpq(0), mpq(4)), Interval(mpq(-1), mpq(1)))
+    assert sides.at(mpq(1, 4), mpq(3, 4)) == (1, mpq(1, 2))
+    assert sides.local(sides.part(UNIT)) == UNIT

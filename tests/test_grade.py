@@ -20,7 +20,7 @@ from exactspline.batch.grade.report import page, rows
 from exactspline.batch.grade.runner import Judged, Report, Truths, curve_data, request_data
 from exactspline.batch.grade.shrink import Defect, _size, _smaller
 from exactspline.batch.grade.truth import truth
-from exactspline.exact import text
+from exactspline.numbers.exact import text
 
 CASES = {case.key: case for case in all_cases(7)}
 SAMPLE = [c for c in CASES.values() if c.curve.degree < 5]

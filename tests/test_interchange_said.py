@@ -6,10 +6,10 @@ import tracemalloc
 import pytest
 
 from exactspline.errors import CurveFileError, ShapeError
-from exactspline.exact import mpq
 from exactspline.interchange import Limits, read
 from exactspline.interchange.svg_styles import Sheet
 from exactspline.interchange.xml_tree import Element, parse
+from exactspline.numbers.exact import mpq
 from tests.interchange_seeds import SPLINE, STEP, dxf, truetype
 
 

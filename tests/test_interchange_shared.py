@@ -9,10 +9,10 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.errors import NumberError
-from exactspline.exact import from_float
 from exactspline.interchange import read
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
+from exactspline.numbers.exact import from_float
 from exactspline.splines.curve_files import read_curve
 from tests.test_shared_curves import FILES, needs_curves
 

@@ -8,8 +8,8 @@ from mpmath import mp
 import exactspline as xs
 from exactspline.batch.oracle import oracle
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.geometry.analysis import analyse
+from exactspline.numbers.exact import mpq
 
 PLANE = [name for name in xs.example_names() if xs.example(name).dimension == 2]
 

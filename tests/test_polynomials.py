@@ -5,12 +5,13 @@ from math import prod
 from random import Random
 
 import pytest
-from flint import Ordering, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_poly, nmod_poly
+from flint import Ordering, fmpq_mpoly_ctx, fmpz, fmpz_mpoly_ctx, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReachError
 from exactspline.polynomials import elimination, factors
 from exactspline.polynomials.cost import check_reach
-from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
+from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
+from exactspline.verification.coq.refutations import Units
 
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
 S, T = CONTEXT.gens()
@@ -124,3 +125,30 @@ def test_the_longest_estimate_is_not_refused():
     with pytest.raises(ReachError) as refused:
         check_reach(11 * 10**9, lambda: "this", 10)
     assert refused.value.data == {"seconds": 11}
+
+
+def test_prime_factors_of_any_integer_or_none():
+    """Passed before: trial division, that never ends for a weight of 10¹⁵ + 37."""
+    random, began = Random(4), time.process_time()
+    large = 10**15 + 37, (1 << 61) - 1
+    for n in (
+        1,
+        -1,
+        *large,
+        large[0] ** 3 * -12,
+        prod(large) * 2**70,
+        *(random.getrandbits(90) | 1 for _ in range(20)),
+    ):
+        found = prime_factors(n)
+        assert prod(p**e for p, e in found.items()) == abs(n)
+        assert list(found) == sorted(found)
+        assert all(fmpz(p).is_prime() for p in found)
+    with pytest.raises(ReachError, match="the prime factors of a number of"):
+        prime_factors(6 * ((1 << 127) - 1) * ((1 << 507) - 19))
+    assert time.process_time() - began < 20
+
+
+def test_a_prime_weight_of_any_size_is_a_unit_of_a_theorem():
+    units = Units()
+    units.recognize(10**15 + 37)
+    assert units.atoms == [(10**15 + 37,)]

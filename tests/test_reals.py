@@ -21,8 +21,8 @@ from mpmath import mp
 
 import exactspline as xs
 from exactspline.errors import NumberError, ReachError
-from exactspline.exact import from_float, to_fmpq
-from exactspline.reals import annihilating
+from exactspline.numbers.exact import from_float, to_fmpq
+from exactspline.polynomials import annihilating
 from exactspline.reals.real import Extreme, Quadratic, RationalNumber, Real, between, real, square_root
 from exactspline.roots.root import Root
 

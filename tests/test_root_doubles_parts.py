@@ -7,7 +7,7 @@ import pytest
 
 np = pytest.importorskip("numpy")
 
-from exactspline.roots.doubles import (  # noqa: E402  # needs numpy
+from exactspline.polynomials.doubles import (  # noqa: E402  # needs numpy
     SPLIT,
     Isolated,
     Rows,

@@ -8,7 +8,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.exact import double_between
+from exactspline.numbers.exact import double_between
 from exactspline.reals.real import square_root
 
 

@@ -9,11 +9,13 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, zeros
 from exactspline.errors import DomainError
-from exactspline.reals.bounds import Bounds, rounded_outwards
+from exactspline.numbers.intervals import Interval, rounded_outwards
+from exactspline.polynomials import cells
+from exactspline.polynomials.factors import factorize_square_free
+from exactspline.polynomials.isolation import LocalPolynomial
+from exactspline.polynomials.refinement import enclosures
 from exactspline.reals.real import Real, between
-from exactspline.roots import cells, checker
-from exactspline.roots.isolation import LocalPolynomial
-from exactspline.roots.refinement import enclosures
+from exactspline.roots import checker
 from exactspline.roots.root import knot_root
 from exactspline.roots.values import narrowed, sign_at, signed_root, value_at
 
@@ -21,12 +23,12 @@ T = BSpline.identity(0, 1)
 
 
 def test_enclosures_are_rounded_outwards_and_say_their_middle():
-    low, high = rounded_outwards(Bounds(mpq(1, 3), mpq(2, 3)), 2)
+    low, high = rounded_outwards(Interval(mpq(1, 3), mpq(2, 3)), 2)
     assert (low, high) == (mpq(33, 100), mpq(67, 100))
     assert Real("-1/3").decimal(4) == "-0.3333"
     assert [Real(t).decimal(0) for t in ("5/2", "-5/2")] == ["3", "-2"]
     assert float(Real("1/3")) == 1 / 3
-    assert Bounds(mpq(0), mpq(1)).middle == mpq(1, 2)
+    assert Interval(mpq(0), mpq(1)).middle == mpq(1, 2)
 
 
 def test_values_at_roots_are_as_narrow_as_asked():
@@ -126,7 +128,7 @@ def test_enclosures_are_as_narrow_as_asked_whatever_the_root_gives(slope, digits
         def enclosure(self, precision):
             return mpq(1, 7) - mpq(1, 2 * 10**precision), mpq(1, 7) + mpq(1, 2 * 10**precision)
 
-    told = narrowed(lambda low, high: Bounds(slope * low, slope * high), Zero(), digits)
+    told = narrowed(lambda low, high: Interval(slope * low, slope * high), Zero(), digits)
     assert told.low <= mpq(slope, 7) <= told.high
     assert told.high - told.low <= mpq(1, 10**digits)
 
@@ -137,7 +139,7 @@ def test_square_free_factors_with_their_multiplicities(powers):
     f = fmpq_poly([fmpq(7, 3)])
     for base, power in zip(bases, powers, strict=False):
         f = f * base**power
-    found = cells._square_free(f)
+    found = sorted(((fmpq_poly(p), m) for p, m in factorize_square_free(f.numer()).powers), key=lambda pair: pair[1])
     expected = {
         m: [base for base, power in zip(bases, powers, strict=False) if power == m] for m in sorted({*powers} - {0})
     }

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs, analyse, example, example_names
 from exactspline.errors import KnotError, ShapeError
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.splines import spans
 from exactspline.splines.common import splines_over, with_common_denominators
 from exactspline.splines.control_points import Direction

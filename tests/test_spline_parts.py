@@ -9,17 +9,18 @@ from exactspline.errors import KnotError, ReductionError
 from exactspline.language.kinds import TABLE
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.intervals import UNIT
+from exactspline.polynomials.bernstein import LONG, value
+from exactspline.polynomials.patch_forms import PatchForm, Sized
+from exactspline.polynomials.tensor_bernstein import evaluated
 from exactspline.programs.compiled import needed
 from exactspline.programs.instructions import Instruction
 from exactspline.programs.program import operands_of
 from exactspline.reals.real import square_root
-from exactspline.splines.bernstein import LONG, value
 from exactspline.splines.examples import example, load, load_surface
 from exactspline.splines.lowest_terms import primitive_part
-from exactspline.splines.patch_forms import UNIT, PatchForm, Sized
 from exactspline.splines.surface_weight import DEPTH, _zero_at_corners
 from exactspline.splines.tensor import lifted
-from exactspline.splines.tensor_bernstein import evaluated
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
 from exactspline.splines.wronskian import lowest_wronskian
 from exactspline.verification.curve_check import spline_table

@@ -12,12 +12,12 @@ from hypothesis import strategies as st
 
 from exactspline import NurbsSurface, TensorSpline, example_surface, inspect_surface, jacobian_sign, rational
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.geometry.surface.degenerate import Gap
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.planar_maps import MapKind
 from exactspline.geometry.surface.umbilics import UmbilicKind
 from exactspline.geometry.surface.zero_curve import Shape
+from exactspline.numbers.exact import mpq
 from exactspline.splines.surface import Along
 from tests.surface_oracle import forms, gaussian_curvature, shape_operator, umbilicity
 

@@ -19,9 +19,9 @@ from exactspline.language.choices import Parameter
 from exactspline.language.kinds import FORMS, SURFACE
 from exactspline.language.vector import Vector, cross, dot
 from exactspline.papers import find
+from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.readings.jet import JetReading
 from exactspline.readings.taylor_surface import DoubleTaylorReading
-from exactspline.splines.patch_forms import PatchForm
 from exactspline.splines.surface_files import surface_data
 from exactspline.symbolic.covariants import degree_on_patch
 

@@ -7,15 +7,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline.exact import mpq
-from exactspline.geometry.bisector.polynomials import CONTEXT, S, T
 from exactspline.geometry.surface.borders import is_inside
-from exactspline.geometry.surface.common_factor import as_form, common_factor, odd_part
-from exactspline.geometry.surface.isolation import isolate, simplest
+from exactspline.geometry.surface.common_factor import common_factor, odd_part
 from exactspline.geometry.surface.multiple import multiple_zero
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
-from exactspline.splines.patch_forms import UNIT, PatchForm, of_powers, powers_of
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.common_zeros import isolate, simplest
+from exactspline.polynomials.patch_forms import PatchForm, of_powers, powers_of
+from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form
 
 ONE = CONTEXT.from_dict({(0, 0): 1})
 
@@ -133,7 +134,7 @@ def test_multiple_zeros_are_shown_to_be_alone():
     assert all(multiple.explains(box) for box in found.undecided)
     # a curve through the point is no single zero
     line = [as_form(p) for p in ((2 * S - 1) * (3 * T - 1), (2 * S - 1) * (S + 1))]
-    assert multiple_zero(line, [((mpq(1, 4), mpq(3, 4)), (mpq(1, 4), mpq(3, 4)))]) is None
+    assert multiple_zero(line, [UNIT.part(Box(side := Interval(mpq(1, 4), mpq(3, 4)), side))]) is None
 
 
 def test_the_third_form_excludes():

@@ -17,14 +17,13 @@ from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.display.surface_data import map_sheet, surface_inspection_data, surface_sheet
 from exactspline.errors import FormulaError
-from exactspline.geometry.bisector.polynomials import S, T
-from exactspline.geometry.surface.common_factor import as_form
 from exactspline.geometry.surface.inspection import PatchKind
-from exactspline.geometry.surface.isolation import isolate, same
 from exactspline.geometry.surface.planar_maps import MapKind
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
-from exactspline.splines.patch_forms import PatchForm
+from exactspline.polynomials.common_zeros import isolate, same
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.splines.surface_files import surface_data
 from exactspline.verification import patch_degrees
 from tests.surface_campaign import run

@@ -22,12 +22,12 @@ from exactspline.batch.recorded import Where, recorded
 from exactspline.batch.results import JsonLines
 from exactspline.batch.summary import Summary
 from exactspline.batch.work import FILTERED_DIGITS, Work
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 
 np = pytest.importorskip("numpy")
 
 from exactspline.geometry import many_roots  # noqa: E402  # needs numpy
-from exactspline.roots.modular import PRIMES, PRODUCT, without_rational_zero  # noqa: E402
+from exactspline.polynomials.modular import PRIMES, PRODUCT, without_rational_zero  # noqa: E402
 from tests.test_filtered_splines import troubled  # noqa: E402
 
 SHARED = Path(os.environ.get("EXACTSPLINE_CURVES", Path(__file__).resolve().parents[2] / "shared" / "curves")).parent

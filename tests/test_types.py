@@ -132,7 +132,7 @@ def test_a_type_checker_sees_through_the_front_door(tmp_path):
 def test_the_precision_leaves_the_formulas_out():
     report = """
                  Name   Anys   Exprs   Coverage
-  exactspline.exact      5     100     95.00%
+  exactspline.numbers.exact      5     100     95.00%
   exactspline.papers     5     100     95.00%
   exactspline.papers.lifted.curves    100     100     0.00%
   Total    110     300     63.33%

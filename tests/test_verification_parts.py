@@ -12,6 +12,7 @@ from exactspline.errors import ClaimError, InapplicableError
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, SURFACE, kind_of
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
+from exactspline.numbers.intervals import Interval
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.jet import JetReading
 from exactspline.splines.examples import example
@@ -150,8 +151,8 @@ def test_zeros_have_their_places_in_the_parameter_of_the_curve():
     assert zero_of(shifted - 4) == "at the parameter 4"
     assert zero_of(shifted) == ""
     assert zero_of(shifted * 0) == "on all of [3, 7]"
-    assert between(mpq(3), mpq(7), (mpq(1, 4), mpq(1, 2))) == "between the parameters 4 and 5"
-    assert between(mpq(3), mpq(7), (mpq(1, 4), mpq(1, 4))) == "at the parameter 4"
+    assert between(Interval(mpq(4), mpq(5))) == "between the parameters 4 and 5"
+    assert between(Interval.point(mpq(4))) == "at the parameter 4"
 
 
 def test_why_nothing_is_decided_is_a_verdict():

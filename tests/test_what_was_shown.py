@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.exact import to_fmpq
 from exactspline.language.kinds import kind_of
+from exactspline.numbers.exact import to_fmpq
 from exactspline.papers import load_paper, paper
 from exactspline.papers.folder import Table
 from exactspline.readings.jet import JetReading

@@ -8,8 +8,8 @@ from math import comb
 import pytest
 
 from exactspline import BSpline, Nurbs, zeros
-from exactspline.exact import mpq
 from exactspline.geometry.inspection import solved
+from exactspline.numbers.exact import mpq
 from exactspline.roots import checker
 
 T = BSpline.identity(0, 1)

@@ -12,7 +12,7 @@ from flint import fmpq_poly, fmpz_poly
 from gmpy2 import mpq, mpz
 
 from exactspline import BSpline
-from exactspline.exact import to_fmpq
+from exactspline.numbers.exact import to_fmpq
 from exactspline.roots.checker import check
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros

@@ -9,7 +9,7 @@ from gmpy2 import mpq
 
 from exactspline import BSpline
 from exactspline.errors import NumberError
-from exactspline.geometry.bisector.polynomials import as_splines
+from exactspline.roots.of_polynomials import as_splines
 from exactspline.roots.zero_set import zeros
 
 T = BSpline.identity(0, 2)

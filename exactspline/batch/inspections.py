@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from exactspline.batch.lines import EVERYWHERE, Found
 from exactspline.errors import FormulaError, nearest
-from exactspline.exact import mpq, mpz
 from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
+from exactspline.numbers.exact import mpq, mpz
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.questions.entry import Answered, Entry
 from exactspline.roots.root import Root

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from exactspline.errors import ExactSplineError
-from exactspline.exact import mpq, rational, text
 from exactspline.geometry.analysis import QUESTIONS, analyse
+from exactspline.numbers.exact import mpq, rational, text
+from exactspline.numbers.intervals import rounded_outwards
 from exactspline.questions.answers import Places
 from exactspline.questions.entry import Answered
-from exactspline.reals.bounds import rounded_outwards
 from exactspline.reals.real import RationalNumber, Real
 from exactspline.roots.values import exact_place
 from exactspline.splines.nurbs import Nurbs

@@ -8,12 +8,12 @@ from itertools import pairwise
 from exactspline.batch.oracle_answers import Item, Question, QuestionError
 from exactspline.batch.oracle_values import axes
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq, text
 from exactspline.geometry import balls
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.derived import derive
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import mpq, text
 from exactspline.reals.real import Real
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots

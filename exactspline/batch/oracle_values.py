@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from exactspline.batch.oracle_answers import Item, Question
-from exactspline.exact import mpq
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.values_along import point_at
 from exactspline.language.vector import Vector, cross
+from exactspline.numbers.exact import mpq
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import unit
 from exactspline.splines.nurbs import Nurbs

@@ -10,7 +10,7 @@ from itertools import count, zip_longest
 from exactspline.classroom.parts import Math, Part, Point, Polynomial
 from exactspline.classroom.reading import AnswerError, cleaned, numbers, points, polynomials
 from exactspline.errors import counted
-from exactspline.exact import mpq, text
+from exactspline.numbers.exact import mpq, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 

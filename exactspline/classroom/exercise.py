@@ -9,7 +9,7 @@ from random import Random
 
 from exactspline.classroom.answers import Answer
 from exactspline.classroom.parts import Math, Part, Point
-from exactspline.exact import lcm, mpq
+from exactspline.numbers.exact import mpq, over_one_denominator
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
@@ -55,7 +55,7 @@ def cleared(points: Sequence[Point], made: Iterable[Point]) -> list[Point] | Non
     they become large, or where neighbours coincide.
     """
     numbers = [x for row in made for x in row]
-    factor = lcm(1, *[int(x.denominator) for x in numbers])
+    _, factor = over_one_denominator(numbers)
     largest = max(abs(x) for x in [*numbers, *[x for row in points for x in row]])
     if factor * largest > LARGEST or any(a == b for a, b in pairwise(points)):
         return None

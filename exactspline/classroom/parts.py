@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.splines.triangles import Triangle
 
 Point: TypeAlias = tuple[mpq, ...]

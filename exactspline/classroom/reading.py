@@ -9,7 +9,7 @@ from flint import fmpq, fmpq_poly
 
 from exactspline.classroom.parts import Point, Polynomial
 from exactspline.errors import ExactSplineError, shown
-from exactspline.exact import mpq, rational, to_fmpq
+from exactspline.numbers.exact import from_flint, mpq, rational, to_fmpq
 
 #: Longest answer and highest degree that are read.
 MAX_TEXT, MAX_FORMULA, MAX_DEGREE = 20_000, 300, 60
@@ -110,7 +110,7 @@ def _polynomial(formula: str) -> Polynomial:
         made = _value(ast.parse(code, mode="eval").body, code)
     except (SyntaxError, ValueError, ZeroDivisionError, RecursionError, MemoryError):
         raise problem from None
-    return Polynomial(tuple(mpq(int(c.p), int(c.q)) for c in made.coeffs()))
+    return Polynomial(tuple(from_flint(c) for c in made.coeffs()))
 
 
 def _value(node: ast.AST, code: str) -> fmpq_poly:

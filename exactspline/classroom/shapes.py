@@ -7,10 +7,10 @@ from random import Random
 from exactspline.classroom.answers import Circle, Numbers, Parameters
 from exactspline.classroom.exercise import LARGEST, Drawn, cleared, drawn_points, knots_of, points_of, small
 from exactspline.classroom.parts import Math, Point
-from exactspline.exact import is_square, mpq, text
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.kinds import FeatureKind
+from exactspline.numbers.exact import is_square, mpq, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.triangles import de_boor_triangle

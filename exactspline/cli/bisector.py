@@ -112,7 +112,7 @@ def _coordinates(point: str) -> list[str]:
 
 
 def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
-    from exactspline.display.bisector_data import curve_bisector_data, shown, sides_text
+    from exactspline.display.bisector_data import curve_bisector_data, shown
     from exactspline.display.plot.bisectors import plot_curve_bisector
     from exactspline.geometry.bisector.two_curves import SurfaceVariant, curve_bisector
 
@@ -125,7 +125,7 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
         for pair in found.pairs
     ]
     rows += _grouped(_pole_row(pole) for pole in found.poles)
-    notes = [f"no surface: {sides_text(sides)}: {reason}" for sides, reason in found.missing]
+    notes = [f"no surface: {sides.shortly}: {reason}" for sides, reason in found.missing]
     notes += [f"left out: {what}" for what in found.left_out] or [_closing(found)]
     data = {"curves": [c.name, other.name]} | curve_bisector_data(found, digits)
     title = f"bisector of {c.name} (s) and {other.name} (t), {found.variant}"
@@ -149,26 +149,26 @@ def _closing(found: CurveBisector) -> str:
 
 
 def _surface_row(patch: BisectorPatch) -> Row:
-    from exactspline.display.bisector_data import counted, degree_of, sides_text
-    from exactspline.exact import short_text
+    from exactspline.display.bisector_data import counted, degree_of
+    from exactspline.numbers.exact import short_text
 
     remark = f"{counted(patch.value)} control points"
     if max(patch.value.degree) == 0:
         point = patch.value.point(patch.sides[0][0], patch.sides[1][0])
         remark = f"one point: ({', '.join(map(short_text, point))})"
-    return Row("surface", sides_text(patch.sides), degree_of(patch.value), remark)
+    return Row("surface", patch.sides.shortly, degree_of(patch.value), remark)
 
 
 def _line_row(line: LineComponent, digits: int) -> Row:
-    from exactspline.display.bisector_data import shown, sides_text
+    from exactspline.display.bisector_data import shown
 
     degrees = {piece.surface.degree for piece in line.pieces}
     if line.pieces:
         where = "; ".join(f"{'st'[x.of]} in [{shown(x.low, digits)}, {shown(x.high, digits)}]" for x in line.pieces)
     elif line.over_root is not None:
-        own, (low, high) = line.over_root, line.over_root.interval
+        own = line.over_root
         degrees = {own.degree}
-        where = f"{'ts'[own.of]} = {shown(own.other, digits)}; {'st'[own.of]} in {sides_text([(low, high)])}"
+        where = f"{'ts'[own.of]} = {shown(own.other, digits)}; {'st'[own.of]} in {own.interval.shortly}"
     else:
         where = f"{len(line.real.branches)} branches"
     return Row("lines", _pairs(line.equation, line.sides, where), ", ".join(map(str, degrees)) or "–", str(line.cause))
@@ -189,11 +189,10 @@ def _pole_row(pole: PoleCurve) -> Row:
 
 def _pairs(equation: PairEquation | None, sides: Any, where: str) -> str:
     """The pairs of an equation on a patch, as text."""
-    from exactspline.display.bisector_data import sides_text
 
     if equation is None:
-        return f"all of {sides_text(sides)}"
-    return f"{equation.short_text}: {where or sides_text(sides)}"
+        return f"all of {sides.shortly}"
+    return f"{equation.short_text}: {where or sides.shortly}"
 
 
 # ---- a point and a curve
@@ -216,8 +215,8 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
 def _trimmed(c: Nurbs, point: list[str], digits: int, title: str) -> Answer:
     from exactspline.display.bisector_data import shown, trimmed_data
     from exactspline.display.plot.bisectors import plot_trimmed_bisector
-    from exactspline.exact import short_text
     from exactspline.geometry.bisector.trimmed import trimmed_bisector
+    from exactspline.numbers.exact import short_text
 
     found = trimmed_bisector(c, point)
     data = {"name": "bisector", "curve": c.name, "point": point} | trimmed_data(found, digits)
@@ -235,7 +234,7 @@ def _trimmed(c: Nurbs, point: list[str], digits: int, title: str) -> Answer:
 
 
 def _ruled(c: Nurbs, point: list[str], variant: str, digits: int, title: str) -> Answer:
-    from exactspline.display.bisector_data import point_bisector_data, shown, sides_text
+    from exactspline.display.bisector_data import point_bisector_data, shown
     from exactspline.display.plot.bisectors import plot_point_bisector
     from exactspline.geometry.bisector.point_and_curve import point_bisector
 
@@ -243,14 +242,14 @@ def _ruled(c: Nurbs, point: list[str], variant: str, digits: int, title: str) ->
     rows = [
         Row(
             "ruled surface",
-            sides_text([piece.interval]),
+            piece.interval.shortly,
             str(piece.surface.degree),
             f"ruling parameter {piece.moved}" if piece.moved else "",
         )
         for piece in found.pieces
     ]
     rows += [Row("singular", shown(root, digits), "–", "the generator vanishes") for root in found.singular]
-    notes = [f"missing: {sides_text([interval])}: {reason}" for interval, reason in found.missing]
+    notes = [f"missing: {interval.shortly}: {reason}" for interval, reason in found.missing]
     data = {"name": "bisector", "curve": c.name, "point": point} | point_bisector_data(found, digits)
     return Answer(data, rows, f"{title} ({found.variant})", notes, lambda: plot_point_bisector(found, c, point))
 

@@ -106,7 +106,7 @@ def _cells(row: Any, f: Any) -> tuple[str, ...]:
 
 def _place(root: Any) -> str:
     from exactspline.display.console import decimal
-    from exactspline.exact import text
+    from exactspline.numbers.exact import text
 
     exact = "" if root.exact is None else text(root.exact)
     return exact if 0 < len(exact) < 12 else decimal(root.refine(12)[0], 8) + "…"

@@ -18,7 +18,7 @@ from exactspline.cli.common import (
 )
 from exactspline.cli.output import OptionsError, Output, is_quiet, printing
 from exactspline.geometry.kinds import JointKind
-from exactspline.language.choices import choice
+from exactspline.words import choice
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet

@@ -81,10 +81,10 @@ def _sheet(row: dict[str, Any], digits: int) -> Sheet:
 
 def _between(number: dict[str, Any], digits: int) -> str:
     """An irrational number: the decimals that its certified interval makes certain, and dots."""
-    from exactspline.exact import rational
-    from exactspline.reals.bounds import Bounds, certain
+    from exactspline.numbers.exact import rational
+    from exactspline.numbers.intervals import Interval, certain
 
-    return certain(Bounds(rational(number["low"]), rational(number["high"])), digits)
+    return certain(Interval(rational(number["low"]), rational(number["high"])), digits)
 
 
 def _shown(fact: object) -> str:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from flint import arb
 
 from exactspline.display.serialize import decimal_of, piece_data
 from exactspline.errors import ReachError
-from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.bisector.components import (
     Branch,
     LineComponent,
@@ -23,12 +21,14 @@ from exactspline.geometry.bisector.components import (
 )
 from exactspline.geometry.bisector.flats import Flat
 from exactspline.geometry.bisector.point_and_curve import PointBisector
-from exactspline.geometry.bisector.polynomials import Parameter, Sides
 from exactspline.geometry.bisector.root_lines import Coordinate, RootLines
 from exactspline.geometry.bisector.trimmed import TrimmedBisector, TrimmedPiece
 from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.intervals import Box
+from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline
@@ -60,7 +60,7 @@ def curve_bisector_data(found: CurveBisector, digits: int) -> Data:
     }
 
 
-def _sides(sides: Sides) -> list[list[str]]:
+def _sides(sides: Box) -> list[list[str]]:
     return [[text(x) for x in side] for side in sides]
 
 
@@ -293,12 +293,3 @@ def shown(t: Parameter, digits: int) -> str:
     if exact is not None and len(text(exact)) <= digits + 2:
         return text(exact)
     return decimal_of(t if isinstance(t, Root) else knot_root(t), digits)
-
-
-def sides_text(sides: Sequence[Sequence[Number]]) -> str:
-    """An interval or a rectangle as text.
-
-    >>> sides_text([(0, 1), (2, 3)])
-    '[0, 1] × [2, 3]'
-    """
-    return " × ".join(f"[{short_text(rational(a))}, {short_text(rational(b))}]" for a, b in sides)

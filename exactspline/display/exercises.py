@@ -11,7 +11,7 @@ from exactspline.display import mathml
 from exactspline.display.latex import fraction, mathematics
 from exactspline.display.triangles import scheme_mathml, sheets
 from exactspline.display.wrapping import hanging
-from exactspline.exact import text
+from exactspline.numbers.exact import text
 from exactspline.splines.triangles import Triangle
 
 _LATEX = {
@@ -41,7 +41,7 @@ def title_of(made: Exercise) -> str:
 def polynomial_text(p: Polynomial) -> str:
     """A polynomial as it can be pasted into an answer.
 
-    >>> from exactspline.exact import mpq
+    >>> from exactspline.numbers.exact import mpq
     >>> polynomial_text(Polynomial((mpq(1), mpq(-3), mpq(0), mpq(1, 2))))
     '1 - 3t + 1/2 t^3'
     """

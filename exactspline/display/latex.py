@@ -6,13 +6,13 @@ import re
 from functools import singledispatch
 from typing import Any
 
-from exactspline.exact import mpq, text
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE
 from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq, text
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.readings.printing.latex import print_latex

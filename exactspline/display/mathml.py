@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from exactspline.exact import mpq, text
+from exactspline.numbers.exact import mpq, text
 
 #: Shared by pages for print.
 STYLE = """

@@ -15,11 +15,11 @@ from exactspline.display.numbers import decimals
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts
 from exactspline.errors import counted
-from exactspline.exact import mpq, text
 from exactspline.geometry.derived import Derived
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq, text
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 
 _NUMBER = re.compile(r"(?<![\w/.])-?\d+/\d+(?![\w/.])|(?<![\w/.])-?\d{25,}(?![\w/.])")
 _BETWEEN = re.compile(r"between the parameters (-?\d+(?:/\d+)?) and (-?\d+(?:/\d+)?)")

@@ -14,10 +14,11 @@ from exactspline.geometry.inspection import Inspection
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
 from exactspline.geometry.planarity import Plane
-from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
-from exactspline.questions.answers import CurvePiece, Interval, Places
+from exactspline.numbers.intervals import Interval
+from exactspline.numbers.sides import Side
+from exactspline.questions.answers import CurvePiece, Places
 from exactspline.reals.real import Real
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from math import prod
 
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
-from exactspline.exact import mpq, text
 from exactspline.geometry.surface.chains import Piece
 from exactspline.geometry.surface.degenerate import Gap
-from exactspline.geometry.surface.forms import Patch, in_parameters
+from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Parameter, Place, enclosing
 from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
+from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.intervals import Box, Interval, hull, joined
+from exactspline.polynomials.patch_forms import clusters
 from exactspline.roots.root import Root
-from exactspline.splines.patch_forms import Box, Interval, clusters
 from exactspline.splines.surface import Along, NurbsSurface
 
 #: What poles of one line have in common.
@@ -95,7 +96,7 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
             {
                 "patches": [list(patch) for patch in curve.patches],
                 "shape": curve.shape.value,
-                **_hull_data(_around(_hull(piece) for piece in curve.pieces)),
+                **_hull_data(hull(_hull(piece) for piece in curve.pieces)),
             }
             for curve in found.parabolic_curves
         ],
@@ -155,7 +156,7 @@ def _place_data(place: Place, digits: int) -> dict[str, object]:
     sides = {
         name: {
             "parameter": text(exact[k]) if exact else text(a) if a == b else None,
-            "interval": _ends((a, b)),
+            "interval": _ends(Interval(a, b)),
             "decimal": shown(a, b, digits),
         }
         for k, (name, (a, b)) in enumerate(zip("uv", box, strict=True))
@@ -194,9 +195,9 @@ def _hull(piece: Piece) -> Box:
     """A box around the part of a curve on one patch, in the parameters of the surface."""
     boxes = [*(arc.box for arc in piece.part.arcs), *piece.part.cells]
     if boxes:
-        return in_parameters(_around(boxes), piece.sides)
-    spots = [tuple(enclosing(t, DIGITS_OF_BOXES) for t in spot) for spot, _ in piece.spots()]
-    return _around([(u, v) for u, v in spots]) if spots else piece.sides
+        return piece.sides.part(hull(boxes))
+    spots = [Box(*(enclosing(t, DIGITS_OF_BOXES) for t in spot)) for spot, _ in piece.spots()]
+    return hull(spots) if spots else piece.sides
 
 
 def _extent(piece: Piece) -> Box:
@@ -204,15 +205,7 @@ def _extent(piece: Piece) -> Box:
     if not piece.part.arcs:
         return _hull(piece)
     points = [point for arc in piece.part.arcs for point in piece.curve.points(arc)]
-    return in_parameters(_around(((x, x), (y, y)) for x, y in points), piece.sides)
-
-
-def _around(boxes: Iterable[Box]) -> Box:
-    """The smallest box around others."""
-    first, second = (
-        (min(side[0] for side in sides), max(side[1] for side in sides)) for sides in zip(*boxes, strict=True)
-    )
-    return first, second
+    return piece.sides.part(hull(Box.point(x, y) for x, y in points))
 
 
 # ---- a table
@@ -230,7 +223,7 @@ def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
         told = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
         made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), told)
     for curve in found.parabolic_curves:
-        extent = _around(_extent(piece) for piece in curve.pieces)
+        extent = hull(_extent(piece) for piece in curve.pieces)
         across = f", across {len(curve.patches)} patches" if len(curve.patches) > 1 else ""
         made.add_row("parabolic curve", *(_near(side, 2) for side in extent), curve.shape.value + across)
     for place in found.parabolic_points:
@@ -269,8 +262,7 @@ def _together(boxes: Sequence[Box], direction: int) -> list[Box]:
     for box in sorted(boxes, key=lambda b: (b[1 - direction], b[direction])):
         last = found[-1] if found else None
         if last and last[1 - direction] == box[1 - direction] and last[direction][1] == box[direction][0]:
-            side = last[direction][0], box[direction][1]
-            found[-1] = (side, box[1]) if direction == 0 else (box[0], side)
+            found[-1] = box.with_side(direction, Interval(last[direction].low, box[direction].high))
         else:
             found.append(box)
     return found
@@ -325,12 +317,8 @@ def _poles(found: SurfaceInspection) -> Iterator[tuple[_PoleKey, list[Interval]]
     """Poles along one line at one point together."""
     groups: dict[_PoleKey, list[Interval]] = {}
     for pole in found.poles:
-        own = groups.setdefault((pole.along, pole.value, pole.point, pole.gap), [])
-        if own and own[-1][1] == pole.interval[0]:
-            own[-1] = own[-1][0], pole.interval[1]
-        else:
-            own.append(pole.interval)
-    yield from groups.items()
+        groups.setdefault((pole.along, pole.value, pole.point, pole.gap), []).append(pole.interval)
+    yield from ((key, joined(own)) for key, own in groups.items())
 
 
 def _parameters(place: Place, digits: int) -> Iterator[str]:
@@ -345,7 +333,7 @@ def _line(along: Along, value: Parameter, interval: Interval, digits: int = 0) -
 
 
 def _side(side: Interval) -> str:
-    return f"[{text(side[0])}, {text(side[1])}]"
+    return str(side)
 
 
 def _near(side: Interval, digits: int = 4) -> str:

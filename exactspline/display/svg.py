@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 
 from exactspline.display.plot.canvas import BLACK, BLUE, GREY, SILVER, Point, polygons
-from exactspline.exact import mpq
-from exactspline.language.choices import Side
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.sides import Side
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import greville_abscissae
 from exactspline.splines.nurbs import Nurbs

@@ -8,7 +8,7 @@ from html import escape
 from exactspline.display import mathml
 from exactspline.display.latex import fraction, mathematics
 from exactspline.display.sheet import Sheet
-from exactspline.exact import text
+from exactspline.numbers.exact import text
 from exactspline.splines.triangles import ProductTable, Row, Triangle
 
 #: The name of a scheme.
@@ -49,7 +49,7 @@ def rule(scheme: Scheme) -> str:
 def point_text(row: Row) -> str:
     """A value, or a point between parentheses.
 
-    >>> from exactspline.exact import mpq
+    >>> from exactspline.numbers.exact import mpq
     >>> point_text((mpq(1, 2),)), point_text((mpq(1, 2), mpq(3)))
     ('1/2', '(1/2, 3)')
     """

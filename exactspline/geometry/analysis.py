@@ -8,7 +8,6 @@ from __future__ import annotations
 from threading import Lock
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational
 from exactspline.geometry import plane_features, space_features
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.extent import slope_zeros, turning_points
@@ -17,8 +16,9 @@ from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
 from exactspline.geometry.space_features import SpaceFacts
-from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.sides import Side
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.questions.entry import CURVES, Answered, Entry, Of, question, question_with, questions_of
 from exactspline.roots.root import knot_root

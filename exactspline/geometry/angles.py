@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from exactspline.exact import mpq
 from exactspline.language.vector import Vector, dot
+from exactspline.numbers.exact import mpq
 from exactspline.reals.real import Real, square_root
 
 if TYPE_CHECKING:

@@ -10,14 +10,14 @@ from math import comb
 from flint import acb, acb_poly, arb, arb_poly, fmpq, fmpq_poly
 
 from exactspline.errors import OpenError
-from exactspline.exact import mpq, to_fmpq
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.curvature import polynomial_root
+from exactspline.numbers.exact import mpq, to_fmpq
+from exactspline.numbers.intervals import ball_around
+from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.ball import InBalls
-from exactspline.reals.bounds import ball_around
 from exactspline.reals.real import Real, square_root
-from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 

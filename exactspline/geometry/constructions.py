@@ -14,7 +14,6 @@ from typing import cast
 
 from exactspline.errors import FormulaError, as_text, nearest, shown
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Word, choice
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, numerator
@@ -24,6 +23,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without_factor
 from exactspline.splines.values import SplineValue, SplineVector
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
+from exactspline.words import Word, choice
 
 #: Of constructions that are zero sets the lifted form at its true degree, up to a positive constant.
 LOWEST = {

@@ -6,15 +6,16 @@ from dataclasses import dataclass
 
 from flint import fmpz_poly
 
-from exactspline.exact import mpq, ratio
 from exactspline.geometry.domain import plane, segments
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import mpq, ratio
+from exactspline.numbers.intervals import Interval
 from exactspline.papers import find
+from exactspline.polynomials.bernstein import ONE, is_square_class, primitive
 from exactspline.polynomials.factors import factorize_square_free
-from exactspline.questions.answers import Interval
+from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.radicals import square_root_parts
-from exactspline.splines.bernstein import ONE, is_square_class, primitive, zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import in_lowest_terms

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from exactspline.errors import FormulaError, ShapeError, shown
-from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
 from exactspline.hooks import Displayed
@@ -19,8 +18,9 @@ from exactspline.language.parts import joined, numerator
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq, rational, short_text, text
+from exactspline.numbers.intervals import Interval
 from exactspline.papers import formula_of
-from exactspline.questions.answers import Interval
 from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms, true_degree
 from exactspline.splines.nurbs import Nurbs

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from itertools import pairwise, starmap
 from typing import TypeVar
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
-from exactspline.questions.answers import Interval
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval, joined
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.nurbs import Nurbs
@@ -37,7 +37,7 @@ def segments(curve: Curve[BSpline]) -> Iterator[tuple[Interval, Curve[BSpline]]]
     def only(f: BSpline, i: int, mesh: Mesh) -> BSpline:
         return BSpline.from_forms(f.degree, mesh, (), [(f.polynomials[i], f.denominators[i])])
 
-    for i, interval in enumerate(pairwise(breaks)):
+    for i, interval in enumerate(starmap(Interval, pairwise(breaks))):
         mesh = Mesh(interval)
         p = Vector(*[only(x, i, mesh) for x in curve.p])
         yield interval, Curve(p, only(curve.w, i, mesh), polynomial=curve.polynomial)
@@ -45,14 +45,7 @@ def segments(curve: Curve[BSpline]) -> Iterator[tuple[Interval, Curve[BSpline]]]
 
 def intervals_where(breaks: Sequence[mpq], holds: Sequence[bool]) -> list[Interval]:
     """The maximal intervals made of segments on which something holds."""
-    found: list[Interval] = []
-    for a, b, here in zip(breaks, breaks[1:], holds, strict=False):
-        if here:
-            if found and found[-1][1] == a:
-                found[-1] = (found[-1][0], b)
-            else:
-                found.append((a, b))
-    return found
+    return joined(interval for interval, here in zip(pairwise(breaks), holds, strict=True) if here)
 
 
 def plane(curve: C) -> C:

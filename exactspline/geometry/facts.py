@@ -17,7 +17,6 @@ from typing import Any, TypeVar
 from flint import fmpz
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq, ratio
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import plane, space
@@ -37,10 +36,12 @@ from exactspline.geometry.joints import (
 from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
 from exactspline.geometry.pieces import pieces, runs
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Side, choice
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE
 from exactspline.language.vector import Vector, cross
+from exactspline.numbers.exact import mpq, ratio, sign
+from exactspline.numbers.sides import Side
+from exactspline.polynomials.bernstein import ONE, variations
 from exactspline.polynomials.factors import certainly_coprime
 from exactspline.programs.invariants import INVARIANTS, bending, invariants, tangent
 from exactspline.programs.program import Given, operands_of
@@ -48,11 +49,11 @@ from exactspline.questions.answers import CurvePiece, Places
 from exactspline.questions.entry import CURVES, Answered, Fact, question
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
-from exactspline.splines.bernstein import ONE, variations
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineValue
+from exactspline.words import choice
 
 T = TypeVar("T")
 
@@ -72,7 +73,7 @@ class ZeroForm:
         breaks = self.form.mesh.breaks
         if root.low == root.high:
             value = self.form(root.low, side)
-            return int(value > 0) - int(value < 0)
+            return sign(value)
         segment = bisect_right(breaks, root.low) - 1
         if root.segment != breaks[segment : segment + 2]:
             while segment + 1 < len(breaks) - 1 and breaks[segment + 1] <= root:

@@ -16,11 +16,11 @@ from exactspline.geometry.constructions import construction
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE
 from exactspline.papers import find
+from exactspline.polynomials.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates
 from exactspline.programs.doubles import Floats, in_doubles
 from exactspline.programs.invariants import slope, turning
 from exactspline.programs.program import Program, Signature, program_of
 from exactspline.programs.wronskian import wronskian_of
-from exactspline.roots.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates
 
 #: How many segments are computed at once, so that their numbers fit into the cache.
 AT_ONCE = 4096

@@ -7,10 +7,10 @@ from math import inf, isfinite
 from typing import TYPE_CHECKING, TypeAlias, cast, overload
 
 from exactspline.errors import NumberError, as_items
-from exactspline.exact import DEEPEST, Number, Rounding, from_float, is_float, mpq
 from exactspline.geometry.kinds import Feature
 from exactspline.geometry.values_along import point_at
 from exactspline.language.operand import checked_order
+from exactspline.numbers.exact import DEEPEST, Number, Rounding, from_float, is_float, mpq
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import exact_place
 from exactspline.splines.expected import curve_of

@@ -10,12 +10,12 @@ from exactspline.geometry.analysis import Analysis, analyse, questions_about
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.facts import among, located
 from exactspline.geometry.kinds import Feature
-from exactspline.language.choices import Word, choice
 from exactspline.questions.answers import Places
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
+from exactspline.words import Word, choice
 
 
 class Approach(Word):

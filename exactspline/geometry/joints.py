@@ -18,12 +18,12 @@ from typing import TypeVar
 
 from flint import fmpz
 
-from exactspline.exact import mpq, ratio
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Side
 from exactspline.language.vector import Vector, cross, norm2
+from exactspline.numbers.exact import mpq, ratio
+from exactspline.numbers.sides import Side
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
 

@@ -1,7 +1,7 @@
 """Inflections and curvature extrema of thousands of plane Bézier curves given as arrays of doubles.
 
 The forms are computed in doubles with proved bounds (`exactspline.programs.doubles`), their zeros isolated where that
-is certain (`exactspline.roots.doubles`), and uncertain ones are left to exact arithmetic: every answer is that of
+is certain (`exactspline.polynomials.doubles`), and uncertain ones are left to exact arithmetic: every answer is that of
 `exactspline.analyse` on the curve with exactly these doubles for data. This module loads numpy.
 """
 
@@ -16,12 +16,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from exactspline.errors import ExactSplineError, NumberError, ShapeError
-from exactspline.exact import Rounding, double, from_floats, is_float, mpq, rational
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.filtered import AT_ONCE, filtered
 from exactspline.geometry.kinds import FeatureKind
+from exactspline.numbers.exact import Rounding, double, from_floats, is_float, mpq, rational
+from exactspline.polynomials.doubles import Flags, Integers
 from exactspline.programs.doubles import Floats
-from exactspline.roots.doubles import Flags, Integers
 from exactspline.splines.nurbs import Nurbs
 
 #: The numbers of the kinds in an array.

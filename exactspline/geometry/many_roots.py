@@ -3,8 +3,8 @@ they are rational, and proved to be irrational elsewhere.
 
 The filter decides how many zeros there are, and on which segments. On these alone the forms are computed in integers,
 by the same programs, rounded once, and evaluated in doubles with proved bounds around every zero; a form without zeros
-modulo some small prime has no rational one (`exactspline.roots.modular`). Derivation: docs/certified-filter.md. This
-module loads numpy.
+modulo some small prime has no rational one (`exactspline.polynomials.modular`). Derivation: docs/certified-filter.md.
+This module loads numpy.
 """
 
 from __future__ import annotations
@@ -17,19 +17,20 @@ from typing import NamedTuple
 import numpy as np
 from flint import fmpz_poly
 
-from exactspline.exact import mpq
 from exactspline.geometry.filtered import programs_at_true_degree
 from exactspline.geometry.many_curves import KINDS
 from exactspline.geometry.many_segments import Jumps, Segments, components, rounded, whole
 from exactspline.geometry.many_splines import of_few_segments
-from exactspline.immutable import fill
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.bernstein import ONE
+from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW, Flags, Isolated, Rows, narrowed, ordinates
+from exactspline.polynomials.modular import without_rational_zero
 from exactspline.programs.program import Program
 from exactspline.reals.real import Real
-from exactspline.roots.doubles import ROUNDING, UNDERFLOW, Flags, Isolated, Rows, narrowed, ordinates
-from exactspline.roots.modular import without_rational_zero
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.bernstein import ONE
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.nurbs import Nurbs
@@ -41,7 +42,7 @@ class OnSegment:
 
     degree: int
     polynomial: fmpz_poly
-    ends: tuple[mpq, mpq]
+    ends: Interval
 
     @cached_property
     def roots(self) -> tuple[Root, ...]:
@@ -50,8 +51,7 @@ class OnSegment:
 
     def irrational(self, number: int, low: float, high: float) -> LateRoot:
         """The zero with this number, irrational, between two places on the segment, from 0 to 1."""
-        a, b = self.ends
-        return LateRoot(a + (b - a) * mpq(low), a + (b - a) * mpq(high), self, number)
+        return LateRoot(self.ends.at(mpq(low)), self.ends.at(mpq(high)), self, number)
 
 
 class LateRoot(Real):
@@ -76,7 +76,7 @@ class LateRoot(Real):
         """The zero in exact arithmetic."""
         return self.on.roots[self.number]
 
-    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+    def _enclosed(self, digits: int) -> Interval:
         return self.root.refine(digits)
 
     def _against_number(self, t: mpq) -> int:
@@ -154,7 +154,10 @@ def _inside(
     owner = segments.owner[rows].tolist()
     where = [(segments.curves[i], r - segments.first[i]) for r, i in zip(rows.tolist(), owner, strict=True)]
     degree, forms = program.terms[0].degree, _exactly(program, where)
-    on = [OnSegment(degree, c, curve.breakpoints[k : k + 2]) for c, (curve, k) in zip(forms, where, strict=True)]
+    on = [
+        OnSegment(degree, c, Interval(*curve.breakpoints[k : k + 2]))
+        for c, (curve, k) in zip(forms, where, strict=True)
+    ]
     numbers = [whole(c, degree) for c in forms]
     irrational = without_rational_zero(numbers)
     near = narrowed(_in_doubles(numbers), found._replace(row=place))

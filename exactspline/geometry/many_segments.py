@@ -12,11 +12,11 @@ import numpy as np
 from flint import fmpz_poly
 from numpy.typing import NDArray
 
-from exactspline.exact import mpq
 from exactspline.geometry.filtered import Filtered, Form, filtered
 from exactspline.geometry.many_curves import KINDS, Found, outside
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.doubles import Flags, Integers, Rows
 from exactspline.programs.doubles import ROUNDING
-from exactspline.roots.doubles import Flags, Integers, Rows
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 

@@ -17,7 +17,7 @@ from exactspline.errors import ExactSplineError, ShapeError, as_items
 from exactspline.geometry.filtered import AT_ONCE
 from exactspline.geometry.many_curves import Found, ManyFeatures, exactly, in_order, joined
 from exactspline.geometry.many_segments import Segments
-from exactspline.roots.doubles import Flags
+from exactspline.polynomials.doubles import Flags
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 

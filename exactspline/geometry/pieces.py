@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
 from exactspline.questions.answers import CurvePiece
 
 
@@ -43,7 +44,7 @@ def pieces(breaks: Sequence[mpq], found: Sequence[tuple[int, int]]) -> list[Curv
     for first, number in found:
         last = first + number
         if last <= count:
-            result.append(CurvePiece(((breaks[first], breaks[last]),)))
+            result.append(CurvePiece((Interval(breaks[first], breaks[last]),)))
         else:
-            result.append(CurvePiece(((breaks[first], breaks[-1]), (breaks[0], breaks[last - count]))))
+            result.append(CurvePiece((Interval(breaks[first], breaks[-1]), Interval(breaks[0], breaks[last - count]))))
     return result

@@ -9,15 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from math import gcd, lcm
+from math import lcm
 
 from flint import fmpz, fmpz_mat
 
-from exactspline.exact import mpq, ratio, text
 from exactspline.geometry.domain import space
 from exactspline.geometry.pieces import pieces
+from exactspline.numbers.exact import content, mpq, ratio, sign, text
+from exactspline.polynomials.bernstein import Form
 from exactspline.questions.answers import CurvePiece
-from exactspline.splines.bernstein import Form
 from exactspline.splines.nurbs import Nurbs
 
 AXES = "xyz"
@@ -175,10 +175,8 @@ def _relations(rows: Rows) -> list[list[mpq]]:
 
 def _plane(relation: list[mpq]) -> Plane:
     """The plane of a relation n·p + k w = 0."""
-    scale = lcm(*[int(x.denominator) for x in relation])
-    whole = [int(x * scale) for x in relation]
-    divisor = gcd(*whole) * (1 if next(k for k in whole if k) > 0 else -1)
-    a, b, c, k = [x // divisor for x in whole]
+    unit = content(relation) * sign(next(x for x in relation if x))
+    a, b, c, k = [int(x / unit) for x in relation]
     return Plane((a, b, c), -k)
 
 

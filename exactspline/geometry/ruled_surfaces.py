@@ -11,15 +11,15 @@ from dataclasses import dataclass
 from typing import Any, TypeVar, cast
 
 from exactspline.errors import DomainError, ShapeError
-from exactspline.exact import Number, mpq, rational, text
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import space
-from exactspline.language.choices import Side
 from exactspline.language.operand import Operand
 from exactspline.language.parts import numerator, split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, development, differences
 from exactspline.language.vector import Vector, dot, norm2
+from exactspline.numbers.exact import Number, mpq, rational, text
+from exactspline.numbers.sides import Side
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.expected import curve_of

@@ -10,15 +10,15 @@ from __future__ import annotations
 
 from bisect import bisect_left
 
-from exactspline.exact import mpq
 from exactspline.geometry.constructions import Variant
 from exactspline.geometry.domain import space
 from exactspline.geometry.facts import Facts, ZeroForm, among
 from exactspline.geometry.joints import Point, limit_direction, same_direction
 from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
-from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.language.vector import norm2
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.sides import Side
 from exactspline.programs.invariants import twisting
 from exactspline.questions.entry import Fact
 from exactspline.roots.root import Root, knot_root

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, ShapeError
-from exactspline.exact import Number, mpq, text
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.domain import part, space
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import Number, mpq, text
+from exactspline.numbers.sides import Side
 from exactspline.papers import find
 from exactspline.reals.real import Real
 from exactspline.roots.values import exact_place, segment_of, sign_at, signed_root, value_at, within

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 
 
 class Affine:

@@ -5,9 +5,9 @@ rational.
 from __future__ import annotations
 
 from exactspline.errors import NumberError
-from exactspline.exact import mpq, rational
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
+from exactspline.numbers.exact import mpq, rational
 
 #: π/2 to 80 digits: longer than any such decimal in a file.
 _HALF_PI = rational("1.57079632679489661923132169163975144209858469968755291048747229615390820314310449")

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from exactspline.errors import ExactSplineError, ShapeError
-from exactspline.exact import mpq
 from exactspline.interchange.limits import work
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
+from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 Points = Sequence[Sequence[mpq]]

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
 
 ONE = (mpq(1), mpq(0))

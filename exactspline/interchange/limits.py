@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 
 
 @dataclass(frozen=True)

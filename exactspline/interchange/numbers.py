@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from math import inf
 
 from exactspline.errors import NumberError, shown
-from exactspline.exact import isqrt, mpq, rational
 from exactspline.interchange.limits import Limits
+from exactspline.numbers.exact import isqrt, mpq, rational
 
 _DECIMAL = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eEdD]([+-]?\d{1,9}))?", re.ASCII)
 _WHOLE = re.compile(r"[+-]?\d{1,9}", re.ASCII)

@@ -10,8 +10,8 @@ from itertools import pairwise
 from math import comb
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
+from exactspline.numbers.exact import mpq
 
 Point = tuple[mpq, ...]
 Segment = tuple[Point, ...]

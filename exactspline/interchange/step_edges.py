@@ -6,11 +6,11 @@ import re
 from collections.abc import Sequence
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.numbers import square_root
 from exactspline.interchange.segments import arc_around_origin, joined, mapped
 from exactspline.interchange.step_records import StepFile, Value
+from exactspline.numbers.exact import mpq
 
 EDGE, ELEMENTARY = "EDGE_CURVE", ("LINE", "CIRCLE", "ELLIPSE")
 #: Curves that say on which surfaces they are; the first they name is the curve in space.

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from typing import TypeAlias
 
 from exactspline.errors import CurveFileError
-from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
+from exactspline.numbers.exact import mpq
 
 #: A value: text of a number, reference, enumeration or string (with its quotes), or a list of values.
 Value: TypeAlias = "str | list[Value]"

@@ -6,12 +6,12 @@ import re
 from dataclasses import dataclass, field
 
 from exactspline.errors import ExactSplineError, NumberError
-from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.angles import quarter_turns_of_degrees
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal, square_root
 from exactspline.interchange.segments import Segment, arc_around_origin, mapped, polynomial
+from exactspline.numbers.exact import mpq
 
 Point = tuple[mpq, mpq]
 

@@ -6,11 +6,11 @@ import re
 from collections.abc import Mapping
 
 from exactspline.errors import NumberError, ShapeError
-from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.angles import quarter_turns_of_degrees
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
+from exactspline.numbers.exact import mpq
 
 _CALL = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)")
 _TURNS = ((1, 0), (0, 1), (-1, 0), (0, -1))

@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterator
 
 from exactspline.errors import CurveFileError, ShapeError
-from exactspline.exact import mpq
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal, whole
+from exactspline.numbers.exact import mpq
 
 _WORD = re.compile(r"\S+")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from exactspline.errors import ShapeError, WeightError
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 Point = tuple[mpq, ...]

@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeVar, cast, overload
 
 from exactspline.errors import FormulaError, shown
-from exactspline.exact import mpq, mpz
 from exactspline.hooks import Displayed
+from exactspline.numbers.exact import mpq, mpz
 
 if TYPE_CHECKING:
     from exactspline.language.provenance import Provenance

@@ -11,7 +11,7 @@ from __future__ import annotations
 from itertools import count
 from typing import Any
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 
 #: A leaf is an int; everything else a tuple of the operation and what it was applied to.
 Provenance = int | tuple[object, ...]

@@ -10,9 +10,6 @@ from collections.abc import Callable
 from typing import Any, Generic, Protocol, Self, TypeGuard, TypeVar, cast, overload
 
 from exactspline.errors import DomainError, FormulaError
-from exactspline.exact import Number, mpq
-from exactspline.immutable import Immutable, fill
-from exactspline.language.choices import Side
 from exactspline.language.operand import (
     CONSTANTS,
     Components,
@@ -29,6 +26,9 @@ from exactspline.language.operand import (
 )
 from exactspline.language.provenance import same
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.sides import Side
 
 T = TypeVar("T", bound=Counted)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any, Generic, TypeVar, cast
 
 from exactspline.hooks import Displayed
-from exactspline.immutable import Immutable, fill
 from exactspline.language.operand import Constant, D, HasDegree, OwnVectors, R
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, det
+from exactspline.numbers.immutable import Immutable, fill
 
 T_co = TypeVar("T_co", covariant=True)
 V = TypeVar("V")

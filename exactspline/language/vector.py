@@ -7,10 +7,7 @@ from itertools import combinations
 from typing import Any, Generic, ParamSpec, TypeVar, cast, overload
 
 from exactspline.errors import FormulaError, ShapeError, a_kind, as_integer
-from exactspline.exact import Number, mpq
 from exactspline.hooks import Displayed
-from exactspline.immutable import Immutable, fill
-from exactspline.language.choices import Side
 from exactspline.language.operand import (
     CONSTANTS,
     Constant,
@@ -27,6 +24,9 @@ from exactspline.language.operand import (
     larger,
     no_truth_value,
 )
+from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.sides import Side
 
 T = TypeVar("T")
 T_co = TypeVar("T_co", covariant=True)

@@ -16,13 +16,13 @@ from math import factorial
 from typing import Any
 
 from exactspline.errors import FormulaError, nearest, shown
-from exactspline.exact import rational
 from exactspline.language.choices import Parameter
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import Formula, formula
 from exactspline.language.kinds import CURVE, KINDS, CurveKind, Kind, kind_of
 from exactspline.language.ruled import ruled
 from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, perp, triple, wronskian
+from exactspline.numbers.exact import rational
 from exactspline.papers.symbols import not_a_symbol
 
 #: What a file of formulas may import from exactspline, and call.

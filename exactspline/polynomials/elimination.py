@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import mpz
+from exactspline.numbers.exact import mpz
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach, height_bits
 
 #: Hundredths of a nanosecond for each bit of a value: times the product of the degrees to compute it, times the number

@@ -7,9 +7,9 @@ from typing import Any
 
 from flint import fmpz, fmpz_poly
 
+from exactspline.polynomials.bernstein import U_PLUS_V, raiser
 from exactspline.programs.denominators import Denominator, common_multiple
 from exactspline.programs.instructions import UNIT, ZERO, Instruction
-from exactspline.splines.bernstein import U_PLUS_V, raiser
 
 #: A multiplier of a segment: the quotient of two denominators, or a power of the denominator of its width.
 Multiplier = tuple[Denominator, Denominator] | int

@@ -1,6 +1,6 @@
 """The instructions of a straight-line program: operations on integer polynomials, each recorded once.
 
-A polynomial is a form of a segment in the scaled Bernstein basis (see `exactspline.splines.bernstein`), so that the
+A polynomial is a form of a segment in the scaled Bernstein basis (see `exactspline.polynomials.bernstein`), so that the
 product is a convolution and raising the degree is multiplication by ``u + v``. Every instruction is linear in each of
 its arguments.
 """

@@ -7,10 +7,10 @@ from __future__ import annotations
 from typing import Any
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq, rational
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, same
 from exactspline.language.rational import RingOperand
+from exactspline.numbers.exact import mpq, rational
 from exactspline.programs.denominators import Denominator
 from exactspline.programs.instructions import ZERO, Instructions
 from exactspline.programs.term import Orders, Term, multiple_of_sum

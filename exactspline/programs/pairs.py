@@ -10,6 +10,7 @@ from exactspline.language.arguments import Pair
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, PairKind
 from exactspline.language.provenance import is_alone, leaf, within
+from exactspline.polynomials.tensor_bernstein import stride_for
 from exactspline.programs.compiled import compiled
 from exactspline.programs.denominators import ONE
 from exactspline.programs.pair_term import PairTerm, Patches
@@ -18,7 +19,6 @@ from exactspline.programs.term import Recorder, Term, continuity_from
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.tensor import TensorSpline, make
-from exactspline.splines.tensor_bernstein import stride_for
 from exactspline.splines.tensor_univariate import spread
 
 

@@ -7,10 +7,10 @@ from math import gcd
 from typing import Any
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq, rational
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, same
 from exactspline.language.rational import RingOperand
+from exactspline.numbers.exact import mpq, rational
 from exactspline.programs.compiled import Multiplier
 from exactspline.programs.denominators import ONE, Denominator, OfOperand, WidthNumerator
 from exactspline.programs.instructions import UNIT as ONE_POLYNOMIAL

@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Generic, TypeVar, overload
 
-from exactspline.exact import mpq, text
+from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.intervals import Interval
 
 T_co = TypeVar("T_co", covariant=True)
-Interval = tuple[mpq, mpq]
 
 
 @dataclass(frozen=True)

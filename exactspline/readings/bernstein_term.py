@@ -13,7 +13,6 @@ from collections import defaultdict
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Constant
@@ -21,6 +20,7 @@ from exactspline.language.parts import Value
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import from_flint, mpq, rational, to_fmpq
 
 
 class Monomials(RingOperand):
@@ -150,5 +150,5 @@ def every_coefficient(value: Value) -> tuple[mpq, mpq] | None:
     even, odd = (c.terms[shift].compose(d, b + 1, b, ctx=u.context()) for shift in ((0, 1), (1, 0)))
     if not all(n.is_constant() and n for n in (even, odd)):
         return None
-    first, second = (mpq(int(n.leading_coefficient().p), int(n.leading_coefficient().q)) for n in (even, odd))
+    first, second = (from_flint(n.leading_coefficient()) for n in (even, odd))
     return first, second

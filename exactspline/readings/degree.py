@@ -11,15 +11,16 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 
 from exactspline.errors import FormulaError, InapplicableError, as_text
-from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
-from exactspline.language.choices import Counting, Parameter, choice
+from exactspline.language.choices import Counting, Parameter
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import CONSTANTS, Constant, PartlyOrdered
 from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import Rational, RingOperand
 from exactspline.language.reading import Reading
+from exactspline.numbers.exact import mpq
+from exactspline.words import choice
 
 #: One affine form: coefficients by name in alphabetical order, and the constant.
 Term = tuple[tuple[tuple[str, int], ...], int]

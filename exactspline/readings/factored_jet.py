@@ -9,13 +9,13 @@ from __future__ import annotations
 from flint import fmpq, fmpq_mpoly
 from flint.utils.flint_exceptions import DomainError
 
-from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
+from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.polynomials.factorization import Factorization
 from exactspline.readings.jet import Jet, JetReading, JetRing, bounded_product
 

@@ -11,12 +11,12 @@ from math import comb
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
+from exactspline.numbers.exact import rational, to_fmpq
 
 
 class Generic(RingOperand):

@@ -14,7 +14,6 @@ from typing import Any, cast
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
-from exactspline.exact import Number, mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind
@@ -23,6 +22,7 @@ from exactspline.language.operand import Constant
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
+from exactspline.numbers.exact import Number, mpq, rational, to_fmpq
 from exactspline.polynomials.factorization import superscript
 
 PRIMES = ("", "′", "″", "‴")

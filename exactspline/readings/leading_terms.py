@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import PARAMETERS
 from exactspline.language.choices import Parameter
@@ -23,6 +22,7 @@ from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.polynomials.factors import factorize
 from exactspline.readings.degree import Degree, parse
 from exactspline.readings.differential_order import order_of

@@ -10,11 +10,11 @@ from flint import fmpq, fmpq_mpoly
 from flint.utils.flint_exceptions import DomainError
 
 from exactspline.errors import VanishingDivisorError
-from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
+from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.readings.jet import Jet, JetRing, Terms, bounded_product, terms_of
 
 

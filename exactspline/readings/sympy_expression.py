@@ -19,12 +19,12 @@ from sympy.core.function import AppliedUndef
 from sympy.polys.rings import PolyElement, PolyRing
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational
 from exactspline.language.argument import Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
+from exactspline.numbers.exact import rational
 from exactspline.polynomials.factorization import Factorization, multiplied
 
 PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in Parameter}

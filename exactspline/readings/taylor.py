@@ -11,13 +11,13 @@ from math import factorial
 from typing import Any, Protocol, Self, cast
 
 from exactspline.errors import FormulaError, as_instance, as_integer
-from exactspline.exact import Number, mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, T
-from exactspline.language.choices import Side
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand, Scalar
 from exactspline.language.reading import Reading
+from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.sides import Side
 
 
 class Coefficient(Scalar, Protocol):

@@ -10,12 +10,12 @@ from math import factorial
 from typing import Protocol, Self, cast
 
 from exactspline.errors import FormulaError
-from exactspline.exact import Number, mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
+from exactspline.numbers.exact import Number, mpq
 
 #: Coefficients by the exponents of the two variables; what is zero is left out.
 Coefficients = dict[tuple[int, int], mpq]

@@ -12,10 +12,10 @@ from typing import Any, cast
 from flint import arb_poly, ctx, fmpz, fmpz_poly
 
 from exactspline.errors import OpenError, ReachError
-from exactspline.exact import mpq, mpz, rational, text, to_fmpq
-from exactspline.immutable import fill
-from exactspline.polynomials.factors import greatest_common_divisor
-from exactspline.reals.annihilating import (
+from exactspline.numbers.exact import mpq, mpz, rational, text, to_fmpq
+from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import ball_around
+from exactspline.polynomials.annihilating import (
     changes_sign,
     irreducible_factors,
     linear,
@@ -24,7 +24,7 @@ from exactspline.reals.annihilating import (
     square_free,
     without_rational_zero,
 )
-from exactspline.reals.bounds import ball_around
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.reals.digits import SUSPICIOUS, Digits
 
 _RATIONAL = type(mpq())

@@ -7,10 +7,10 @@ from collections.abc import Callable
 from flint import arb, ctx, fmpz_poly
 
 from exactspline.errors import OpenError
-from exactspline.exact import mpq
-from exactspline.immutable import fill
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import Interval, ball_ends
 from exactspline.reals.algebraic import OPEN
-from exactspline.reals.bounds import ball_ends
 from exactspline.reals.real import Real
 
 
@@ -28,13 +28,13 @@ class InBalls(Real):
     def __reduce__(self) -> tuple[object, ...]:
         return InBalls, (self.ball,)
 
-    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+    def _enclosed(self, digits: int) -> Interval:
         bits, wanted = 10 * digits // 3 + 40, mpq(1, 10**digits)
         while digits <= OPEN and bits < 8 * OPEN:
             with ctx.workprec(bits):
                 found = self.ball(bits)
             if found.is_finite() and (ends := ball_ends(found)).width <= wanted:
-                return ends.low, ends.high
+                return ends
             bits *= 2
         raise OpenError(f"the ball leaves the answer open at {digits} digits", remedy="ask for an enclosure")
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactspline.errors import NumberError
-from exactspline.exact import Rounding, double_between, mpq, mpz
-from exactspline.immutable import Immutable
-from exactspline.reals.bounds import Bounds, shifted
+from exactspline.numbers.exact import Rounding, double_between, mpq, mpz
+from exactspline.numbers.immutable import Immutable
+from exactspline.numbers.intervals import Interval, shifted
 
 if TYPE_CHECKING:
     import mpmath
@@ -23,7 +23,7 @@ class Digits(Immutable):
 
     __slots__ = ()
 
-    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+    def _enclosed(self, digits: int) -> Interval:
         """An interval with the number in it, or at an end of it, at most ``10^−digits`` wide."""
         raise NotImplementedError
 
@@ -41,16 +41,16 @@ class Digits(Immutable):
         """−1, 0 or 1."""
         return self._against_number(mpq(0))
 
-    def enclosure(self, digits: int) -> Bounds:
+    def enclosure(self, digits: int) -> Interval:
         """Rational numbers, at most ``10^−digits`` apart, with this number between them or at one of them.
 
         >>> from exactspline.reals.real import square_root
         >>> square_root(2).enclosure(3)
-        Bounds(low=mpq(707,500), high=mpq(283,200))
+        Interval(low=mpq(707,500), high=mpq(283,200))
         """
         if type(digits) is not int:
             raise NumberError(f"{digits!r} digits", where="digits", remedy="an integer")
-        return Bounds(*self._enclosed(digits))
+        return self._enclosed(digits)
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
         """The correctly rounded double: the nearest (of two equally near the even one), or the one ``up`` or ``down``.
@@ -133,7 +133,7 @@ class Digits(Immutable):
                 return significant(found.middle, digits)
             wanted *= 2
 
-    def _reached_zero(self, found: Bounds, digits: int) -> bool:
+    def _reached_zero(self, found: Interval, digits: int) -> bool:
         return found.low <= 0 <= found.high and (found.width == 0 or (digits > SUSPICIOUS and self.sign == 0))
 
     def shortly(self, digits: int = 6) -> str:

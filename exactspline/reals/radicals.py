@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import prod
 
-from exactspline.exact import gcd, is_square, isqrt, mpq, mpz
+from exactspline.numbers.exact import gcd, is_square, isqrt, mpq, mpz
 
 #: Primes whose squares are removed from a radicand.
 _PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(isqrt(p)) + 1))]

@@ -2,7 +2,7 @@
 
 A number is the tree of the operations that made it, over rational numbers and roots; an interval around it shrinks when
 digits are needed. Only what digits cannot decide (equality, whether it is rational, a minimal polynomial) asks for a
-polynomial with this zero, whose cost is bounded beforehand (`exactspline.reals.annihilating`).
+polynomial with this zero, whose cost is bounded beforehand (`exactspline.polynomials.annihilating`).
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from typing import Any, Self, TypeAlias, TypeVar, cast
 from flint import arb, ctx, fmpq, fmpq_poly, fmpz_poly
 
 from exactspline.errors import NumberError
-from exactspline.exact import Number, Rounding, double, is_square, isqrt, lcm, mpq, mpz, rational, to_fmpq
-from exactspline.immutable import fill
-from exactspline.reals import annihilating
+from exactspline.numbers.exact import Number, Rounding, double, is_square, isqrt, lcm, mpq, mpz, rational, to_fmpq
+from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import Interval, ball_around, ball_ends
+from exactspline.polynomials import annihilating
+from exactspline.polynomials.annihilating import QuotientModulo, linear
 from exactspline.reals.algebraic import EXACT, Algebraic
-from exactspline.reals.annihilating import QuotientModulo, linear
-from exactspline.reals.bounds import ball_around, ball_ends
 from exactspline.reals.radicals import square_root_parts
 
 V = TypeVar("V")
@@ -128,8 +128,8 @@ class RationalNumber(Real):
     def __reduce__(self) -> tuple[object, ...]:
         return RationalNumber, (self.value,)
 
-    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
-        return self.value, self.value
+    def _enclosed(self, digits: int) -> Interval:
+        return Interval.point(self.value)
 
     def _annihilator(self) -> fmpz_poly:
         return linear(self.value)
@@ -164,12 +164,12 @@ class Quadratic(Real):
     def __reduce__(self) -> tuple[object, ...]:
         return Quadratic, (self.a, self.b, self.c)
 
-    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+    def _enclosed(self, digits: int) -> Interval:
         """Multiples of ``10^−digits`` around ``b√c``, moved by a."""
         scale = mpz(10) ** digits
         root = isqrt(mpz(self.b**2 * self.c * scale**2))
         low, high = (root, root + 1) if self.b > 0 else (-root - 1, -root)
-        return self.a + mpq(low, scale), self.a + mpq(high, scale)
+        return Interval(self.a + mpq(low, scale), self.a + mpq(high, scale))
 
     def _annihilator(self) -> fmpz_poly:
         product = self.a**2 - self.b**2 * self.c
@@ -201,7 +201,7 @@ class Expression(Real):
     _operation: Operation
     _operands: tuple[Real, ...]
     #: The best interval reached, one tuple, so that threads see both ends of one interval.
-    _reached: tuple[mpq, mpq] | None
+    _reached: Interval | None
     #: Digits cost less than the polynomial of a tree.
     _suspicious = 320
 
@@ -211,19 +211,19 @@ class Expression(Real):
     def __reduce__(self) -> tuple[object, ...]:
         return Expression, (self._operation, *self._operands)
 
-    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+    def _enclosed(self, digits: int) -> Interval:
         """By FLINT's balls, with more and more bits."""
         if isinstance(self._exact, type(mpq())):
-            return self._exact, self._exact
+            return Interval.point(self._exact)
         known = self._reached
         bits = max(digits, 0) * 10 // 3 + GUARD
-        while known is None or (known[1] - known[0]) * mpz(10) ** max(digits, 0) > 1:
+        while known is None or known.width * mpz(10) ** max(digits, 0) > 1:
             with ctx.workprec(bits + GUARD):
                 ball = _folded(self, _is_leaf, partial(_ball, bits * 3 // 10 + 1))
             if ball.is_finite():
                 found = ball_ends(ball)
-                if known is None or found.width < known[1] - known[0]:
-                    known = found.low, found.high
+                if known is None or found.width < known.width:
+                    known = found
                     fill(self, _reached=known)
             bits *= 2
         return known
@@ -430,10 +430,10 @@ class Extreme(Real):
     def __reduce__(self) -> tuple[object, ...]:
         return Extreme, (self.side, self.among)
 
-    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+    def _enclosed(self, digits: int) -> Interval:
         choose = max if self.side > 0 else min
         ends = [x._enclosed(digits) for x in self.among]
-        return choose(low for low, _ in ends), choose(high for _, high in ends)
+        return Interval(choose(low for low, _ in ends), choose(high for _, high in ends))
 
     def _against_number(self, t: mpq) -> int:
         signs = [x._against_number(t) for x in self.among]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mpmath import libmp, mp, nstr
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 
 
 class ShownMpf(mp.mpf):  # type: ignore[misc]  # mpmath has no types

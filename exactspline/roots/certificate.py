@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from exactspline.exact import mpq, text
-from exactspline.roots.isolation import Isolation
+from exactspline.numbers.exact import mpq, text
+from exactspline.polynomials.isolation import Isolation
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 

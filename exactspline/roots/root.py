@@ -8,15 +8,16 @@ from typing import Any
 from flint import fmpz_poly
 
 from exactspline.errors import NumberError, ShapeError, shown
-from exactspline.exact import lcm, mpq, mpz, rational
 from exactspline.hooks import Displayed
-from exactspline.immutable import fill
+from exactspline.numbers.exact import mpq, mpz, rational
+from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.annihilating import linear, primitive
+from exactspline.polynomials.bernstein import in_parameter
+from exactspline.polynomials.isolation import LocalZero
+from exactspline.polynomials.refinement import enclosures, sign_at
 from exactspline.reals.algebraic import Algebraic
-from exactspline.reals.annihilating import linear, primitive
 from exactspline.reals.real import Real
-from exactspline.roots.isolation import LocalZero
-from exactspline.roots.refinement import Interval, enclosures, sign_at
-from exactspline.splines.bernstein import substituted
 
 #: How often two roots are compared with a number between them before digits are computed.
 BISECTIONS = 5
@@ -80,8 +81,8 @@ class Root(Real, Displayed):
                 raise ShapeError(f"{shown(sides)} on the two sides of a root", remedy="exactspline.zeros finds roots")
         fill(
             self,
-            _reached=(low, high),
-            _first=(low, high),
+            _reached=(first := Interval(low, high)),
+            _first=first,
             _zero=zero,
             _polynomial=None,
             _minimal=None,
@@ -143,11 +144,8 @@ class Root(Real, Displayed):
         zero = self._zero
         if zero is None or self.segment is None or zero.low == zero.high:
             return linear(self._first[0])
-        a, b = self.segment
-        m = lcm(a.denominator, b.denominator)
         c = zero.factor.polynomial
-        u, v = fmpz_poly([int(b * m), int(-m)]), fmpz_poly([int(-a * m), int(m)])
-        return primitive(substituted(c, c.degree(), u, v))
+        return primitive(in_parameter(c, c.degree(), self.segment)[0])
 
     @property
     def polynomial(self) -> list[int]:
@@ -182,7 +180,7 @@ class Root(Real, Displayed):
             raise NumberError(f"{digits!r} digits", where="digits", remedy="an integer")
         low, high = self._reached
         if self._zero is None or self.segment is None:
-            return low, high
+            return self._reached
         scale = mpz(10) ** max(digits, 0)
         a, b = self.segment
         width = b - a
@@ -194,17 +192,17 @@ class Root(Real, Displayed):
                 if progress is not None:
                     progress(_digits(high - low, digits))
             bits = 2 * bits + 64
-        return low, high
+        return Interval(low, high)
 
     def _keep(self, low: mpq, high: mpq) -> None:
         """Keep an interval, unless another thread was faster with a narrower one."""
         if low == high:
             self._found(low)
         elif high - low < self.high - self.low:
-            fill(self, _reached=(low, high))
+            fill(self, _reached=Interval(low, high))
 
     def _found(self, value: mpq) -> None:
-        fill(self, _exact=value, _reached=(value, value))
+        fill(self, _exact=value, _reached=Interval.point(value))
 
     def _enclosed(self, digits: int) -> Interval:
         return self.refine(digits)

@@ -7,19 +7,20 @@ digits asked for are certain. A sign that the bounds leave open is decided by a 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import reduce
 from typing import overload
 
-from flint import fmpq_poly, fmpz_poly
+from flint import fmpq_poly, fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, ShapeError, a_kind
-from exactspline.exact import Number, lcm, mpq, mpz, rational, text, to_fmpq
-from exactspline.immutable import fill
-from exactspline.language.choices import Side
-from exactspline.reals import annihilating
-from exactspline.reals.bounds import Bounds, quotient, rounded_outwards
+from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
+from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
+from exactspline.numbers.sides import Side
+from exactspline.polynomials import annihilating
+from exactspline.polynomials.bernstein import in_parameter
+from exactspline.polynomials.centred_form import bounds_over
 from exactspline.reals.real import Real, square_root
-from exactspline.roots.centred_form import bounds_over
-from exactspline.splines.bernstein import substituted
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
@@ -45,8 +46,8 @@ class ValueAt(Real):
     def __reduce__(self) -> tuple[object, ...]:
         return ValueAt, (self.top, self.bottom, self.place)
 
-    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
-        def bounds(low: mpq, high: mpq) -> Bounds | None:
+    def _enclosed(self, digits: int) -> Interval:
+        def bounds(low: mpq, high: mpq) -> Interval | None:
             above, below = values_between(self.top, low, high), values_between(self.bottom, low, high)
             return None if above is None or below is None or below.low <= 0 <= below.high else quotient(above, below)
 
@@ -121,7 +122,7 @@ def at(
     return tuple(value_at(x, function.w, place) for x in function.p)
 
 
-def within(domain: tuple[mpq, mpq], place: Real) -> None:
+def within(domain: Interval, place: Real) -> None:
     """Raise `DomainError` for an irrational number outside a domain."""
     a, b = domain
     if not a < place < b:
@@ -135,7 +136,7 @@ def exact_place(t: Number | Real) -> mpq | Real:
     return t if t.exact is None else t.exact
 
 
-def narrowed(bounds: Callable[[mpq, mpq], Bounds | None], place: Real, digits: int) -> Bounds:
+def narrowed(bounds: Callable[[mpq, mpq], Interval | None], place: Real, digits: int) -> Interval:
     """Bounds at most ``10^−digits`` wide: the number is refined until the bounds over its interval (None: not yet
     known) are narrow enough.
     """
@@ -147,7 +148,7 @@ def narrowed(bounds: Callable[[mpq, mpq], Bounds | None], place: Real, digits: i
         precision *= 2
 
 
-def values_between(f: BSpline, low: mpq, high: mpq) -> Bounds | None:
+def values_between(f: BSpline, low: mpq, high: mpq) -> Interval | None:
     """Bounds of a spline on an interval inside one of its segments; None where a knot is inside.
 
     >>> from exactspline import BSpline
@@ -159,8 +160,8 @@ def values_between(f: BSpline, low: mpq, high: mpq) -> Bounds | None:
     if i is None:
         return None
     if f.degree < 0:
-        return Bounds(mpq(0), mpq(0))
-    return Bounds(*bounds_over(f.forms[i], f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
+        return Interval(mpq(0), mpq(0))
+    return Interval(*bounds_over(f.forms[i], f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
 
 
 def _segment_between(f: BSpline, low: mpq, high: mpq) -> int | None:
@@ -192,7 +193,7 @@ def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
     place = exact_place(t)
     if not isinstance(place, Real):
         value = f(place, side)
-        return int(value > 0) - int(value < 0)
+        return sign(value)
     digits, zero = 5, None
     while True:
         low, high = place.enclosure(digits)
@@ -214,11 +215,20 @@ def in_powers(f: BSpline, i: int) -> fmpq_poly:
     >>> in_powers(BSpline.bezier([0, 0, 1], 1, 3), 0)
     1/4*x^2 + (-1/2)*x + 1/4
     """
-    a, b = f.mesh.breaks[i : i + 2]
-    m, n = lcm(a.denominator, b.denominator), max(f.degree, 0)
-    u, v = fmpz_poly([int(b * m), int(-m)]), fmpz_poly([int(-a * m), int(m)])
-    scale = to_fmpq(((b - a) * m) ** n) * f.denominators[i]
-    return fmpq_poly(substituted(f.polynomials[i], n, u, v)) / scale
+    top, factor = in_parameter(f.polynomials[i], max(f.degree, 0), f.mesh.breaks[i : i + 2])
+    return fmpq_poly(top) / (factor * f.denominators[i])
+
+
+def segment_polynomials(splines: Sequence[BSpline], i: int) -> list[fmpz_poly]:
+    """The polynomials of a segment, in the parameter of the splines, times one positive integer.
+
+    >>> from exactspline import BSpline
+    >>> segment_polynomials([BSpline.bezier([0, "1/2"]), BSpline.bezier([1, 1])], 0)
+    [x, 2]
+    """
+    parts = [in_powers(f, i) for f in splines]
+    common = reduce(fmpz.lcm, [f.denom() for f in parts])
+    return [f.numer() * (common // f.denom()) for f in parts]
 
 
 def segment_polynomial(f: BSpline, i: int) -> fmpz_poly:

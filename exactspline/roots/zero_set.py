@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from exactspline.errors import ShapeError, as_items
-from exactspline.exact import mpq, ratio, text
 from exactspline.hooks import Displayed
-from exactspline.immutable import Immutable, fill
+from exactspline.numbers.exact import mpq, ratio, text
+from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.isolation import Isolation, isolate
 from exactspline.roots.certificate import certificate
-from exactspline.roots.isolation import Isolation, isolate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import spline_of
@@ -61,7 +62,7 @@ class ZeroInterval:
     <ZeroInterval [3, 4] and [0, 1]>
     """
 
-    parts: tuple[tuple[mpq, mpq], ...]
+    parts: tuple[Interval, ...]
     signs: tuple[int | None, int | None]
 
     @property
@@ -130,7 +131,7 @@ class ZeroSet(Immutable, Displayed):
     def __repr__(self) -> str:
         return f"<ZeroSet: {len(self.roots)} roots, {len(self.intervals)} intervals, {len(self.jumps)} jumps>"
 
-    def refine(self, digits: int, progress: Callable[[int, int], None] | None = None) -> list[tuple[mpq, mpq]]:
+    def refine(self, digits: int, progress: Callable[[int, int], None] | None = None) -> list[Interval]:
         """Every root in an interval at most ``10^−digits`` wide; `progress` is called after each with how many are
         done, of how many.
 
@@ -181,16 +182,14 @@ class _Found:
         for i, isolation in enumerate(isolations):
             self._judge(i, left, _at_left(isolation))
             if isolation is not None and isolation.inner:
-                self._inner(isolation, (breaks[i], breaks[i + 1]))
+                self._inner(isolation, Interval(breaks[i], breaks[i + 1]))
             left = _at_right(isolation)
         if not periodic:
             self._judge(last + 1, left, None)
 
-    def _inner(self, isolation: Isolation, segment: tuple[mpq, mpq]) -> None:
-        a, b = segment
-        width = b - a
+    def _inner(self, isolation: Isolation, segment: Interval) -> None:
         for zero in isolation.inner:
-            low, high = a + width * zero.low, a + width * zero.high
+            low, high = segment.at(zero.low), segment.at(zero.high)
             self.roots.append(Root(low, high, (zero.multiplicity, zero.multiplicity), zero.signs, zero, segment))
 
     def _judge(self, i: int, left: _End | None, right: _End | None) -> None:
@@ -243,7 +242,7 @@ def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bo
     """The segments without isolation, adjacent ones merged."""
     breaks, count = f.mesh.breaks, len(isolations)
     if not any(isolations):
-        return [ZeroInterval(((breaks[0], breaks[-1]),), (None, None))]
+        return [ZeroInterval((f.mesh.domain,), (None, None))]
     runs: list[list[int]] = []
     for i, isolation in enumerate(isolations):
         if isolation is None and runs and runs[-1][1] == i:
@@ -258,8 +257,8 @@ def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bo
         behind = isolations[last % count] if last < count or periodic else None
         signs = (before and before.signs[1], behind and behind.signs[0])
         over = (
-            (breaks[first], breaks[min(last, count)]),
-            *([(breaks[0], breaks[last - count])] if last > count else []),
+            Interval(breaks[first], breaks[min(last, count)]),
+            *([Interval(breaks[0], breaks[last - count])] if last > count else []),
         )
         result.append(ZeroInterval(over, signs))
     return result

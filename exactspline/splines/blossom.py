@@ -10,8 +10,8 @@ from math import comb
 
 from flint import fmpq, fmpz, fmpz_poly
 
-from exactspline.exact import mpq, to_fmpq
-from exactspline.splines.bernstein import ONE, Form, blossom
+from exactspline.numbers.exact import mpq, to_fmpq
+from exactspline.polynomials.bernstein import ONE, Form, blossom
 
 #: Numbers over one denominator.
 Row = tuple[list[fmpz], fmpz]

@@ -1,8 +1,8 @@
 """The public piecewise polynomial: exact B-splines and the primitive operations of §2.
 
 A `BSpline` is immutable. Its knots and control points are exact (``gmpy2.mpq``); those of a computed spline are made
-when first asked for and kept. Inside it is a list of forms (see `exactspline.splines.bernstein`), one per segment, with
-the nominal degree and the nominal continuity at every interior breakpoint.
+when first asked for and kept. Inside it is a list of forms (see `exactspline.polynomials.bernstein`), one per segment,
+with the nominal degree and the nominal continuity at every interior breakpoint.
 """
 
 from __future__ import annotations
@@ -16,15 +16,25 @@ from typing import Any, ClassVar
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import ShapeError, shown
-from exactspline.exact import Number, mpq, rational, text, to_fmpz
 from exactspline.hooks import FunctionsOutside
-from exactspline.immutable import Immutable, fill
-from exactspline.language.choices import Side
 from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import RingOperand
+from exactspline.numbers.exact import Number, mpq, rational, text, to_fmpz
+from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.intervals import Interval
+from exactspline.numbers.sides import Side
+from exactspline.polynomials.bernstein import (
+    ONE,
+    Form,
+    bezier,
+    common_denominators,
+    derivative,
+    raiser,
+    true_degree,
+    value,
+)
 from exactspline.splines import blossom, refinement
-from exactspline.splines.bernstein import ONE, Form, bezier, common_denominators, derivative, raiser, true_degree, value
 from exactspline.splines.composition import composed
 from exactspline.splines.forms import Forms, Polynomials
 from exactspline.splines.given import MAX_DEGREE, checked_degree, checked_side, exact_points
@@ -63,7 +73,7 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
 
     `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump).
     The domain is ``[t_n, t_{N−n}]`` for knots t_0 … t_N. Parameters and values are unitless exact numbers, read by
-    `exactspline.exact.rational`.
+    `exactspline.numbers.exact.rational`.
 
     >>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
     >>> f(1), (f * f).degree, f.d().control_points
@@ -195,7 +205,7 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
         )
 
     @property
-    def domain(self) -> tuple[mpq, mpq]:
+    def domain(self) -> Interval:
         """The interval of definition."""
         return self.mesh.domain
 

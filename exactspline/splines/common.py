@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
-from exactspline.exact import mpq
-from exactspline.immutable import fill
 from exactspline.language.provenance import leaf
-from exactspline.splines.bernstein import rescaled
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.immutable import fill
+from exactspline.polynomials.bernstein import rescaled
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, mesh_of
 from exactspline.splines.spans import common_forms

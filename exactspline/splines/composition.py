@@ -5,10 +5,12 @@ from __future__ import annotations
 from itertools import pairwise
 
 from exactspline.errors import DomainError, ReductionError
-from exactspline.exact import mpq, text, to_fmpz
-from exactspline.language.choices import Side
+from exactspline.numbers.exact import mpq, ratio, text, to_fmpz
+from exactspline.numbers.intervals import Interval
+from exactspline.numbers.sides import Side
+from exactspline.polynomials import bernstein
 from exactspline.polynomials.factors import factorize
-from exactspline.splines import bernstein
+from exactspline.polynomials.isolation import LocalZero, end_signs, is_nonnegative, isolate
 from exactspline.splines.knots import Mesh
 from exactspline.splines.piecewise import Piecewise, S
 
@@ -68,7 +70,7 @@ def _check_range(outer: Piecewise, inner: Piecewise) -> None:
         below = bernstein.add(piece, _constant(-low, inner.degree))[0]
         above = bernstein.add((-piece[0], piece[1]), _constant(high, inner.degree))[0]
         for c in (below, above):
-            if not bernstein.is_nonnegative(c, inner.degree):
+            if not is_nonnegative(c, inner.degree):
                 a, b = inner.mesh.breaks[i : i + 2]
                 raise DomainError(
                     f"the inner spline leaves the outer domain [{text(low)}, {text(high)}] on [{text(a)}, {text(b)}]",
@@ -84,23 +86,27 @@ def _preimages(inner: Piecewise, knot: mpq) -> list[mpq]:
         c, _ = bernstein.add(piece, _constant(-knot, inner.degree))
         if not c:
             continue
-        for p in bernstein.odd_factors(c):
-            for q in factorize(p).bases:
-                if q.degree() == 1:
-                    a, b = inner.mesh.breaks[i : i + 2]
-                    found += [a + (b - a) * t for t in bernstein.rational_roots(q)]
-                elif bernstein.crosses(q):
-                    a, b = inner.mesh.breaks[i : i + 2]
-                    raise ReductionError(
-                        (
-                            f"the knot {text(knot)} of the outer spline has an irrational preimage on [{text(a)}, "
-                            f"{text(b)}]"
-                        ),
-                        remedy=(
-                            "the composition is not a spline with rational knots; split the outer spline there "
-                            "or approximate the inner one"
-                        ),
-                        knot=knot,
-                        polynomial=[int(x) for x in q.coeffs()],
-                    )
+        segment = Interval(*inner.mesh.breaks[i : i + 2])
+        for zero in isolate(c, inner.degree).inner:
+            if zero.signs[0] != zero.signs[1]:
+                found.append(segment.at(_rational(zero, knot, segment)))
     return found
+
+
+def _rational(zero: LocalZero, knot: mpq, segment: Interval) -> mpq:
+    """The local parameter at which a knot of the outer spline is met, or the error where it is irrational."""
+    if zero.low == zero.high:
+        return zero.low
+    factors = factorize(zero.factor.polynomial).bases
+    own = next(q for q in factors if len(set(end_signs(q, zero.low, zero.high))) > 1)
+    if own.degree() == 1:
+        return ratio(own[0], own[0] - own[1])
+    raise ReductionError(
+        f"the knot {text(knot)} of the outer spline has an irrational preimage on {segment}",
+        remedy=(
+            "the composition is not a spline with rational knots; split the outer spline there or approximate the "
+            "inner one"
+        ),
+        knot=knot,
+        polynomial=[int(x) for x in own.coeffs()],
+    )

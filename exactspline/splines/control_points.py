@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 from exactspline.errors import NumberError, ShapeError, as_instance, as_items, shown
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.numbers.exact import Number, mpq, rational, text
 from exactspline.splines.bspline import BSpline
 
 

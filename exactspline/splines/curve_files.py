@@ -10,17 +10,20 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Mapping
 from typing import Any
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, as_path
-from exactspline.exact import mpq, rational
+from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_points
 from exactspline.splines.expected import curve_of
 from exactspline.splines.given import checked_degree
 from exactspline.splines.json_files import (
+    CURVE,
     MAX_BYTES,
+    check_fields,
     json_object,
     number_of,
     points_of,
@@ -31,10 +34,7 @@ from exactspline.splines.json_files import (
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
-__all__ = ["MAX_BYTES", "OPTIONAL", "REQUIRED", "curve_data", "curve_from_text", "read_curve", "save", "write_json"]
-
-REQUIRED = ("degree", "knots", "control_points")
-OPTIONAL = ("weights", "name", "source", "note")
+__all__ = ["MAX_BYTES", "curve_data", "curve_from_data", "curve_from_text", "read_curve", "save", "write_json"]
 
 
 def read_curve(path: str | os.PathLike[str]) -> Nurbs:
@@ -61,23 +61,17 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
         'one curve is {"degree": …, "knots": […], "control_points": […]}; several, {"curves": […]}, are '
         "read by exactspline.interchange.files.read",
     )
-    if isinstance(data.get("degree"), list):
-        raise CurveFileError("is a surface, where a curve is wanted", remedy="`exactspline inspect` reads surfaces")
+    return curve_from_data(data, name)
+
+
+def curve_from_data(given: Mapping[str, object], name: str = "") -> Nurbs:
+    """The curve in JSON data, numbers as text (`exactspline.splines.json_files.parsed`)."""
+    data: dict[str, Any] = dict(given)
     if "pieces" in data:
         data = _one_piece(data)
     if "kind" in data:
         return _curve_of_piece(data, name)
-    for field in REQUIRED:
-        if field not in data:
-            raise CurveFileError(
-                f"the field {field!r} is missing",
-                remedy=f"a curve has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}",
-            )
-    if unknown := sorted(set(data) - {*REQUIRED, *OPTIONAL}):
-        raise CurveFileError(
-            f"the field {unknown[0]!r} is unknown",
-            remedy=f"a curve has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}",
-        )
+    check_fields(data, CURVE)
     for field in ("knots", "control_points", "weights"):
         if not isinstance(data.get(field, []), list) and not (field == "weights" and data[field] is None):
             raise CurveFileError("is not a list", where=field, remedy="write a JSON list")

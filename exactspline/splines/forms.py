@@ -10,7 +10,7 @@ from typing import overload
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.splines.bernstein import Form
+from exactspline.polynomials.bernstein import Form
 
 
 class Polynomials(Sequence[fmpz_poly]):

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from exactspline.errors import DomainError, NumberError, ShapeError, shown
-from exactspline.exact import Number, mpq, rational
-from exactspline.language.choices import Side, choice
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.sides import Side
+from exactspline.words import choice
 
 #: Largest degree accepted from outside; computed splines may go beyond it.
 MAX_DEGREE = 1000

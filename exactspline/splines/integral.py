@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
 
 

@@ -5,15 +5,19 @@ from __future__ import annotations
 import json
 import os
 import stat
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NoReturn, cast
+from typing import NoReturn, cast
 
 from exactspline.errors import CurveFileError, NumberError, as_text
-from exactspline.exact import Number, mpq, rational
-from exactspline.exact import text as text_of
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.exact import text as text_of
 from exactspline.splines.control_points import Direction
 
+#: The fields of a curve and of a surface.
+REQUIRED = ("degree", "knots", "control_points")
+OPTIONAL = ("weights", "name", "source", "note")
+CURVE, SURFACE = "a curve", "a surface"
 #: Largest file read, in bytes: room for a hundred thousand control points.
 MAX_BYTES = 8 * 1024 * 1024
 
@@ -44,10 +48,22 @@ def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
 
 def json_object(text: str, remedy: str) -> dict[str, object]:
     """The JSON object that a text holds; `remedy` tells what to write instead of anything else."""
-    data = _parsed(as_text(text, "JSON"))
+    data = parsed(as_text(text, "JSON"))
     if not isinstance(data, dict):
         raise CurveFileError("the JSON text is not an object", remedy=remedy)
     return data
+
+
+def check_fields(data: Mapping[str, object], what: str) -> None:
+    """Raise `CurveFileError` unless these are the fields of a curve or of a surface (`what`)."""
+    if what == CURVE and isinstance(data.get("degree"), list):
+        raise CurveFileError("is a surface, where a curve is wanted", remedy="`exactspline inspect` reads surfaces")
+    remedy = f"{what} has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}"
+    for field in REQUIRED:
+        if field not in data:
+            raise CurveFileError(f"the field {field!r} is missing", remedy=remedy)
+    if unknown := sorted(set(data) - {*REQUIRED, *OPTIONAL}):
+        raise CurveFileError(f"the field {unknown[0]!r} is unknown", remedy=remedy)
 
 
 def points_of(rows: Sequence[object], place: str = "control_points") -> list[Iterable[Number]]:
@@ -88,7 +104,14 @@ def number_of(value: object) -> Number:
     return "null" if value is None else str(value) if isinstance(value, _Decimal) else cast("Number", value)
 
 
-def _parsed(text: str) -> Any:
+def parsed(text: str) -> object:
+    """The data of a JSON text, every number as the text it shows.
+
+    >>> parsed('{"a": [1, 0.1, "x"]}')
+    {'a': ['1', '0.1', 'x']}
+
+    Raises `CurveFileError` for what is not JSON, has a field twice, or holds NaN or an infinity.
+    """
     try:
         return json.loads(
             text, parse_int=_Decimal, parse_float=_Decimal, parse_constant=_refuse, object_pairs_hook=once_each

@@ -14,8 +14,9 @@ from itertools import groupby, pairwise
 from flint import fmpz
 
 from exactspline.errors import DomainError, KnotError, NumberError, as_items
-from exactspline.exact import Number, mpq, rational, short_text, text, to_fmpz
-from exactspline.immutable import Immutable, fill
+from exactspline.numbers.exact import Number, mpq, rational, short_text, text, to_fmpz
+from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.intervals import Interval
 
 #: Continuity at a breakpoint where the function has no knot.
 SMOOTH = 1 << 60
@@ -97,9 +98,9 @@ class KnotVector(Immutable):
         """The vector with t inserted so many more times."""
         return KnotVector(sorted([*self.knots, *[rational(t)] * times]))
 
-    def domain(self, degree: int) -> tuple[mpq, mpq]:
+    def domain(self, degree: int) -> Interval:
         """``[t_n, t_{N−n}]`` for a spline of degree n with knots t_0 … t_N."""
-        return self.knots[degree], self.knots[len(self.knots) - 1 - degree]
+        return Interval(self.knots[degree], self.knots[len(self.knots) - 1 - degree])
 
     def check(self, degree: int) -> None:
         """Raise `KnotError` unless these knots carry splines of the given degree (multiplicity ≤ degree+1, non-empty
@@ -165,9 +166,9 @@ class Mesh(Immutable):
         return Mesh, (self.breaks,)
 
     @property
-    def domain(self) -> tuple[mpq, mpq]:
+    def domain(self) -> Interval:
         """First and last breakpoint."""
-        return self.breaks[0], self.breaks[-1]
+        return Interval(self.breaks[0], self.breaks[-1])
 
     def __len__(self) -> int:
         """Number of segments."""

@@ -10,14 +10,14 @@ from typing import overload
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import ReductionError
-from exactspline.exact import text
 from exactspline.language.parts import split
 from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import text
+from exactspline.polynomials.bernstein import ONE, divide_u_plus_v, raiser
 from exactspline.polynomials.factors import certainly_coprime, greatest_common_divisor
-from exactspline.splines.bernstein import ONE, divide_u_plus_v, raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.expected import spline_of
@@ -131,13 +131,8 @@ def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tup
     left = n - common.degree() - (n - max(c.degree() for c in forms))
     forms = [c // common for c in forms]
     judge, most = (forms[-1], left) if sign_of_last else (common, n)
-    sign = next(sign for j in range(1, most + 3) if (sign := _sign_at(judge, j)))
-    return ([-c for c in forms] if sign < 0 else forms), left
-
-
-def _sign_at(c: fmpz_poly, z: int) -> int:
-    value = c(z)
-    return int(value > 0) - int(value < 0)
+    positive = next(value > 0 for j in range(1, most + 3) if (value := judge(j)))
+    return (forms if positive else [-c for c in forms]), left
 
 
 def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:

@@ -8,12 +8,13 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, cast
 
 from exactspline.errors import ShapeError, WeightError
-from exactspline.exact import Number, from_float, is_float, mpq, rational, text
-from exactspline.immutable import Immutable
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Side
 from exactspline.language.vector import Vector
-from exactspline.splines.bernstein import zero_on_segment
+from exactspline.numbers.exact import Number, from_float, is_float, mpq, rational, text
+from exactspline.numbers.immutable import Immutable
+from exactspline.numbers.intervals import Interval
+from exactspline.numbers.sides import Side
+from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import splines_over, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
@@ -173,7 +174,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         return tuple(x(t, side) / w for x in self.p)
 
     @property
-    def domain(self) -> tuple[mpq, mpq]:
+    def domain(self) -> Interval:
         """The parameter interval."""
         return self.w.domain
 
@@ -236,8 +237,8 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         """The parts before and after an inner parameter.
 
         >>> first, second = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).split("1/2")
-        >>> first.control_points[1] == second.control_points[0], second.domain
-        (True, (mpq(1,2), mpq(1,1)))
+        >>> first.control_points[1] == second.control_points[0], str(second.domain)
+        (True, '[1/2, 1]')
 
         Raises `DomainError` for a parameter that is not inside the domain.
         """
@@ -329,7 +330,7 @@ def _check_weight(w: BSpline) -> None:
         a, b = w.breakpoints[i : i + 2]
         witness = zero_on_segment(c, w.degree)
         if witness is not None:
-            low, high = (a + (b - a) * t for t in witness)
+            low, high = Interval(a, b).part(witness)
             place = (
                 f"at the parameter {text(low)}"
                 if low == high

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq
 from exactspline.language.operand import Operand
+from exactspline.numbers.exact import Number, mpq
 from exactspline.splines.control_points import exact_row
 
 T = TypeVar("T", bound=Operand)

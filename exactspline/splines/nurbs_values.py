@@ -5,11 +5,11 @@ from __future__ import annotations
 from math import comb
 
 from exactspline.errors import DomainError, ShapeError
-from exactspline.exact import Number, mpq, rational, text
 from exactspline.hooks import FunctionsOutside
-from exactspline.language.choices import Side
 from exactspline.language.operand import checked_order
 from exactspline.language.vector import Vector, dot
+from exactspline.numbers.exact import Number, mpq, rational, text
+from exactspline.numbers.sides import Side
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
 

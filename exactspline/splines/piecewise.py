@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Protocol, Self, TypeVar
 
-from exactspline.exact import Number, mpq
-from exactspline.language.choices import Side
 from exactspline.language.provenance import Provenance
-from exactspline.splines.bernstein import Form
+from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.intervals import Interval
+from exactspline.numbers.sides import Side
+from exactspline.polynomials.bernstein import Form
 from exactspline.splines.forms import Forms
 from exactspline.splines.knots import Mesh
 
@@ -37,7 +38,7 @@ class Piecewise(Protocol):
         """The form of every segment."""
 
     @property
-    def domain(self) -> tuple[mpq, mpq]:
+    def domain(self) -> Interval:
         """The interval of definition."""
 
     @property

@@ -7,9 +7,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError, shown
-from exactspline.exact import mpq, short_text, text
-from exactspline.language.choices import Side
-from exactspline.splines import bernstein
+from exactspline.numbers.exact import mpq, short_text, text
+from exactspline.numbers.sides import Side
+from exactspline.polynomials import bernstein
 from exactspline.splines.knots import SMOOTH, Mesh
 from exactspline.splines.piecewise import Piecewise, S
 

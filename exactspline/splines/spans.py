@@ -10,8 +10,8 @@ from functools import lru_cache, reduce
 
 from flint import fmpz, fmpz_mat, fmpz_poly
 
-from exactspline.exact import mpq
-from exactspline.splines.bernstein import ONE
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.bernstein import ONE
 from exactspline.splines.blossom import forms_of
 
 #: The knots that count on a span, from 0 at its left end to 1 at its right end.
@@ -31,7 +31,7 @@ def common_forms(
     one after the other, over their least common denominator. None where knots around spans differ so much that it is
     not worth a matrix each.
 
-    >>> from exactspline.exact import mpq
+    >>> from exactspline.numbers.exact import mpq
     >>> for _ in range(4):
     ...     found = common_forms([mpq(k) for k in range(4)], 1, [[mpq(1, 2), mpq(1)], [mpq(0), mpq(2)]], [1])
     >>> found

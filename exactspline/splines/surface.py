@@ -7,14 +7,14 @@ from enum import StrEnum
 from math import comb
 
 from exactspline.errors import ExactSplineError, ShapeError, shown
-from exactspline.exact import Number, mpq, rational
 from exactspline.hooks import FunctionsOutside
-from exactspline.immutable import Immutable
-from exactspline.language.choices import choice
 from exactspline.language.operand import checked_order
 from exactspline.language.rational import Rational
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.immutable import Immutable
+from exactspline.numbers.intervals import Box
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import on_one_mesh, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
@@ -24,11 +24,11 @@ from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.surface_weight import check_weight
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_net import checked_degrees, checked_knots
+from exactspline.words import choice
 
 #: Control points in rows along u.
 Net = tuple[tuple[Point, ...], ...]
 Weights = tuple[tuple[mpq, ...], ...]
-Sides = tuple[tuple[mpq, mpq], tuple[mpq, mpq]]
 
 
 class Along(StrEnum):
@@ -162,7 +162,7 @@ class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
     # ---- the surface
 
     @property
-    def domain(self) -> Sides:
+    def domain(self) -> Box:
         """The rectangle of parameters, as its two sides."""
         return self.w.domain
 
@@ -251,8 +251,8 @@ class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
         """The parts before and after an inner value of one parameter.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 2, 2], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
-        >>> [part.domain[1] for part in f.split("v", 1)]
-        [(mpq(0,1), mpq(1,1)), (mpq(1,1), mpq(2,1))]
+        >>> [str(part.domain.second) for part in f.split("v", 1)]
+        ['[0, 1]', '[1, 2]']
 
         Raises `DomainError` for a value that is not inside the domain.
         """

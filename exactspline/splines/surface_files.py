@@ -8,16 +8,24 @@ of the same shape. Numbers and points are written as in curve files.
 from __future__ import annotations
 
 import os
+from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import Number
+from exactspline.numbers.exact import Number
 from exactspline.splines.curve_files import write_json
 from exactspline.splines.expected import surface_of
-from exactspline.splines.json_files import json_object, number_of, points_of, text_of_file, whole_degree, written_point
+from exactspline.splines.json_files import (
+    SURFACE,
+    check_fields,
+    json_object,
+    number_of,
+    points_of,
+    text_of_file,
+    whole_degree,
+    written_point,
+)
 from exactspline.splines.surface import NurbsSurface
 
-REQUIRED = ("degree", "knots", "control_points")
-OPTIONAL = ("weights", "name", "source", "note")
 #: Another spelling of ``control_points``.
 NET = "points"
 
@@ -45,7 +53,7 @@ def surface_from_text(text: str, name: str = "") -> NurbsSurface:
     data = json_object(text, 'write {"degree": [m, n], "knots": [[…], […]], "control_points": [[…], …]}')
     if NET in data and "control_points" not in data:
         data["control_points"] = data.pop(NET)
-    _check_fields(data)
+    check_fields(data, SURFACE)
     degree = [whole_degree(n) for n in _list(data["degree"], "degree", 2)]
     knots = [_list(row, f"knots[{i}]") for i, row in enumerate(_list(data["knots"], "knots", 2))]
     net = []
@@ -77,16 +85,7 @@ def looks_like_surface(text: str) -> bool:
         return False
 
 
-def _check_fields(data: dict[str, object]) -> None:
-    remedy = f"a surface has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}"
-    for field in REQUIRED:
-        if field not in data:
-            raise CurveFileError(f"the field {field!r} is missing", remedy=remedy)
-    if unknown := sorted(set(data) - {*REQUIRED, *OPTIONAL}):
-        raise CurveFileError(f"the field {unknown[0]!r} is unknown", remedy=remedy)
-
-
-def _list(value: object, where: str, count: int | None = None) -> list[object]:
+def _list(value: Any, where: str, count: int | None = None) -> list[Any]:
     if not isinstance(value, list):
         raise CurveFileError("is not a list", where=where, remedy="write a JSON list")
     if count is not None and len(value) != count:

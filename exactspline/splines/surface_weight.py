@@ -8,8 +8,8 @@ from collections import deque
 from itertools import product
 
 from exactspline.errors import WeightError
-from exactspline.exact import mpq
-from exactspline.splines.patch_forms import UNIT, Box, PatchForm, Sized, box_text, halved
+from exactspline.numbers.intervals import UNIT, Box
+from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.splines.tensor import TensorSpline
 
 #: Boxes on one patch before the search stops.
@@ -26,16 +26,15 @@ def check_weight(w: TensorSpline) -> None:
     """
     sign = 0
     for i, j in product(range(len(w.meshes[0])), range(len(w.meshes[1]))):
-        patch = (w.meshes[0].breaks[i : i + 2], w.meshes[1].breaks[j : j + 2])
-        form = PatchForm.of(w, i, j)
+        form = w.patch_form(i, j)
         found = _sign_or_box(form)
         if not isinstance(found, int):
             box, certain = found
-            raise _zero(_placed(box, patch), certain)
+            raise _zero(w.patch(i, j).part(box), certain)
         if sign and found != sign:
-            place = _placed(((mpq(0), mpq(1)), (mpq(0), mpq(1))), patch)
+            place = w.patch(i, j)
             raise WeightError(
-                f"the denominator w changes sign by a jump into the patch {box_text(place)}",
+                f"the denominator w changes sign by a jump into the patch {place}",
                 where="weights",
                 remedy="w must keep its sign on the domain",
                 witness=place,
@@ -64,7 +63,7 @@ def _zero_at_corners(part: Sized) -> Box | None:
     while True:
         for value, (x, y) in zip(part.forms[0].corners, product(*part.box), strict=True):
             if value == 0:
-                return (x, x), (y, y)
+                return Box.point(x, y)
         if not _crosses(part):
             return None
         if part.depth >= DEPTH:
@@ -80,17 +79,9 @@ def _crosses(part: Sized) -> bool:
     return min(corners) < 0 < max(corners)
 
 
-def _placed(box: Box, patch: tuple[tuple[mpq, ...], tuple[mpq, ...]]) -> Box:
-    """A box of the unit square in the parameters of the surface."""
-    (a, b), (c, d) = (
-        (low + (high - low) * x, low + (high - low) * y) for (x, y), (low, high) in zip(box, patch, strict=True)
-    )
-    return (mpq(a), mpq(b)), (mpq(c), mpq(d))
-
-
 def _zero(box: Box, certain: bool) -> WeightError:
     point = all(a == b for a, b in box)
-    where = f"at {box_text(box)}" if point else f"where {box_text(box)}"
+    where = f"at {box}" if point else f"where {box}"
     problem = (
         f"the denominator w has a zero {where}"
         if certain

@@ -12,18 +12,21 @@ from operator import mul as times
 from operator import sub as minus
 from typing import Any, ClassVar
 
-from flint import fmpz, fmpz_poly
+from flint import fmpz, fmpz_mat, fmpz_poly
 
 from exactspline.errors import FormulaError, ShapeError, as_instance, shown
-from exactspline.exact import Number, lcm, mpq, rational, text, to_fmpz
-from exactspline.immutable import Immutable, fill
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.choices import Parameter
 from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.language.rational import RingOperand
-from exactspline.splines import refinement, tensor_bernstein
-from exactspline.splines.bernstein import common_denominators, primitive, raiser
+from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, text, to_fmpz
+from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.intervals import Box, Interval
+from exactspline.polynomials import tensor_bernstein
+from exactspline.polynomials.bernstein import common_denominators, primitive, raiser
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, Mesh, clamped
 from exactspline.splines.tensor_direct import derived, lowered, true_degrees
@@ -89,9 +92,9 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
     # ---- representation
 
     @property
-    def domain(self) -> tuple[tuple[mpq, mpq], tuple[mpq, mpq]]:
+    def domain(self) -> Box:
         """The rectangle, as its two sides."""
-        return self.meshes[0].domain, self.meshes[1].domain
+        return Box(self.meshes[0].domain, self.meshes[1].domain)
 
     @property
     def knots(self) -> tuple[KnotVector, KnotVector]:
@@ -120,6 +123,22 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         """The Bézier points of the patch over segment i of s and segment j of t."""
         at = i * len(self.meshes[1]) + j
         return tensor_bernstein.bezier_net((self._own[at], self.denominators[at]), self.degree, self.stride)
+
+    def patch(self, i: int, j: int) -> Box:
+        """The rectangle of the patch over segment i of s and segment j of t."""
+        first, second = (Interval(*mesh.breaks[k : k + 2]) for mesh, k in zip(self.meshes, (i, j), strict=True))
+        return Box(first, second)
+
+    def patch_form(self, i: int, j: int) -> PatchForm:
+        """The patch over segment i of s and segment j of t, up to a positive constant.
+
+        >>> f = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, "1/2"], [1, 2]])
+        >>> f.patch_form(0, 0).entries
+        [0, 1, 2, 4]
+        """
+        net = self.bezier_net(i, j) if min(self.degree) >= 0 else [[mpq(0)]]
+        integers, _ = over_one_denominator([x for row in net for x in row])
+        return PatchForm(fmpz_mat(len(net), len(net[0]), integers))
 
     def __repr__(self) -> str:
         (a, b), (c, d) = ((text(x) for x in side) for side in self.domain)
@@ -260,11 +279,8 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         """The iso-curve of constant t, a spline in s."""
         t, forms = rational(t), []
         for own in lines(self):
-            values = [line(t) for line in own]
-            common = lcm(*[x.denominator for x in values])
-            forms.append(
-                primitive((fmpz_poly([int(x.numerator * (common // x.denominator)) for x in values]), to_fmpz(common)))
-            )
+            integers, common = over_one_denominator([line(t) for line in own])
+            forms.append(primitive((fmpz_poly(integers), fmpz(common))))
         return BSpline.from_forms(self.degree.s, self.meshes[0], self.continuity[0], forms)
 
     def at_s(self, s: Number) -> BSpline:

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 
 from flint import fmpz_poly
 
-from exactspline.splines.bernstein import primitive
-from exactspline.splines.tensor_bernstein import columns, derivative, rows, without_powers
+from exactspline.polynomials.bernstein import primitive
+from exactspline.polynomials.tensor_bernstein import columns, derivative, rows, without_powers
 from exactspline.splines.tensor_parts import Degrees, Parts, TensorParts
 from exactspline.splines.tensor_univariate import spread
 

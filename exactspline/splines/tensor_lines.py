@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from flint import fmpz_poly
 
-from exactspline.exact import lcm, to_fmpz
-from exactspline.splines import tensor_bernstein
-from exactspline.splines.bernstein import primitive
+from exactspline.numbers.exact import lcm, to_fmpz
+from exactspline.polynomials import tensor_bernstein
+from exactspline.polynomials.bernstein import primitive
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.tensor_parts import Degrees, Parts, TensorParts
 

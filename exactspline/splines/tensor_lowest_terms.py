@@ -5,13 +5,13 @@ from __future__ import annotations
 from flint import Ordering, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from exactspline.errors import ReductionError
-from exactspline.exact import text
 from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import text
+from exactspline.polynomials import tensor_bernstein
+from exactspline.polynomials.bernstein import ONE, raiser
 from exactspline.polynomials.factors import greatest_common_divisor
-from exactspline.splines import tensor_bernstein
-from exactspline.splines.bernstein import ONE, raiser
 from exactspline.splines.tensor import TensorSpline, aligned, make
 from exactspline.splines.tensor_parts import Degrees
 

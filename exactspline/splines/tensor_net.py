@@ -7,7 +7,7 @@ from itertools import product
 from typing import Any
 
 from exactspline.errors import ExactSplineError, NumberError, ShapeError, shown
-from exactspline.exact import Number, mpq
+from exactspline.numbers.exact import Number, mpq
 from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.given import checked_degree, exact_points

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import mpq
 from exactspline.language.provenance import Provenance
-from exactspline.splines import tensor_bernstein
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials import tensor_bernstein
 from exactspline.splines.forms import Polynomials
 from exactspline.splines.knots import Mesh
 from exactspline.splines.tensor_univariate import Profile, packed_segments, spread
@@ -53,7 +53,7 @@ class TensorParts:
     #: Where it depends on one parameter only: which (0 for s), and the spline.
     profile: Profile | None
     provenance: Provenance
-    #: The stride of `polynomials` (see `exactspline.splines.tensor_bernstein`); results keep it while it has room,
+    #: The stride of `polynomials` (see `exactspline.polynomials.tensor_bernstein`); results keep it while it has room,
     #: since packing anew costs more than a product.
     stride: int
     #: The packed polynomials by stride, and the denominators; those of a spline in one parameter only are made when

@@ -8,8 +8,8 @@ from typing import TypeVar
 
 from flint import fmpz_poly
 
+from exactspline.polynomials.bernstein import ONE
 from exactspline.splines import refinement
-from exactspline.splines.bernstein import ONE
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import SMOOTH, Mesh
 

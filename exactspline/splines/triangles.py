@@ -1,6 +1,6 @@
 """The algorithms of the classroom as tables of fractions: de Boor's triangle, knot insertion, degree elevation, the
-product of two functions. The algorithms that splines use internally (`exactspline.splines.bernstein`) are faster; here
-every intermediate point can be read, drawn and checked.
+product of two functions. The algorithms that splines use internally (`exactspline.polynomials.bernstein`) are faster;
+here every intermediate point can be read, drawn and checked.
 
 Sources: C. de Boor, On calculating with B-splines, J. Approx. Theory 6 (1972) 50-62; M. G. Cox, The numerical
 evaluation of B-splines, IMA J. Appl. Math. 10 (1972) 134-149; W. Boehm, Inserting new knots into B-spline curves, CAD
@@ -15,7 +15,7 @@ from itertools import pairwise
 from math import comb
 
 from exactspline.errors import DomainError, KnotError, ShapeError, counted, shown
-from exactspline.exact import Number, mpq, rational, short_text, text
+from exactspline.numbers.exact import Number, mpq, rational, short_text, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Point, lifted, projected
 from exactspline.splines.expected import curve_of, spline_of

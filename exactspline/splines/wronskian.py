@@ -12,9 +12,9 @@ from math import factorial
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import mpq, to_fmpz
 from exactspline.language.vector import Vector, det
-from exactspline.splines.bernstein import raiser
+from exactspline.numbers.exact import mpq, to_fmpz
+from exactspline.polynomials.bernstein import raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.refinement import over
 

@@ -7,7 +7,6 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache
-from math import gcd, lcm
 from operator import attrgetter
 from threading import RLock
 from typing import Any, NamedTuple, cast
@@ -15,7 +14,6 @@ from typing import Any, NamedTuple, cast
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import ClaimError, ExactSplineError, ReachError, as_integer, as_items
-from exactspline.exact import mpq
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair, T
@@ -24,6 +22,7 @@ from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
 from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import content, from_flint, mpq, sign, to_fmpq
 from exactspline.papers import Paper, default_papers, formula_of
 from exactspline.polynomials.factorization import Factorization, multiplied, power_text
 from exactspline.polynomials.factors import factorize
@@ -172,13 +171,13 @@ def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Factor:
     """A quotient of jet polynomials as a product of named irreducible ones."""
     a, tops = factors_of(top)
     b, bottoms = factors_of(bottom)
-    constant = mpq(int(a.p), int(a.q)) / mpq(int(b.p), int(b.q))
+    constant = from_flint(a) / from_flint(b)
     powers: list[tuple[Named, int]] = []
-    for sign, factors in ((1, tops), (-1, bottoms)):
+    for side, factors in ((1, tops), (-1, bottoms)):
         for p, e in factors:
             name, unit = name_of(Jet(ring, p))
-            constant *= unit ** (sign * int(e))
-            powers.append((Named(name, p / int(unit.numerator) * int(unit.denominator)), sign * int(e)))
+            constant *= unit ** (side * int(e))
+            powers.append((Named(name, p / int(unit.numerator) * int(unit.denominator)), side * int(e)))
     in_order = sorted(powers, key=lambda power: (power[0].name != "w", power[0].name))
     return Factor(constant, Factorization(in_order), ring)
 
@@ -196,9 +195,7 @@ def factors_of(p: fmpq_mpoly) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
     (-2, [(x - y, 1), (x + y, 1)])
     """
     if len(p) >= LONG and irreducible_on_a_line(p):
-        coefficients = p.coeffs()
-        unit = fmpq(gcd(*[int(c.p) for c in coefficients]), lcm(*[int(c.q) for c in coefficients]))
-        unit = unit if p.leading_coefficient() > 0 else -unit
+        unit = to_fmpq(content(map(from_flint, p.coeffs())) * sign(p.leading_coefficient()))
         return unit, [(p / unit, 1)]
     constant, found = factorize(p)
     return constant, list(found)
@@ -230,7 +227,7 @@ def name_of(jet: Jet) -> tuple[str, mpq]:
         if len(other.polynomial) == len(jet.polynomial):
             quotient = jet.polynomial.leading_coefficient() / other.polynomial.leading_coefficient()
             if jet.polynomial == other.polynomial * quotient:
-                return name, mpq(int(quotient.p), int(quotient.q))
+                return name, from_flint(quotient)
     return f"({polynomial_text(jet)})", mpq(1)
 
 
@@ -250,9 +247,8 @@ def name_of_vector(core: Sequence[Jet]) -> tuple[str, mpq]:
     for name, other in whole + parts:
         if (quotient := _proportion(core, other)) is not None:
             return name, quotient
-    coefficients = [mpq(int(c.p), int(c.q)) for jet in core for c in jet.polynomial.coeffs()]
-    unit = mpq(gcd(*[int(c.numerator) for c in coefficients]), lcm(*[int(c.denominator) for c in coefficients]))
-    unit = unit if coefficients[0] > 0 else -unit
+    coefficients = [from_flint(c) for jet in core for c in jet.polynomial.coeffs()]
+    unit = content(coefficients) * sign(coefficients[0])
     return f"({', '.join(polynomial_text(jet.scaled(1 / unit), 2) for jet in core)})", unit
 
 
@@ -263,7 +259,7 @@ def _proportion(core: Sequence[Jet], other: Sequence[Jet]) -> mpq | None:
         return None
     quotient = core[pivot].polynomial.leading_coefficient() / other[pivot].polynomial.leading_coefficient()
     same = all(a.polynomial == b.polynomial * quotient for a, b in zip(core, other, strict=True))
-    return mpq(int(quotient.p), int(quotient.q)) if same else None
+    return from_flint(quotient) if same else None
 
 
 def named_parts(ring: JetRing) -> Iterator[tuple[str, Jet]]:

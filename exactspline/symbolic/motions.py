@@ -65,7 +65,7 @@ def _rotation(n: int, k: Constants) -> list[list[Any]]:
     """The rows of a rotation: of the tangent of half its angle in the plane, of a quaternion 1 + a i + b j + c k in
     space.
 
-    >>> from exactspline.exact import mpq
+    >>> from exactspline.numbers.exact import mpq
     >>> _rotation(2, {"turn1": mpq(1, 2)})
     [[mpq(3,5), mpq(-4,5)], [mpq(4,5), mpq(3,5)]]
     """

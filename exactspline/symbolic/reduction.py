@@ -13,10 +13,9 @@ from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
 
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError, ReductionError, ShapeError
-from exactspline.exact import mpq
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Curve, Pair, T
 from exactspline.language.choices import Parameter
@@ -26,6 +25,7 @@ from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import from_flint, mpq
 from exactspline.papers import find, owner
 from exactspline.polynomials.factorization import Factorization
 from exactspline.readings.degree import Degree, DegreeReading
@@ -387,9 +387,7 @@ def _part(role: str, naive: Degree, value: Any, parameter: Parameter) -> Part:
     above = _irreducible(ring, common, mpq(1))
     is_scalar = not getattr(value, "is_vector", False)
     core, core_name, unit = _named(ring, cores, is_scalar)
-    constant = (
-        unit * above.constant / below.constant / (rational_of(denominator.unit) if denominator is not None else 1)
-    )
+    constant = unit * above.constant / below.constant / (from_flint(denominator.unit) if denominator is not None else 1)
     powers = _powers(ring, above, below)
     return Part(role, naive, constant, powers, core, core_name, is_scalar, denominator is not None, parameter)
 
@@ -411,7 +409,7 @@ def _named(ring: JetRing, cores: list[fmpq_mpoly], is_scalar: bool) -> tuple[tup
     core = tuple(Jet(ring, c) for c in cores)
     if not any(cores):
         return core, "", mpq(1)
-    name, unit = ("", rational_of(cores[0].leading_coefficient())) if is_scalar else name_of_vector(core)
+    name, unit = ("", from_flint(cores[0].leading_coefficient())) if is_scalar else name_of_vector(core)
     return tuple(jet.scaled(1 / unit) for jet in core), name, unit
 
 
@@ -483,8 +481,3 @@ def _divided_out(polynomials: list[fmpq_mpoly], q: fmpq_mpoly) -> tuple[int, lis
         if any(rest for _, rest in results):
             return times, polynomials
         times, polynomials = times + 1, [quotient for quotient, _ in results]
-
-
-def rational_of(q: fmpq) -> mpq:
-    """A FLINT rational as an mpq."""
-    return mpq(int(q.p), int(q.q))

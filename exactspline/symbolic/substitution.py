@@ -8,11 +8,11 @@ from itertools import groupby
 from math import gcd
 from typing import Any, NamedTuple
 
-from exactspline.exact import mpq
 from exactspline.language.arguments import Curve, Pair, T
 from exactspline.language.kinds import Symbol
 from exactspline.language.operand import CONSTANTS
 from exactspline.language.surface_kind import Surface
+from exactspline.numbers.exact import mpq
 from exactspline.readings.jet import Jet
 
 

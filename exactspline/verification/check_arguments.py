@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from exactspline.errors import InapplicableError
-from exactspline.exact import mpq, text
 from exactspline.language.accompanied import Accompanied
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.hodograph_kind import curve_of_hodograph
 from exactspline.language.kinds import HODOGRAPH, PLANAR_MAP, SURFACE, CurveKind, PairKind, constant_text, kind_of
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.integral import integral
 from exactspline.splines.nurbs import Nurbs

@@ -12,13 +12,13 @@ from typing import ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, VanishingDivisorError
 from exactspline.hooks import Displayed
-from exactspline.immutable import Immutable
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
+from exactspline.numbers.immutable import Immutable
 from exactspline.papers import Paper
 from exactspline.papers import paper as paper_named
 from exactspline.readings.degree import parse

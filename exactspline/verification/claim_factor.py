@@ -7,10 +7,10 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from exactspline.errors import ClaimError, as_text, shown
-from exactspline.exact import rational
 from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.operand import Operand
+from exactspline.numbers.exact import rational
 from exactspline.papers import find as find_anywhere
 
 #: The names of the denominators, those of the curve and of the second one.

@@ -7,13 +7,14 @@ from typing import Any
 
 from flint import fmpz_poly
 
-from exactspline.exact import mpq, text
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.factors import greatest_common_divisor
-from exactspline.splines.bernstein import zero_on_segment
+from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.given import checked_degree
 from exactspline.splines.lowest_terms import common_factor
@@ -76,7 +77,7 @@ def extra_zero(a: BSpline, b: BSpline) -> str:
         rest, n = _without(p, q)
         found = zero_on_segment(rest, n)
         if found and not (found[0] == found[1] == 1 and q and q[b.degree] == 0):
-            return between(low, high, found)
+            return between(Interval(low, high).part(found))
         if p[a.degree] == 0 and q and q[b.degree] != 0:
             return f"at the parameter {text(high)} (from the left)"
     return ""

@@ -7,14 +7,14 @@ from functools import cached_property
 from itertools import product
 from typing import Any
 
-from exactspline.exact import mpq, text
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.language.kinds import PairKind, kind_of
-from exactspline.splines.bernstein import zero_on_segment
+from exactspline.numbers.exact import text
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.patch_forms import PatchForm
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.symbolic.assumptions import Assumption
@@ -110,7 +110,7 @@ def _fails_on_surface(each: Assumption, handed: Evaluated) -> str:
 
     value = each.polynomial(handed)
     patches = product(*[range(len(mesh)) for mesh in value.meshes])
-    for form, patch in ((PatchForm.of(value, *patch), patch) for patch in patches):
+    for form, patch in ((value.patch_form(*patch), patch) for patch in patches):
         sign = Sign.ZERO if form.is_zero or not each.everywhere else sign_on_patch(form).sign
         if form.is_zero or (each.everywhere and sign not in (Sign.POSITIVE, Sign.NEGATIVE)):
             perhaps = "perhaps " if sign is Sign.UNDECIDED else ""
@@ -135,11 +135,11 @@ def zero_of(f: BSpline) -> str:
             return segment(f, i)
         a, b = f.breakpoints[i : i + 2]
         if found := zero_on_segment(p, f.degree):
-            return between(a, b, found)
+            return between(Interval(a, b).part(found))
     return ""
 
 
-def between(a: mpq, b: mpq, found: tuple[mpq, mpq]) -> str:
-    """The place of a zero of a segment [a, b], as text."""
-    s, t = (a + (b - a) * x for x in found)
+def between(found: Interval) -> str:
+    """The place of a zero, as text."""
+    s, t = found
     return f"at the parameter {text(s)}" if s == t else f"between the parameters {text(s)} and {text(t)}"

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from functools import cache
 
 from exactspline.errors import FormulaError, as_integer
-from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands, Pair
 from exactspline.language.choices import Parameter
@@ -14,6 +13,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import SURFACE, TableKind
 from exactspline.language.parts import joined, split
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.papers import Paper, formula_of
 from exactspline.polynomials.factorization import Factorization
 from exactspline.readings.degree import Degree

@@ -8,11 +8,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from exactspline.errors import FormulaError, as_integer
-from exactspline.exact import mpq
-from exactspline.language.choices import Parameter, choice
+from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind, common_kind
 from exactspline.language.parts import split
+from exactspline.numbers.exact import mpq
 from exactspline.papers import all_formulas, find, formula_of, resolve
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
@@ -26,6 +26,7 @@ from exactspline.verification.curve_check import not_zero
 from exactspline.verification.decision import Outcome, decide_identity
 from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import Verdict
+from exactspline.words import choice
 
 Named = Formula | str
 

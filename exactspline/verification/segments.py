@@ -12,11 +12,11 @@ from math import comb
 from typing import Any, NamedTuple
 
 from exactspline.errors import VanishingDivisorError
-from exactspline.exact import mpq, text, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, T
 from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.kinds import PairKind
+from exactspline.numbers.exact import mpq, text, to_fmpq
 from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.bspline import BSpline

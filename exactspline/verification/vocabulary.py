@@ -6,7 +6,7 @@ from enum import StrEnum
 from typing import TypeVar
 
 from exactspline.errors import ClaimError
-from exactspline.language.choices import choice
+from exactspline.words import choice
 
 E = TypeVar("E", bound=StrEnum)
 

@@ -8,11 +8,11 @@ from itertools import zip_longest
 from math import comb
 from typing import TYPE_CHECKING, Any
 
-from exactspline.exact import mpq, mpz
 from exactspline.language.arguments import Curve
 from exactspline.language.operand import CONSTANTS
 from exactspline.language.rational import RingOperand
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq, mpz
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:

@@ -16,8 +16,8 @@ from flint import acb, ctx, fmpz_poly
 from exactspline.batch.bench.inputs import curve
 from exactspline.batch.bench.row import OURS, Options, Row, Timed, best, compared, installed, missing
 from exactspline.papers import find
+from exactspline.polynomials.bernstein import substituted
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.bernstein import substituted
 from exactspline.splines.bspline import BSpline
 
 ROOTS = "roots"

@@ -8,7 +8,7 @@ from typing import Any
 
 from exactspline.batch.bench.inputs import curve
 from exactspline.batch.bench.row import OURS, Options, Row, Timed, best, compared, installed, missing
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 SPLINES = "splines"

@@ -9,7 +9,7 @@ from itertools import product
 
 from exactspline.batch.grade.named_cases import NAMED
 from exactspline.errors import ExactSplineError
-from exactspline.exact import double, from_float, mpq
+from exactspline.numbers.exact import double, from_float, mpq
 from exactspline.splines.nurbs import Nurbs
 
 #: Increased whenever a case changes.

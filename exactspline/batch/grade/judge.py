@@ -13,8 +13,8 @@ from exactspline.batch.grade.data import Answer, Reply
 from exactspline.batch.grade.recheck import at
 from exactspline.batch.grade.truth import bend, rows
 from exactspline.errors import ExactSplineError
-from exactspline.exact import double, from_float, mpq
 from exactspline.geometry.analysis import analyse
+from exactspline.numbers.exact import double, from_float, mpq
 from exactspline.splines.nurbs import Nurbs
 
 RIGHT, OFF, MISSED, INVENTED, CRASHED = "right", "off", "missed", "invented", "crashed"

@@ -13,7 +13,7 @@ from itertools import pairwise
 from math import factorial, isqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.roots.checker import check
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from exactspline.batch.grade.judge import OUTCOMES, RIGHT, WRONG
 from exactspline.batch.grade.questions import QUESTIONS
 from exactspline.batch.grade.runner import Judged, Report
 from exactspline.batch.grade.shrink import Defect
-from exactspline.exact import double, mpq, text
+from exactspline.numbers.exact import double, mpq, text
 
 #: How the other outcomes are abbreviated in a cell, after the share of right answers.
 SHORT = {"off": "off", "missed": "missed", "invented": "invented", "crashed": "crashed", "declined": "declined"}

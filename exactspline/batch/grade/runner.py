@@ -19,7 +19,7 @@ from exactspline.batch.grade.judge import Verdict, judged
 from exactspline.batch.grade.questions import QUESTIONS
 from exactspline.batch.grade.recheck import recheck
 from exactspline.batch.grade.truth import inserted, truth
-from exactspline.exact import double, text
+from exactspline.numbers.exact import double, text
 from exactspline.splines.control_points import lifted
 from exactspline.splines.nurbs import Nurbs
 

@@ -12,7 +12,7 @@ from exactspline.batch.grade.cases import Case
 from exactspline.batch.grade.judge import judged
 from exactspline.batch.grade.runner import Judged, Truths, Worker, request_data
 from exactspline.errors import ExactSplineError
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 #: How many smaller curves are tried for one defect.

@@ -11,12 +11,12 @@ from collections.abc import Callable
 from exactspline.batch.grade.cases import Case
 from exactspline.batch.grade.data import Answer, ExactCurve
 from exactspline.errors import ExactSplineError
-from exactspline.exact import double, from_float, mpq, text
 from exactspline.geometry import balls
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.extent import coordinate_range, slope
 from exactspline.geometry.values_along import curvature, point_at, torsion
 from exactspline.language.vector import Vector, triple
+from exactspline.numbers.exact import double, from_float, mpq, text
 from exactspline.reals.real import Real
 from exactspline.roots.values import unit
 from exactspline.roots.zero_set import zeros

@@ -15,7 +15,7 @@ from exactspline.display.plot.frames import three_ticks
 from exactspline.display.plot.html import Scene
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.papers import find
 from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count

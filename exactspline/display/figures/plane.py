@@ -9,11 +9,11 @@ from exactspline.display.plot.canvas import GREEN, ORANGE, SILVER, VERMILLION, l
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.display.plot.html import Scene
-from exactspline.exact import mpq
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.zero_forms import zero_form
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import mpq
 from exactspline.papers import find
 from exactspline.polynomials.factorization import superscript
 from exactspline.readings.printing.latex import print_latex

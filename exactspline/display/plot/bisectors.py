@@ -26,13 +26,13 @@ from exactspline.display.plot.curves import plot_curve
 from exactspline.display.plot.frames import Box, box_around, grown, kept
 from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh, show_box
-from exactspline.exact import Number, mpq, rational
 from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
 from exactspline.geometry.bisector.point_and_curve import PointBisector
 from exactspline.geometry.bisector.trimmed import TrimmedBisector
 from exactspline.geometry.bisector.two_curves import CurveBisector
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, dot
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 

@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import ExactSplineError, a_kind, shown
-from exactspline.exact import Number, mpq, rational
 from exactspline.geometry.kinds import Feature
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 

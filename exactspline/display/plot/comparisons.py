@@ -24,12 +24,12 @@ from exactspline.display.plot.canvas import (
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
 from exactspline.display.plot.functions import draw_roots, marked, plot_function
 from exactspline.errors import as_items
-from exactspline.exact import iroot, mpq
 from exactspline.geometry.analysis import Analysis, analyse
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.extent import coordinate_extrema
 from exactspline.geometry.kinds import FeatureKind
-from exactspline.language.choices import Side
+from exactspline.numbers.exact import iroot, mpq
+from exactspline.numbers.sides import Side
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline

@@ -26,13 +26,13 @@ from exactspline.display.plot.canvas import (
 )
 from exactspline.display.plot.frames import Box, box_around, grown, homogeneous, inside, kept, longer_side, usual_box
 from exactspline.errors import ShapeError, a_kind, as_items
-from exactspline.exact import Number, mpq
 from exactspline.geometry.derived import derive
 from exactspline.geometry.kinds import Feature
-from exactspline.language.choices import Side
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.sides import Side
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline

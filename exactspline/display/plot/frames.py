@@ -6,9 +6,9 @@ from collections.abc import Iterable, Sequence
 from math import ceil, floor, log10
 
 from exactspline.display.plot.canvas import PlotError, Point
-from exactspline.exact import mpq
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.values import SplineVector
 

@@ -26,7 +26,7 @@ from exactspline.display.plot.canvas import (
     sampled,
 )
 from exactspline.errors import ShapeError, as_instance, as_items, shown
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline

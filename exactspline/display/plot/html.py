@@ -18,7 +18,7 @@ from exactspline.atomic_write import write_atomically
 from exactspline.display.plot.canvas import BLACK, BLUE, GREEN, GREY, SKY, VERMILLION, PlotError, Point, Run
 from exactspline.display.plot.frames import Box, box_around, grown, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 
 #: Isolines along and across a surface, and the colour they have.
 ISOLINES, DARK = (7, 24), "#24556F"

@@ -10,12 +10,12 @@ from typing import Any
 from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
 from exactspline.display.plot.frames import Box, homogeneous, kept, usual_box
 from exactspline.errors import ShapeError, as_items
-from exactspline.exact import Number, mpq, rational
-from exactspline.language.choices import Side
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.sides import Side
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots

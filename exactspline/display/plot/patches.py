@@ -15,11 +15,10 @@ from exactspline.display.plot.curvature_lines import Samples, lines_of_curvature
 from exactspline.display.plot.surfaces import shaded
 from exactspline.display.plot.visibility import Visibility
 from exactspline.errors import as_instance
-from exactspline.exact import mpq
-from exactspline.geometry.surface.forms import in_parameters
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.places import Place, enclosing
 from exactspline.geometry.surface.signs import Point
+from exactspline.numbers.exact import mpq
 from exactspline.splines.surface import Along
 
 if TYPE_CHECKING:
@@ -166,9 +165,8 @@ def _curves(found: SurfaceInspection) -> Iterator[list[Point]]:
 def _lines(found: SurfaceInspection) -> Iterator[list[Point]]:
     """Parabolic isoparametric lines."""
     for line in found.parabolic_lines:
-        (a, b), (low, high) = line.interval, enclosing(line.value, 8)
-        at = mpq((low + high) / 2)
-        ts = [a + (b - a) * mpq(k, GRID) for k in range(GRID + 1)]
+        at = enclosing(line.value, 8).middle
+        ts = [line.interval.at(mpq(k, GRID)) for k in range(GRID + 1)]
         yield [(t, at) if line.along is Along.U else (at, t) for t in ts]
 
 
@@ -183,14 +181,12 @@ def singular_spots(found: SurfaceInspection) -> Iterator[Point]:
 
 
 def _middle(place: Place) -> Point:
-    (a, b), (c, d) = place.box(8)
-    return mpq((a + b) / 2), mpq((c + d) / 2)
+    return place.box(8).middle
 
 
 def _placed(point: Point, one: PatchInspection) -> Point:
     x, y = (min(max(t, mpq(0)), mpq(1)) for t in point)
-    (u, _), (v, _) = in_parameters(((x, x), (y, y)), one.sides)
-    return u, v
+    return one.sides.at(x, y)
 
 
 def _dots(ax: Any, points: list[Any], color: str, marker: str) -> None:

@@ -23,11 +23,11 @@ from exactspline.display.plot.curves import plot_quotient
 from exactspline.display.plot.frames import Box, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.errors import FormulaError, ShapeError, as_items
-from exactspline.exact import Number, rational
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, Kind
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, rational
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of

@@ -22,9 +22,9 @@ from exactspline.display.plot.patches import (
     singular_spots,
     umbilic_spots,
 )
-from exactspline.exact import from_float
 from exactspline.geometry.surface.inspection import PatchInspection, SurfaceInspection
 from exactspline.geometry.surface.signs import Point
+from exactspline.numbers.exact import from_float
 
 #: What the colours of faces say.
 LABELS = {ELLIPTIC: "K > 0", HYPERBOLIC: "K < 0", FLAT: "K = 0"}

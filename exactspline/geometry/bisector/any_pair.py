@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number
 from exactspline.geometry.bisector.point_and_curve import PointBisector, exact_point, point_bisector, refuse_point
 from exactspline.geometry.bisector.two_curves import CurveBisector, curve_bisector
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import Number
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of

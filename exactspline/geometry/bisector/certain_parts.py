@@ -10,48 +10,45 @@ from collections.abc import Sequence
 
 from flint import fmpz_poly
 
-from exactspline.exact import mpq
-from exactspline.geometry.bisector.polynomials import Rows, halved
-from exactspline.splines.bernstein import ONE, halves, restrict
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box, Interval, joined
+from exactspline.polynomials.bernstein import ONE, halves, restrict
+from exactspline.polynomials.patch_forms import PatchForm
 
 #: An interval of the local parameter.
-Part = tuple[mpq, mpq]
 #: Halvings of the parameter, and of both.
 DEPTH, DEPTH_OF_BOTH = 10, 10
 
 
-def possible_parts(families: Sequence[Rows], e: fmpz_poly, n: int) -> list[Part]:
+def possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: int) -> list[Interval]:
     """The parts of [0, 1] on which no family is certainly of the other sign than e at the beginning or in the middle
     of its range, neighbours joined; parts with a zero of e only where all families could have one sign.
 
     >>> possible_parts([[fmpz_poly([-1, 3])]], fmpz_poly([1, 1]), 1)
-    [(mpq(255,1024), mpq(1,1))]
+    [Interval(low=mpq(255,1024), high=mpq(1,1))]
     """
     samples = [form for rows in families for form in (rows[0], _total(rows))]
-    todo = [(mpq(0), mpq(1), 0, e, samples)]
-    found: list[Part] = []
+    todo = [(Interval(mpq(0), mpq(1)), 0, e, samples)]
+    found: list[Interval] = []
     while todo:
-        low, high, depth, below, forms = todo.pop()
+        interval, depth, below, forms = todo.pop()
         sign = _sign(below, n)
         signs = {_sign(form, n) for form in forms}
         # where e has a zero, forms of both signs exclude both of its sides
         if -sign in signs if sign else {1, -1} <= signs:
             continue
         if depth == DEPTH or (sign and not any(_has_sign(form, -sign) for form in forms)):
-            if found and found[-1][1] == low:
-                found[-1] = (found[-1][0], high)
-            else:
-                found.append((low, high))
+            found.append(interval)
             continue
-        middle = mpq((low + high) / 2)
         parts = [halves(form, n) for form in forms if not sign or _has_sign(form, -sign)]
         left, right = halves(below, n)
-        todo.append((middle, high, depth + 1, right, [part for _, part in parts]))
-        todo.append((low, middle, depth + 1, left, [part for part, _ in parts]))
-    return found
+        first, second = interval.halves
+        todo.append((second, depth + 1, right, [part for _, part in parts]))
+        todo.append((first, depth + 1, left, [part for part, _ in parts]))
+    return joined(found)
 
 
-def _total(rows: Rows) -> fmpz_poly:
+def _total(rows: Sequence[fmpz_poly]) -> fmpz_poly:
     """The family in the middle of its range, up to a positive constant."""
     total = fmpz_poly([])
     for row in rows:
@@ -72,33 +69,30 @@ def _has_sign(form: fmpz_poly, sign: int) -> bool:
     return any(x * sign > 0 for x in form.coeffs())
 
 
-def holds_certainly(rows: Rows, e: fmpz_poly, n: int, part: Part, degree: int | None = None) -> bool:
+def holds_certainly(
+    rows: Sequence[fmpz_poly], e: fmpz_poly, n: int, interval: Interval, degree: int | None = None
+) -> bool:
     """Whether a family has the sign of e, or is zero, all over a part: by coefficients on smaller and smaller boxes.
 
     Its rows have the degree n of e, or one of their own.
     """
-    sign = _sign(restrict((e, ONE), n, *part)[0], n)
-    return bool(sign) and keeps_sign(rows, n if degree is None else degree, part, sign)
+    sign = _sign(restrict((e, ONE), n, *interval)[0], n)
+    return bool(sign) and keeps_sign(rows, n if degree is None else degree, interval, sign)
 
 
-def keeps_sign(rows: Rows, m: int, part: Part, sign: int) -> bool:
+def keeps_sign(rows: Sequence[fmpz_poly], m: int, interval: Interval, sign: int) -> bool:
     """Whether a family of degree m in z has a sign, or is zero, all over a part; certainly, as above.
 
-    >>> keeps_sign([fmpz_poly([1, -1]), fmpz_poly([2, 1])], 1, (mpq(0), mpq(1, 4)), 1)
+    >>> keeps_sign([fmpz_poly([1, -1]), fmpz_poly([2, 1])], 1, Interval(mpq(0), mpq(1, 4)), 1)
     True
     """
-    own = [restrict((row, ONE), m, *part) for row in rows]
-    common = ONE
-    for _, below in own:
-        common = common.lcm(below)
-    todo = [(0, [form * (common // k) for form, k in own])]
+    todo = [(0, PatchForm.of_rows(rows, m).part(Box(interval, UNIT.second)))]
     while todo:
-        depth, boxes = todo.pop()
-        if not any(_has_sign(row, -sign) for row in boxes):
+        depth, form = todo.pop()
+        low, high = form.range
+        if (low if sign > 0 else -high) >= 0:
             continue
-        corners = (row[k] for row in (boxes[0], boxes[-1]) for k in (0, m))
-        if depth == DEPTH_OF_BOTH or any(x * sign < 0 for x in corners):
+        if depth == DEPTH_OF_BOTH or any(x * sign < 0 for x in form.corners):
             return False
-        (left, _), (right, _) = halved(boxes, m, 1 - depth % 2)
-        todo += [(depth + 1, left), (depth + 1, right)]
+        todo += [(depth + 1, half) for half in form.halves(1 - depth % 2)]
     return True

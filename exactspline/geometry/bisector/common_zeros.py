@@ -15,24 +15,14 @@ from typing import NamedTuple
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReachError
-from exactspline.exact import mpq, to_fmpq
-from exactspline.geometry.bisector.polynomials import (
-    Interval,
-    Parameter,
-    S,
-    Sides,
-    T,
-    certainly_not_zero,
-    enclosed,
-    exactly,
-    possible_boxes,
-    roots_in,
-    rows_of,
-    vanish_together,
-)
+from exactspline.geometry.bisector.polynomials import certainly_not_zero, vanish_together
+from exactspline.numbers.exact import to_fmpq
+from exactspline.numbers.intervals import Box, Interval, hull
 from exactspline.polynomials.cost import affords, check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize
+from exactspline.polynomials.two_parameters import S, T, enclosed, possible_boxes, rows_of
+from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 from exactspline.roots.root import Root
 
 #: A pair of parameters.
@@ -60,16 +50,16 @@ class CommonZeros(NamedTuple):
 
 
 def common_zeros(
-    f: fmpz_mpoly, g: fmpz_mpoly, sides: Sides, also: Sequence[fmpz_mpoly] = (), known: Sequence[Place] = ()
+    f: fmpz_mpoly, g: fmpz_mpoly, sides: Box, also: Sequence[fmpz_mpoly] = (), known: Sequence[Place] = ()
 ) -> CommonZeros:
     """The common zeros of two coprime polynomials on a closed rectangle, except those at which one of the others is
     certainly not zero.
 
     `known` are zeros that are proved already.
 
-    >>> from exactspline.geometry.bisector.polynomials import S, T
-    >>> unit = (mpq(0), mpq(1))
-    >>> common_zeros(S * S + T * T - 1, S - T, (unit, unit)).places[0][0].minimal_polynomial()
+    >>> from exactspline.polynomials.two_parameters import S, T
+    >>> from exactspline.numbers.intervals import UNIT
+    >>> common_zeros(S * S + T * T - 1, S - T, UNIT).places[0][0].minimal_polynomial()
     [-1, 0, 2]
     """
     boxes = possible_boxes([f, g, *also], sides)
@@ -85,15 +75,10 @@ def common_zeros(
 
 
 def _among(
-    boxes: Sequence[Sides],
-    f: fmpz_mpoly,
-    g: fmpz_mpoly,
-    sides: Sides,
-    also: Sequence[fmpz_mpoly],
-    known: Sequence[Place],
+    boxes: Sequence[Box], f: fmpz_mpoly, g: fmpz_mpoly, sides: Box, also: Sequence[fmpz_mpoly], known: Sequence[Place]
 ) -> CommonZeros:
     """Those in some boxes that hold all of them. `ReachError` where that would take too long."""
-    ranges = [_widened(min(box[i][0] for box in boxes), max(box[i][1] for box in boxes)) for i in (0, 1)]
+    ranges = [side.grown(side.width / MARGIN) for side in hull(boxes)]
     found = [_parameters(f, g, also, variable, ranges[variable]) for variable in (0, 1)]
     known_roots = [_Known(roots, side) for (_, roots), side in zip(found, ranges, strict=True)]
     cost = PAIR * sum(len(p) for p in (f, g, *also))
@@ -123,16 +108,11 @@ class _Known(NamedTuple):
     def around(self, t: Root, bits: int) -> Interval | None:
         """An interval around a root that contains no other root and no end of the known intervals."""
         low, high = t.refine(bits // 3 + 8)
-        radius = mpq(self.side[1] - self.side[0]) / (1 << bits)
+        radius = self.side.width / (1 << bits)
         first, last = low - 2 * radius, high + 2 * radius
         if not self.side[0] < first < last < self.side[1] or any(x is not t and first <= x <= last for x in self.roots):
             return None
-        return mpq(low - radius), mpq(high + radius)
-
-
-def _widened(low: mpq, high: mpq) -> Interval:
-    margin = mpq(high - low) / MARGIN
-    return mpq(low - margin), mpq(high + margin)
+        return Interval(low, high).grown(radius)
 
 
 def _inside(t: Root, side: Interval) -> bool:
@@ -140,8 +120,7 @@ def _inside(t: Root, side: Interval) -> bool:
 
 
 def _touches(t: Root, side: Interval) -> bool:
-    low, high = t.refine(6)
-    return bool(low <= side[1] and high >= side[0])
+    return t.refine(6).meets(side)
 
 
 def _parameters(

@@ -8,12 +8,14 @@ from enum import StrEnum
 from flint import arb, fmpz_mpoly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
-from exactspline.geometry.bisector.polynomials import CONTEXT, Interval, Parameter, S, Sides, T, at, exactly, roots_in
 from exactspline.geometry.bisector.root_lines import RootLines
 from exactspline.geometry.bisector.system import System
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import Number, mpq, rational, short_text
+from exactspline.numbers.intervals import Box
+from exactspline.polynomials.two_parameters import CONTEXT, S, T, at
+from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
@@ -201,7 +203,7 @@ class LineComponent:
         return None if self.over_root is None else self.over_root.other
 
     @property
-    def sides(self) -> Sides:
+    def sides(self) -> Box:
         """The patch it lies on."""
         return self.system.sides
 
@@ -238,7 +240,7 @@ class PlaneComponent:
 
     solutions: Solutions
     cause: Cause
-    sides: Sides
+    sides: Box
     equation: PairEquation | None
     intervals: tuple[tuple[Parameter, Parameter], ...] = ()
     of: int = 0
@@ -251,7 +253,7 @@ class PlaneComponent:
             self,
             of=1 - self.of,
             cause=_EXCHANGED.get(self.cause, self.cause),
-            sides=(self.sides[1], self.sides[0]),
+            sides=Box(self.sides.second, self.sides.first),
             equation=self.equation and self.equation.transposed(),
         )
 
@@ -267,7 +269,7 @@ class SinglePair:
     system: System = field(repr=False, compare=False)
 
     @property
-    def sides(self) -> Sides:
+    def sides(self) -> Box:
         """The patch it lies on."""
         return self.system.sides
 
@@ -304,7 +306,7 @@ class PoleCurve:
     """
 
     equation: PairEquation
-    sides: Sides
+    sides: Box
     certain: bool
 
 
@@ -359,21 +361,3 @@ def _other(correspondence: Correspondence) -> Correspondence:
         Correspondence.SECOND_FIXED: Correspondence.FIRST_FIXED,
     }
     return exchanged.get(correspondence, correspondence)
-
-
-def interval_text(side: Interval) -> str:
-    """An interval as text, for messages.
-
-    >>> interval_text((mpq(0), mpq(1, 2)))
-    '[0, 1/2]'
-    """
-    return f"[{short_text(side[0])}, {short_text(side[1])}]"
-
-
-def sides_text(sides: Sides) -> str:
-    """A rectangle as text, for messages.
-
-    >>> sides_text(((mpq(0), mpq(1)), (mpq(2), mpq(3))))
-    '[0, 1] × [2, 3]'
-    """
-    return " × ".join(map(interval_text, sides))

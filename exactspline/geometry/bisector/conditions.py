@@ -16,18 +16,20 @@ from typing import Any
 
 from flint import fmpz, fmpz_mpoly, fmpz_poly
 
-from exactspline.exact import mpq
-from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, keeps_sign, possible_parts
-from exactspline.geometry.bisector.polynomials import check_isolation
+from exactspline.geometry.bisector.certain_parts import holds_certainly, keeps_sign, possible_parts
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector, norm2
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials import tensor_bernstein
+from exactspline.polynomials.bernstein import ONE, value
 from exactspline.polynomials.elimination import discriminant, resultant
 from exactspline.polynomials.factors import factorize_square_free
+from exactspline.polynomials.isolation import is_nonnegative
 from exactspline.reals.real import between
+from exactspline.roots.of_polynomials import check_isolation
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines import tensor_bernstein
-from exactspline.splines.bernstein import ONE, is_nonnegative, value
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed
@@ -51,7 +53,7 @@ class _Family:
     below: fmpz_poly
     rest: tuple[list[fmpz_poly], int] | None
 
-    def certain(self, e: fmpz_poly, n: int, parts: list[Part]) -> bool:
+    def certain(self, e: fmpz_poly, n: int, parts: list[Interval]) -> bool:
         """Whether it holds certainly all over some parts."""
         if _of_one_sign(self.below, self.whole) or all(holds_certainly(self.rows, e, n, part) for part in parts):
             return True
@@ -60,7 +62,7 @@ class _Family:
         rows, degree = self.rest
         return all(holds_certainly(rows, e, n, part, degree) for part in parts)
 
-    def of_certain_sign(self, n: int, parts: list[Part]) -> bool:
+    def of_certain_sign(self, n: int, parts: list[Interval]) -> bool:
         """Whether it certainly has one sign on each of some parts, whatever that of e: the condition then changes where
         e has a zero.
         """
@@ -68,7 +70,7 @@ class _Family:
         return all(keeps_sign(rows, m, part, 1) or keeps_sign(rows, m, part, -1) for part in parts)
 
 
-def _borders(parts: list[Part], segment: tuple[mpq, mpq]) -> list[Parameter]:
+def _borders(parts: list[Interval], segment: tuple[mpq, mpq]) -> list[Parameter]:
     """The ends of parts of a segment by the parameter of the curve, those of the segment left out."""
     a, b = segment
     return [a + (b - a) * t for part in parts for t in part if 0 < t < 1]
@@ -184,7 +186,7 @@ class Conditions:
 
 
 def _on_parts(
-    found: list[tuple[Parameter, Parameter]], parts: list[Part], segment: tuple[mpq, mpq]
+    found: list[tuple[Parameter, Parameter]], parts: list[Interval], segment: tuple[mpq, mpq]
 ) -> list[tuple[Parameter, Parameter]]:
     """The intervals that are not in a part that was set aside; none is in both."""
     a, b = segment

@@ -8,25 +8,17 @@ from itertools import pairwise
 
 from flint import ctx, fmpz_mpoly, fmpz_poly
 
-from exactspline.exact import mpq
 from exactspline.geometry.bisector.common_zeros import Place, common_zeros
 from exactspline.geometry.bisector.components import Branch
-from exactspline.geometry.bisector.polynomials import (
-    Interval,
-    Parameter,
-    Sides,
-    at,
-    ball,
-    enclosed,
-    exactly,
-    roots_in,
-    rows_of,
-    vanish_together,
-)
+from exactspline.geometry.bisector.polynomials import ball, vanish_together
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Box, Interval
+from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.two_parameters import at, enclosed, rows_of
 from exactspline.reals.real import between
-from exactspline.splines.bernstein import substituted
+from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 
 
 def graph_intervals(
@@ -82,13 +74,13 @@ def _value(p: fmpz_poly, x: mpq) -> mpq:
     return mpq(int(found), m**n)
 
 
-def branches(g: fmpz_mpoly, sides: Sides) -> list[Branch]:
+def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
     """The real branches of an equation of degree 2 at least in both parameters, strictly inside the rectangle.
 
     Between two parameters s at which the discriminant, the first coefficient or the value on a side of the rectangle
     vanishes, the number of roots inside does not change. `ReachError` where the discriminant would take too long.
 
-    >>> from exactspline.geometry.bisector.polynomials import S, T
+    >>> from exactspline.polynomials.two_parameters import S, T
     >>> square = (mpq(-2), mpq(2))
     >>> [(b.index, b.sample[0]) for b in branches(S * S + T * T - 1, (square, square))]
     [(0, mpq(0,1)), (1, mpq(0,1))]
@@ -104,7 +96,7 @@ def branches(g: fmpz_mpoly, sides: Sides) -> list[Branch]:
     return found
 
 
-def border_pairs(g: fmpz_mpoly, sides: Sides) -> list[Place]:
+def border_pairs(g: fmpz_mpoly, sides: Box) -> list[Place]:
     """The pairs of an equation on the border of a rectangle, each once."""
     found: list[Place] = []
     for variable in (0, 1):
@@ -121,15 +113,15 @@ def same_place(one: Place, other: Place) -> bool:
     return bool(one[0] == other[0] and one[1] == other[1])
 
 
-def nodes(g: fmpz_mpoly, sides: Sides) -> tuple[list[Place], bool]:
+def nodes(g: fmpz_mpoly, sides: Box) -> tuple[list[Place], bool]:
     """The singular pairs of an irreducible equation that need not be limits of branches, and whether these are all.
 
     Where the Hessian is negative two branches cross. A common factor of both derivatives has no zero in common with the
     equation, which is constant along it.
 
-    >>> from exactspline.geometry.bisector.polynomials import S, T
-    >>> square = (mpq(-1, 2), mpq(1, 2))
-    >>> nodes(S**3 - S * S - T * T, (square, square))
+    >>> from exactspline.polynomials.two_parameters import S, T
+    >>> side = Interval(mpq(-1, 2), mpq(1, 2))
+    >>> nodes(S**3 - S * S - T * T, Box(side, side))
     ([(mpq(0,1), mpq(0,1))], True)
     """
     first, second = g.derivative(0), g.derivative(1)

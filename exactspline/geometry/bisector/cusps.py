@@ -23,19 +23,12 @@ from exactspline.geometry.bisector.components import (
 )
 from exactspline.geometry.bisector.flats import Conditions
 from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along, lines_over_root
-from exactspline.geometry.bisector.polynomials import (
-    Parameter,
-    at,
-    common_divisor,
-    exactly,
-    in_one,
-    lifted,
-    roots_in,
-    vanish_together,
-)
+from exactspline.geometry.bisector.polynomials import common_divisor, vanish_together
 from exactspline.geometry.bisector.single_pairs import shown, zeros_of_vector
 from exactspline.geometry.bisector.system import Piece, System
 from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.two_parameters import at, in_one, lifted
+from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 from exactspline.roots.root import Root
 
 #: The remaining conditions where the first curve has no tangent.

@@ -8,10 +8,12 @@ from typing import Any, Generic, TypeVar
 
 from flint import arb, ctx, fmpz_mpoly
 
-from exactspline.exact import mpq
-from exactspline.geometry.bisector.polynomials import Parameter, ball, enclosed, lifted
+from exactspline.geometry.bisector.polynomials import ball
 from exactspline.geometry.bisector.system import System
 from exactspline.language.vector import Vector, cross, dot, norm2
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.two_parameters import enclosed, lifted
+from exactspline.roots.of_polynomials import Parameter
 
 Number = TypeVar("Number", mpq, arb)
 

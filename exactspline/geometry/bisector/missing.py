@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from exactspline.exact import mpq
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
-
-Interval = tuple[mpq, mpq]
 
 STILL = "the curve stands still here, and has no normals"
 PARALLEL = "the tangents are parallel everywhere, so are the normal planes"

@@ -8,8 +8,8 @@ from math import gcd, lcm
 
 from flint import fmpq_poly, fmpz_mpoly, fmpz_poly, nmod_poly
 
-from exactspline.geometry.bisector.polynomials import rows_of
 from exactspline.polynomials.cost import QUESTION, check_reach
+from exactspline.polynomials.two_parameters import rows_of
 
 ZERO = fmpq_poly([])
 #: Primes modulo which polynomials are tried.

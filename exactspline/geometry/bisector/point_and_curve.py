@@ -10,15 +10,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
-from itertools import pairwise
+from itertools import pairwise, starmap
 from typing import Any
 
 from exactspline.errors import ShapeError, as_items
-from exactspline.exact import Number, mpq, rational, short_text
-from exactspline.geometry.bisector.missing import STILL, THROUGH, Interval, is_zero_on
+from exactspline.geometry.bisector.missing import STILL, THROUGH, is_zero_on
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import choice
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq, rational, short_text
+from exactspline.numbers.intervals import Interval
 from exactspline.papers import find
 from exactspline.reals.real import between
 from exactspline.roots.root import Root
@@ -28,6 +28,7 @@ from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineSurface
+from exactspline.words import choice
 
 
 class PointVariant(StrEnum):
@@ -81,8 +82,8 @@ def point_bisector(
 
     >>> from exactspline.splines.examples import example
     >>> found = point_bisector(example("ellipse_in_space"), (1, 1, 2))
-    >>> [(piece.moved, piece.interval) for piece in found.pieces][:2]
-    [('x', (mpq(0,1), mpq(1,2))), ('y', (mpq(1,2), mpq(3,2)))]
+    >>> [(piece.moved, str(piece.interval)) for piece in found.pieces][:2]
+    [('x', '[0, 1/2]'), ('y', '[1/2, 3/2]')]
 
     Raises `ShapeError` for a curve or a point that is not in space, or where there is no surface at all; `FormulaError`
     for an unknown variant.
@@ -92,11 +93,11 @@ def point_bisector(
     c = curve.with_point(exact_point(curve, point, 3))
     generator, d1 = find("point_bisector_generator_polynomial")(c), find("D1")(c)
     missing, good = [], []
-    for i, (a, b) in enumerate(pairwise(curve.w.breakpoints)):
+    for i, segment in enumerate(starmap(Interval, pairwise(curve.w.breakpoints))):
         if is_zero_on(generator, i):
-            missing.append(((a, b), STILL if is_zero_on(d1, i) else THROUGH))
+            missing.append((segment, STILL if is_zero_on(d1, i) else THROUGH))
         else:
-            good.append((a, b))
+            good.append(segment)
     if not good:
         refuse_point(curve)
         raise ShapeError(
@@ -107,7 +108,7 @@ def point_bisector(
     ]
     pieces = [
         RuledPiece(
-            (a, b),
+            Interval(a, b),
             AXES[k] if k >= 0 else "",
             find(f"point_bisector_direct_{AXES[k]}" if k >= 0 else POINT_FORMS[chosen])(_cut(c, a, b)),
         )

@@ -3,28 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import lcm
 
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, short_text, to_fmpq
 from exactspline.geometry.bisector.flats import Flat
-from exactspline.geometry.bisector.polynomials import (
-    Interval,
-    Parameter,
-    S,
-    T,
-    ball,
-    exactly,
-    lifted,
-    of_segment,
-    roots_in,
-    rows_of,
-    vanish_together,
-)
+from exactspline.geometry.bisector.polynomials import ball, vanish_together
+from exactspline.numbers.exact import Number, mpq, rational, short_text, to_fmpq
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.elimination import resultant
+from exactspline.polynomials.two_parameters import S, T, lifted, rows_of
+from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 from exactspline.roots.root import Root
+from exactspline.roots.values import segment_polynomials
 from exactspline.splines.bspline import BSpline
 
 #: A coordinate: the coefficients of 1, r, r², … for a root r.
@@ -58,11 +49,9 @@ class RootLines:
 
     def _weight(self) -> fmpz_mpoly:
         """The weight of the directrix as a polynomial in r and the parameter, up to a constant."""
-        pairs = [of_segment(f, 0) for f in self.directrix[-1]]
-        common = lcm(*[bottom for _, bottom in pairs])
         found = lifted(fmpz_poly([]), 0)
-        for k, (top, bottom) in enumerate(pairs):
-            found += lifted(top * (common // bottom), 1) * S**k
+        for k, part in enumerate(segment_polynomials(self.directrix[-1], 0)):
+            found += lifted(part, 1) * S**k
         return found
 
     def _candidates(self) -> list[Root]:

@@ -6,13 +6,15 @@ from collections.abc import Sequence
 
 from flint import fmpz_mpoly
 
-from exactspline.exact import short_text
 from exactspline.geometry.bisector.common_zeros import CommonZeros, Place, common_zeros
-from exactspline.geometry.bisector.components import Cause, SinglePair, Solutions, SpecialPairs, sides_text
+from exactspline.geometry.bisector.components import Cause, SinglePair, Solutions, SpecialPairs
 from exactspline.geometry.bisector.correspondence import same_place
-from exactspline.geometry.bisector.polynomials import Sides, possible_boxes, vanish_together
+from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.system import System
+from exactspline.numbers.exact import short_text
+from exactspline.numbers.intervals import Box
 from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.two_parameters import possible_boxes
 from exactspline.roots.root import Root
 
 #: Combinations of the components of a vector, tried one after the other.
@@ -21,14 +23,14 @@ COMBINATIONS = ((3, 5, -7), (11, -2, 1), (1, 13, 4), (-5, 1, 17))
 Found = tuple[list[Place], tuple[str, ...]]
 
 
-def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: Sides) -> Found:
+def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: Box) -> Found:
     """The pairs at which all components (and f) vanish, proved one component after the other; and what is left out."""
     polynomials = [p for p in ([f] if f is not None else []) + components if p]
     if any(p.total_degree() == 0 for p in polynomials) or not possible_boxes(polynomials, sides):
         return [], ()
     square = _coprime(f, components)
     if square is None:
-        return [], (f"pairs on {sides_text(sides)}: no two coprime conditions",)
+        return [], (f"pairs on {sides.shortly}: no two coprime conditions",)
     found = common_zeros(*square, sides, polynomials)
     places, left_out = [], _undecided(found, sides)
     for place in found.places:
@@ -58,9 +60,9 @@ def _combined(components: Sequence[fmpz_mpoly], u: tuple[int, ...]) -> fmpz_mpol
     return total
 
 
-def _undecided(found: CommonZeros, sides: Sides) -> list[str]:
+def _undecided(found: CommonZeros, sides: Box) -> list[str]:
     if found.out_of_reach:
-        return [f"single pairs on {sides_text(sides)}: the elimination is out of reach"]
+        return [f"single pairs on {sides.shortly}: the elimination is out of reach"]
     return [f"whether the system is singular at {shown(place)}" for place in found.undecided]
 
 
@@ -151,7 +153,7 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
             elif rank is None:
                 left_out.append(f"the rank of the system at {shown(place)}")
         return places, tuple(left_out)
-    return [], (f"single pairs on {sides_text(system.sides)}: no two coprime conditions",)
+    return [], (f"single pairs on {system.sides.shortly}: no two coprime conditions",)
 
 
 def _has_rank_2(system: System, place: Place) -> bool | None:

@@ -15,7 +15,6 @@ from itertools import product
 from flint import fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ReachError, counted
-from exactspline.exact import mpq, to_fmpq
 from exactspline.geometry.bisector.common_zeros import Place
 from exactspline.geometry.bisector.components import (
     Cause,
@@ -29,32 +28,22 @@ from exactspline.geometry.bisector.components import (
     SinglePair,
     Solutions,
     SpecialPairs,
-    sides_text,
 )
 from exactspline.geometry.bisector.correspondence import border_pairs, branches, graph_intervals, nodes
 from exactspline.geometry.bisector.cusps import cusps_of, lines_at, over_both_cusps, over_cusps, standing
 from exactspline.geometry.bisector.flats import ALL
 from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along
-from exactspline.geometry.bisector.polynomials import (
-    Interval,
-    Parameter,
-    Sides,
-    as_splines,
-    exactly,
-    in_one,
-    lifted,
-    possible_boxes,
-    roots_in,
-    rows_of,
-    value_at,
-    vanish_together,
-)
+from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.single_pairs import at_cusp, crossings, singles, touching
 from exactspline.geometry.bisector.system import Piece, System, divides, irreducible_factors, piece
-from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import from_flint, mpq, sign, to_fmpq
+from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.two_parameters import in_one, lifted, possible_boxes, rows_of, value_at
+from exactspline.roots.of_polynomials import Parameter, as_splines, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 
@@ -76,8 +65,8 @@ def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> 
 
     with drawing_on(budget or Budget()) as paid:
         for i, j in product(range(first.segments), range(second.segments)):
-            (a, b), (u, v) = first.breakpoints[i : i + 2], second.breakpoints[j : j + 2]
-            where = sides_text(((a, b), (u, v)))
+            sides = Interval(*first.breakpoints[i : i + 2]), Interval(*second.breakpoints[j : j + 2])
+            where = Box(*sides).shortly
             if paid.spent:
                 not_tried.append(where)
             else:
@@ -93,14 +82,14 @@ def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> 
 def of_patch(first: Piece, second: Piece) -> SpecialPairs:
     """Those of two segments."""
     system = System(first, second)
-    return _in_reach(f"what is beside the surface on {sides_text(system.sides)}", lambda: _of_system(system))
+    return _in_reach(f"what is beside the surface on {system.sides.shortly}", lambda: _of_system(system))
 
 
 def _of_system(system: System) -> SpecialPairs:
     if system.first.stands_still or system.second.stands_still:
         return standing(system)
     found = over_cusps(system) + over_cusps(system.transposed()).transposed() + over_both_cusps(system)
-    others = f"lines, planes and poles on {sides_text(system.sides)} but those at cusps"
+    others = f"lines, planes and poles on {system.sides.shortly} but those at cusps"
     return found + _in_reach(others, lambda: _with_tangents(system))
 
 
@@ -121,13 +110,13 @@ def _with_tangents(system: System) -> SpecialPairs:
     for g in factors:
         if possible_boxes([g], system.sides):
             found += _in_reach(_pairs_of(g, system.sides), partial(_along, system, g))
-    where = sides_text(system.sides)
+    where = system.sides.shortly
     found += _in_reach(f"single pairs on {where}", lambda: _single(system, factors))
     return found + _in_reach(f"poles on {where}", lambda: _poles(system)) if factor else found
 
 
-def _pairs_of(g: fmpz_mpoly, sides: Sides) -> str:
-    return f"lines or planes of {PairEquation.of(g).short_text} on {sides_text(sides)}"
+def _pairs_of(g: fmpz_mpoly, sides: Box) -> str:
+    return f"lines or planes of {PairEquation.of(g).short_text} on {sides.shortly}"
 
 
 def _single(system: System, factors: list[fmpz_mpoly]) -> SpecialPairs:
@@ -243,7 +232,7 @@ def _along_algebraic(system: System, g: fmpz_mpoly) -> SpecialPairs:
     except ReachError:
         singular, complete = [], False
     real = RealZeros(tuple(found_branches), tuple(borders), tuple(singular))
-    where = f"{equation.short_text} on {sides_text(sides)}"
+    where = f"{equation.short_text} on {sides.shortly}"
     found = SpecialPairs(left_out=() if complete else (f"isolated real pairs of {where}, if there are any",))
     if not real:
         return found
@@ -267,13 +256,13 @@ def _poles(system: System) -> SpecialPairs:
     return SpecialPairs(poles=tuple(found))
 
 
-def _changes_sign(g: fmpz_mpoly, boxes: list[Sides]) -> bool:
+def _changes_sign(g: fmpz_mpoly, boxes: list[Box]) -> bool:
     """Whether a polynomial takes both signs, or is zero, at corners of boxes."""
     signs = set()
     for box in boxes:
         for s, t in product(*box):
             value = value_at(g, s, t)
-            signs.add((value > 0) - (value < 0))
+            signs.add(sign(value))
             if 0 in signs or len(signs) == 2:
                 return True
     return False
@@ -345,5 +334,4 @@ def _runs_on(curve: Nurbs, t: mpq) -> bool:
 
 
 def _at(p: fmpz_poly, t: mpq) -> mpq:
-    value = p(to_fmpq(t))
-    return mpq(int(value.p), int(value.q))
+    return from_flint(p(to_fmpq(t)))

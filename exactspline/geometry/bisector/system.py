@@ -8,22 +8,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import lcm
 
 from flint import fmpz_mpoly, fmpz_poly
 
-from exactspline.geometry.bisector.polynomials import (
-    Interval,
-    Sides,
-    Three,
-    ThreeOfTwo,
-    common_divisor,
-    lifted,
-    of_segment,
-    roots_in,
-)
+from exactspline.geometry.bisector.polynomials import Three, ThreeOfTwo, common_divisor
 from exactspline.language.vector import Vector, cross, det, dot, norm2
+from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
+from exactspline.polynomials.two_parameters import lifted
+from exactspline.roots.of_polynomials import roots_in
+from exactspline.roots.values import segment_polynomials
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -64,10 +58,8 @@ def piece(curve: Nurbs, i: int) -> Piece:
     >>> piece(example("twisted_cubic"), 0).tangent
     [1, 2*x, 3*x^2]
     """
-    interval = curve.breakpoints[i], curve.breakpoints[i + 1]
-    parts = [of_segment(f, i) for f in (*curve.p, curve.w)]
-    common = lcm(*[m for _, m in parts])
-    *p, w = [f * (common // m) for f, m in parts]
+    interval = Interval(*curve.breakpoints[i : i + 2])
+    *p, w = segment_polynomials((*curve.p, curve.w), i)
     shared = common_divisor([*p, w])
     *p, w = [f // shared for f in (*p, w)]
     velocity = [f.derivative() * w - f * w.derivative() for f in p]
@@ -90,9 +82,9 @@ class System:
         return System, (self.first, self.second)
 
     @property
-    def sides(self) -> Sides:
+    def sides(self) -> Box:
         """The closed rectangle of the patch."""
-        return self.first.interval, self.second.interval
+        return Box(self.first.interval, self.second.interval)
 
     @cached_property
     def a(self) -> Vector[fmpz_mpoly]:

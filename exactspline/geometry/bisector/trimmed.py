@@ -13,27 +13,26 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise
-from math import lcm
 from typing import Any
 
 from flint import fmpz_poly
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.conditions import Conditions, Parameter
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, perp
+from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, short_text, text
+from exactspline.numbers.sides import Side
 from exactspline.papers import find
+from exactspline.polynomials.bernstein import ONE
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.bernstein import ONE
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.knots import Mesh
@@ -222,7 +221,7 @@ def _line_pieces(
     mesh, kept, halves = Mesh([mpq(-1), mpq(0), mpq(1)]), [], []
     for side, segment in ((-1, (mpq(-1), mpq(0))), (1, (mpq(0), mpq(1)))):
         ends = [(m, side * x) if side > 0 else (side * x, m) for m, x in zip(middle, across, strict=True)]
-        scale = lcm(*[int(x.denominator) for end in ends for x in end])
+        _, scale = over_one_denominator([x for end in ends for x in end])
         forms = [fmpz_poly([int(x * scale) for x in end]) for end in ends]
         below = fmpz_poly([scale, 0] if side > 0 else [0, scale])
         halves.append([*forms, below])

@@ -9,38 +9,32 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
-from itertools import pairwise, product
+from itertools import pairwise, product, starmap
 from typing import Any
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.exact import Number, mpq, rational, short_text
-from exactspline.geometry.bisector.components import (
-    LineComponent,
-    PlaneComponent,
-    PoleCurve,
-    SinglePair,
-    SpecialPairs,
-    sides_text,
-)
-from exactspline.geometry.bisector.missing import COPLANAR, PARALLEL, STILL, Interval, is_zero_on
+from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
+from exactspline.geometry.bisector.missing import COPLANAR, PARALLEL, STILL, is_zero_on
 from exactspline.geometry.bisector.special_pairs import special_pairs
 from exactspline.geometry.domain import part
-from exactspline.language.choices import choice
 from exactspline.language.rational import Rational
 from exactspline.language.vector import cross
+from exactspline.numbers.exact import Number, mpq, rational, short_text
+from exactspline.numbers.intervals import Box, Interval
 from exactspline.papers import find
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.splines.tensor_lowest_terms import in_lowest_terms
+from exactspline.words import choice
 
 
 @dataclass(frozen=True)
 class BisectorPatch:
     """A part of the bisector of two curves: a rectangle of parameters, and a `Rational` of splines in both."""
 
-    sides: tuple[Interval, Interval]
+    sides: Box
     value: Rational[TensorSpline]
 
 
@@ -76,7 +70,7 @@ class CurveBisector:
 
     variant: SurfaceVariant
     patches: tuple[BisectorPatch, ...]
-    missing: tuple[tuple[tuple[Interval, Interval], str], ...]
+    missing: tuple[tuple[Box, str], ...]
     curves: tuple[Nurbs, Nurbs] = field(repr=False)
     unreduced: tuple[str, ...] = ()
     budget: Budget = field(default_factory=Budget, repr=False, compare=False)
@@ -156,16 +150,16 @@ def curve_bisector(
 
 def _surface(
     first: Nurbs, second: Nurbs, variant: SurfaceVariant
-) -> tuple[tuple[BisectorPatch, ...], tuple[tuple[tuple[Interval, Interval], str], ...], tuple[str, ...]]:
+) -> tuple[tuple[BisectorPatch, ...], tuple[tuple[Box, str], ...], tuple[str, ...]]:
     """The patches, where there is no surface, and the patches that are not in lowest terms."""
     pair = surface_pair(first, second)
     determinant = find("bisector_determinant_symmetric")(pair)
-    missing: list[tuple[Any, str]] = []
-    found: list[Any] = []
+    missing: list[tuple[Box, str]] = []
+    found: list[Box] = []
     d1, other = find("D1")(pair.first), find("D1")(pair.second)
     parallel = cross(d1, other)
-    sides = [list(pairwise(mesh.breaks)) for mesh in determinant.meshes]
-    for at, rectangle in enumerate(product(*sides)):
+    sides = [list(starmap(Interval, pairwise(mesh.breaks))) for mesh in determinant.meshes]
+    for at, rectangle in enumerate(starmap(Box, product(*sides))):
         if determinant.polynomials[at]:
             found.append(rectangle)
         else:
@@ -183,6 +177,6 @@ def _surface(
             try:
                 value = in_lowest_terms(value)
             except ReachError as error:
-                unreduced.append(f"lowest terms of the surface on {sides_text(sides)}: {error.problem}")
+                unreduced.append(f"lowest terms of the surface on {sides.shortly}: {error.problem}")
         patches.append(BisectorPatch(sides, value))
     return tuple(patches), tuple(missing), tuple(unreduced)

@@ -10,14 +10,14 @@ from typing import NamedTuple
 
 from flint import fmpz_poly
 
-from exactspline.exact import lcm, mpq
-from exactspline.geometry.bisector.polynomials import roots_in
-from exactspline.geometry.surface.forms import in_parameters
-from exactspline.geometry.surface.isolation import Zero
 from exactspline.geometry.surface.places import Parameter, enclosing
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box
+from exactspline.polynomials.bernstein import in_parameter
+from exactspline.polynomials.common_zeros import Zero
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.roots.of_polynomials import roots_in
 from exactspline.roots.root import Root
-from exactspline.splines.bernstein import substituted
-from exactspline.splines.patch_forms import Box, PatchForm
 
 #: Bits of a box before it is given up to tell whether a zero is inside a patch.
 BITS = 4096
@@ -43,11 +43,9 @@ EDGES = tuple(Edge(direction, end) for direction, end in product((0, 1), (0, 1))
 
 def along(form: PatchForm, edge: Edge, sides: Box) -> fmpz_poly:
     """A form along an edge as a polynomial in the other parameter of the surface, up to a positive constant."""
-    a, b = sides[1 - edge.direction]
-    m = lcm(a.denominator, b.denominator)
     n = form.degree[1 - edge.direction]
     c = fmpz_poly([comb(n, i) * x for i, x in enumerate(form.edge(*edge))])
-    return substituted(c, n, fmpz_poly([int(b * m), int(-m)]), fmpz_poly([int(-a * m), int(m)]))
+    return in_parameter(c, n, sides[1 - edge.direction])[0]
 
 
 def common_along(forms: Sequence[PatchForm], edge: Edge, sides: Box) -> fmpz_poly:
@@ -64,8 +62,7 @@ def vanishes_at(form: PatchForm, spot: tuple[Parameter, Parameter], sides: Box) 
     """Whether a form vanishes at a point of a patch that is on its border or rational."""
     u, v = (t.exact if isinstance(t, Root) else t for t in spot)
     if u is not None and v is not None:
-        (a, b), (c, d) = sides
-        return bool(form.value(mpq((u - a) / (b - a)), mpq((v - c) / (d - c))) == 0)
+        return bool(form.value(sides.first.local(u), sides.second.local(v)) == 0)
     edge = next(edge for edge in EDGES if spot[edge.direction] == edge.value(sides))
     other = spot[1 - edge.direction]
     assert isinstance(other, Root)
@@ -79,7 +76,7 @@ def is_inside(zero: Zero, sides: Box) -> bool | None:
         box = zero.refine(bits)
         if any(b < 0 or a > 1 for a, b in box):
             return False
-        if all(a > 0 and b < 1 for a, b in box):
+        if box.is_inside(UNIT):
             return True
         if zero.exact is not None:
             return False  # on the border: its box is a point
@@ -96,7 +93,7 @@ def _touched(box: Box) -> Iterator[Edge]:
 def _is_root_on(zero: Zero, edge: Edge, sides: Box) -> bool:
     """Whether the zero is that root of both forms on an edge which is in its region."""
     p = common_along(zero.forms, edge, sides)
-    low, high = in_parameters(zero.region, sides)[1 - edge.direction]
+    low, high = sides.part(zero.region)[1 - edge.direction]
     for root in roots_along(p, edge, sides):
         digits = 4
         while True:

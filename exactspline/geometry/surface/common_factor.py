@@ -5,32 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import reduce
 
-from flint import fmpz, fmpz_mpoly, fmpz_poly
+from flint import fmpz_poly
 
-from exactspline.exact import mpq
-from exactspline.geometry.bisector.polynomials import CONTEXT
+from exactspline.numbers.exact import mpq, sign
 from exactspline.polynomials.factors import factorize_square_free, greatest_common_divisor
-from exactspline.splines.patch_forms import PatchForm, of_powers, powers_of
-
-
-def as_polynomial(form: PatchForm) -> fmpz_mpoly:
-    """The form as a primitive polynomial in the two parameters of the unit square, up to a positive constant."""
-    rows = powers_of(form)
-    common = reduce(fmpz.gcd, [x for row in rows for x in row])
-    return CONTEXT.from_dict({(i, j): x // common for i, row in enumerate(rows) for j, x in enumerate(row) if x})
-
-
-def as_form(p: fmpz_mpoly) -> PatchForm:
-    """The form of a polynomial over the unit square, up to a positive constant.
-
-    >>> from exactspline.geometry.bisector.polynomials import S, T
-    >>> as_form(S * T - 1).sign
-    """
-    m, n = (max(int(k), 0) for k in p.degrees())
-    rows = [[fmpz(0)] * (n + 1) for _ in range(m + 1)]
-    for (i, j), x in p.terms():
-        rows[int(i)][int(j)] = x
-    return of_powers(rows)
+from exactspline.polynomials.patch_forms import PatchForm, powers_of
+from exactspline.polynomials.two_parameters import CONTEXT, as_form, as_polynomial
 
 
 def common_factor(forms: Sequence[PatchForm]) -> PatchForm | None:
@@ -99,5 +79,5 @@ def odd_part(form: PatchForm) -> PatchForm:
     (0, 0)
     """
     constant, factors = factorize_square_free(as_polynomial(form))
-    own = CONTEXT.from_dict({(0, 0): 1 if constant > 0 else -1})
+    own = CONTEXT.from_dict({(0, 0): sign(constant)})
     return as_form(reduce(lambda p, q: p * q, [p for p, times in factors if times % 2], own))

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import count, islice, product
 
-from exactspline.exact import mpq
-from exactspline.geometry.surface.forms import Patch, SurfaceForms, in_parameters, sides_of
-from exactspline.splines.patch_forms import PatchForm
+from exactspline.geometry.surface.forms import Patch, SurfaceForms, sides_of
+from exactspline.numbers.exact import mpq
 
 #: At how many points K is compared first, and the denominator of the first ones.
 POINTS, FIRST = 4, 7
@@ -37,16 +36,16 @@ def has_curvature(forms: SurfaceForms, patch: Patch, value: mpq) -> bool:
     False
     """
     numerator, denominator = forms.curvature
-    return bool(PatchForm.of(numerator - denominator.scaled(value), *patch).is_zero)
+    return bool((numerator - denominator.scaled(value)).patch_form(*patch).is_zero)
 
 
 def _values(forms: SurfaceForms, patch: Patch) -> Iterator[mpq]:
     """K at some points inside a patch that have a tangent plane; at none only where no point has one."""
-    if PatchForm.of(forms.area, *patch).is_zero:
+    if forms.area.patch_form(*patch).is_zero:
         return
     sides = sides_of(forms.surface, patch)
     for x, y in _places():
-        (u, _), (v, _) = in_parameters(((x, x), (y, y)), sides)
+        u, v = sides.at(x, y)
         if area := forms.area(u, v):
             yield mpq(forms.parabolic(u, v) * forms.surface.w(u, v) ** 4 / area**2)
 

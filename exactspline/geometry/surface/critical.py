@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from enum import StrEnum
 from typing import NamedTuple
 
-from exactspline.exact import mpq
-from exactspline.geometry.surface.isolation import Zero, isolate, same
-from exactspline.splines.patch_forms import Box, Interval, PatchForm
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box, Interval, joined
+from exactspline.polynomials.common_zeros import Zero, isolate, same
+from exactspline.polynomials.patch_forms import PatchForm
 
 #: Bits to which a critical point is refined before it is given up to tell whether the form vanishes there.
 BITS = 256
@@ -50,11 +51,7 @@ def singular_cells(form: PatchForm, known: Sequence[Zero] = ()) -> list[Cell]:
         return []
     degree = (max(f.degree[0] for f in slopes), max(f.degree[1] for f in slopes))
     found = isolate(slopes[0].elevated(degree), slopes[1].elevated(degree), [form])
-    singular = [
-        zero
-        for zero in found.zeros
-        if _vanishes(form, zero, known) and all(a > 0 and b < 1 for a, b in zero.refine(16))
-    ]
+    singular = [zero for zero in found.zeros if _vanishes(form, zero, known) and zero.refine(16).is_inside(UNIT)]
     while singular:
         cells, failed = _best_cells(form, singular)
         if not failed:
@@ -97,21 +94,13 @@ def _cells(form: PatchForm, singular: Sequence[Zero], bits: int) -> tuple[list[C
     margin = mpq(1, 1 << bits)
     sides: list[list[Interval]] = []
     for k in (0, 1):
-        own = sorted((mpq(a - margin), mpq(b + margin)) for a, b in (zero.refine(2 * bits)[k] for zero in singular))
-        merged: list[Interval] = []
-        for a, b in own:
-            if merged and a <= merged[-1][1]:
-                merged[-1] = merged[-1][0], max(b, merged[-1][1])
-            else:
-                merged.append((a, b))
-        sides.append(merged)
+        sides.append(joined(zero.refine(2 * bits)[k].grown(margin) for zero in singular))
     found: dict[Box, list[tuple[Zero, Crossing | None]]] = {}
     for zero in singular:
         at = zero.box
-        first, second = (next(side for side in own if side[0] <= at[k][0] <= side[1]) for k, own in enumerate(sides))
-        box: Box = (first, second)
-        within = all(q[0] <= p[0] and p[1] <= q[1] for p, q in zip(box, zero.region, strict=True))
-        crossing = _kind(form, box) if within and all(a > 0 and b < 1 for a, b in box) else None
+        first, second = (next(side for side in own if side.contains(at[k])) for k, own in enumerate(sides))
+        box = Box(first, second)
+        crossing = _kind(form, box) if zero.region.contains(box) and box.is_inside(UNIT) else None
         found.setdefault(box, []).append((zero, crossing))
     cells, failed = list[Cell](), list[Zero]()
     for box, members in found.items():

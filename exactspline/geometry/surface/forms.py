@@ -11,12 +11,12 @@ from itertools import product
 from typing import NamedTuple
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.language.formula import Formula
 from exactspline.language.parts import numerator
 from exactspline.language.vector import Vector
+from exactspline.numbers.intervals import Box
 from exactspline.papers import find
-from exactspline.splines.patch_forms import Borders, Box, PatchForm
+from exactspline.polynomials.patch_forms import Borders, PatchForm
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, aligned
 
@@ -143,7 +143,7 @@ def lowest(f: TensorSpline) -> TensorSpline:
 
 def on_patch(f: TensorSpline, patch: Patch) -> Reduced | None:
     """A form on a patch; None where it vanishes all over it."""
-    whole = PatchForm.of(f, *patch)
+    whole = f.patch_form(*patch)
     if whole.is_zero:
         return None
     form, borders = whole.without_border()
@@ -152,13 +152,4 @@ def on_patch(f: TensorSpline, patch: Patch) -> Reduced | None:
 
 def sides_of(surface: NurbsSurface, patch: Patch) -> Box:
     """The rectangle of parameters of a patch."""
-    (a, b), (c, d) = (mesh.breaks[i : i + 2] for mesh, i in zip(surface.meshes, patch, strict=True))
-    return (a, b), (c, d)
-
-
-def in_parameters(box: Box, sides: Box) -> Box:
-    """A box of the unit square as one of the parameters of a patch."""
-    (a, b), (c, d) = (
-        (low + (high - low) * x, low + (high - low) * y) for (x, y), (low, high) in zip(box, sides, strict=True)
-    )
-    return (mpq(a), mpq(b)), (mpq(c), mpq(d))
+    return surface.w.patch(*patch)

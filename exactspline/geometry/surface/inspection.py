@@ -7,14 +7,12 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from exactspline.errors import ReachError
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge, vanishes_at
 from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained, place_of
-from exactspline.geometry.surface.common_factor import as_polynomial, odd_part, square_free, without_powers
+from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Pole, closed_along, is_point, pole_at
-from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
-from exactspline.geometry.surface.isolation import contains
+from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surface.joints import SurfaceJoint, joints
 from exactspline.geometry.surface.merged import are_one, is_in, merged_places, merged_umbilics
 from exactspline.geometry.surface.parabolic_lines import LinesOfPatch, ParabolicLine, parabolic_lines, without_lines
@@ -23,8 +21,11 @@ from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import as_polynomial
 from exactspline.splines.expected import surface_of
-from exactspline.splines.patch_forms import UNIT, Box, PatchForm
 from exactspline.splines.surface import Along, NurbsSurface
 
 
@@ -100,7 +101,7 @@ class PatchInspection:
     @property
     def open_boxes(self) -> tuple[Box, ...]:
         """Rectangles of parameters in which something could not be decided."""
-        own = () if self.curve is None else tuple(in_parameters(box, self.sides) for box in self.curve.undecided)
+        own = () if self.curve is None else tuple(self.sides.part(box) for box in self.curve.undecided)
         boxes = (*self.singular.undecided, *self.umbilics.undecided, *own)
         return tuple(dict.fromkeys(boxes)) or ((self.sides,) if self.kind is PatchKind.UNDECIDED else ())
 
@@ -265,8 +266,7 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
         found = _with_zeros(found, own, form, on_patch(forms.area, patch))
     else:
-        places = [in_parameters(((x, x), (y, y)), sides) for x, y in signs.zeros]
-        points = tuple(Place((patch,), None, u, v) for (u, _), (v, _) in places)
+        points = tuple(Place((patch,), None, *sides.at(x, y)) for x, y in signs.zeros)
         found = replace(found, parabolic_points=points)
     # what is left where its only zeros are points without a tangent plane
     zeros = found.parabolic or found.parabolic_points or found.parabolic_lines
@@ -319,7 +319,7 @@ def _is_known(piece: Piece, found: PatchInspection, area: Reduced) -> bool:
         # the zero is the only one in its cell
         (cell,) = piece.part.cells
         boxes = [zero.refine(FAR) for zero in found.singular.zeros]
-        return any(contains(cell, box) and piece.curve.form.part(box).sign is None for box in boxes)
+        return any(cell.contains(box) and piece.curve.form.part(box).sign is None for box in boxes)
     spot = place.spot
     return (
         vanishes_at(area.whole, spot, sides)

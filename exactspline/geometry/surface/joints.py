@@ -15,17 +15,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import reduce
-from itertools import count, pairwise
+from itertools import count, pairwise, starmap
 from operator import add
 
-from exactspline.exact import mpq
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.degenerate import edge_points
 from exactspline.geometry.surface.forms import Patch, SurfaceForms
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.patch_forms import Interval
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
@@ -93,7 +93,7 @@ def joints(forms: SurfaceForms, closed: Sequence[Along]) -> tuple[SurfaceJoint, 
     for one in _edges(forms, closed):
         last = found[-1] if found else None
         if last and last.interval[1] == one.interval[0] and replace(last, interval=one.interval) == one:
-            found[-1] = replace(one, interval=(last.interval[0], one.interval[1]))
+            found[-1] = replace(one, interval=Interval(last.interval.low, one.interval.high))
         else:
             found.append(one)
     return tuple(found)
@@ -108,7 +108,7 @@ def _edges(forms: SurfaceForms, closed: Sequence[Along]) -> Iterator[SurfaceJoin
         if across in closed:
             pairs.insert(0, (surface.patches[k] - 1, 0))
         for i, j in pairs:
-            for other, interval in enumerate(pairwise(surface.meshes[1 - k].breaks)):
+            for other, interval in enumerate(starmap(Interval, pairwise(surface.meshes[1 - k].breaks))):
                 before, behind = ((i, other), (j, other)) if k == 0 else ((other, i), (other, j))
                 kind, angle = _Meeting(forms, before, behind, k).kind_and_angle()
                 yield SurfaceJoint(across, surface.meshes[k].breaks[j], interval, kind, j == 0, angle)

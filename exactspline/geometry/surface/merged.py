@@ -9,7 +9,7 @@ from itertools import product
 from exactspline.geometry.surface.borders import EDGES, vanishes_at
 from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch
-from exactspline.splines.patch_forms import Box
+from exactspline.numbers.intervals import Box
 from exactspline.splines.surface import Along
 
 #: A point by its parameters.

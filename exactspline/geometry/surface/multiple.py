@@ -12,16 +12,16 @@ from typing import NamedTuple
 
 from flint import fmpz_mpoly
 
-from exactspline.exact import mpq
-from exactspline.geometry.bisector.polynomials import CONTEXT, S, T
-from exactspline.geometry.surface.common_factor import as_form, as_polynomial
-from exactspline.geometry.surface.isolation import SIMPLE, simplest
-from exactspline.splines.patch_forms import Box, PatchForm, Sized, clusters, halved
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.common_zeros import SIMPLE, simplest
+from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
+from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_polynomial
 
 #: Boxes before the search for a common zero stops, and how often the square around the point is halved.
 BOXES, TRIES = 2000, 4
 #: The square of both charts.
-CHART: Box = ((mpq(-1), mpq(1)), (mpq(-1), mpq(1)))
+CHART = Box(Interval(mpq(-1), mpq(1)), Interval(mpq(-1), mpq(1)))
 
 
 class Multiple(NamedTuple):
@@ -32,7 +32,7 @@ class Multiple(NamedTuple):
 
     def explains(self, box: Box) -> bool:
         """Whether another box holds no other common zero for that reason."""
-        return all(a <= c and d <= b for (a, b), (c, d) in zip(self.box, box, strict=True))
+        return self.box.contains(box)
 
 
 def multiple_zero(forms: Sequence[PatchForm], boxes: Sequence[Box]) -> Multiple | None:
@@ -40,9 +40,10 @@ def multiple_zero(forms: Sequence[PatchForm], boxes: Sequence[Box]) -> Multiple 
     None where none is found.
 
     >>> forms = [PatchForm.of_net([[1, -1], [-1, 1]])]  # (1 − 2x)(1 − 2y), zero on two lines
-    >>> multiple_zero(forms, [((mpq(3, 8), mpq(5, 8)), (mpq(3, 8), mpq(5, 8)))])
+    >>> side = Interval(mpq(3, 8), mpq(5, 8))
+    >>> multiple_zero(forms, [Box(side, side)])
     >>> forms.append(PatchForm.of_net([[0, -1, 0], [1, 0, 1], [0, -1, 0]]))  # 2x (1 − x) − 2y (1 − y)
-    >>> multiple_zero(forms, [((mpq(3, 8), mpq(5, 8)), (mpq(3, 8), mpq(5, 8)))]).place
+    >>> multiple_zero(forms, [Box(side, side)]).place
     (mpq(1,2), mpq(1,2))
     """
     hull = next(hull for hull, own in clusters(boxes) if boxes[0] in own)
@@ -51,7 +52,8 @@ def multiple_zero(forms: Sequence[PatchForm], boxes: Sequence[Box]) -> Multiple 
         return None
     radius = max(mpq(1, 1 << 10), *[abs(end - x) for side, x in zip(hull, place, strict=True) for end in side])
     for _ in range(TRIES):
-        square: Box = ((place[0] - radius, place[0] + radius), (place[1] - radius, place[1] + radius))
+        first, second = (side.grown(radius) for side in Box.point(*place))
+        square = Box(first, second)
         parts = [f.part(square) for f in forms]
         if all(_without_common_zero([chart(p, k) for p in parts]) for k in (0, 1)):
             return Multiple(place, square)
@@ -74,7 +76,7 @@ def chart(form: PatchForm, which: int) -> PatchForm:
 
 def _without_common_zero(forms: Sequence[PatchForm]) -> bool:
     """Whether forms certainly have no common zero on the closed unit square."""
-    todo = deque([Sized(((mpq(0), mpq(1)), (mpq(0), mpq(1))), list(forms), 0)])
+    todo = deque([Sized(UNIT, list(forms), 0)])
     for _ in range(BOXES):
         if not todo:
             return True

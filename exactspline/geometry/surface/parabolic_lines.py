@@ -6,13 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from exactspline.geometry.bisector.polynomials import exactly
 from exactspline.geometry.surface.borders import Edge, along, roots_along
 from exactspline.geometry.surface.common_factor import divided, line_factor
 from exactspline.geometry.surface.degenerate import line_of
 from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.places import Parameter
-from exactspline.splines.patch_forms import Box, Interval, PatchForm, of_powers
+from exactspline.numbers.intervals import Box, Interval, joined
+from exactspline.polynomials.patch_forms import PatchForm, of_powers
+from exactspline.roots.of_polynomials import exactly
 from exactspline.splines.surface import Along, NurbsSurface
 
 
@@ -84,14 +85,10 @@ def parabolic_lines(
             sides.setdefault((line, value, False), set()).add(one.sides[line.direction])
     lines = []
     for (line, value, one_sided), intervals in sorted(sides.items(), key=lambda item: item[0]):
-        joined: list[Interval] = []
-        for a, b in sorted(intervals):
-            if joined and joined[-1][1] == a:
-                joined[-1] = joined[-1][0], b
-            else:
-                joined.append((a, b))
         domain = surface.domain[line.direction]
-        lines += [ParabolicLine(line, value, side, line in closed and side == domain, one_sided) for side in joined]
+        lines += [
+            ParabolicLine(line, value, side, line in closed and side == domain, one_sided) for side in joined(intervals)
+        ]
     return _without_seam(lines, surface.domain, closed)
 
 

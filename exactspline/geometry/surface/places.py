@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from exactspline.exact import mpq
-from exactspline.geometry.surface.forms import Patch, in_parameters
-from exactspline.geometry.surface.isolation import Zero
+from exactspline.geometry.surface.forms import Patch
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Box, Interval
+from exactspline.polynomials.common_zeros import Zero
 from exactspline.roots.root import Root
-from exactspline.splines.patch_forms import Box, Interval
 
 #: A parameter: a rational number or a certified root.
 Parameter = mpq | Root
@@ -23,17 +23,14 @@ class InnerZero:
 
     def box(self, digits: int) -> Box:
         """A box with the point in it, its sides at most ``10^−digits`` long."""
-        longest = max(b - a for a, b in self.sides)
-        return in_parameters(self.zero.refine(int(longest * mpq(10) ** digits + 1).bit_length()), self.sides)
+        longest = self.sides.longest
+        return self.sides.part(self.zero.refine(int(longest * mpq(10) ** digits + 1).bit_length()))
 
     @property
     def exact(self) -> tuple[mpq, mpq] | None:
         """Both parameters where they are simple rational numbers."""
         found = self.zero.exact
-        if found is None:
-            return None
-        (u, _), (v, _) = in_parameters(((found[0],) * 2, (found[1],) * 2), self.sides)
-        return u, v
+        return None if found is None else self.sides.at(*found)
 
 
 @dataclass(frozen=True)
@@ -69,7 +66,7 @@ class Place:
         if self.inner is not None:
             return self.inner.box(digits)
         u, v = self.spot
-        return enclosing(u, digits), enclosing(v, digits)
+        return Box(enclosing(u, digits), enclosing(v, digits))
 
     def with_patches(self, patches: tuple[Patch, ...]) -> Place:
         """The same point, found on more patches."""
@@ -78,4 +75,4 @@ class Place:
 
 def enclosing(t: Parameter, digits: int) -> Interval:
     """An interval with a parameter in it, at most ``10^−digits`` long."""
-    return t.refine(digits) if isinstance(t, Root) else (t, t)
+    return t.refine(digits) if isinstance(t, Root) else Interval.point(t)

@@ -9,15 +9,16 @@ from enum import StrEnum
 from itertools import product
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge
-from exactspline.geometry.surface.forms import Patch, formula, in_parameters, lowest, on_patch, sides_of
+from exactspline.geometry.surface.forms import Patch, formula, lowest, on_patch, sides_of
 from exactspline.geometry.surface.merged import merged_places
 from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.signs import Point, sign_on_patch
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Box
+from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.splines.expected import surface_of
-from exactspline.splines.patch_forms import Box, PatchForm
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
@@ -124,8 +125,8 @@ def _add_patch(found: _Found, determinant: TensorSpline, patch: Patch, sides: Bo
         found.positive = found.positive or _inside(signs.positive, 1, own.whole, sides, domain)
     if signs.negative:
         found.negative = found.negative or _inside(signs.negative, -1, own.whole, sides, domain)
-    found.zeros += [Place((patch,), None, *_placed(point, sides)) for point in signs.zeros]
-    found.undecided += [in_parameters(box, sides) for box in signs.undecided]
+    found.zeros += [Place((patch,), None, *sides.at(*point)) for point in signs.zeros]
+    found.undecided += [sides.part(box) for box in signs.undecided]
     found.edges += [(patch, edge) for edge, times in zip(EDGES, own.borders, strict=True) if times]
 
 
@@ -151,9 +152,4 @@ def _inside(point: Point, sign: int, whole: PatchForm, sides: Box, domain: Box) 
     )
     while (at_knot and place == point) or whole.value(*place) * sign <= 0:
         place, part = (mpq(x + (half - x) * part), mpq(y + (half - y) * part)), part / 2
-    return _placed(place, sides)
-
-
-def _placed(point: Point, sides: Box) -> Point:
-    (u, _), (v, _) = in_parameters(((point[0], point[0]), (point[1], point[1])), sides)
-    return u, v
+    return sides.at(*place)

@@ -6,11 +6,13 @@ from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from itertools import pairwise, product
+from itertools import pairwise, product, starmap
 
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import Edge, along, roots_along
-from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import sign as sign_of
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
 #: Boxes and halvings before the remaining boxes are reported as undecided.
 BOXES, DEPTH = 4000, 40
@@ -75,8 +77,8 @@ def _cut(form: PatchForm) -> list[Box]:
         for edge in (Edge(1 - direction, end) for end in (0, 1)):
             if own := along(form, edge, UNIT):
                 cuts.update(root.exact for root in roots_along(own, edge, UNIT) if root.exact is not None)
-        sides.append(list(pairwise(sorted(cuts))))
-    return [(first, second) for first in sides[0] for second in sides[1]]
+        sides.append(list(starmap(Interval, pairwise(sorted(cuts)))))
+    return [Box(first, second) for first in sides[0] for second in sides[1]]
 
 
 def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
@@ -94,11 +96,11 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
             if value == 0:
                 zeros[place] = None
             else:
-                found.setdefault(1 if value > 0 else -1, place)
+                found.setdefault(sign_of(value), place)
         sign = own.sign or _sign_but_for_corners(own)
         if sign:
             # where all corners are zeros the inside alone has it
-            found.setdefault(sign, _middle(part.box))
+            found.setdefault(sign, part.box.middle)
         if len(found) > 1:
             return Signs(Sign.BOTH, found[1], found[-1])
         if sign:
@@ -124,13 +126,8 @@ def _witness(form: PatchForm) -> tuple[int, Point]:
     for i, j in product(range(1, m + 2), range(1, n + 2)):
         place = mpq(i, m + 2), mpq(j, n + 2)
         if value := form.value(*place):
-            return (1 if value > 0 else -1), place
+            return sign_of(value), place
     raise AssertionError("the zero form")
-
-
-def _middle(box: Box) -> Point:
-    (a, b), (c, d) = box
-    return mpq((a + b) / 2), mpq((c + d) / 2)
 
 
 def _sign_but_for_corners(form: PatchForm) -> int | None:

@@ -6,14 +6,15 @@ from dataclasses import dataclass
 
 from exactspline.geometry.surface.borders import EDGES, Edge, along, is_inside, roots_along, vanishes_at
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free
-from exactspline.geometry.surface.forms import Patch, SurfaceForms, in_parameters, on_patch, sides_of
-from exactspline.geometry.surface.isolation import Zero, are_one, is_known, isolate, same
+from exactspline.geometry.surface.forms import Patch, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surface.multiple import multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import ZeroCurve
+from exactspline.numbers.intervals import Box
+from exactspline.polynomials.common_zeros import Zero, are_one, is_known, isolate, same
+from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.roots.root import Root
-from exactspline.splines.patch_forms import Box, PatchForm
 
 #: Bits to which a zero is refined before it is given up to tell what it is.
 BITS = 400
@@ -82,8 +83,8 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
                 zeros.append(zero)
         undecided += curve.undecided
     inner = [Place((patch,), InnerZero(zero, sides)) for zero in zeros]
-    inner += [Place((patch,), None, *(a for a, _ in in_parameters(spot, sides))) for spot in multiples]
-    boxes = tuple(in_parameters(box, sides) for box in undecided)
+    inner += [Place((patch,), None, *sides.part(spot).middle) for spot in multiples]
+    boxes = tuple(sides.part(box) for box in undecided)
     return SingularPoints(False, edges, (*places, *inner), tuple(zeros), boxes, factor, along_curve)
 
 
@@ -100,7 +101,7 @@ def _inner(
     """
     if any(f is not None and f.sign in (1, -1) for f in normal):
         return [], []
-    tangents = [[PatchForm.of(f, *patch) for f in side] for side in forms.tangents]
+    tangents = [[f.patch_form(*patch) for f in side] for side in forms.tangents]
     certain: list[Zero] = []
     rest: list[list[Box]] = []
     for k in range(3):
@@ -136,7 +137,7 @@ def _multiples(normal: list[PatchForm], boxes: list[Box]) -> tuple[list[Box], li
         left = [box for box in left if not multiple.explains(box)]
         x, y = multiple.place
         if 0 < x < 1 and 0 < y < 1:
-            found.append(((x, x), (y, y)))
+            found.append(Box.point(x, y))
     return found, left
 
 

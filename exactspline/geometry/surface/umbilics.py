@@ -10,17 +10,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge, along, common_along, is_inside, roots_along
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free, without_powers
-from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
-from exactspline.geometry.surface.isolation import Zero, are_one, isolate, same
+from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surface.multiple import Multiple, multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.zero_curve import ZeroCurve
-from exactspline.splines.patch_forms import Box, PatchForm
+from exactspline.numbers.intervals import Box
+from exactspline.polynomials.common_zeros import Zero, are_one, isolate, same
+from exactspline.polynomials.patch_forms import PatchForm
 
 #: Bits to which a zero is refined before it is given up to tell whether it is an umbilic.
 BITS = 400
@@ -148,7 +148,7 @@ class _Search:
             umbilics += lone
             undecided += [*curve.undecided, *left]
             curve = curve if curve.has_branches or sign is Sign.BOTH else None
-        return umbilics, curve, tuple(in_parameters(box, self.sides) for box in undecided)
+        return umbilics, curve, tuple(self.sides.part(box) for box in undecided)
 
     def crosses_border(self, curve: ZeroCurve, place: Place) -> bool:
         """Whether a curve of umbilics goes through a point of an edge, across it: that point is not a single one."""
@@ -213,7 +213,7 @@ class _Search:
                 left.append(zero.box)
             elif verdict:
                 place = Place((self.patch,), InnerZero(zero, self.sides))
-                umbilics.append(Umbilic(place, self._kind(in_parameters(zero.refine(40), self.sides))))
+                umbilics.append(Umbilic(place, self._kind(self.sides.part(zero.refine(40)))))
         return umbilics, tuple(left)
 
     def _is_umbilic(self, zero: Zero) -> bool | None:
@@ -233,10 +233,10 @@ class _Search:
 
     def _kind(self, box: Box) -> UmbilicKind:
         """Half the sign of the Jacobian of A and B is the index where E > 0; of B and C where G > 0."""
-        local = _in_patch(box, self.sides)
+        local = self.sides.local(box)
         for first, second, k in ((0, 1, 0), (1, 2, 1)):
             f, g = self.own[first], self.own[second]
-            if f is None or g is None or PatchForm.of(self.forms.lengths[k], *self.patch).part(local).sign != 1:
+            if f is None or g is None or self.forms.lengths[k].patch_form(*self.patch).part(local).sign != 1:
                 continue
             sign = jacobian_sign(f.whole, g.whole, local)
             if sign:
@@ -258,9 +258,9 @@ class _Search:
             x, y = multiple.place
             if any(one.place.inner is not None and one.place.inner.zero.is_at(x, y) for one in known):
                 continue
-            spot: Box = ((x, x), (y, y))
+            spot = Box.point(x, y)
             if self.area.form.part(spot).sign == 1 and 0 < x < 1 and 0 < y < 1:
-                (u, _), (v, _) = in_parameters(spot, self.sides)
+                u, v = self.sides.at(x, y)
                 found.append(Umbilic(Place((self.patch,), None, u, v), UmbilicKind.MULTIPLE))
         return found, left
 
@@ -273,14 +273,6 @@ def jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
     if min(first) > max(second):
         return 1
     return -1 if max(first) < min(second) else 0
-
-
-def _in_patch(box: Box, sides: Box) -> Box:
-    """A box of parameters in the unit square of a patch."""
-    (a, b), (c, d) = (
-        ((x - low) / (high - low), (y - low) / (high - low)) for (x, y), (low, high) in zip(box, sides, strict=True)
-    )
-    return (mpq(a), mpq(b)), (mpq(c), mpq(d))
 
 
 def same_place(one: Place, other: Place) -> bool:

@@ -13,23 +13,24 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
-from itertools import pairwise
+from itertools import pairwise, starmap
 from math import comb
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES
 from exactspline.geometry.surface.common_factor import rational_lines
 from exactspline.geometry.surface.critical import Cell, Crossing, singular_cells
-from exactspline.geometry.surface.isolation import Zero
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.bernstein import ONE
+from exactspline.polynomials.common_zeros import Zero
+from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
 from exactspline.reals.real import between
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.bernstein import ONE
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
-from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, clusters, halved
 
 #: Halvings of a box, and boxes, before the remaining boxes are reported as undecided.
 DEPTH, BOXES = 30, 4000
@@ -151,9 +152,9 @@ class ZeroCurve:
         (a, b), (c, d) = box[direction], box[1 - direction]
         events: dict[Vertex, mpq | Root] = {}
         for value in (a, b):
-            events.update(self._zeros_on(direction, value, (c, d)))
+            events.update(self._zeros_on(direction, value, box[1 - direction]))
         for value in (c, d):
-            events.update({vertex: value for vertex, _ in self._zeros_on(1 - direction, value, (a, b))})
+            events.update({vertex: value for vertex, _ in self._zeros_on(1 - direction, value, box[direction])})
         self._vertices.update(dict.fromkeys(events))
         places = sorted(events.items(), key=lambda pair: _Key(pair[1]))
         for (first, low), (last, high) in pairwise(places):
@@ -167,8 +168,8 @@ class ZeroCurve:
 
     def _along(self, direction: int, value: mpq) -> list[fmpz]:
         """The Bernstein coefficients on a line across the whole square."""
-        box: Box = ((value, value), UNIT[1]) if direction == 0 else (UNIT[0], (value, value))
-        return self.form.part(box).edge(direction, 0)
+        line = UNIT.with_side(direction, Interval.point(value))
+        return self.form.part(line).edge(direction, 0)
 
     def _line(self, direction: int, value: mpq) -> list[Root]:
         """The zeros on a line across the whole square, in order."""
@@ -333,8 +334,8 @@ def _grid(form: PatchForm, cells: Sequence[Box]) -> Iterator[Box]:
         first = _first_cut(rational_lines(form, k))
         if not any(cell[k][0] <= first <= cell[k][1] for cell in cells):
             ends.add(first)
-        cuts.append(list(pairwise(sorted(ends))))
-    return ((side, other) for side in cuts[0] for other in cuts[1])
+        cuts.append(list(starmap(Interval, pairwise(sorted(ends)))))
+    return (Box(side, other) for side in cuts[0] for other in cuts[1])
 
 
 def _first_cut(lines: Sequence[mpq]) -> mpq:

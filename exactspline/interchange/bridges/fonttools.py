@@ -7,11 +7,11 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.numbers import finite_double
 from exactspline.interchange.segments import joined, polynomial
 from exactspline.interchange.writing import pen_segments
+from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:

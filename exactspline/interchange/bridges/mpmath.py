@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:

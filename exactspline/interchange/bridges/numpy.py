@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
-from exactspline.exact import Number, from_float, is_float
 from exactspline.interchange.bridges.values import doubles
+from exactspline.numbers.exact import Number, from_float, is_float
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from math import comb
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from exactspline.errors import ShapeError, shown
-from exactspline.exact import mpq
 from exactspline.interchange.bridges.values import doubles, exact, exact_rows
+from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs

@@ -6,7 +6,7 @@ from itertools import pairwise
 from math import comb
 from typing import TYPE_CHECKING
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 

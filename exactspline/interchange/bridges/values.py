@@ -6,8 +6,8 @@ import operator
 from collections.abc import Iterable
 
 from exactspline.errors import NumberError, shown
-from exactspline.exact import from_float, is_float, mpq
 from exactspline.interchange.numbers import finite_double
+from exactspline.numbers.exact import from_float, is_float, mpq
 
 
 def exact(value: object) -> mpq:

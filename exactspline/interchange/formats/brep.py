@@ -12,7 +12,6 @@ import re
 from collections.abc import Sequence
 
 from exactspline.errors import CurveFileError
-from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, finite_double
@@ -20,6 +19,7 @@ from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import arc_around_origin, joined, mapped
 from exactspline.interchange.tokens import Tokens
 from exactspline.interchange.writing import cartesian
+from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 LINE, CIRCLE, ELLIPSE, PARABOLA, HYPERBOLA, BEZIER, BSPLINE, TRIMMED, OFFSET = range(1, 10)

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import PurePath
 
-from exactspline.exact import mpq, rational
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import decimal
 from exactspline.interchange.records import Format, Reading, Source
+from exactspline.numbers.exact import mpq, rational
 
 
 def looks_like(head: bytes) -> bool:

@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from exactspline.errors import CurveFileError, ExactSplineError, ShapeError
-from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.angles import quarter_turns_of_degrees, quarter_turns_of_radians
 from exactspline.interchange.collector import Collector
@@ -21,6 +20,7 @@ from exactspline.interchange.numbers import NumberText, decimal, square_root, wh
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import Segment, arc_around_origin, bulged, joined, mapped, polynomial
 from exactspline.interchange.writing import in_space
+from exactspline.numbers.exact import mpq
 
 CLOSED, PERIODIC, RATIONAL, PLANAR = 1, 2, 4, 8
 #: Entities that are curves, or place some, and are not read.

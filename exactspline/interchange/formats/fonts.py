@@ -15,11 +15,11 @@ from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 from exactspline.errors import CurveFileError, ExactSplineError, ShapeError
-from exactspline.exact import mpq
 from exactspline.interchange.bridges.fonttools import ContourPen
 from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.records import Format, Piece, Reading, Source
+from exactspline.numbers.exact import mpq
 
 if TYPE_CHECKING:
     from fontTools.ttLib import TTFont

@@ -12,13 +12,13 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.formats.control_points import complete
-from exactspline.interchange.json_text import parsed
 from exactspline.interchange.numbers import NumberText, decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.writing import cartesian
+from exactspline.numbers.exact import mpq
+from exactspline.splines.json_files import parsed
 
 
 def looks_like(head: bytes) -> bool:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.writing import cartesian
 from exactspline.interchange.xml_tree import Element, attribute, parse
+from exactspline.numbers.exact import mpq
 
 CURVES = ("BSpline", "Nurbs")
 

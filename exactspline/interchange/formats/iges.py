@@ -12,7 +12,6 @@ import re
 from collections.abc import Sequence
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.iges_records import Entry, entries, formatted, unit_of
@@ -20,6 +19,7 @@ from exactspline.interchange.numbers import NumberText, decimal, whole, with_poi
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped, polynomial
 from exactspline.interchange.writing import in_space
+from exactspline.numbers.exact import mpq
 
 ARC, COMPOSITE, CONIC, LINE, MATRIX, SPLINE = 100, 102, 104, 110, 124, 126
 NAMES = {

@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from typing import TypeAlias
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.writing import homogeneous
+from exactspline.numbers.exact import mpq
 
 Node: TypeAlias = "list[str | Node]"
 

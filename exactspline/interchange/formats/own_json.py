@@ -13,13 +13,13 @@ from importlib import resources
 from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError
-from exactspline.exact import mpq, rational
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.json_text import parsed
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.control_points import Direction
-from exactspline.splines.curve_files import OPTIONAL, REQUIRED, curve_data, curve_from_text
+from exactspline.splines.curve_files import curve_data, curve_from_data
+from exactspline.splines.json_files import CURVE, check_fields, parsed
 
 _EXPONENT = re.compile(r"[+-]?\d{1,7}", re.ASCII)
 
@@ -43,7 +43,7 @@ def looks_like(head: bytes) -> bool:
 def read(source: Source) -> Reading:
     """The curves of a file."""
     found = Collector("json", source)
-    data = parsed(source.text)
+    data: Any = parsed(source.text)
     entries = data.get("curves", [data]) if isinstance(data, dict) else data
     if not isinstance(entries, list):
         raise CurveFileError("the JSON text holds no curves", remedy='write one curve or {"curves": […]}')
@@ -60,13 +60,10 @@ def _curve(found: Collector, entry: Any, where: str) -> None:
     if not isinstance(entry, dict):
         raise CurveFileError("is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
     if "pieces" in entry or "kind" in entry:
-        curve = curve_from_text(json.dumps(_with_whole_degrees(entry)), where)
+        curve = curve_from_data(entry, where)
         found.curves.append(NamedCurve(curve.name, curve, ("what `derive` wrote",)))
         return
-    if missing := [field for field in REQUIRED if field not in entry]:
-        raise CurveFileError(f"the field {missing[0]!r} is missing", remedy=f"a curve has {', '.join(REQUIRED)}")
-    if unknown := sorted(set(entry) - {*REQUIRED, *OPTIONAL}):
-        raise CurveFileError(f"the field {unknown[0]!r} is unknown", remedy=f"it may have {', '.join(OPTIONAL)}")
+    check_fields(entry, CURVE)
     found.add(
         "curve",
         where,
@@ -77,16 +74,6 @@ def _curve(found: Collector, entry: Any, where: str) -> None:
         name=str(entry.get("name") or "") or found.source.name,
         notes=[f"{key}: {entry[key]}" for key in ("note", "source") if entry.get(key)],
     )
-
-
-def _with_whole_degrees(entry: dict[str, Any]) -> dict[str, Any]:
-    """What `derive` wrote, its degrees numbers again: all others may be text."""
-    if "degree" in entry:
-        entry = entry | {"degree": whole(str(entry["degree"]))}
-    pieces = entry.get("pieces")
-    if not isinstance(pieces, list):
-        return entry
-    return entry | {"pieces": [_with_whole_degrees(piece) if isinstance(piece, dict) else piece for piece in pieces]}
 
 
 def _list(value: Any) -> list[Any]:
@@ -117,7 +104,7 @@ def _number(value: Any, found: Collector) -> mpq:
         raise NumberError(f"the exponent {exponent[:20]!r}", remedy=f"exponents to {most} are read")
     if len(value) > 50 * found.limits.digits:
         raise NumberError(f"a number of {len(value)} characters", remedy="read with a larger limit of digits")
-    return rational(value)
+    return rational(str(value))
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:

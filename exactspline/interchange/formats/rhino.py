@@ -18,13 +18,13 @@ from pathlib import Path
 from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import mpq, rational
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import arc_around_origin, joined, mapped
 from exactspline.interchange.writing import homogeneous, in_space
+from exactspline.numbers.exact import mpq, rational
 
 #: How long the library may work on one archive.
 SECONDS = 30

@@ -13,13 +13,13 @@ import re
 from collections.abc import Callable, Sequence
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, whole, with_point
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.step_edges import EDGE, ELEMENTARY, Edges
 from exactspline.interchange.step_records import StepFile, Value, parts
 from exactspline.interchange.writing import cartesian
+from exactspline.numbers.exact import mpq
 
 SPLINE, WITH_KNOTS, RATIONAL = "B_SPLINE_CURVE", "B_SPLINE_CURVE_WITH_KNOTS", "RATIONAL_B_SPLINE_CURVE"
 KINDS = (WITH_KNOTS, "BEZIER_CURVE", "UNIFORM_CURVE", "QUASI_UNIFORM_CURVE")

@@ -16,7 +16,6 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from exactspline.errors import ExactSplineError, ShapeError
-from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal
@@ -27,6 +26,7 @@ from exactspline.interchange.svg_styles import HIDING, MOVING, ORIGIN, SHAPING, 
 from exactspline.interchange.svg_transforms import about, length, transform
 from exactspline.interchange.writing import pen_segments
 from exactspline.interchange.xml_tree import Element, attribute, parse
+from exactspline.numbers.exact import mpq
 
 DEFINITIONS = (
     "defs", "symbol", "marker", "clipPath", "mask", "pattern", "linearGradient", "radialGradient", "filter", "font",

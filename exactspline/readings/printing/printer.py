@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 
-from exactspline.exact import Number
 from exactspline.language.choices import Parameter
+from exactspline.numbers.exact import Number
 from exactspline.readings.expression import ATOMS, Expression, Operation
 from exactspline.readings.printing.units import without_units
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from exactspline.exact import Number
+from exactspline.numbers.exact import Number
 from exactspline.readings.expression import ATOMS, Expression, Operation
 
 

@@ -8,14 +8,15 @@ from itertools import groupby
 from typing import cast
 
 from exactspline.errors import FormulaError, ShapeError, counted
-from exactspline.exact import mpq, text
 from exactspline.geometry.constructions import Variant, construction
+from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.bernstein import Form, value
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet, zeros
-from exactspline.splines.bernstein import Form, value
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.conditioning.condition_number import DIGITS, Interval, condition_number, local, quotient
+from exactspline.verification.conditioning.condition_number import DIGITS, condition_number, local, quotient
 from exactspline.verification.conditioning.double_precision import Double, double_precision_roots
 
 
@@ -142,7 +143,7 @@ def _at_root(
         signs = {c > 0 for c in factor[0].coeffs() if c != 0}
         one_sign = len(signs) == 1
         if multiplicity == root.multiplicity:
-            growth = (mpq(1), mpq(1)) if one_sign else condition_number(factor, n - minimal.degree, root, 0)
+            growth = Interval.point(mpq(1)) if one_sign else condition_number(factor, n - minimal.degree, root, 0)
     return FormAtRoot(form, n, multiplicity, condition_number(own, n, root, multiplicity), growth, one_sign, double)
 
 
@@ -162,14 +163,12 @@ def _segment_of(f: BSpline, root: Root) -> int:
 
 
 def _bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
-    """An interval of the local parameter with this zero of the form and no other, reaching reaching halfway to the next
+    """An interval of the local parameter with this zero of the form and no other, reaching halfway to the next
     ones or to the ends of the segment.
     """
     assert root.segment is not None
-    a, b = root.segment
     x, _ = local(root)
-    others = [(r.refine(DIGITS)[0] - a) / (b - a) for r in among if r != root]
+    others = [root.segment.local(r.refine(DIGITS).low) for r in among if r != root]
     ends = [mpq(end) if value(form, n, mpq(end)) else (x + end) / 2 for end in (0, 1)]
-    return max([ends[0], *[(x + y) / 2 for y in others if 0 <= y < x]]), min(
-        [ends[1], *[(x + y) / 2 for y in others if x < y <= 1]]
-    )
+    low = max([ends[0], *[(x + y) / 2 for y in others if 0 <= y < x]])
+    return Interval(low, min([ends[1], *[(x + y) / 2 for y in others if x < y <= 1]]))

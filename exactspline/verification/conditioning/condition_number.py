@@ -6,11 +6,10 @@ from math import factorial
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import iroot, mpq, mpz
+from exactspline.numbers.exact import iroot, mpq, mpz
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.bernstein import ONE, Form, derivative, value
 from exactspline.roots.root import Root
-from exactspline.splines.bernstein import ONE, Form, derivative, value
-
-Interval = tuple[mpq, mpq]
 
 #: Relative width of an enclosure of a condition number.
 WIDTH = mpq(1, 10**10)
@@ -25,9 +24,8 @@ def local(root: Root, digits: int = DIGITS) -> Interval:
     wide.
     """
     assert root.segment is not None
-    a, b = root.segment
-    low, high = root.refine(digits + max(0, len(str(int(1 / (b - a))))))
-    return (low - a) / (b - a), (high - a) / (b - a)
+    found = root.refine(digits + max(0, len(str(int(1 / root.segment.width)))))
+    return Interval(*map(root.segment.local, found))
 
 
 def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:
@@ -41,7 +39,7 @@ def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:
     >>> from exactspline.roots.zero_set import zeros
     >>> f = BSpline.bezier([-1, 3])
     >>> condition_number(f.forms[0], 1, zeros(f)[0], 1)  # (3/4 + 3/4) / 4
-    (mpq(3,8), mpq(3,8))
+    Interval(low=mpq(3,8), high=mpq(3,8))
     """
     digits = START
     while True:
@@ -52,10 +50,10 @@ def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:
             small, large = sorted(map(abs, bottom))
             low, high = factorial(m) * top[0] / large, factorial(m) * top[1] / small
             if low == high and m <= 1:
-                return low, high
+                return Interval(low, high)
             low, high = _root_below(low, max(m, 1)), 1 / _root_below(1 / high, max(m, 1))
             if high - low <= WIDTH * low:
-                return low, high
+                return Interval(low, high)
         digits *= 2
 
 
@@ -78,7 +76,7 @@ def _range(form: Form, n: int, x: Interval) -> Interval:
     shrink = ((1 - high) / (1 - low)) ** n
     parts = [(fmpz_poly([max(sign * c, fmpz(0)) for c in form[0].coeffs()]), form[1]) for sign in (1, -1)]
     (up, top), (down, bottom) = ((value(part, n, low) * shrink, value(part, n, high) / shrink) for part in parts)
-    return up - bottom, top - down
+    return Interval(up - bottom, top - down)
 
 
 def _root_below(q: mpq, m: int) -> mpq:

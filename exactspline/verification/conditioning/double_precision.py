@@ -1,6 +1,6 @@
 """The experiment: the error of a zero in double precision. This is the only module of this room with floats.
 
-They come from exact numbers by rounding, once, and go back through `exactspline.exact.from_float`.
+They come from exact numbers by rounding, once, and go back through `exactspline.numbers.exact.from_float`.
 """
 
 from __future__ import annotations
@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 from sys import float_info
 
-from exactspline.exact import from_float, mpq
-from exactspline.splines.bernstein import Form, bezier
-from exactspline.verification.conditioning.condition_number import Interval
+from exactspline.numbers.exact import from_float, mpq
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.bernstein import Form, bezier
 
 #: The rounding unit of double precision.
 UNIT = mpq(1, 2**53)
@@ -45,7 +45,7 @@ def double_precision_root(form: Form, n: int, x: mpq, bracket: Interval) -> Doub
     The bisection starts in the bracket and in two smaller ones. The points are scaled by one power of two, which
     changes nothing but keeps them in range.
 
-    >>> from exactspline.splines.bernstein import from_bezier
+    >>> from exactspline.polynomials.bernstein import from_bezier
     >>> double_precision_root(from_bezier([mpq(-1), mpq(2)]), 1, mpq(1, 3), (mpq(0), mpq(1))).units
     mpq(1,6)
     """

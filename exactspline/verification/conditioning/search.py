@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from random import Random
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.geometry.constructions import Variant
+from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.conditioning.compare import RootConditions, conditioning

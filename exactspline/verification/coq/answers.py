@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from flint import fmpq_poly
 
 from exactspline.errors import ClaimError, counted
-from exactspline.exact import mpq, to_fmpq
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Symbol
+from exactspline.numbers.exact import from_flint, mpq, to_fmpq
 from exactspline.papers import find, papers
-from exactspline.roots.cells import Cell, cells_of
+from exactspline.polynomials.cells import Cell, cells_of
 from exactspline.splines.control_points import lifted
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.coq.explicit import RationalFunction
@@ -202,7 +202,7 @@ def _pairs(pairs: Iterable[tuple[mpq, mpq]]) -> str:
 
 
 def _polynomial_text(f: fmpq_poly) -> str:
-    return _list(mpq(int(c.p), int(c.q)) for c in f.coeffs())
+    return _list(from_flint(c) for c in f.coeffs())
 
 
 def _bool(value: bool) -> str:

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from math import gcd, lcm
 from typing import Any, cast
 
 from flint import fmpq_mpoly
 
-from exactspline.exact import mpq, to_fmpq
 from exactspline.language.operand import CONSTANTS
 from exactspline.language.vector import Vector
-from exactspline.polynomials.factors import factorize
+from exactspline.numbers.exact import content, from_flint, mpq, sign, to_fmpq
+from exactspline.polynomials.factorization import Factorization
+from exactspline.polynomials.factors import Factored, factorize
 from exactspline.readings.expression import Operation
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node, applied
@@ -55,54 +54,24 @@ class Evaluation:
             self.denominators.append((node, found))
 
 
-@dataclass(frozen=True)
-class Factored:
-    """A constant times powers of primitive irreducible polynomials; negative exponents are those of the bottom."""
-
-    constant: mpq
-    powers: tuple[tuple[fmpq_mpoly, int], ...]
-
-
-def factored(value: JetFraction | mpq) -> Factored:
-    """A denominator in factors."""
+def factored(value: JetFraction | mpq) -> Factored[fmpq_mpoly]:
+    """A denominator as a constant times powers of primitive irreducible polynomials, negative powers for the bottom."""
     if not isinstance(value, JetFraction):
-        return Factored(mpq(value), ())
+        return Factored(mpq(value), Factorization())
     constant, powers = mpq(1), list[tuple[fmpq_mpoly, int]]()
-    for polynomial, sign in ((value.top, 1), (value.bottom, -1)):
-        content, factors = factorize(polynomial)
-        constant *= _rational(content) ** sign
+    for polynomial, power in ((value.top, 1), (value.bottom, -1)):
+        leading, factors = factorize(polynomial)
+        constant *= from_flint(leading) ** power
         for factor, exponent in factors:
             plain = primitive(factor)
-            ratio = _rational(factor.leading_coefficient()) / _rational(plain.leading_coefficient())
-            constant *= ratio ** (int(exponent) * sign)
-            powers.append((plain, int(exponent) * sign))
-    return Factored(constant, tuple(powers))
+            ratio = from_flint(factor.leading_coefficient()) / from_flint(plain.leading_coefficient())
+            constant *= ratio ** (exponent * power)
+            powers.append((plain, exponent * power))
+    return Factored(constant, Factorization(powers))
 
 
 def primitive(polynomial: fmpq_mpoly) -> fmpq_mpoly:
     """The multiple with coprime integer coefficients, the first one positive."""
-    coefficients = [_rational(c) for c in polynomial.coeffs()]
-    content = mpq(0)
-    for c in coefficients:
-        content = _gcd(content, abs(c))
-    multiple: fmpq_mpoly = polynomial * to_fmpq(1 / content * (1 if coefficients[0] > 0 else -1))
+    coefficients = [from_flint(c) for c in polynomial.coeffs()]
+    multiple: fmpq_mpoly = polynomial * to_fmpq(sign(coefficients[0]) / content(coefficients))
     return multiple
-
-
-def primes(number: int) -> dict[int, int]:
-    """The prime factors of a positive number."""
-    found, p = dict[int, int](), 2
-    while number > 1:
-        while number % p == 0:
-            found[p] = found.get(p, 0) + 1
-            number //= p
-        p += 1
-    return found
-
-
-def _rational(value: Any) -> mpq:
-    return mpq(int(value.p), int(value.q))
-
-
-def _gcd(a: mpq, b: mpq) -> mpq:
-    return mpq(gcd(int(a.numerator), int(b.numerator)), lcm(int(a.denominator), int(b.denominator)))

@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 from flint import fmpq_poly
 
 from exactspline.errors import ClaimError
-from exactspline.exact import rational, to_fmpq
 from exactspline.language.accompanied import Accompanied
 from exactspline.language.arguments import COORDINATES, POINT, Curve
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CURVE, CurveKind, FramedKind, Kind
 from exactspline.language.operand import Constant, FieldOperand
+from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.verification.coq.terms import integer
 
 #: A polynomial in t by its coefficients.

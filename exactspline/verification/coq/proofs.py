@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import lcm
 from typing import Any
 
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq
+from exactspline.numbers.exact import from_flint, mpq, over_one_denominator
+from exactspline.polynomials.factorization import Factorization
+from exactspline.polynomials.factors import Factored, prime_factors
 from exactspline.readings.jet import Jet
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node
-from exactspline.verification.coq.denominators import Evaluation, Factored, factored, primes
+from exactspline.verification.coq.denominators import Evaluation, factored
 from exactspline.verification.coq.settings import Setting
 from exactspline.verification.coq.terms import Writer
 
@@ -67,19 +68,19 @@ class Proof:
                         self._divides(polynomial, self.existing[-1])
                 self.recognize(parts)
 
-    def recognize(self, value: Factored) -> None:
+    def recognize(self, value: Factored[fmpq_mpoly]) -> None:
         """Make sure that a denominator does not vanish, and let the checker know it."""
-        for p in primes(int(abs(value.constant.numerator))):
+        for p in prime_factors(int(value.constant.numerator)):
             self.prime(p)
-        for p in primes(int(value.constant.denominator)):
+        for p in prime_factors(int(value.constant.denominator)):
             self.prime(p)
         for polynomial, _ in value.powers:
             if polynomial not in self._polynomials:
                 self._prove(polynomial)
         above, below = [0] * len(self.atoms), [0] * len(self.atoms)
-        for p, e in primes(int(abs(value.constant.numerator))).items():
+        for p, e in prime_factors(int(value.constant.numerator)).items():
             above[self.atoms.index(p)] += e
-        for p, e in primes(int(value.constant.denominator)).items():
+        for p, e in prime_factors(int(value.constant.denominator)).items():
             below[self.atoms.index(p)] += e
         for polynomial, e in value.powers:
             place = self._place(polynomial)
@@ -137,7 +138,7 @@ class Proof:
         if remainder:
             return False
         below = factored(JetFraction(value.ring, value.ring.context.constant(1), value.bottom))
-        scale = common_denominator(rest)
+        _, scale = over_one_denominator(map(from_flint, rest.coeffs()))
         if below.powers or scale != 1:
             self.recognize(factored(JetFraction(value.ring, value.bottom * scale, value.ring.context.constant(1))))
         cofactor = self._fraction(rest * scale, value.bottom * scale)
@@ -158,7 +159,7 @@ class Proof:
         self.recognize(factored(mpq(2)))
         if whole not in self._polynomials:
             self._prove(whole)
-        self.recognize(Factored(mpq(4), ((whole, power),)))
+        self.recognize(Factored(mpq(4), Factorization([(whole, power)])))
         left = f"(num 4 * ({self.setting.expression(whole)}) ^ {power})%formula"
         self._add(
             polynomial,
@@ -238,11 +239,3 @@ class Proof:
             lines.append(f"{{ apply (and_nonzero K l (firstn {i} atoms) (nth {i} atoms (num 0)) N). {reason}. }}")
             lines.append(f"clear N. rename N{i + 1} into N.")
         return lines
-
-
-def common_denominator(polynomial: fmpq_mpoly) -> int:
-    """The least common denominator of the coefficients."""
-    result = 1
-    for c in polynomial.coeffs():
-        result = lcm(result, int(c.q))
-    return result

@@ -9,17 +9,17 @@ from functools import singledispatch
 from flint import fmpq_poly
 
 from exactspline.errors import ClaimError
-from exactspline.exact import mpq
 from exactspline.language.arguments import embedded
 from exactspline.language.formula import Formula
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import POINT_IN_SPACE, FramedKind, Kind, kind_of
 from exactspline.language.vector import Vector
-from exactspline.polynomials.factors import factorize
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.factors import factorize, prime_factors
 from exactspline.readings.expression import Operation
 from exactspline.readings.tree import Node
 from exactspline.verification.claim import Claim
-from exactspline.verification.coq.denominators import Evaluation, primes
+from exactspline.verification.coq.denominators import Evaluation
 from exactspline.verification.coq.explicit import ExplicitCurve, RationalFunction, candidates, written
 from exactspline.verification.coq.formulas import comment, type_of
 from exactspline.verification.coq.terms import Writer, identifier
@@ -45,8 +45,8 @@ class Units:
         for polynomial, sign in ((value.top, 1), (value.bottom, -1)):
             numerator = polynomial.numer()
             content, factors = factorize(numerator)
-            for number, s in ((int(abs(content)), sign), (int(polynomial.denom()), -sign)):
-                for p, e in primes(number).items():
+            for number, s in ((int(content), sign), (int(polynomial.denom()), -sign)):
+                for p, e in prime_factors(number).items():
                     exponents[(p,)] = exponents.get((p,), 0) + s * e
             for factor, e in factors:
                 key = tuple(int(c) for c in factor.coeffs())

@@ -11,10 +11,10 @@ from functools import cached_property
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT
 from exactspline.language.kinds import CurveKind, Kind, PairKind, Symbol, TableKind
+from exactspline.numbers.exact import from_flint
 from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.verification.coq.terms import integer
@@ -218,7 +218,7 @@ class Setting:
         """A polynomial with integer coefficients as an expression."""
         terms = []
         for exponents, coefficient in polynomial.terms():
-            c = mpq(int(coefficient.p), int(coefficient.q))
+            c = from_flint(coefficient)
             if c.denominator != 1:
                 raise FormulaError(f"the coefficient {c}", remedy="multiply the denominators out")
             factors = [

@@ -8,9 +8,9 @@ from functools import cache
 from importlib import resources
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational, text
 from exactspline.language.formula import Formula
 from exactspline.language.operand import Constant
+from exactspline.numbers.exact import rational, text
 from exactspline.readings.expression import Operation
 from exactspline.readings.tree import Node, nodes
 

@@ -9,12 +9,12 @@ from importlib import resources
 from typing import Any
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational
 from exactspline.language.arguments import Curve, embedded
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PAIR, POINT_IN_SPACE, Kind, kind_of
 from exactspline.language.operand import FieldOperand
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import rational
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.expression import Operation

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import field
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from exactspline.errors import ClaimError
-from exactspline.exact import mpq, text
 from exactspline.language.parts import split
+from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.intervals import Interval
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
@@ -16,9 +17,6 @@ from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.components import only_component
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-
-if TYPE_CHECKING:
-    from exactspline.verification.conditioning.condition_number import Interval
 
 BETTER = "better at every common zero"
 
@@ -82,7 +80,7 @@ def _condition(f: BSpline, root: Root) -> Interval:
     from exactspline.verification.conditioning.condition_number import condition_number
 
     if root.at_knot:
-        return mpq(0), mpq(0)
+        return Interval.point(mpq(0))
     if root.segment is None:
         raise ClaimError("a zero without a segment", remedy="report this")
     i = f.breakpoints.index(root.segment[0])
@@ -90,8 +88,7 @@ def _condition(f: BSpline, root: Root) -> Interval:
 
 
 def _middle(interval: Interval) -> str:
-    low, high = interval
-    return f"{float(mpq((low + high) / 2)):.4g}"
+    return f"{float(interval.middle):.4g}"
 
 
 def _place(root: Root) -> str:

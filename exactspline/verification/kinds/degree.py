@@ -6,7 +6,6 @@ from dataclasses import field, replace
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
-from exactspline.exact import mpq
 from exactspline.language.arguments import Pair
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.kinds import kind_of
@@ -15,6 +14,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import parse
 from exactspline.readings.differential_order import order_of
 from exactspline.splines.lowest_terms import true_degree

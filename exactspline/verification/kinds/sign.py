@@ -7,11 +7,11 @@ from enum import StrEnum
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
-from exactspline.exact import mpq, text
 from exactspline.language.parts import split
+from exactspline.numbers.exact import mpq, text
 from exactspline.polynomials.factors import factorize
+from exactspline.polynomials.isolation import is_nonnegative
 from exactspline.readings.jet import Jet
-from exactspline.splines.bernstein import is_nonnegative
 from exactspline.splines.bspline import BSpline
 from exactspline.symbolic.assumptions import zero_free
 from exactspline.symbolic.factorization import jets_for

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.parts import split
-from exactspline.splines.bernstein import is_square_class
+from exactspline.polynomials.bernstein import is_square_class
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind

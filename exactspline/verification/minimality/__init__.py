@@ -17,13 +17,13 @@ from typing import Any
 from flint import fmpz_poly, nmod_poly
 
 from exactspline.errors import ReductionError, ShapeError
-from exactspline.exact import text
 from exactspline.geometry.constructions import Construction, Variant, construction
 from exactspline.geometry.derived import Piece, derive
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import text
+from exactspline.polynomials.bernstein import divide_u_plus_v
 from exactspline.polynomials.factors import factorize
-from exactspline.splines.bernstein import divide_u_plus_v
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.lowest_terms import lowest_terms

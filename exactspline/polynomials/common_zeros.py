@@ -19,8 +19,9 @@ from typing import NamedTuple
 
 from flint import fmpz
 
-from exactspline.exact import mpq
-from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
 #: By how much of its width a box grows on each side before it is certified.
 MARGIN = mpq(1, 4)
@@ -60,19 +61,19 @@ class Zero:
             simple = max(x.denominator for x in place) <= SIMPLE
             if simple and all(f.value(*place) == 0 for f in self.forms):
                 self._exact = place
-                self._box = (place[0], place[0]), (place[1], place[1])
+                self._box = Box.point(*place)
         return self._exact
 
     def refine(self, bits: int) -> Box:
         """A box with the zero whose sides are at most ``2^−bits`` long."""
         limit = mpq(1, 1 << max(bits, 0))
-        while max(b - a for a, b in self._box) > limit:
+        while self._box.longest > limit:
             self._box = self._contracted(self._box)
         return self._box
 
     def is_at(self, x: mpq, y: mpq) -> bool:
         """Whether the zero is this point."""
-        return contains(self.region, ((x, x), (y, y))) and all(f.value(x, y) == 0 for f in self.forms)
+        return self.region.contains(Box.point(x, y)) and all(f.value(x, y) == 0 for f in self.forms)
 
     def _contracted(self, box: Box) -> Box:
         """The zero is in ``c − Y F(c) + (1 − Y J)(X − c)``: Krawczyk's operator with the preconditioned pair G.
@@ -90,12 +91,9 @@ class Zero:
             scale = mpq(int(own[0] + own[1]), 2)
             radius = (int(own[1]) - scale + int(max(-other[0], other[1]))) / scale / 2
             middle = half - g.value(half, half) / scale
-            sides.append((max(mpq(0), middle - radius), min(mpq(1), middle + radius)))
-        first, second = (
-            _rounded(low + (high - low) * x, low + (high - low) * y, low, high)
-            for (x, y), (low, high) in zip(sides, box, strict=True)
-        )
-        return first, second
+            sides.append(Interval(max(mpq(0), middle - radius), min(mpq(1), middle + radius)))
+        first, second = (_rounded(side.part(local), side) for local, side in zip(sides, box, strict=True))
+        return Box(first, second)
 
 
 class Zeros(NamedTuple):
@@ -155,11 +153,8 @@ def _preconditioned_on(forms: tuple[PatchForm, PatchForm], region: Box, box: Box
     """The pair of a region on a part of it."""
     pair = preconditioned(*(f.part(region) for f in forms))
     assert pair is not None, "the region was certified"
-    local = tuple(
-        (mpq((a - low) / (high - low)), mpq((b - low) / (high - low)))
-        for (a, b), (low, high) in zip(box, region, strict=True)
-    )
-    return pair[0].part((local[0], local[1])), pair[1].part((local[0], local[1]))
+    local = region.local(box)
+    return pair[0].part(local), pair[1].part(local)
 
 
 def _slopes(f: PatchForm) -> tuple[fmpz, fmpz]:
@@ -181,8 +176,8 @@ def _contracts(pair: tuple[PatchForm, PatchForm]) -> bool:
 
 def _certified(forms: tuple[PatchForm, PatchForm], box: Box) -> Box | None:
     """A box around this one that holds exactly one zero; None where that is not shown."""
-    (a, b), (c, d) = ((x - (y - x) * MARGIN, y + (y - x) * MARGIN) for x, y in box)
-    region: Box = (mpq(a), mpq(b)), (mpq(c), mpq(d))
+    first, second = (side.grown(side.width * MARGIN) for side in box)
+    region = Box(first, second)
     pair = preconditioned(*(f.part(region) for f in forms))
     if pair is None or not _contracts(pair):
         return None
@@ -194,8 +189,8 @@ def _add(zeros: list[Zero], new: Zero) -> None:
     """Keep a zero unless it is one of those that are known."""
     for known in zeros:
         bits = 8
-        while not _apart(new.box, known.box):
-            if contains(known.region, new.box):
+        while new.box.meets(known.box):
+            if known.region.contains(new.box):
                 return
             new.refine(bits)
             known.refine(bits)
@@ -205,25 +200,17 @@ def _add(zeros: list[Zero], new: Zero) -> None:
 
 def is_known(box: Box, zeros: Sequence[Zero]) -> bool:
     """Whether one of these is the only zero of its forms in a box, if there is any."""
-    return any(contains(zero.region, box) for zero in zeros)
+    return any(zero.region.contains(box) for zero in zeros)
 
 
-def contains(outer: Box, inner: Box) -> bool:
-    """Whether one closed box is in another."""
-    return all(c <= a and b <= d for (a, b), (c, d) in zip(inner, outer, strict=True))
-
-
-def _apart(one: Box, other: Box) -> bool:
-    return any(b < c or d < a for (a, b), (c, d) in zip(one, other, strict=True))
-
-
-def _rounded(a: mpq, b: mpq, low: mpq, high: mpq) -> Interval:
-    """An interval around [a, b] with short ends, inside [low, high], never a single point: a box that is a line has no
+def _rounded(part: Interval, side: Interval) -> Interval:
+    """An interval around a part with short ends, inside the whole, never a single point: a box that is a line has no
     Jacobian.
     """
-    pad = max((b - a) / 64, (high - low) / 1024)
+    pad = max(part.width / 64, side.width / 1024)
     scale = mpq(1 << int(1 / pad).bit_length())
-    return max(low, mpq(((a - pad) * scale) // 1) / scale), min(high, mpq(-((-(b + pad) * scale) // 1)) / scale)
+    low, high = mpq(((part.low - pad) * scale) // 1) / scale, mpq(-((-(part.high + pad) * scale) // 1)) / scale
+    return Interval(max(side.low, low), min(side.high, high))
 
 
 def simplest(low: mpq, high: mpq) -> mpq:
@@ -247,9 +234,9 @@ def same(one: Zero, other: Zero) -> bool:
     bits = 16
     while True:
         box = one.refine(bits)
-        if _apart(box, other.box):
+        if not box.meets(other.box):
             return False
-        if contains(other.region, box):
+        if other.region.contains(box):
             return True
         other.refine(bits)
         bits *= 2
@@ -259,7 +246,7 @@ def are_one(one: Zero, other: Zero) -> bool | None:
     """Whether two certified points, each a zero of forms of its own, are one; None where that is given up."""
     if one.exact is not None and other.exact is not None:
         return one.exact == other.exact
-    return False if _apart(one.refine(EQUAL_BITS), other.refine(EQUAL_BITS)) else None
+    return None if one.refine(EQUAL_BITS).meets(other.refine(EQUAL_BITS)) else False
 
 
-__all__ = ["Zero", "Zeros", "are_one", "contains", "is_known", "isolate", "preconditioned", "same", "simplest"]
+__all__ = ["Zero", "Zeros", "are_one", "is_known", "isolate", "preconditioned", "same", "simplest"]

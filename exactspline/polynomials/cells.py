@@ -9,12 +9,14 @@ zero has a witness, the factor that has it once and the cofactor that has none.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import comb
+from operator import itemgetter
 
-from flint import fmpq, fmpq_poly
+from flint import fmpq, fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError
-from exactspline.exact import mpq, text, to_fmpq
+from exactspline.numbers.exact import mpq, text, to_fmpq
+from exactspline.polynomials.bernstein import of_parameter
+from exactspline.polynomials.factors import factorize_square_free
 
 FORMAT = "exactspline cells 1"
 #: How often an interval is halved before the search stops.
@@ -68,7 +70,8 @@ def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
     """
     if not polynomial:
         return [Cell(low, high, None)]
-    multiple = [(f, int(e)) for f, e in _square_free(polynomial) if e > 1]
+    powers = sorted(factorize_square_free(polynomial.numer()).powers, key=itemgetter(1))
+    multiple = [(fmpq_poly(f) / f.leading_coefficient(), e) for f, e in powers if e > 1]
     found: list[Cell] = []
     todo = [(low, high, 0)]
     while todo:
@@ -87,16 +90,8 @@ def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
 def bernstein_signs(polynomial: fmpq_poly, low: mpq, high: mpq) -> tuple[bool, bool]:
     """Whether no Bernstein coefficient on an interval is negative, and whether none is positive."""
     n = polynomial.degree()
-    if n < 0:
-        return True, True
-    a, b = to_fmpq(low), to_fmpq(high)
-    power = polynomial(fmpq_poly([a, b - a]))
-    coefficients = [power[k] / comb(n, k) for k in range(n + 1)]
-    negative = positive = False
-    for i in range(n + 1):
-        value = sum((comb(i, k) * coefficients[k] for k in range(i + 1)), fmpq(0))
-        negative, positive = negative or value < 0, positive or value > 0
-    return not negative, not positive
+    c = of_parameter(polynomial.numer(), n, low, high) if n >= 0 else fmpz_poly()
+    return all(x >= 0 for x in c.coeffs()), all(x <= 0 for x in c.coeffs())
 
 
 def _cell(f: fmpq_poly, multiple: list[tuple[fmpq_poly, int]], a: mpq, b: mpq) -> Cell | None:
@@ -130,23 +125,6 @@ def _one_zero(f: fmpq_poly, a: mpq, b: mpq) -> bool | None:
 
 def _at(f: fmpq_poly, t: mpq) -> fmpq:
     return f(to_fmpq(t))
-
-
-def _square_free(f: fmpq_poly) -> list[tuple[fmpq_poly, int]]:
-    """Factors without multiple zeros, each with its multiplicity (Yun)."""
-    found = []
-    common = f.gcd(f.derivative())
-    b, c = f // common, f.derivative() // common
-    d = c - b.derivative()
-    i = 1
-    while b.degree() > 0:
-        a = b.gcd(d)
-        if a.degree() > 0:
-            found.append((a, i))
-        b, c = b // a, d // a
-        d = c - b.derivative()
-        i += 1
-    return found
 
 
 def _texts(polynomial: fmpq_poly) -> list[str]:

@@ -12,24 +12,19 @@ from functools import lru_cache
 from math import comb
 from typing import NamedTuple
 
-from flint import fmpz, fmpz_mat
+from flint import fmpz, fmpz_mat, fmpz_poly
 
-from exactspline.exact import lcm, mpq, text, to_fmpz
-from exactspline.splines.tensor import TensorSpline
-
-#: An interval with rational ends, and a box.
-Interval = tuple[mpq, mpq]
-Box = tuple[Interval, Interval]
-
-#: The unit square.
-UNIT: Box = ((mpq(0), mpq(1)), (mpq(0), mpq(1)))
+from exactspline.numbers.exact import lcm, mpq
+from exactspline.numbers.intervals import Box, hull
 
 
 class PatchForm:
     """One polynomial on one patch by its Bernstein coefficients, up to a positive constant.
 
+    >>> from exactspline.numbers.intervals import UNIT, Interval
     >>> f = PatchForm.of_net([[-1, 0], [0, 1]])  # x + y − 1
-    >>> f.sign, f.part(((mpq(1, 2), mpq(1)), (mpq(3, 4), mpq(1)))).sign
+    >>> high, higher = UNIT.halves(0)[1].first, Interval(mpq(3, 4), mpq(1))
+    >>> f.sign, f.part(Box(high, higher)).sign
     (None, 1)
     """
 
@@ -45,9 +40,16 @@ class PatchForm:
         return cls(fmpz_mat([list(row) for row in net]))
 
     @classmethod
-    def of(cls, spline: TensorSpline, i: int, j: int) -> PatchForm:
-        """The form of a spline over segment i of its first parameter and segment j of its second one."""
-        return together([spline], i, j)[0]
+    def of_rows(cls, rows: Sequence[fmpz_poly], m: int) -> PatchForm:
+        """The form with these rows in the scaled Bernstein basis, forms of degree m in x, one for each power of y.
+
+        >>> PatchForm.of_rows([fmpz_poly([1, 4, 1]), fmpz_poly([0, 2])], 2).entries  # C(2, i) b_i
+        [1, 0, 2, 1, 1, 0]
+        """
+        n = len(rows) - 1
+        common = lcm(*[comb(m, i) * comb(n, j) for i in range(m + 1) for j in range(n + 1)])
+        weights = [[int(common // (comb(m, i) * comb(n, j))) for j in range(n + 1)] for i in range(m + 1)]
+        return cls(fmpz_mat([[row[i] * weights[i][j] for j, row in enumerate(rows)] for i in range(m + 1)])).primitive()
 
     @property
     def degree(self) -> tuple[int, int]:
@@ -159,21 +161,6 @@ class PatchForm:
         return m + 1, n + 1
 
 
-def together(splines: Sequence[TensorSpline], i: int, j: int) -> list[PatchForm]:
-    """The forms of splines over segment i of the first and j of the second parameter, over one constant.
-
-    >>> f = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, "1/2"], [1, 2]])
-    >>> [int(x) for x in together([f, f.scaled(3)], 0, 0)[1].entries]
-    [0, 3, 6, 12]
-    """
-    nets = [f.bezier_net(i, j) if min(f.degree) >= 0 else [[mpq(0)]] for f in splines]
-    common = lcm(*[x.denominator for net in nets for row in net for x in row])
-    return [
-        PatchForm(fmpz_mat([[to_fmpz(x.numerator * (common // x.denominator)) for x in row] for row in net]))
-        for net in nets
-    ]
-
-
 class Borders(NamedTuple):
     """Something for each of the four edges of a patch, on which x or y is 0 or 1."""
 
@@ -193,18 +180,11 @@ class Sized(NamedTuple):
 
 def halved(part: Sized) -> tuple[Sized, Sized]:
     """The part cut in two across its longer side (of the unit square)."""
-    (a, b), (c, d) = part.box
-    direction = 0 if b - a >= d - c else 1
-    middle = mpq((a + b) / 2) if direction == 0 else mpq((c + d) / 2)
+    direction = 0 if part.box.first.width >= part.box.second.width else 1
     pairs = [f.halves(direction) for f in part.forms]
-    boxes: tuple[Box, Box] = (
-        (((a, middle), (c, d)), ((middle, b), (c, d)))
-        if direction == 0
-        else (((a, b), (c, middle)), ((a, b), (middle, d)))
-    )
     first, second = (
         Sized(box, [pair[k].primitive() if len(pairs) == 1 else pair[k] for pair in pairs], part.depth + 1)
-        for k, box in enumerate(boxes)
+        for k, box in enumerate(part.box.halves(direction))
     )
     return first, second
 
@@ -212,8 +192,9 @@ def halved(part: Sized) -> tuple[Sized, Sized]:
 def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
     """Boxes in groups, each with the box around it: no line across the square keeps apart what is in one group.
 
-    >>> near, far = (mpq(0), mpq(1, 4)), (mpq(1, 2), mpq(3, 4))
-    >>> [len(own) for _, own in clusters([(near, near), (near, far), (near, (mpq(1, 4), mpq(1, 3)))])]
+    >>> from exactspline.numbers.intervals import Interval
+    >>> near, next_to_it, far = (Interval(mpq(k, 12), mpq(k + 3, 12)) for k in (0, 3, 8))
+    >>> [len(own) for _, own in clusters([Box(near, near), Box(near, far), Box(near, next_to_it)])]
     [2, 1]
     """
     done: list[tuple[Box, list[Box]]] = []
@@ -232,26 +213,10 @@ def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
                 reached = high
         kept = kept + 1 if len(groups) == 1 else 1
         if kept > 1:
-            first, second = (
-                (min(side[0] for side in sides), max(side[1] for side in sides)) for sides in zip(*own, strict=True)
-            )
-            done.append(((first, second), own))
+            done.append((hull(own), own))
         else:
             todo += [(group, 1 - direction, kept) for group in reversed(groups)]
     return done
-
-
-def box_text(box: Box) -> str:
-    """A box, or a point, as text.
-
-    >>> box_text(((mpq(0), mpq(1)), (mpq(1, 2), mpq(1, 2))))
-    'u in [0, 1], v = 1/2'
-    """
-    parts = [
-        f"{name} = {text(a)}" if a == b else f"{name} in [{text(a)}, {text(b)}]"
-        for name, (a, b) in zip("uv", box, strict=True)
-    ]
-    return ", ".join(parts)
 
 
 # ---- the matrices of all this
@@ -353,17 +318,9 @@ def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
     if a == 0 and b == 1:
         return _identity(n)
     m = lcm(a.denominator, b.denominator)
-    ia, ib = int(a * m), int(b * m)
-    at_a, at_b = _binomials(n, int(m) - ia, ia), _binomials(n, int(m) - ib, ib)
-    rows = []
-    for i in range(n + 1):
-        # the blossom at n − i times a and i times b: a product of two polynomials by which control point is chosen
-        row = [0] * (n + 1)
-        for k, x in enumerate(at_a[n - i]):
-            for h, y in enumerate(at_b[i]):
-                row[k + h] += x * y
-        rows.append(row)
-    return fmpz_mat(rows)
+    at_a, at_b = (_powers(fmpz_poly([int(m - x), int(x)]), n) for x in (a * m, b * m))
+    # the blossom at n − i times a and i times b: a product of two polynomials by which control point is chosen
+    return fmpz_mat([_padded(at_a[n - i] * at_b[i], n) for i in range(n + 1)])
 
 
 @lru_cache(maxsize=64)
@@ -371,17 +328,19 @@ def _identity(n: int) -> fmpz_mat:
     return fmpz_mat([[int(i == k) for k in range(n + 1)] for i in range(n + 1)])
 
 
-def _binomials(n: int, first: int, second: int) -> list[list[int]]:
-    """The coefficients of ``(first + second x)^k`` for k to n."""
-    found = [[1]]
+def _powers(p: fmpz_poly, n: int) -> list[fmpz_poly]:
+    found = [fmpz_poly([1])]
     for _ in range(n):
-        last = found[-1]
-        found.append([first * x + second * y for x, y in zip([*last, 0], [0, *last], strict=True)])
+        found.append(found[-1] * p)
     return found
+
+
+def _padded(p: fmpz_poly, n: int) -> list[fmpz]:
+    own: list[fmpz] = p.coeffs()
+    return own + [fmpz(0)] * (n + 1 - len(own))
 
 
 def _weights(n: int, x: mpq) -> tuple[fmpz_mat, mpq]:
     """The Bernstein polynomials at x, over a denominator."""
-    bottom = int(x.denominator)
-    own = _binomials(n, bottom - int(x.numerator), int(x.numerator))[n]
-    return fmpz_mat([own]), mpq(bottom**n)
+    top, bottom = int(x.numerator), int(x.denominator)
+    return fmpz_mat([_padded(fmpz_poly([bottom - top, top]) ** n, n)]), mpq(bottom**n)

@@ -1,7 +1,7 @@
 """Which of many integer forms have no rational zero: their residues are evaluated everywhere on projective lines over
 small prime fields. Derivation: docs/certified-filter.md.
 
-This module and `exactspline.roots.doubles` are the only ones of `roots` that load numpy.
+This module and `exactspline.polynomials.doubles` are the only ones of `polynomials` that load numpy.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from math import prod
 
 import numpy as np
 
-from exactspline.roots.doubles import Flags, Floats
+from exactspline.polynomials.doubles import Flags, Floats
 
 #: The primes that are tried, one after the other on the forms that are left.
 PRIMES = (11, 13, 17, 19, 23, 29, 31, 37, 41, 43)

@@ -14,11 +14,10 @@ from functools import cache
 from itertools import pairwise
 from math import comb
 
-from flint import fmpq, fmpz, fmpz_poly
+from flint import fmpz, fmpz_poly
 
-from exactspline.errors import ReachError
-from exactspline.exact import lcm, mpq, ratio, to_fmpq, to_fmpz
-from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
+from exactspline.numbers.exact import from_flint, lcm, mpq, over_one_denominator, ratio, to_fmpq, to_fmpz
+from exactspline.polynomials.factors import factorize_square_free
 
 Form = tuple[fmpz_poly, fmpz]
 
@@ -44,8 +43,8 @@ def from_bezier(points: Sequence[mpq]) -> Form:
     """
     n = len(points) - 1
     scaled = [comb(n, i) * b for i, b in enumerate(points)]
-    m = lcm(*[c.denominator for c in scaled]) if scaled else 1
-    return fmpz_poly([int(c.numerator * (m // c.denominator)) for c in scaled]), to_fmpz(m)
+    integers, m = over_one_denominator(scaled)
+    return fmpz_poly(integers), fmpz(m)
 
 
 def bezier(form: Form, n: int) -> list[mpq]:
@@ -101,8 +100,7 @@ def value(form: Form, n: int, t: mpq) -> mpq:
     if n > LONG:
         return _long_value(form, n, t)
     u = 1 - t
-    at = c(to_fmpq(t / u))
-    return mpq(int(at.p), int(at.q)) * u**n / int(m) if isinstance(at, fmpq) else mpq(int(at)) * u**n / int(m)
+    return from_flint(c(to_fmpq(t / u))) * u**n / int(m)
 
 
 #: From this degree on, whole numbers are cheaper than fractions in lowest terms on the way.
@@ -161,6 +159,24 @@ def restrict(form: Form, n: int, a: mpq, b: mpq) -> Form:
     ia, ib = int(a * m), int(b * m)
     c = substituted(form[0], n, fmpz_poly([m - ia, m - ib]), fmpz_poly([ia, ib]))
     return primitive((c, form[1] * fmpz(m) ** n))
+
+
+def in_parameter(c: fmpz_poly, n: int, side: Sequence[mpq]) -> tuple[fmpz_poly, fmpz]:
+    """A form of degree n over an interval as a polynomial in the parameter, over a positive integer.
+
+    >>> in_parameter(fmpz_poly([0, 0, 1]), 2, (mpq(0), mpq(1, 2)))
+    (4*x^2, 1)
+    """
+    a, b = side
+    m = int(lcm(a.denominator, b.denominator))
+    low, high = int(a * m), int(b * m)
+    return substituted(c, n, fmpz_poly([high, -m]), fmpz_poly([-low, m])), fmpz(high - low) ** n
+
+
+def of_parameter(p: fmpz_poly, n: int, a: mpq, b: mpq) -> fmpz_poly:
+    """The form of degree n over [a, b] of a polynomial, up to a positive constant that depends on n alone."""
+    m = int(lcm(a.denominator, b.denominator))
+    return substituted(p, n, fmpz_poly([m, m]), fmpz_poly([int(a * m), int(b * m)]))
 
 
 def primitive(form: Form) -> Form:
@@ -262,88 +278,3 @@ def backwards(c: fmpz_poly, n: int) -> fmpz_poly:
     """The integers of a form of degree n in reverse order: the reversed form."""
     coefficients = c.coeffs()
     return fmpz_poly([fmpz(0)] * (n + 1 - len(coefficients)) + coefficients[::-1])
-
-
-def rational_roots(c: fmpz_poly) -> list[mpq]:
-    """The rational local parameters strictly inside the segment at which a form that is not zero vanishes.
-
-    >>> rational_roots(fmpz_poly([-1, 1]) * fmpz_poly([-2, 0, 1]))
-    [mpq(1,2)]
-    """
-    ratios = [ratio(-p[0], p[1]) for p in factorize(c).bases if p.degree() == 1]
-    return sorted(z / (1 + z) for z in ratios if z > 0)
-
-
-def zero_on_segment(c: fmpz_poly, n: int) -> tuple[mpq, mpq] | None:
-    """A rational interval (a point when both ends agree) of [0, 1] with a zero of the form in it, or None when there is
-    none.
-
-    Exact: the square-free part is subdivided until Descartes' rule says 0 or 1.
-
-    >>> zero_on_segment(fmpz_poly([1, -2, 3]), 2) is None
-    True
-    >>> zero_on_segment(fmpz_poly([1, -3, 1]), 2)
-    (mpq(0,1), mpq(1,2))
-    >>> zero_on_segment(fmpz_poly([1, -4, 4]), 2)
-    (mpq(1,3), mpq(1,3))
-    """
-    if not c:
-        return mpq(0), mpq(1)
-    if c[0] == 0:
-        return mpq(0), mpq(0)
-    if c[n] == 0:
-        return mpq(1), mpq(1)
-    repeated = greatest_common_divisor([c, c.derivative()])
-    if repeated.degree() > 0:
-        n, c = n - repeated.degree(), c // repeated
-    found = _crossing(c, n)
-    if found is None or found[0] == found[1]:
-        return found
-    try:
-        exact = [t for t in rational_roots(c) if found[0] < t < found[1]]
-    except ReachError:
-        return found
-    return (exact[0], exact[0]) if exact else found
-
-
-def _crossing(c: fmpz_poly, n: int) -> tuple[mpq, mpq] | None:
-    """An interval with one inner zero of a square-free form that is not zero at either end, or None."""
-    todo = [(mpq(0), mpq(1), c)]
-    while todo:
-        a, b, part = todo.pop()
-        changes = variations(part)
-        if changes == 1 and part[0] * part[n] < 0:
-            return a, b
-        if changes > 0:
-            mid = (a + b) / 2
-            left, right = halves(part, n)
-            if right[0] == 0:
-                return mid, mid
-            todo += [(mid, b, right), (a, mid, left)]
-    return None
-
-
-def is_nonnegative(c: fmpz_poly, n: int) -> bool:
-    """Whether a form of degree n is ≥ 0 on its segment: no odd root inside, and a non-negative value at a point that is
-    not a root.
-
-    >>> is_nonnegative(fmpz_poly([1, -2, 1]), 2), is_nonnegative(fmpz_poly([1, -3, 1]), 2)
-    (True, False)
-    """
-    if not c:
-        return True
-    if any(crosses(p) for p in odd_factors(c)):
-        return False
-    return all(value((c, ONE), n, mpq(k, n + 2)) >= 0 for k in range(1, n + 2))
-
-
-def odd_factors(c: fmpz_poly) -> list[fmpz_poly]:
-    """Square-free factors of odd multiplicity; roots at the right end of the segment (z = ∞) left out."""
-    return [p for p, multiplicity in factorize_square_free(c).powers if multiplicity % 2 and p.degree() > 0]
-
-
-def crosses(p: fmpz_poly) -> bool:
-    """Whether a square-free form has a root strictly inside the segment (z > 0)."""
-    while p[0] == 0:
-        p = p.right_shift(1)
-    return p.degree() > 0 and _crossing(p, p.degree()) is not None

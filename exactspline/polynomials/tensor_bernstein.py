@@ -12,8 +12,8 @@ from math import comb
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import lcm, mpq, ratio, to_fmpz
-from exactspline.splines.bernstein import Form, primitive, raiser, value
+from exactspline.numbers.exact import mpq, over_one_denominator, ratio
+from exactspline.polynomials.bernstein import Form, primitive, raiser, value
 
 
 def stride_for(degree: int) -> int:
@@ -104,8 +104,8 @@ def transposed(c: fmpz_poly, stride: int, n: int, new: int) -> fmpz_poly:
 def at_first(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq) -> Form:
     """The form in the second parameter where the first one has the local value a."""
     values = [value((row, m), degrees[0], a) for row in rows(c, stride, degrees[1])]
-    common = lcm(*[x.denominator for x in values])
-    return primitive((fmpz_poly([int(x.numerator * (common // x.denominator)) for x in values]), to_fmpz(common)))
+    integers, common = over_one_denominator(values)
+    return primitive((fmpz_poly(integers), fmpz(common)))
 
 
 def evaluated(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq, b: mpq) -> mpq:
@@ -116,10 +116,10 @@ def evaluated(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: m
 def from_net(net: Sequence[Sequence[mpq]], stride: int) -> Form:
     """The patch with the Bézier points ``net[i][j]``."""
     m, n = len(net) - 1, len(net[0]) - 1
-    scaled = [[comb(m, i) * comb(n, j) * b for j, b in enumerate(row)] for i, row in enumerate(net)]
-    common = lcm(*[x.denominator for row in scaled for x in row])
-    integers = [[int(x.numerator * (common // x.denominator)) for x in row] for row in scaled]
-    return packed([fmpz_poly([row[j] for row in integers]) for j in range(n + 1)], stride), to_fmpz(common)
+    scaled = [comb(m, i) * comb(n, j) * net[i][j] for j in range(n + 1) for i in range(m + 1)]
+    integers, common = over_one_denominator(scaled)
+    rows = [fmpz_poly(integers[k : k + m + 1]) for k in range(0, len(integers), m + 1)]
+    return packed(rows, stride), fmpz(common)
 
 
 def bezier_net(form: Form, degrees: tuple[int, int], stride: int) -> list[list[mpq]]:

@@ -4,7 +4,7 @@ Every form is a row of coefficients in the scaled Bernstein basis with bounds of
 coefficient is larger than its bound; Descartes' rule is asked for the largest number of sign changes that the certain
 signs allow. Rows for which that never says 0 or 1 are left to exact arithmetic. Derivation: docs/certified-filter.md.
 
-This module and `exactspline.roots.modular` are the only ones of `roots` that load numpy.
+This module and `exactspline.polynomials.modular` are the only ones of `polynomials` that load numpy.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from functools import lru_cache
 
 from flint import fmpq_poly, fmpz, fmpz_poly, nmod_poly
 
-from exactspline.exact import PRIME, mpq, to_fmpq
+from exactspline.numbers.exact import PRIME, mpq, sign, to_fmpq
 from exactspline.polynomials.cost import check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize
@@ -160,7 +160,7 @@ def linear(value: mpq) -> fmpz_poly:
 def sign_at(p: fmpz_poly, t: mpq) -> int:
     """The sign of a polynomial at a rational number."""
     at = p(to_fmpq(t))
-    return int(at > 0) - int(at < 0)
+    return sign(at)
 
 
 def changes_sign(p: fmpz_poly, low: mpq, high: mpq) -> bool:

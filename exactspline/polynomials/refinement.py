@@ -21,8 +21,9 @@ from typing import Any
 
 from flint import arb, arb_poly, ctx, fmpq, fmpz_poly
 
-from exactspline.exact import mpq, mpz, to_fmpq
-from exactspline.roots.isolation import LocalPolynomial
+from exactspline.numbers.exact import mpq, mpz, sign, to_fmpq
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.isolation import LocalPolynomial
 
 #: Working precision to begin with, and guard bits of every later step.
 START, GUARD = 64, 12
@@ -30,8 +31,6 @@ START, GUARD = 64, 12
 EXACTLY = 3000
 #: Bits from which on every step is worth keeping: fewer are quickly computed again.
 KEEP = 1500
-
-Interval = tuple[mpq, mpq]
 
 
 def sign_at(c: fmpz_poly, t: mpq) -> int:
@@ -47,7 +46,7 @@ def sign_at(c: fmpz_poly, t: mpq) -> int:
             if near > 0 or near < 0:
                 return 1 if near > 0 else -1
     at = c(fmpq(int(t.numerator), int(t.denominator - t.numerator))) if t != 1 else c[c.degree()]
-    return int(at > 0) - int(at < 0)
+    return sign(at)
 
 
 def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: int) -> Iterator[Interval]:
@@ -66,17 +65,17 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
     if low < half < high:  # each half has a chart of its own, in which z is at most 1
         at_half = factor.polynomial(1) * sign
         if at_half == 0:
-            yield half, half
+            yield Interval.point(half)
             return
         low, high = (half, high) if at_half > 0 else (low, half)
-        yield low, high
+        yield Interval(low, high)
     flipped = low + high > 1
     if flipped:
         chart = _Chart(factor.reversed, factor.reversed_slope, 1 - high, 1 - low, -sign)
     else:
         chart = _Chart(factor.polynomial, factor.slope, low, high, sign)
     for a, b in chart.run(bits):
-        yield (1 - b, 1 - a) if flipped else (a, b)
+        yield Interval(1 - b, 1 - a) if flipped else Interval(a, b)
 
 
 class _Chart:
@@ -189,12 +188,12 @@ class _Chart:
         if ball.is_exact() and self.g(ball.fmpq()) == 0:
             z = ball.fmpq()
             self.low = self.high = mpq(int(z.p), int(z.p + z.q))
-            return self.low, self.high
+            return Interval(self.low, self.high)
         with ctx.workprec(max(bits, 0) + START):
             low, high = (_floor_scaled(end, bits) for end in (ball.lower(), ball.upper()))
         unit = mpz(1) << bits
         self.low, self.high = max(self.low, mpq(low - 1, unit)), min(self.high, mpq(high + 2, unit))
-        return self.low, self.high
+        return Interval(self.low, self.high)
 
 
 def _floor_scaled(z: Any, bits: int) -> mpz:

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import mpq, mpz
-from exactspline.splines.bernstein import Form, derivative, value
+from exactspline.numbers.exact import mpq, mpz
+from exactspline.polynomials.bernstein import Form, derivative, value
 
 #: Binary places beyond those of the interval: what rounding adds to the bounds is that much narrower than they are.
 GUARD = 64
@@ -25,7 +25,7 @@ def bounds_over(form: Form, n: int, low: mpq, high: mpq) -> tuple[mpq, mpq]:
     The value in the middle, and the slope over the interval times how far the ends are away from there: the bounds come
     together as the ends do.
 
-    >>> from exactspline.splines.bernstein import from_bezier
+    >>> from exactspline.polynomials.bernstein import from_bezier
     >>> low, high = bounds_over(from_bezier([mpq(0), mpq(0), mpq(1)]), 2, mpq(1, 3), mpq(1001, 3000))
     >>> low <= mpq(1, 9), mpq(1001, 3000) ** 2 <= high, high - low < mpq(1, 4000)
     (True, True, True)

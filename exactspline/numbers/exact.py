@@ -292,6 +292,45 @@ def ratio(numerator: flint.fmpz, denominator: flint.fmpz) -> mpq:
     return mpq(int(numerator), int(denominator))
 
 
+def from_flint(value: flint.fmpq | flint.fmpz) -> mpq:
+    """A rational number or an integer of FLINT as an ``mpq``.
+
+    >>> from_flint(flint.fmpq(-3, 4)), from_flint(flint.fmpz(7))
+    (mpq(-3,4), mpq(7,1))
+    """
+    return mpq(int(value.p), int(value.q)) if isinstance(value, flint.fmpq) else mpq(int(value))
+
+
+def sign(value: mpq | mpz | int | flint.fmpz | flint.fmpq) -> int:
+    """1, −1 or 0: the sign of an exact number of whatever library.
+
+    >>> sign(mpq(1, 2)), sign(flint.fmpz(-3)), sign(0)
+    (1, -1, 0)
+    """
+    return int(value > 0) - int(value < 0)
+
+
+def content(values: Iterable[mpq]) -> mpq:
+    """The positive number of which rational numbers, not all 0, are coprime integer multiples.
+
+    >>> content([mpq(4, 3), mpq(-2)])
+    mpq(2,3)
+    """
+    numbers = list(values)
+    return mpq(gcd(*[x.numerator for x in numbers]), lcm(*[x.denominator for x in numbers]))
+
+
+def over_one_denominator(values: Iterable[mpq]) -> tuple[list[int], int]:
+    """Rational numbers as integers, and their least common denominator.
+
+    >>> over_one_denominator([mpq(1, 2), mpq(-2, 3)])
+    ([3, -4], 6)
+    """
+    numbers = list(values)
+    common = lcm(*[x.denominator for x in numbers])
+    return [int(x.numerator * (common // x.denominator)) for x in numbers], int(common)
+
+
 def text(value: mpq | mpz | int) -> str:
     """Shortest exact text of an exact number, read back by :func:`rational`; of any length, where Python refuses to
     write an int of more than 4,300 digits.

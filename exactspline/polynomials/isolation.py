@@ -11,16 +11,20 @@ Riesenfeld, Bounds on a polynomial, BIT 1981.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from functools import cached_property
 from typing import NamedTuple
 
-from flint import fmpz, fmpz_poly
+from flint import fmpz_poly
 
-from exactspline.exact import mpq, ratio
+from exactspline.errors import ReachError
+from exactspline.numbers.exact import mpq, ratio
+from exactspline.numbers.exact import sign as sign_of
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.annihilating import without_rational_zero
+from exactspline.polynomials.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 from exactspline.polynomials.factorization import Factorization, multiplied
-from exactspline.polynomials.factors import certainly_square_free, factorize_square_free
-from exactspline.reals.annihilating import without_rational_zero
-from exactspline.splines.bernstein import NOTHING, ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
+from exactspline.polynomials.factors import certainly_square_free, factorize, factorize_square_free
 
 #: Depth at which multiple zeros are first suspected.
 DEPTH = 10
@@ -122,7 +126,7 @@ def isolate(c: fmpz_poly, n: int) -> Isolation:
     >>> [(str(zero.low), str(zero.high)) for zero in found.inner]
     [('0', '1/2'), ('1/2', '1')]
     """
-    signs_of_all = [(1 if x > NOTHING else -1) if x else 0 for x in c.coeffs()]
+    signs_of_all = [sign_of(x) for x in c.coeffs()]
     at_left = 0 if signs_of_all[0] else next(i for i, x in enumerate(signs_of_all) if x)
     at_right = n + 1 - len(signs_of_all)
     signs = signs_of_all[at_left], signs_of_all[-1]
@@ -161,7 +165,7 @@ class _Search:
             if changes <= 1:
                 self.leaves.append(Leaf(level, k, changes))
                 if changes:
-                    sign = _sign(part[0])
+                    sign = sign_of(part[0])
                     self._found.append((level, k, 0, (sign, -sign)))
                 continue
             if level == self.cap:
@@ -174,7 +178,7 @@ class _Search:
             if right[0] == 0:
                 times = n - left.degree()
                 right = right.right_shift(times)
-                self._found.append((level, k + 1, times, (_sign(left[n - times]), _sign(right[0]))))
+                self._found.append((level, k + 1, times, (sign_of(left[n - times]), sign_of(right[0]))))
             todo += [(level, k + 1, right), (level, k, left)]
         return True
 
@@ -231,9 +235,53 @@ def end_signs(c: fmpz_poly, low: mpq, high: mpq) -> tuple[int, int]:
     (-1, -1)
     """
     part, _ = restrict((c, ONE), c.degree(), low, high)
-    signs = [_sign(x) for x in part.coeffs() if x != 0]
+    signs = [sign_of(x) for x in part.coeffs() if x != 0]
     return signs[0], signs[-1]
 
 
-def _sign(x: fmpz) -> int:
-    return (1 if x > NOTHING else -1) if x else 0
+def rational_roots(c: fmpz_poly) -> list[mpq]:
+    """The rational local parameters strictly inside the segment at which a form that is not zero vanishes.
+
+    >>> rational_roots(fmpz_poly([-1, 1]) * fmpz_poly([-2, 0, 1]))
+    [mpq(1,2)]
+    """
+    ratios = [ratio(-p[0], p[1]) for p in factorize(c).bases if p.degree() == 1]
+    return sorted(z / (1 + z) for z in ratios if z > 0)
+
+
+def zero_on_segment(c: fmpz_poly, n: int) -> Interval | None:
+    """An interval of [0, 1] with a zero of the form in it, a point where that is rational; None where there is none.
+
+    >>> zero_on_segment(fmpz_poly([1, -2, 3]), 2) is None
+    True
+    >>> zero_on_segment(fmpz_poly([1, -3, 1]), 2)
+    Interval(low=mpq(0,1), high=mpq(1,2))
+    >>> zero_on_segment(fmpz_poly([1, -4, 4]), 2)
+    Interval(low=mpq(1,3), high=mpq(1,3))
+    """
+    if not c:
+        return Interval(mpq(0), mpq(1))
+    for end in (0, 1):
+        if c[n * end] == 0:
+            return Interval.point(mpq(end))
+    inner = isolate(c, n).inner
+    if not inner:
+        return None
+    found = Interval(inner[0].low, inner[0].high)
+    if found.low < found.high:
+        with suppress(ReachError):
+            exact = (t for t in rational_roots(inner[0].factor.polynomial) if found.low < t < found.high)
+            found = next(map(Interval.point, exact), found)
+    return found
+
+
+def is_nonnegative(c: fmpz_poly, n: int) -> bool:
+    """Whether a form of degree n is ≥ 0 on its segment: it is positive next to both ends, and changes no sign inside.
+
+    >>> is_nonnegative(fmpz_poly([1, -2, 1]), 2), is_nonnegative(fmpz_poly([1, -3, 1]), 2)
+    (True, False)
+    """
+    if not c:
+        return True
+    found = isolate(c, n)
+    return found.signs == (1, 1) and all(zero.signs == (1, 1) for zero in found.inner)

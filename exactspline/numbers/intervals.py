@@ -1,0 +1,255 @@
+"""Intervals with rational ends, and boxes of two: parts of each other, hulls, rounding, quotients, FLINT's balls,
+decimals.
+
+This is the exact interval arithmetic of the package. Bounds in doubles, for thousands of forms at once, are values with
+errors (`exactspline.programs.doubles`, `exactspline.polynomials.doubles`): what rounding does to them is proved there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import takewhile
+from typing import NamedTuple
+
+from flint import arb
+
+from exactspline.numbers.exact import mpq, mpz, rational, short_text, text, to_fmpq
+
+
+class Interval(NamedTuple):
+    """A closed interval; where both ends agree, a number.
+
+    >>> whole = Interval(mpq(1), mpq(3))
+    >>> whole.middle, whole.width, whole.part(Interval(mpq(0), mpq(1, 2)))
+    (mpq(2,1), mpq(2,1), Interval(low=mpq(1,1), high=mpq(2,1)))
+    """
+
+    low: mpq
+    high: mpq
+
+    @classmethod
+    def point(cls, t: mpq) -> Interval:
+        """The interval of one number."""
+        return cls(t, t)
+
+    @property
+    def width(self) -> mpq:
+        """The distance of its ends."""
+        return mpq(self.high - self.low)
+
+    @property
+    def middle(self) -> mpq:
+        """The middle, off by at most half the width."""
+        return mpq((self.low + self.high) / 2)
+
+    @property
+    def halves(self) -> tuple[Interval, Interval]:
+        """Its two halves."""
+        middle = self.middle
+        return Interval(self.low, middle), Interval(middle, self.high)
+
+    def at(self, x: mpq) -> mpq:
+        """The number at a local parameter, 0 at the lower end and 1 at the upper one."""
+        return mpq(self.low + (self.high - self.low) * x)
+
+    def local(self, t: mpq) -> mpq:
+        """The local parameter of a number."""
+        return mpq((t - self.low) / (self.high - self.low))
+
+    def part(self, local: Interval) -> Interval:
+        """The part between two local parameters."""
+        return Interval(self.at(local.low), self.at(local.high))
+
+    def grown(self, by: mpq) -> Interval:
+        """With so much more on either side."""
+        return Interval(mpq(self.low - by), mpq(self.high + by))
+
+    def contains(self, other: Interval) -> bool:
+        """Whether another one is inside or equal."""
+        return self.low <= other.low and other.high <= self.high
+
+    def meets(self, other: Interval) -> bool:
+        """Whether there is a number in both."""
+        return self.low <= other.high and other.low <= self.high
+
+    @property
+    def shortly(self) -> str:
+        """Its text for messages, long numbers abbreviated."""
+        return f"[{short_text(self.low)}, {short_text(self.high)}]"
+
+    def __str__(self) -> str:
+        return f"[{text(self.low)}, {text(self.high)}]"
+
+
+class Box(NamedTuple):
+    """A closed rectangle of two parameters; where both sides are numbers, a point.
+
+    >>> box = Box(Interval(mpq(1), mpq(3)), Interval(mpq(0), mpq(1)))
+    >>> box.at(mpq(1, 2), mpq(1, 3)), str(box), str(Box.point(mpq(0), mpq(1, 2)))
+    ((mpq(2,1), mpq(1,3)), 'u in [1, 3], v in [0, 1]', 'u = 0, v = 1/2')
+    """
+
+    first: Interval
+    second: Interval
+
+    @classmethod
+    def point(cls, x: mpq, y: mpq) -> Box:
+        """The box of one point."""
+        return cls(Interval.point(x), Interval.point(y))
+
+    @property
+    def longest(self) -> mpq:
+        """The length of the longer side."""
+        return max(side.width for side in self)
+
+    @property
+    def middle(self) -> tuple[mpq, mpq]:
+        """The middle."""
+        return self.first.middle, self.second.middle
+
+    def halves(self, direction: int) -> tuple[Box, Box]:
+        """Its two halves, a side cut in two (direction 0: the first)."""
+        low, high = self[direction].halves
+        return self.with_side(direction, low), self.with_side(direction, high)
+
+    def with_side(self, direction: int, side: Interval) -> Box:
+        """With another side in a direction."""
+        return Box(self.first, side) if direction else Box(side, self.second)
+
+    def at(self, x: mpq, y: mpq) -> tuple[mpq, mpq]:
+        """The point with local parameters, 0 at the lower ends and 1 at the upper ones."""
+        return self.first.at(x), self.second.at(y)
+
+    def part(self, local: Box) -> Box:
+        """The part between local parameters."""
+        return Box(self.first.part(local.first), self.second.part(local.second))
+
+    def local(self, box: Box) -> Box:
+        """A box in local parameters."""
+        first, second = (Interval(*map(own.local, side)) for own, side in zip(self, box, strict=True))
+        return Box(first, second)
+
+    def contains(self, other: Box) -> bool:
+        """Whether another one is inside or equal."""
+        return self.first.contains(other.first) and self.second.contains(other.second)
+
+    def meets(self, other: Box) -> bool:
+        """Whether there is a point in both."""
+        return self.first.meets(other.first) and self.second.meets(other.second)
+
+    def is_inside(self, outer: Box) -> bool:
+        """Whether no point of it is on the border of another one or outside."""
+        return all(low < a and b < high for (a, b), (low, high) in zip(self, outer, strict=True))
+
+    @property
+    def shortly(self) -> str:
+        """Its text for messages, as a product, long numbers abbreviated.
+
+        >>> UNIT.shortly
+        '[0, 1] × [0, 1]'
+        """
+        return f"{self.first.shortly} × {self.second.shortly}"
+
+    def __str__(self) -> str:
+        parts = zip("uv", self, strict=True)
+        return ", ".join(f"{name} = {text(a)}" if a == b else f"{name} in {Interval(a, b)}" for name, (a, b) in parts)
+
+
+#: The unit square.
+UNIT = Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1)))
+
+
+def hull(boxes: Iterable[Box]) -> Box:
+    """The smallest box around others."""
+    first, second = (Interval(min(a for a, _ in own), max(b for _, b in own)) for own in zip(*boxes, strict=True))
+    return Box(first, second)
+
+
+def joined(intervals: Iterable[tuple[mpq, mpq]]) -> list[Interval]:
+    """Intervals in order, those that meet as one.
+
+    >>> [str(each) for each in joined([(mpq(2), mpq(3)), (mpq(0), mpq(1)), (mpq(1), mpq(2)), (mpq(5), mpq(6))])]
+    ['[0, 3]', '[5, 6]']
+    """
+    found: list[Interval] = []
+    for low, high in sorted(intervals):
+        if found and low <= found[-1].high:
+            found[-1] = Interval(found[-1].low, max(high, found[-1].high))
+        else:
+            found.append(Interval(low, high))
+    return found
+
+
+def rounded_outwards(b: Interval, digits: int) -> Interval:
+    """The nearest multiples of ``10^−digits`` below and above.
+
+    >>> rounded_outwards(Interval(mpq(1, 3), mpq(1, 2)), 1)
+    Interval(low=mpq(3,10), high=mpq(1,2))
+    """
+    scale = mpz(10) ** digits
+    return Interval(mpq((b.low * scale) // 1, scale), mpq(-((-b.high * scale) // 1), scale))
+
+
+def quotient(a: Interval, b: Interval) -> Interval:
+    """Bounds of a quotient whose denominator is not zero.
+
+    >>> quotient(Interval(mpq(-1), mpq(2)), Interval(mpq(1), mpq(4)))
+    Interval(low=mpq(-1,1), high=mpq(2,1))
+    """
+    ends = [x / y for x in a for y in b]
+    return Interval(min(ends), max(ends))
+
+
+def ball_ends(ball: arb) -> Interval:
+    """The ends of a ball, exactly.
+
+    >>> ball_ends(arb("1.5"))
+    Interval(low=mpq(3,2), high=mpq(3,2))
+    """
+    middle, radius = (_dyadic(*part.man_exp()) for part in (ball.mid(), ball.rad()))
+    return Interval(middle - radius, middle + radius)
+
+
+def _dyadic(mantissa: object, exponent: object) -> mpq:
+    m, e = int(mantissa), int(exponent)  # type: ignore[call-overload]  # FLINT's integers
+    return mpq(m << e) if e >= 0 else mpq(m, 1 << -e)
+
+
+def ball_around(low: mpq, high: mpq) -> arb:
+    """A ball, of FLINT's present precision, that holds an interval.
+
+    >>> ball_around(mpq(1, 2), mpq(1, 2))
+    0.500000000000000
+    """
+    first = arb(to_fmpq(low))
+    return first if low == high else first.union(arb(to_fmpq(high)))
+
+
+def certain(b: Interval, digits: int) -> str:
+    """The decimals on which both ends agree, followed by dots; where they agree on none, the two ends.
+
+    >>> certain(Interval(mpq(1, 3), mpq(3334, 10000)), 6), certain(Interval(mpq(-1, 100), mpq(1, 100)), 2)
+    ('0.333…', '-0.01 … 0.01')
+    """
+    ends = [_truncated(end, digits) for end in b]
+    agreed = len(list(takewhile(lambda pair: pair[0] == pair[1], zip(*ends, strict=False))))
+    if "." not in ends[0][:agreed]:
+        return " … ".join(ends)
+    return ends[0] if b.low == b.high == rational(ends[0]) else f"{ends[0][:agreed]}…"
+
+
+def _truncated(q: mpq, digits: int) -> str:
+    """A number to this many digits behind the point, cut off towards zero."""
+    return shifted(int(abs(q) * mpz(10) ** digits) * (-1 if q < 0 else 1), digits, negative=q < 0)
+
+
+def shifted(scaled: int, digits: int, *, negative: bool = False) -> str:
+    """An integer divided by a power of ten, as a decimal with this many digits behind the point.
+
+    >>> shifted(-25, 3), shifted(7, 0)
+    ('-0.025', '7')
+    """
+    # those of Python are not written beyond 4300 digits
+    whole, part = divmod(mpz(abs(scaled)), mpz(10) ** digits)
+    decimals = f".{str(part).rjust(digits, '0')}" if digits else ""
+    return f"{'-' if negative or scaled < 0 else ''}{whole}{decimals}"

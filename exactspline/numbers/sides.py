@@ -1,0 +1,12 @@
+"""The two sides of a point of the line."""
+
+from __future__ import annotations
+
+from exactspline.words import Word
+
+
+class Side(Word):
+    """The side from which a limit is taken or a one-sided value is reached."""
+
+    LEFT = "left"
+    RIGHT = "right"

@@ -1,0 +1,149 @@
+"""Polynomials in two parameters s and t: parts, values in balls, the forms of patches, and boxes in which several may
+vanish together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import reduce
+
+from flint import Ordering, arb, arb_poly, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
+
+from exactspline.numbers.exact import from_flint, mpq, to_fmpq
+from exactspline.numbers.intervals import Box
+from exactspline.polynomials.bernstein import substituted
+from exactspline.polynomials.cost import affords, height_bits
+from exactspline.polynomials.patch_forms import PatchForm, of_powers, powers_of
+
+CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
+S, T = CONTEXT.gens()
+
+#: Halvings before a box is assumed to hold a common zero, and boxes before the search stops.
+DEPTH, BOXES = 9, 3000
+#: Nanoseconds for a coefficient of a patch to halve it, and for 100 bits of a coefficient on top of it.
+HALVING, HALVING_BITS = 4000, 500
+
+
+def lifted(p: fmpz_poly, variable: int) -> fmpz_mpoly:
+    """A polynomial of one parameter as one of both: variable 0 is s, 1 is t."""
+    return CONTEXT.from_dict({(k, 0) if variable == 0 else (0, k): x for k, x in enumerate(p.coeffs()) if x})
+
+
+def in_one(p: fmpz_mpoly, variable: int) -> fmpz_poly:
+    """A polynomial in both parameters in which only one of them occurs."""
+    found = {int(powers[variable]): x for powers, x in p.terms()}
+    return fmpz_poly([found.get(k, 0) for k in range(max(found, default=-1) + 1)])
+
+
+def rows_of(p: fmpz_mpoly) -> list[fmpz_poly]:
+    """The coefficients, polynomials in s, of the powers of t.
+
+    >>> rows_of(S * T + 2)
+    [2, x]
+    """
+    found: list[dict[int, int]] = [{} for _ in range(int(p.degrees()[1]) + 1)] if p else []
+    for (i, j), x in p.terms():
+        found[int(j)][int(i)] = int(x)
+    return [fmpz_poly([row.get(k, 0) for k in range(max(row, default=-1) + 1)]) for row in found]
+
+
+def at(p: fmpz_mpoly, variable: int, value: mpq) -> fmpz_poly:
+    """The polynomial in the other parameter when one is a rational number, up to a positive constant.
+
+    >>> at(S * T + 2, 0, mpq(1, 2))
+    x + 4
+    """
+    rows = rows_of(p if variable == 0 else p.compose(T, S))
+    n = max((row.degree() for row in rows), default=0)
+    bottom = int(value.denominator)
+    numerator = fmpz_poly([int(value.numerator)])
+    values = [substituted(row, max(n, 0), fmpz_poly([bottom]), numerator)[0] for row in rows]
+    return fmpz_poly(values)
+
+
+def value_at(p: fmpz_mpoly, s: mpq, t: mpq) -> mpq:
+    """The exact value at rational parameters, up to a positive constant that depends on s and the degree alone."""
+    return from_flint(at(p, 0, s)(to_fmpq(t)))
+
+
+def enclosed(p: fmpz_mpoly, s: arb, t: arb) -> arb:
+    """A ball with the values of a polynomial over two balls."""
+    return arb_poly([arb_poly(row)(s) for row in rows_of(p)])(t)
+
+
+def least_value(p: fmpz_mpoly, first: fmpz_poly, second: fmpz_poly) -> int:
+    """A number b such that p is 0 or of a size of at least ``2^−b`` at a root of one integer polynomial and a root of
+    another.
+
+    Liouville's inequality: the sizes of an algebraic number at all places of its field multiply to 1. At the others it
+    is at most the sum of the coefficients of p times powers of the Mahler measures, and these are at most Euclid's
+    norms of both polynomials (Waldschmidt, Diophantine Approximation on Linear Algebraic Groups, 2000, §3.5).
+
+    >>> least_value(S - T, fmpz_poly([-2, 0, 1]), fmpz_poly([-3, 0, 1]))
+    16
+    """
+    m, n = (int(k) for k in p.degrees())
+    total = sum(abs(int(x)) for x in p.coeffs())
+    size = first.degree() * second.degree() * total.bit_length()
+    return size + m * second.degree() * _norm_bits(first) + n * first.degree() * _norm_bits(second)
+
+
+def _norm_bits(p: fmpz_poly) -> int:
+    """The logarithm to base 2 of Euclid's norm of the coefficients, rounded up."""
+    return (sum(int(x) ** 2 for x in p.coeffs()).bit_length() + 1) // 2
+
+
+def as_polynomial(form: PatchForm) -> fmpz_mpoly:
+    """The form as a primitive polynomial in both parameters, up to a positive constant."""
+    rows = powers_of(form)
+    common = reduce(fmpz.gcd, [x for row in rows for x in row])
+    return CONTEXT.from_dict({(i, j): x // common for i, row in enumerate(rows) for j, x in enumerate(row) if x})
+
+
+def as_form(p: fmpz_mpoly) -> PatchForm:
+    """The form of a polynomial over the unit square, up to a positive constant.
+
+    >>> as_form(S * T - 1).sign
+    """
+    m, n = (max(int(k), 0) for k in p.degrees())
+    rows = [[fmpz(0)] * (n + 1) for _ in range(m + 1)]
+    for (i, j), x in p.terms():
+        rows[int(i)][int(j)] = x
+    return of_powers(rows)
+
+
+# ---- boxes
+
+
+def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Box) -> list[Box]:
+    """Boxes that hold all common zeros on a closed rectangle; none is a proof that there are none.
+
+    A box is left out where all Bernstein coefficients of one of the polynomials are of one strict sign.
+
+    >>> from exactspline.numbers.intervals import UNIT
+    >>> possible_boxes([S - T, S + T - 3], UNIT)
+    []
+    """
+    forms = [as_form(p).part(sides).primitive() for p in polynomials if p]
+    cost = sum(map(_halving, forms))
+    todo = [(0, sides, forms)]
+    found: list[Box] = []
+    steps = 0
+    while todo:
+        depth, box, own = todo.pop()
+        if any(form.sign for form in own):
+            continue
+        steps += 1
+        if depth == DEPTH or steps > BOXES or not affords(cost):
+            found.append(box)
+            continue
+        parts = [form.halves(depth % 2) for form in own]
+        todo += [(depth + 1, half, [pair[k] for pair in parts]) for k, half in enumerate(box.halves(depth % 2))]
+    return found
+
+
+def _halving(form: PatchForm) -> int:
+    """An estimate in nanoseconds of halving a patch on the way to the smallest boxes."""
+    m, n = form.degree
+    bits = height_bits(form.entries) + DEPTH // 2 * (m + n)
+    return (m + 1) * (n + 1) * (HALVING + HALVING_BITS * bits // 100)

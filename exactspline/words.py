@@ -1,0 +1,51 @@
+"""Words that a user chooses from, and the one place that reads them."""
+
+from __future__ import annotations
+
+from enum import EnumType, StrEnum
+from typing import TypeVar, cast
+
+from exactspline.errors import ExactSplineError, FormulaError, nearest, shown
+
+E = TypeVar("E", bound=StrEnum)
+
+#: Up to so many words, an error lists all of them.
+FEW = 7
+
+
+class _Words(EnumType):
+    """The class of enumerations that refuse what is not one of their words by an error of ours."""
+
+    def __call__(cls: type[E], value: object) -> E:  # type: ignore[override, misc]  # it makes no new enumeration
+        """The member that the word names."""
+        return choice(cls, value, cls.__name__.lower())
+
+
+class Word(StrEnum, metaclass=_Words):
+    """The base of enumerations that a user names: ``Side("left")`` is a member, another value a `FormulaError`."""
+
+
+def choice(
+    kind: type[E],
+    value: object,
+    what: str,
+    *,
+    raised: type[ExactSplineError] = FormulaError,
+    where: str = "",
+    also: tuple[str, ...] = (),
+) -> E:
+    """The member of an enumeration that a word names; `also` are further words that the caller accepts.
+
+    >>> class Side(Word):
+    ...     LEFT = "left"
+    >>> choice(Side, "left", "side")
+    <Side.LEFT: 'left'>
+
+    Raises `raised`, which lists the words, or the nearest of many.
+    """
+    found = kind._value2member_map_.get(value) if isinstance(value, str) else None
+    if isinstance(found, kind):
+        return found
+    words = [*kind, *also]
+    remedy = f"there are {', '.join(words)}" if len(words) <= FEW else nearest(cast(str, value), words)
+    raise raised(f"the {what} {shown(value)} is unknown", where=where, remedy=remedy)
