@@ -97,7 +97,7 @@ if TYPE_CHECKING:
     from exactspline.language.vector import norm2 as norm2
     from exactspline.language.vector import perp as perp
     from exactspline.language.vector import triple as triple
-    from exactspline.language.vector import wronskian as wronskian
+    from exactspline.language.wronskians import wronskian as wronskian
     from exactspline.papers import find as find
     from exactspline.papers import load_paper as load_paper
     from exactspline.papers import paper as paper
@@ -250,7 +250,7 @@ _HOMES = {
     "perp": "language.vector:perp",
     "ruled": "language.ruled:ruled",
     "triple": "language.vector:triple",
-    "wronskian": "language.vector:wronskian",
+    "wronskian": "language.wronskians:wronskian",
     # readings: what a formula can be handed
     "DegreeReading": "readings.degree:DegreeReading",
     "JetReading": "readings.jet:JetReading",

@@ -337,14 +337,3 @@ def join(*parts: Vector[S] | S | Constant) -> Vector[S]:
         made: Any = scalar.constant(part) if isinstance(part, CONSTANTS) and not isinstance(scalar, CONSTANTS) else part
         components += made.components if isinstance(made, Vector) else [made]
     return Vector(*components)
-
-
-def wronskian(a: Vector[R], order: int | None = None) -> R:
-    """Determinant of a vector of n components and its first n−1 derivatives.
-
-    It vanishes identically where the components are linearly dependent functions. `order` is the number of components
-    where `a` does not know it (a node of a tree).
-    """
-    expect_vector(a)
-    n = len(a) if order is None else order
-    return det(a, *[a.d(k) for k in range(1, n)])

@@ -4,9 +4,9 @@ Spheres, planes and developable surfaces are among the surfaces on which both va
 beside these there are is not said here.
 """
 
+from exactspline.formulas.surfaces.by_forms import area_of_forms, parabolic_of_forms
+from exactspline.formulas.surfaces.lifted import area_squared_lifted, parabolic_lifted
 from exactspline.language.formula import formula
-from exactspline.papers.surfaces.by_forms import area_of_forms, parabolic_of_forms
-from exactspline.papers.surfaces.lifted import area_squared_lifted, parabolic_lifted
 
 
 def change_of_quotient(k, a, by):

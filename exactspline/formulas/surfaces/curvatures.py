@@ -4,10 +4,7 @@ With the normal of length ``√(EG − F²)`` the Gaussian curvature is ``(LN �
 ``(EN − 2FM + GL)/(2 (EG − F²)^(3/2))``: rational is its square.
 """
 
-from exactspline.language.arguments import Operands
-from exactspline.language.formula import formula
-from exactspline.language.vector import det, join
-from exactspline.papers.surfaces.by_forms import (
+from exactspline.formulas.surfaces.by_forms import (
     area_of_forms,
     minimality_of_forms,
     parabolic_of_forms,
@@ -17,7 +14,7 @@ from exactspline.papers.surfaces.by_forms import (
     stationary_root_by_u,
     umbilicity_of_forms,
 )
-from exactspline.papers.surfaces.fundamental_forms import (
+from exactspline.formulas.surfaces.fundamental_forms import (
     E,
     E_reduced,
     F,
@@ -34,6 +31,9 @@ from exactspline.papers.surfaces.fundamental_forms import (
     S_v,
     normal,
 )
+from exactspline.language.arguments import Operands
+from exactspline.language.formula import formula
+from exactspline.language.vector import det, join
 
 
 def reduced_forms(c):
