@@ -26,7 +26,7 @@ def conformal_lift(c):
 
 @formula("lifted", symbol="D_1")
 def tangent_lifted(c):
-    """``w p′ − w′ p``, the Wronskians of w and each coordinate: ``w² γ′``."""
+    """``w p′ − w′ p``, the Wronskians of w and each coordinate: the D1 of the paper, ``w² γ′``."""
     return wronskians(c.w, c.p)
 
 

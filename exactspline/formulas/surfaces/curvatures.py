@@ -11,7 +11,6 @@ from exactspline.formulas.surfaces.by_forms import (
     ridge_cubic,
     ridges_of_forms,
     stationary_by_u,
-    stationary_root_by_u,
     umbilicity_of_forms,
 )
 from exactspline.formulas.surfaces.fundamental_forms import (
@@ -129,12 +128,6 @@ def brioschi(c):
 def stationary_curvature(c):
     """What of κ_u is free of the root: ``a Δ_u − 3 Δ a_u`` with ``a = EG − F²`` and ``Δ`` zero at the umbilics."""
     return stationary_by_u(forms(c))
-
-
-@formula("principal curvatures", on="surface")
-def stationary_mean_curvature(c):
-    """``2a h_u − 3h a_u`` with ``h = EN − 2FM + GL``: zero where H_u is."""
-    return stationary_root_by_u(forms(c))
 
 
 @formula("ridges", on="surface", symbol="T")
