@@ -188,7 +188,8 @@ def curvature_of(jet: Jet) -> Real:
     """
     first, second = (Vector(*map(mpq, part)) for part in jet[1:3])
     if len(first) == 2:
-        return square_root(norm2(first)) * turning_rate(first, second)
+        rate: mpq = turning_rate(first, second)
+        return square_root(norm2(first)) * rate
     return square_root(squared_bending(first, second))
 
 
