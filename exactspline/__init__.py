@@ -93,7 +93,7 @@ if TYPE_CHECKING:
     from exactspline.language.vector import norm2 as norm2
     from exactspline.language.vector import perp as perp
     from exactspline.language.vector import triple as triple
-    from exactspline.language.vector import wronskian as wronskian
+    from exactspline.language.wronskians import wronskian as wronskian
     from exactspline.numbers.exact import from_float as from_float
     from exactspline.numbers.exact import from_floats as from_floats
     from exactspline.numbers.exact import rational as rational
@@ -250,7 +250,7 @@ _HOMES = {
     "perp": "language.vector:perp",
     "ruled": "language.ruled:ruled",
     "triple": "language.vector:triple",
-    "wronskian": "language.vector:wronskian",
+    "wronskian": "language.wronskians:wronskian",
     # readings: what a formula can be handed
     "DegreeReading": "readings.degree:DegreeReading",
     "JetReading": "readings.jet:JetReading",

@@ -47,11 +47,7 @@ Place = tuple[str, str]
 
 def files() -> list[str]:
     """The files of the formulas."""
-    return [
-        f"exactspline/papers/{source.name}/{module.replace('.', '/')}.py"
-        for source in papers()
-        for module in source.modules
-    ]
+    return [f"{source.package}.{module}".replace(".", "/") + ".py" for source in papers() for module in source.modules]
 
 
 def all_mutants() -> list[Mutant]:
@@ -82,7 +78,7 @@ def _called(function: Any) -> Iterator[Place]:
             value = function.__globals__.get(name)
             value = value.function if isinstance(value, Formula) else value
             module = getattr(value, "__module__", None) or ""
-            if module.startswith("exactspline.papers.") and hasattr(value, "__code__"):
+            if module.startswith(("exactspline.papers.", "exactspline.formulas.")) and hasattr(value, "__code__"):
                 yield module, value.__name__
 
 

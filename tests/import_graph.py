@@ -62,7 +62,11 @@ def named(tree: ast.AST, modules: set[str]) -> set[str]:
     for node in ast.walk(tree):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in prose:
             text = node.value
-            if (m := NAMED.fullmatch(text)) and (text.startswith("exactspline.") or "." in m[1] or ":" in text):
+            if (
+                (m := NAMED.fullmatch(text))
+                and not text.endswith(".py")
+                and (text.startswith("exactspline.") or "." in m[1] or ":" in text)
+            ):
                 parts = m[1].split(".")
                 prefixes = [".".join(parts[:n]) for n in range(len(parts), 0, -1)]
                 found |= {next((prefix for prefix in prefixes if prefix in modules), None)} - {None}

@@ -141,13 +141,16 @@ def in_a_paper(path: Path) -> bool:
     return path.relative_to(ROOT).parts[0] == "papers" and len(path.relative_to(ROOT).parts) > 2
 
 
+#: The files of formulas.
 PAPERS = [p for p in MODULES if in_a_paper(p) and p.name != "__init__.py"]
+FORMULAS = [p for p in MODULES if p.relative_to(ROOT).parts[0] == "formulas" and p.name != "__init__.py"]
 
 
 def test_formulas_import_the_language_and_formulas_alone():
-    for path in PAPERS:
+    for path in (*PAPERS, *FORMULAS):
         names = import_graph.imported(ast.parse(path.read_text(encoding="utf-8")), set(GRAPH))
-        assert {name.split(".")[0] for name in names} <= {"language", "papers"}
+        own = {"papers"} if path in PAPERS else set()
+        assert {name.split(".")[0] for name in names} <= {"language", "formulas"} | own
 
 
 def test_nothing_outside_papers_names_one():
@@ -168,7 +171,7 @@ def without_docstrings(tree: ast.Module) -> ast.Module:
 FORBIDDEN = (ast.If, ast.IfExp, ast.Compare, ast.While, ast.For, ast.BoolOp, ast.Try, ast.Match, ast.Assert, ast.Lambda)
 
 
-@pytest.mark.parametrize("path", PAPERS, ids=lambda p: p.stem)
+@pytest.mark.parametrize("path", [*PAPERS, *FORMULAS], ids=lambda p: p.stem)
 def test_formulas_contain_no_branch_no_comparison_no_float(path):
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         assert not isinstance(node, FORBIDDEN), f"line {node.lineno}: {type(node).__name__}"

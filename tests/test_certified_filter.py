@@ -18,7 +18,7 @@ from exactspline.programs.program import Signature, program_of
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry.filtered import _programs, filtered  # noqa: E402  # needs numpy
+from exactspline.geometry.filtered import filtered, programs  # noqa: E402  # needs numpy
 from exactspline.geometry.many_curves import _operands, features_in_parts, features_of_many  # noqa: E402
 from exactspline.polynomials.doubles import Rows, isolated, ordinates, values_at  # noqa: E402
 from exactspline.programs.doubles import in_doubles  # noqa: E402
@@ -154,7 +154,7 @@ def test_bounds_are_those_of_as_many_roundings_as_the_coefficients_went_through(
         rows = zip(operands[0][:, 1].tolist(), points[:, 1, 0].tolist(), weights[:, 1].tolist(), strict=True)
         farthest = max(Fraction(x) / (3 * Fraction(p) * Fraction(w)) - 1 for x, p, w in rows)
         needed = ceil(farthest * 2**52)
-        (form,) = in_doubles(_programs(3, True).curvature, operands, needed)
+        (form,) = in_doubles(programs(3, True).curvature, operands, needed)
         bounds = ordinates(form.values, form.errors).errors
     assert needed == 2
     assert (found.curvature.rows.errors >= bounds).all()

@@ -185,7 +185,7 @@ def test_what_is_a_formula_passes():
         before="def h(v):\n    return norm2(v)\n",
     )
     assert list(formulas_of(text, "f.py", {})) == ["f"]
-    built_in = {"chen_riesenfeld_cohen_2007.plane:f2": resolve("f2")}
+    built_in = {"papers.chen_riesenfeld_cohen_2007.plane:f2": resolve("f2")}
     imported = (
         "from __future__ import annotations\nfrom exactspline.papers.chen_riesenfeld_cohen_2007.plane import f2\n"
     )

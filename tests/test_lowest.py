@@ -2,6 +2,8 @@
 default.
 """
 
+from functools import reduce
+
 import pytest
 from gmpy2 import mpq
 from hypothesis import assume, given, settings
@@ -13,13 +15,18 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.derived import circle_centres, derive, evolute, focal_curve, torsion_function
 from exactspline.geometry.plane_features import inflections
+from exactspline.language import kinds
 from exactspline.language.arguments import Curve
+from exactspline.language.formula import formula
 from exactspline.language.parts import split
-from exactspline.language.vector import Vector, wronskian
+from exactspline.language.vector import Vector, det
+from exactspline.language.wronskians import logarithmic_numerator, osculating, wronskian, wronskians
 from exactspline.papers import find
+from exactspline.programs.program import operands_of, program_of
 from exactspline.splines.examples import example, example_names
+from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import primitive, true_degree, without_factor
-from exactspline.splines.wronskian import lowest_wronskian
+from exactspline.splines.refinement import over
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification.generic_degree import minimum_at, symbolic_minimum
 from tests.strategies import nurbs, splines_on_one_domain
@@ -157,17 +164,58 @@ def test_a_segment_that_shares_a_factor_with_w_is_divided_alone():
         assert (a > 0, a < 0) == (b > 0, b < 0)
 
 
+def lowest(f, curve):
+    """A formula on a curve, read at its true degree."""
+    given = operands_of(kinds.PLANE if curve.dimension == 2 else kinds.SPACE, curve, true_degree=True)
+    return program_of(f, given.signature).on(given)
+
+
 @settings(max_examples=40, deadline=None)
 @given(data=st.data())
 def test_a_wronskian_at_its_true_degree_is_the_wronskian(data):
     """From partial derivatives and from derivatives: the same function, over segments of any width, and of degree N(n −
     N + 1).
     """
-    components = data.draw(splines_on_one_domain(data.draw(st.integers(3, 4)), 0, 4))
-    lowest = lowest_wronskian(Vector(*components))
-    assert lowest == wronskian(Vector(*components))
-    n, size = max(f.degree for f in components), len(components)
-    assert lowest.degree == (size * (n - size + 1) if n >= size - 1 else 0)
+    size = data.draw(st.integers(3, 4))
+    components = data.draw(splines_on_one_domain(size, 0, 4))
+    mesh = reduce(Mesh.union, [f.mesh for f in components])
+    w, *p = [over(f, mesh) for f in components]
+    found = lowest(find("inflections_lifted" if size == 3 else "torsion_zeros_lifted"), Curve(Vector(*p), w))
+    rows = [Vector(*components)]
+    for _ in p:
+        rows.append(Vector(*[f.d() for f in rows[-1]]))
+    assert found == det(*rows)
+    n = max(f.degree for f in components)
+    assert found.degree == (size * (n - size + 1) if n >= size - 1 else 0)
+
+
+OPERATIONS = {
+    "a Wronskian with a number": lambda c: wronskian(Vector(c.p[0], c.w.constant(3), c.p[1])),
+    "a Wronskian with two numbers": lambda c: wronskian(Vector(c.w.constant(2), c.w.constant(3), c.p[1])),
+    "with each component": lambda c: wronskians(c.w, c.p),
+    "a plane": lambda c: osculating(Vector(c.p[0], c.w.constant(1), c.p[1], c.w), 3),
+    "of degree 0": lambda c: logarithmic_numerator((c.p[0], 2), (c.w, 1), (c.p[1], -3)),
+    "of another degree": lambda c: logarithmic_numerator((c.p[0], 2), (c.w, 1), (c.p[1], 3)),
+    "with numbers": lambda c: logarithmic_numerator((c.p[0], 2), (c.w.constant(5), 7), (c.w, -2)),
+    "of numbers": lambda c: logarithmic_numerator((c.w.constant(5), 7)),
+    "with zero": lambda c: logarithmic_numerator((c.p[0], 2), (c.w.constant(0), 7), (c.w, -2)),
+}
+
+
+@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
+@pytest.mark.parametrize("name", ["rational_cubic_spline", "circle", "rational_quartic"])
+def test_what_is_carried_out_at_its_true_degree_is_the_same_function(operation, name):
+    """Signs, constants and widths of segments: nothing but the degree changes, and it becomes no higher."""
+    f, c = formula("here", on="plane")(operation), example(name)
+    low, written_out = lowest(f, c), f(c)
+    assert low == written_out
+    assert low.is_zero or low.degree <= written_out.degree
+
+
+def test_the_degree_falls_where_it_should():
+    c = example("rational_quartic")
+    for name, degree in (("with each component", 6), ("of degree 0", 10), ("of another degree", 11)):
+        assert lowest(formula("here", on="plane")(OPERATIONS[name]), c).degree == degree
 
 
 @pytest.mark.parametrize("function", [evolute, focal_curve, torsion_function, circle_centres])

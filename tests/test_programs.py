@@ -7,19 +7,20 @@ import pytest
 from exactspline import BSpline, Nurbs, Vector, rational
 from exactspline.batch.bench.inputs import curve as bench_curve
 from exactspline.errors import FormulaError
+from exactspline.formulas.lifted import critical_curvature_lifted, tangent_lifted
 from exactspline.geometry.domain import part
+from exactspline.geometry.facts import TOGETHER
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.formula import formula
-from exactspline.language.kinds import PAIR, CurveKind, PairKind, TableKind
+from exactspline.language.kinds import PAIR, PLANE, SPACE, CurveKind, PairKind, TableKind
 from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
 from exactspline.language.vector import det
 from exactspline.papers import find, papers
 from exactspline.programs import evaluated, program_for
 from exactspline.programs.instructions import Instructions
-from exactspline.programs.invariants import TOGETHER, bending, slope, space_slope, tangent, turning, twisting
 from exactspline.programs.pairs import operands_of_pair, program_of_pair
-from exactspline.programs.program import operands_of, program_of
+from exactspline.programs.program import operands_of
 from exactspline.splines.examples import example
 from exactspline.splines.tensor import surface_pair
 
@@ -117,31 +118,25 @@ def test_equal_subexpressions_are_computed_once():
 
 @pytest.mark.parametrize("name", ["rational_cubic_spline", "cubic_s", "circle", "rational_quartic"])
 def test_the_lowest_forms_of_a_plane_curve_are_those_of_the_lifts(name):
-    """κ and κ′ by the shared program are the Wronskians of the lifts but for a positive constant; so are γ′ and D1."""
+    """κ and κ′ by one program at their true degree are the Wronskians of the lifts; so are γ′ and D1."""
     c = example(name)
-    given = operands_of(find("f2").kind, c)
-    found = {f: program_of(f, given.signature).on(given) for f in TOGETHER[2]}
-    assert found[tangent] == find("D1")(c)
-    for own, lifted in ((turning, "inflections_lifted"), (slope, "vertices_lifted")):
-        a, b = found[own], find(lifted)(c)
-        ratio = next((a(t) / b(t) for t in map(rational, ("1/7", "2/7", "3/7")) if b(t)), 1)  # 1 on a circle: 0 = 0
-        assert ratio > 0
-        assert a == b * ratio
-        assert own(c) == a
-        assert a.degree <= b.degree
+    found = operands_of(PLANE, c, true_degree=True).values(TOGETHER[2])
+    for own, paper in zip(found, ("D1", "inflections_lifted", "vertices_lifted"), strict=True):
+        written_out = find(paper)(c)
+        assert found[own] == written_out == own(c)
+        assert found[own].degree <= written_out.degree
+    assert found[critical_curvature_lifted].degree < find("vertices_lifted")(c).degree
 
 
 @pytest.mark.parametrize("name", ["rational_space_cubic_spline", "space_quartic", "twisted_cubic"])
 def test_the_lowest_forms_of_a_space_curve_are_those_of_the_lifts(name):
+    """Passed before: a sign or a factor in one of them."""
     c = example(name)
-    given = operands_of(find("torsion").kind, c)
-    found = {f: program_of(f, given.signature).on(given) for f in TOGETHER[3]}
-    assert found[tangent] == find("D1")(c)
-    assert found[bending] == find("binormal_lifted")(c)
-    assert found[twisting] == find("torsion_zeros_lifted")(c)
-    a, b = found[space_slope], find("space_critical_curvature_lifted")(c)
-    assert a == b
-    assert space_slope(c) == a
+    found = operands_of(SPACE, c, true_degree=True).values(TOGETHER[3])
+    for own, value in found.items():
+        assert value == own(c)
+        assert value.degree <= own(c).degree
+    assert found[tangent_lifted] == find("D1")(c)
 
 
 def pairs_of_curves():

@@ -22,7 +22,6 @@ from exactspline.splines.lowest_terms import primitive_part
 from exactspline.splines.surface_weight import DEPTH, _zero_at_corners
 from exactspline.splines.tensor import lifted
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
-from exactspline.splines.wronskian import lowest_wronskian
 from exactspline.verification.curve_check import spline_table
 
 T = BSpline.identity(0, 1)
@@ -94,12 +93,6 @@ def test_packed_patches_are_polynomials_in_two_variables():
     assert as_mpoly(fmpz_poly([5, 0, 7, 0, -3]), 3) == 5 + 7 * z**2 - 3 * z * y
     assert as_packed(2 * z * y**2 + y, 4) == fmpz_poly([0, 0, 0, 0, 1, 0, 0, 0, 0, 2])
     assert as_packed(z * 0, 4) == 0
-
-
-def test_the_wronskian_of_more_functions_than_degrees_vanishes():
-    assert lowest_wronskian(Vector(T, T + 1, T.constant(1))).is_zero
-    assert not lowest_wronskian(Vector(T, T.constant(1))).is_zero
-    assert lowest_wronskian(Vector(T * T, T + 3, T.constant(2), T * T - T)).is_zero
 
 
 # ---- programs

@@ -7,10 +7,13 @@ from random import Random
 from exactspline.classroom.answers import Circle, Numbers, Parameters
 from exactspline.classroom.exercise import LARGEST, Drawn, cleared, drawn_points, knots_of, points_of, small
 from exactspline.classroom.parts import Math, Point
+from exactspline.formulas.derivatives import towards_centre
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.kinds import FeatureKind
+from exactspline.language.vector import Vector, det
 from exactspline.numbers.exact import is_square, mpq, text
+from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.triangles import de_boor_triangle
@@ -73,7 +76,7 @@ def hull(rng: Random) -> Drawn:
 def inflections(rng: Random) -> Drawn:
     """Where a cubic has its inflections."""
     curve = Nurbs(3, [0, 0, 0, 0, 1, 1, 1, 1], drawn_points(rng, 4, size=6))
-    bend = curve.p[0].d() * curve.p[1].d(2) - curve.p[1].d() * curve.p[0].d(2)
+    bend = find("f0")(curve)
     # most draws have irrational inflections: that is seen at little cost before the features are computed
     if not _square_discriminant(bend) or analyse(curve).singular_points:
         return None
@@ -148,13 +151,11 @@ def curvature(rng: Random) -> Drawn:
 
 def _centre(curve: Nurbs, t: mpq) -> Point | None:
     """The centre of curvature; None where there is none."""
-    (dx, dy), (ex, ey) = curve.derivative(1, t), curve.derivative(2, t)
-    turning = dx * ey - dy * ex
-    if not turning:
+    first, second = (Vector(*curve.derivative(k, t)) for k in (1, 2))
+    if not det(first, second):
         return None
-    share = (dx * dx + dy * dy) / turning
-    x, y = curve(t)
-    return x - dy * share, y + dx * share
+    centre = Vector(*curve(t)) + towards_centre(first, second)
+    return centre[0], centre[1]
 
 
 def osculating(rng: Random) -> Drawn:

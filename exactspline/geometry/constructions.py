@@ -18,20 +18,14 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, numerator
 from exactspline.papers import default_papers, find
-from exactspline.programs.invariants import slope, space_slope, turning, twisting
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without_factor
 from exactspline.splines.values import SplineValue, SplineVector
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 from exactspline.words import Word, choice
 
-#: Of constructions that are zero sets the lifted form at its true degree, up to a positive constant.
-LOWEST = {
-    "zero_curvature": turning,
-    "critical_curvature": slope,
-    "zero_torsion": twisting,
-    "space_critical_curvature": space_slope,
-}
+#: What evaluates formulas on a curve.
+Values = Callable[[Formula], SplineValue]
 
 
 class Variant(Word):
@@ -65,8 +59,8 @@ class Construction:
     variants: dict[Variant, str]
     zero_set: bool = False
     ruled: bool = False
-    #: The lift whose Wronskian the lifted form is.
-    wronskian_of: str = ""
+    #: The formula of the minimal form, where it is not the lifted one.
+    lowest: str = ""
 
     @property
     def all_variants(self) -> tuple[Variant, ...]:
@@ -84,12 +78,12 @@ class Construction:
         return self.variants[Variant.LIFTED]
 
     def formula(self, variant: Variant | str) -> Formula:
-        """The formula of a variant; the minimal one is made from the lifted one."""
+        """The formula of a variant; the minimal one is made from `lowest`, or from the lifted one."""
         if not isinstance(variant, str) or variant not in self.all_variants:
             raise FormulaError(
                 f"{self.name} has no variant {shown(variant)}", remedy=f"variants are {', '.join(self.all_variants)}"
             )
-        return find(self.variants.get(Variant(variant), self.lifted))
+        return find(self.variants.get(Variant(variant), self.lowest or self.lifted))
 
     @property
     def dimension(self) -> int:
@@ -97,9 +91,14 @@ class Construction:
         return kind_of(self.curve).dimensions[0]
 
     def on(
-        self, curve: Curve[BSpline], variant: Variant | str, value_of: Callable[[Formula], SplineValue] | None = None
+        self,
+        curve: Curve[BSpline],
+        variant: Variant | str,
+        value_of: Values | None = None,
+        lowest_of: Values | None = None,
     ) -> BSpline | SplineVector:
-        """The object on a curve; of a zero-set problem the numerator alone. `value_of` evaluates formulas on the curve.
+        """The object on a curve; of a zero-set problem the numerator alone. `value_of` evaluates formulas on the curve,
+        and `lowest_of` at their true degree.
 
         The minimal form of a zero-set problem has the sign of the first form, whatever the sign of w, and loses the
         factors it shares with w; where there are none it is as continuous as the lifted form. A quotient is reduced
@@ -111,8 +110,8 @@ class Construction:
             return cast("BSpline | SplineVector", numerator(value) if self.zero_set else joined(value))
         if not self.zero_set:
             return cast("BSpline | SplineVector", joined(in_lowest_terms(value_of(self.formula(variant)))))
-        formula, power = _lowest(self.lifted, *self._first)
-        form = value_of(formula)
+        power = self.power_of_w(variant)
+        form = (lowest_of or value_of)(self.formula(variant))
         assert isinstance(form, BSpline)
         if power % 2 and curve.w.polynomials[0][0] < 0:
             form = -form
@@ -149,12 +148,6 @@ def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int
 
 
 @cache
-def _lowest(lifted: str, construction: str, first: str, dimension: int) -> tuple[Formula, int]:
-    """The formula from which the minimal form is made, and the power of w that it may still have."""
-    return LOWEST.get(construction) or find(lifted), _power_of_w(lifted, construction, first, dimension)
-
-
-@cache
 def all_constructions() -> dict[str, Construction]:
     """Every construction that a paper declares, with the variants that later papers add to it."""
     made: dict[str, Construction] = {}
@@ -165,6 +158,8 @@ def all_constructions() -> dict[str, Construction]:
                 choice(Variant, v, "variant", where=table.place): source.find(f).name
                 for v, f in entry.pop("variants").items()
             }
+            if "lowest" in entry:
+                entry["lowest"] = source.find(entry["lowest"]).name
             if name in made:
                 made[name] = replace(made[name], variants=made[name].variants | variants, **entry)
             else:

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from exactspline.errors import ShapeError
 from exactspline.geometry.facts import located
 from exactspline.geometry.kinds import Feature, FeatureKind
+from exactspline.language.vector import Vector
+from exactspline.language.wronskians import wronskians
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.reals.real import Extreme, RationalNumber, Real
 from exactspline.roots.values import exact_place, value_at
@@ -17,8 +19,7 @@ from exactspline.splines.nurbs import Nurbs
 
 def slope(curve: Nurbs, axis: int) -> BSpline:
     """A spline with the sign of the derivative of a coordinate."""
-    p, w = curve.p[axis], curve.w
-    return p.d() if curve.polynomial else p.d() * w - p * w.d()
+    return wronskians(curve.w, Vector(curve.p[axis]))[0]
 
 
 def slope_zeros(curve: Nurbs, axis: int | str) -> ZeroSet:

@@ -17,6 +17,14 @@ from typing import Any, TypeVar
 from flint import fmpz
 
 from exactspline.errors import ShapeError
+from exactspline.formulas.lifted import (
+    binormal_lifted,
+    critical_curvature_lifted,
+    inflections_lifted,
+    space_critical_curvature_lifted,
+    tangent_lifted,
+    torsion_zeros_lifted,
+)
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import plane, space
@@ -37,13 +45,12 @@ from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
 from exactspline.geometry.pieces import pieces, runs
 from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import PLANE, SPACE
+from exactspline.language.kinds import PLANE, SPACE, Kind
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, ratio, sign
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import ONE, variations
 from exactspline.polynomials.factors import certainly_coprime
-from exactspline.programs.invariants import INVARIANTS, bending, invariants, tangent
 from exactspline.programs.program import Given, operands_of
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.questions.entry import CURVES, Answered, Fact, question
@@ -56,6 +63,13 @@ from exactspline.splines.values import SplineValue
 from exactspline.words import choice
 
 T = TypeVar("T")
+
+KINDS: dict[int, Kind] = {2: PLANE, 3: SPACE}
+#: What is computed at once of a curve in the plane and in space, at its true degree, by one program.
+TOGETHER: dict[int, tuple[Formula, ...]] = {
+    2: (tangent_lifted, inflections_lifted, critical_curvature_lifted),
+    3: (tangent_lifted, binormal_lifted, torsion_zeros_lifted, space_critical_curvature_lifted),
+}
 
 
 @dataclass(frozen=True)
@@ -158,7 +172,7 @@ class Facts:
         {"plane": plane, "space": space}[made.curve](self.curve)
 
         def form() -> BSpline:
-            found = made.on(self.operands, variant, self.value_of)
+            found = made.on(self.operands, variant, self.value_of, self.lowest_of)
             assert isinstance(found, BSpline)
             return found
 
@@ -166,7 +180,7 @@ class Facts:
 
     @Fact
     def _given(self) -> Given | None:
-        kind = {2: PLANE, 3: SPACE}.get(self.curve.dimension)
+        kind = KINDS.get(self.curve.dimension)
         return operands_of(kind, self.operands) if kind else None
 
     def value_of(self, formula: Formula) -> SplineValue:
@@ -174,12 +188,17 @@ class Facts:
         if self._given is None:
             value: SplineValue = formula(self.operands)
             return value
-        return self._invariants[formula] if formula in INVARIANTS else self._given.value(formula)
+        return self._given.value(formula)
+
+    def lowest_of(self, formula: Formula) -> SplineValue:
+        """The value of a formula on the curve (with a positive weight function), at its true degree."""
+        return self._together[formula] if formula in self._together else self.value_of(formula)
 
     @Fact
-    def _invariants(self) -> dict[Formula, SplineValue]:
-        assert self._given is not None
-        return invariants(self._given)
+    def _together(self) -> dict[Formula, SplineValue]:
+        kind, formulas = KINDS.get(self.curve.dimension), TOGETHER.get(self.curve.dimension, ())
+        given = operands_of(kind, self.operands, true_degree=True) if kind else None
+        return given.values(formulas) if given else {}
 
     def solved(self, form: Callable[[], BSpline]) -> ZeroForm:
         """A form and its zeros, and how long they took."""
@@ -193,8 +212,8 @@ class Facts:
 
     @Fact
     def velocity(self) -> Vector[BSpline]:
-        """D1, a positive multiple of γ′."""
-        return self._vector(tangent)
+        """A positive multiple of γ′."""
+        return self._vector(tangent_lifted)
 
     @Fact
     def speed(self) -> ZeroForm:
@@ -205,10 +224,10 @@ class Facts:
     def binormal(self) -> Vector[BSpline]:
         """A positive multiple of γ′ × γ″, of a space curve."""
         space(self.operands)
-        return self._vector(bending)
+        return self._vector(binormal_lifted)
 
     def _vector(self, formula: Formula) -> Vector[BSpline]:
-        found = self.value_of(formula)
+        found = self.lowest_of(formula)
         assert isinstance(found, Vector)
         return found
 

@@ -12,15 +12,11 @@ from typing import NamedTuple
 import numpy as np
 
 from exactspline.errors import FormulaError
-from exactspline.geometry.constructions import construction
-from exactspline.language.formula import Formula
+from exactspline.formulas.lifted import critical_curvature_lifted, inflections_lifted, tangent_lifted_squared
 from exactspline.language.kinds import PLANE
-from exactspline.papers import find
 from exactspline.polynomials.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates
 from exactspline.programs.doubles import Floats, in_doubles
-from exactspline.programs.invariants import slope, turning
 from exactspline.programs.program import Program, Signature, program_of
-from exactspline.programs.wronskian import wronskian_of
 
 #: How many segments are computed at once, so that their numbers fit into the cache.
 AT_ONCE = 4096
@@ -43,7 +39,7 @@ class Filtered(NamedTuple):
     open: Flags
 
 
-class _Programs(NamedTuple):
+class Programs(NamedTuple):
     """The programs of one degree: κ, κ′ and ‖γ′‖² up to positive factors."""
 
     curvature: Program
@@ -52,27 +48,20 @@ class _Programs(NamedTuple):
 
 
 def _signature(degree: int, rational: bool) -> Signature:
-    """What programs of segments of width 1 over common denominators depend on."""
+    """What programs of segments of width 1 over common denominators depend on, at their true degrees."""
     count = 3 if rational else 2
-    return Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, unit_widths=True)
+    return Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, unit_widths=True, true_degree=True)
+
+
+#: κ, κ′ and ‖γ′‖² up to positive factors: the forms that `analyse` solves.
+FORMS = (inflections_lifted, critical_curvature_lifted, tangent_lifted_squared)
 
 
 @cache
-def _programs(degree: int, rational: bool) -> _Programs:
-    def made(formula: Formula) -> Program:
-        return program_of(formula, _signature(degree, rational))
-
-    inflections, critical = construction("zero_curvature"), construction("critical_curvature")
-    if rational:
-        first, second = (wronskian_of(find(each.wronskian_of)) for each in (inflections, critical))
-        return _Programs(made(first), made(second), made(find("D1_squared")))
-    return _Programs(made(inflections.formula("paper")), made(critical.formula("paper")), made(find("D1_squared")))
-
-
-@cache
-def programs_at_true_degree(degree: int, rational: bool) -> tuple[Program, Program]:
-    """The programs of the forms of κ and κ′ without factors that vanish nowhere, which `analyse` solves."""
-    return tuple([program_of(each, _signature(degree, rational)) for each in (turning, slope)])  # type: ignore[return-value]  # two
+def programs(degree: int, rational: bool) -> Programs:
+    """The programs of one degree."""
+    signature = _signature(degree, rational)
+    return Programs(*[program_of(form, signature) for form in FORMS])
 
 
 def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Filtered | None:
@@ -84,12 +73,11 @@ def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Fil
     >>> done.curvature.zeros.row.tolist(), done.open.tolist()
     ([0], [False])
     """
-    programs = _programs(degree, len(operands) == 3)
     left = np.zeros(len(operands[0]), dtype=bool)
     if len(operands) == 3:
         left |= ~(operands[2] > 0).all(axis=1)
     try:
-        solved = [_solved(program, operands, left) for program in programs]
+        solved = [_solved(program, operands, left) for program in programs(degree, len(operands) == 3)]
     except FormulaError:
         return None
     left[solved[2].zeros.row] = True

@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import comb
 from operator import mul
 from typing import TypeVar
 
 from flint import fmpz
 
+from exactspline.formulas.derivatives import squared_bending, turning_rate
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
@@ -26,6 +26,7 @@ from exactspline.numbers.exact import mpq, ratio
 from exactspline.numbers.sides import Side
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs_values import quotient_derivatives
 
 N = TypeVar("N", mpq, fmpz)
 Point = tuple[mpq, ...]
@@ -80,7 +81,7 @@ class Ends:
         rows = [[_end(f, segment, side) for f in x] for x in self._p]
         if self._w:
             below = [_end(f, segment, side) for f in self._w]
-            rows = [_quotient(row, below) for row in rows]
+            rows = [quotient_derivatives(row, below) for row in rows]
         first, second, third, fourth = zip(*rows, strict=True)
         return first, second, third, fourth
 
@@ -111,19 +112,6 @@ def _end(f: BSpline, segment: int, side: Side | str) -> mpq:
     if f.degree < 0:
         return mpq(0)
     return ratio(f._polynomials[segment][f.degree if side == Side.LEFT else 0], f.denominators[segment])
-
-
-def _quotient(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
-    """The derivatives of p/w from those of p and w: p = w · (p/w), differentiated by Leibniz's rule.
-
-    >>> _quotient([mpq(1), mpq(0), mpq(0)], [mpq(1), mpq(1), mpq(0)])
-    [mpq(1,1), mpq(-1,1), mpq(2,1)]
-    """
-    found: list[mpq] = []
-    for k, value in enumerate(above):
-        rest = value - sum((comb(k, j) * below[k - j] * earlier for j, earlier in enumerate(found)), mpq(0))
-        found.append(rest / below[0])
-    return found
 
 
 def same_direction(a: Sequence[N], b: Sequence[N]) -> bool:
@@ -198,12 +186,11 @@ def curvature_of(jet: Jet) -> Real:
     >>> print(curvature_of(((0, 0), (1, 1), (0, 1), (0, 0))))
     √2/4
     """
-    v, a = jet[1], jet[2]
-    speed = mpq(inner(v, v))
-    if len(v) == 2:
-        turning = v[0] * a[1] - v[1] * a[0]
-        return square_root(speed) * (turning / (speed * speed))
-    return square_root(norm2(cross(Vector(*v), Vector(*a))) / (speed * speed * speed))
+    first, second = (Vector(*map(mpq, part)) for part in jet[1:3])
+    if len(first) == 2:
+        rate: mpq = turning_rate(first, second)
+        return square_root(norm2(first)) * rate
+    return square_root(squared_bending(first, second))
 
 
 def bend_of(jet: Jet) -> Point:

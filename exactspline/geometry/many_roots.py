@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from flint import fmpz_poly
 
-from exactspline.geometry.filtered import programs_at_true_degree
+from exactspline.geometry.filtered import programs
 from exactspline.geometry.many_curves import KINDS
 from exactspline.geometry.many_segments import Jumps, Segments, components, rounded, whole
 from exactspline.geometry.many_splines import of_few_segments
@@ -132,8 +132,8 @@ def _settled(curves: Sequence[Nurbs]) -> list[Settled | None]:
         return [None] * len(curves)
     at_knots = segments.jumps(done, left)
     found: list[Settled | None] = [None if open_ else Settled([], []) for open_ in left.tolist()]
-    programs = programs_at_true_degree(curves[0].degree, not curves[0].polynomial)
-    for which, (form, program) in enumerate(zip((done.curvature, done.critical), programs, strict=True)):
+    curvature, critical, _ = programs(curves[0].degree, not curves[0].polynomial)
+    for which, (form, program) in enumerate(((done.curvature, curvature), (done.critical, critical))):
         for i, point in (*_inside(segments, form.zeros, which, program, left), *_at_knots(segments, at_knots[which])):
             if (own := found[i]) is not None:
                 own[which].append(point)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 
+from exactspline.formulas.lifted import torsion_zeros_lifted
 from exactspline.geometry.constructions import Variant
 from exactspline.geometry.domain import space
 from exactspline.geometry.facts import Facts, ZeroForm, among
@@ -19,7 +20,6 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import norm2
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.sides import Side
-from exactspline.programs.invariants import twisting
 from exactspline.questions.entry import Fact
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline
@@ -47,7 +47,7 @@ class SpaceFacts(Facts):
     def _twist(self) -> BSpline:
         """``[γ′ γ″ γ‴]`` times a power of the weight function."""
         space(self.operands)
-        found = self.value_of(twisting)
+        found = self.lowest_of(torsion_zeros_lifted)
         assert isinstance(found, BSpline)
         return found
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 from typing import Any, Generic, ParamSpec, TypeVar, cast, overload
 
-from exactspline.errors import FormulaError, ShapeError, a_kind, as_integer
+from exactspline.errors import FormulaError, ShapeError, a_kind
 from exactspline.hooks import Displayed
 from exactspline.language.operand import (
     CONSTANTS,
@@ -341,14 +341,3 @@ def join(*parts: Vector[S] | S | Constant) -> Vector[S]:
         made: Any = scalar.constant(part) if isinstance(part, CONSTANTS) and not isinstance(scalar, CONSTANTS) else part
         components += made.components if isinstance(made, Vector) else [made]
     return Vector(*components)
-
-
-def wronskian(a: Vector[R], order: int | None = None) -> R:
-    """Determinant of a vector of n components and its first n−1 derivatives.
-
-    It vanishes identically where the components are linearly dependent functions. `order` is the number of components
-    where `a` does not know it (a node of a tree).
-    """
-    expect_vector(a)
-    n = len(a) if order is None else as_integer(order, "a number of components", 1)
-    return det(a, *[a.d(k) for k in range(1, n)])

@@ -1,7 +1,8 @@
 """Papers as data: one folder per source, with its formulas, its claims, its constructions and the words of the source.
 No folder is privileged: those of the library are in this package, those of users anywhere, and the same code reads both
 (`exactspline.papers.folder`). Nothing outside this package names one. Every formula is written in one place, and
-everything else (tables, proofs, LaTeX, programs) is derived from it.
+everything else (tables, proofs, LaTeX, programs) is derived from it; those that belong to no single paper stand in
+`exactspline.formulas`, and a folder here has their claims.
 """
 
 from __future__ import annotations
@@ -159,9 +160,11 @@ def all_formulas() -> dict[str, Formula]:
 
 
 def formulas_by_module() -> Mapping[str, Formula]:
-    """The formulas that come with the library, by ``paper.module:name``: which users' formulas may import."""
+    """The formulas that come with the library, by ``papers.paper.module:name`` or ``formulas.module:name``: which
+    users' formulas may import.
+    """
     return {
-        f"{formula.__module__.removeprefix(f'{__package__}.')}:{name}": formula
+        f"{formula.__module__.removeprefix('exactspline.')}:{name}": formula
         for source in papers()
         for name, formula in source.formulas.items()
     }
@@ -195,8 +198,7 @@ def _owners(name: str) -> tuple[Paper, ...]:
 
 @cache
 def _sources(source: Paper) -> tuple[str, ...]:
-    files = (source.folder.joinpath(*f"{module}.py".split("/")) for module in source.modules)
-    return tuple(file.read_text(encoding="utf-8") for file in files if file.is_file())
+    return tuple(file.read_text(encoding="utf-8") for _, file in source.formula_files())
 
 
 def find(name: str) -> Formula:

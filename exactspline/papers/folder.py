@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from hashlib import sha256
-from importlib import import_module
+from importlib import import_module, resources
 from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, TypedDict, cast
@@ -29,6 +29,7 @@ class Told(TypedDict):
     title: str
     reference: str
     formulas: list[str]
+    formulas_in: str
     claims: list[str]
     uses: list[str]
     errors: dict[str, str]
@@ -44,6 +45,7 @@ SILENT: Told = {
     "title": "",
     "reference": "",
     "formulas": ["formulas"],
+    "formulas_in": "",
     "claims": ["claims.toml"],
     "uses": [],
     "errors": {},
@@ -68,7 +70,8 @@ class Paper:
     ``uses`` are the papers whose formulas its own may build on and its claims may name. ``errors`` are its errors, each
     a name that groups the claims failing for one reason, with an explanation. ``sections`` says where claims stand by
     the first letter of their ids. A ``default`` paper is used where none is named. ``package`` is where its modules are
-    imported from, empty for a user's folder; then formulas are checked before they run, unless the folder is
+    imported from (its own, or one in `exactspline.formulas` for what belongs to no single source), empty for a user's
+    folder; then formulas are checked before they run, unless the folder is
     ``trusted``; what they may import from other papers is ``importable``.
     """
 
@@ -96,16 +99,19 @@ class Paper:
 
     def _read_formulas(self) -> dict[str, Formula]:
         found: dict[str, Formula] = {}
-        for module in self.modules:
-            if self.package:
-                home = f"{self.package}.{module}"
-                values = vars(import_module(home)).values()
-                found |= {f.name: f for f in values if isinstance(f, Formula) and f.__module__ == home}
-                continue
-            file = self.folder.joinpath(*f"{module}.py".split("/"))
-            if file.is_file():
-                found |= trusted_formulas(file) if self.trusted else checked_formulas(file, self.importable)
+        for module in self.modules if self.package else ():
+            home = f"{self.package}.{module}"
+            values = vars(import_module(home)).values()
+            found |= {f.name: f for f in values if isinstance(f, Formula) and f.__module__ == home}
+        for _, file in () if self.package else self.formula_files():
+            found |= trusted_formulas(file) if self.trusted else checked_formulas(file, self.importable)
         return found
+
+    def formula_files(self) -> list[tuple[str, Traversable]]:
+        """The files of its formulas that there are, by their names."""
+        home = resources.files(self.package) if self.package else self.folder
+        files = [(f"{module}.py", home.joinpath(*f"{module}.py".split("/"))) for module in self.modules]
+        return [(name, file) for name, file in files if file.is_file()]
 
     def find(self, name: str) -> Formula:
         """The formula with this name: its own, or one of a paper that it uses.
@@ -156,10 +162,10 @@ class Paper:
 
     def digests(self) -> dict[str, str]:
         """The SHA-256 digests of its files by their names."""
-        found = dict(_files(self.folder))
+        found = dict(_files(self.folder)) | dict(self.formula_files())
         # what is read is listed also where it is a link; other links lead nowhere
         names = ("paper.toml", "claims.toml", "constructions.toml", "README.md")
-        for path in (*names, *[f"{module}.py" for module in self.modules], *self.claim_files):
+        for path in (*names, *self.claim_files):
             if (file := self.folder.joinpath(*path.split("/"))).is_file():
                 found[path] = file
         found |= {f"curves/{file.name}": file for file in self.curve_files()}
@@ -231,7 +237,7 @@ def told_of(folder: Traversable, name: str) -> Told:
     for path in (*told["formulas"], *told["claims"]):
         if any(part in ("", ".", "..") for part in path.split("/")):
             raise ClaimError(f"the file {path!r}", where=f"{name}/{file}", remedy="name files inside the folder")
-    listed = [f"{module}.py" for module in told["formulas"] if "formulas" in data]
+    listed = [f"{module}.py" for module in told["formulas"] if "formulas" in data and not told["formulas_in"]]
     listed += [claims for claims in told["claims"] if "claims" in data]
     for path in listed:
         if not folder.joinpath(*path.split("/")).is_file():
@@ -248,8 +254,13 @@ def paper_in(
     trusted: bool = False,
     importable: Importable = dict,
 ) -> Paper:
-    """The paper in a folder; `used` gives the papers that it uses."""
+    """The paper in a folder; `used` gives the papers that it uses.
+
+    Raises `ClaimError` for a user's folder that says that its formulas are modules of a package.
+    """
     told = told_of(folder, name)
+    if told["formulas_in"] and not package:
+        raise ClaimError("formulas_in", where=f"{name}/paper.toml", remedy="name files of the folder in `formulas`")
     return Paper(
         name,
         told["title"] or _heading(folder) or name,
@@ -261,7 +272,7 @@ def paper_in(
         told["errors"],
         told["sections"],
         told["default"],
-        package,
+        package and (told["formulas_in"] or package),
         trusted,
         importable,
     )

@@ -21,7 +21,8 @@ from exactspline.language.complex_numbers import complex_product, complex_quotie
 from exactspline.language.formula import Formula, formula
 from exactspline.language.kinds import CURVE, KINDS, CurveKind, Kind, kind_of
 from exactspline.language.ruled import ruled
-from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, perp, triple, wronskian
+from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, perp, triple
+from exactspline.language.wronskians import wronskian
 from exactspline.numbers.exact import rational
 from exactspline.papers.symbols import not_a_symbol
 
@@ -44,7 +45,9 @@ LANGUAGE: dict[str, Callable[..., Any]] = {
     "wronskian": wronskian,
 }
 #: Other modules from which they may be imported.
-HOMES = {"exactspline", "exactspline.language.complex_numbers", "exactspline.language.vector"}
+HOMES = {"exactspline", *[f"exactspline.language.{name}" for name in ("complex_numbers", "vector", "wronskians")]}
+#: Rooms from whose modules formulas may be imported.
+ROOMS = ("exactspline.formulas.", "exactspline.papers.")
 TRUST = "--trust runs the file as it stands, which may do anything"
 #: Limits: of a file, of a formula with all calls expanded, of powers, of derivatives, of its degree.
 CHARACTERS, WRITTEN_OUT, POWER, ORDER, DEGREE, DIGITS = 200_000, 100_000, 64, 20, 2000, 200
@@ -142,7 +145,7 @@ def _checked(tree: ast.Module, file: str, known: Mapping[str, Formula]) -> tuple
 
 def _imported(node: ast.ImportFrom, read: Checked, known: Mapping[str, Formula]) -> Iterable[tuple[str, Any]]:
     module = node.module or ""
-    if node.level or (module not in HOMES and module != "__future__" and not module.startswith("exactspline.papers.")):
+    if node.level or (module not in HOMES and module != "__future__" and not module.startswith(ROOMS)):
         raise read.refuse(node, f"an import from {module or '.'}", 'write "from exactspline import formula, det, …"')
     for alias in node.names:
         as_name = alias.asname or alias.name
@@ -158,7 +161,7 @@ def _imported(node: ast.ImportFrom, read: Checked, known: Mapping[str, Formula])
                 raise read.refuse(node, f"another name for {alias.name}", "import it under its own")
             yield as_name, LANGUAGE[alias.name]
         else:
-            where = f"{module.removeprefix('exactspline.papers.')}:{alias.name}"
+            where = f"{module.removeprefix('exactspline.')}:{alias.name}"
             if where not in known:
                 raise read.refuse(node, f"{alias.name!r} is not a formula of {module}", nearest(where, known))
             yield as_name, known[where]

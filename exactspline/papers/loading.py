@@ -18,7 +18,7 @@ from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 
-#: A function that gives the formulas that others may import, by ``paper.module:name``.
+#: A function that gives the formulas that others may import, by ``papers.paper.module:name``.
 Importable = Callable[[], Mapping[str, Formula]]
 
 
@@ -27,7 +27,7 @@ def checked_formulas(file: Traversable, importable: Importable, *, plain: bool =
 
     Raises `FormulaError` with file and line.
     """
-    from exactspline.papers.formula_check import CHARACTERS, formulas_of
+    from exactspline.papers.formula_check import CHARACTERS, ROOMS, formulas_of
 
     place = str(file)
     try:
@@ -35,7 +35,7 @@ def checked_formulas(file: Traversable, importable: Importable, *, plain: bool =
             text = stream.read(4 * CHARACTERS + 1).decode("utf-8")
     except (OSError, UnicodeDecodeError) as error:
         raise FormulaError(f"cannot be read: {error}", where=place, remedy="write a text file in UTF-8") from None
-    known: Mapping[str, Formula] = importable() if "exactspline.papers." in text else {}
+    known: Mapping[str, Formula] = importable() if any(room in text for room in ROOMS) else {}
     return {name: guarded(each, place) for name, each in formulas_of(text, place, known, plain=plain).items()}
 
 

@@ -102,6 +102,8 @@ def foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: Se
         elif name in ("derive", "du", "dv", "scale"):
             factor = abs(numbers[0]) * (2 if name == "derive" else 1)
             known.append(Known(first.roundings + 2, factor * first.mass, 2 * (factor * first.lost + 3)))
+        elif name == "over_u":
+            known.append(first)
         else:
             raise FormulaError(
                 f"instruction {i}, {name}, in doubles", remedy="segments of width 1 over common denominators"
@@ -164,6 +166,8 @@ def _carried_out(instruction: Instruction, known: dict[int, Floats], *, absolute
         return _convolved(np.array([[float(comb(e, j)) for j in range(e + 1)]]), a)
     if name == "scale":
         return (abs(numbers[0]) if absolute else numbers[0]) * a
+    if name == "over_u":  # the last coefficient is zero before it is rounded
+        return a[:, :-1]
     up, down = np.arange(1.0, n + 1), np.arange(float(n), 0, -1)
     if name == "dv":
         return up * a[:, 1:]

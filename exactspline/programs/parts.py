@@ -15,7 +15,7 @@ T = TypeVar("T", bound=Operand)
 
 
 def terms_of(value: object, kind: type[T]) -> list[T]:
-    """The terms that a value consists of.
+    """The terms that a value, or each of several, consists of.
 
     Raises `FormulaError` for what formulas of programs do not return.
     """
@@ -23,7 +23,7 @@ def terms_of(value: object, kind: type[T]) -> list[T]:
         return terms_of(value.directrix, kind) + terms_of(value.generator, kind)
     if isinstance(value, Rational):
         return [*terms_of(value.numerator, kind), value.denominator]
-    if isinstance(value, Vector):
+    if isinstance(value, (Vector, tuple)):
         return [term for part in value for term in terms_of(part, kind)]
     if isinstance(value, kind):
         return [value]
@@ -46,4 +46,6 @@ def _rebuilt(value: object, splines: Iterator[Any]) -> Any:
         return Rational(numerator, next(splines))
     if isinstance(value, Vector):
         return Vector(*[_rebuilt(part, splines) for part in value])
+    if isinstance(value, tuple):
+        return tuple(_rebuilt(part, splines) for part in value)
     return next(splines)

@@ -19,6 +19,7 @@ from exactspline.programs.instructions import Instructions
 from exactspline.programs.pairs import operands_of_pair, program_of_pair
 from exactspline.programs.parts import rebuilt, terms_of
 from exactspline.programs.term import Recorder, Term
+from exactspline.programs.wronskian import TermAtTrueDegree
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.values import SplineValue
@@ -27,7 +28,8 @@ from exactspline.splines.values import SplineValue
 class Signature(NamedTuple):
     """What a program depends on besides its formula: everything about the argument except its numbers.
 
-    `degrees` are those of the operands, `groups` say which of them have the same denominators on all segments.
+    `degrees` are those of the operands, `groups` say which of them have the same denominators on all segments;
+    `true_degree` whether formulas are read at their true degree (see `exactspline.programs.wronskian`).
     """
 
     kind: Kind
@@ -36,6 +38,7 @@ class Signature(NamedTuple):
     degrees: tuple[int, ...]
     groups: tuple[int, ...]
     unit_widths: bool
+    true_degree: bool = False
 
 
 class ProgramReading(Reading):
@@ -44,8 +47,11 @@ class ProgramReading(Reading):
     name = "program"
     proves = "nothing: it records the work to be done"
 
-    def __init__(self, degrees: Sequence[int], groups: Sequence[int], *, unit_widths: bool) -> None:
+    def __init__(
+        self, degrees: Sequence[int], groups: Sequence[int], *, unit_widths: bool, true_degree: bool = False
+    ) -> None:
         self.degrees, self.groups = tuple(degrees), tuple(groups)
+        self.operand: type[Term] = TermAtTrueDegree if true_degree else Term
         self.recorder = Recorder(unit_widths=unit_widths)
         #: The provenances of the operands in programs.
         self.leaves = tuple([leaf() for _ in degrees])
@@ -55,7 +61,7 @@ class ProgramReading(Reading):
         symbols = kind.symbols(dimension, polynomial=polynomial)
         count = len(symbols)
         terms = {
-            symbol.name: Term.operand(self.recorder, k, count, degree, group, own)
+            symbol.name: self.operand.operand(self.recorder, k, count, degree, group, own)
             for k, (symbol, degree, group, own) in enumerate(
                 zip(symbols, self.degrees, self.groups, self.leaves, strict=True)
             )
@@ -71,6 +77,19 @@ class Given(NamedTuple):
     splines: tuple[BSpline, ...]
     mesh: Mesh
     signature: Signature
+
+    def values(self, formulas: tuple[Formula, ...]) -> dict[Formula, SplineValue]:
+        """The values of several formulas by one program, in which what they share is computed once.
+
+        >>> from exactspline.papers import find
+        >>> from exactspline.splines.examples import example
+        >>> given = operands_of(find("f2").kind, example("rational_cubic"), true_degree=True)
+        >>> found = given.values((find("inflections_lifted"), find("critical_curvature_lifted")))
+        >>> [f.degree for f in found.values()]
+        [3, 12]
+        """
+        made: Any = _program_of_all(formulas, self.signature).on(self)
+        return dict(zip(formulas, made, strict=True))
 
     def value(self, formula: Formula) -> SplineValue:
         """The value of a formula that applies to such arguments. A program is made where it pays off: once `WORTH_IT`
@@ -91,12 +110,12 @@ class Given(NamedTuple):
 WORTH_IT = 12
 
 
-def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
-    """The splines of an argument for formulas of a kind.
+def operands_of(kind: Kind, argument: Evaluated, *, true_degree: bool = False) -> Given | None:
+    """The splines of an argument for formulas of a kind, read as they stand or at their true degree.
 
     None where there is no program: of two curves, of adjoined roots or constants, of splines over different breakpoints
-    or made from one another (then naive semantics sees more structure than the kind declares), and where the
-    denominator of a polynomial curve is not 1.
+    or made from one another (then naive semantics sees more structure than the kind declares; the true degree does
+    not depend on it), and where the denominator of a polynomial curve is not 1.
     """
     if type(kind) is CurveKind:
         if kind.constants or not isinstance(argument, Curve) or (kind.with_point and argument.point is None):
@@ -121,13 +140,14 @@ def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
     if isinstance(argument, Curve) and polynomial and not _is_one(argument.w):
         return None
     functions = [is_alone(f.provenance) for f in splines[:count]]
-    if None in functions or len(set(functions)) < len(functions):
+    if not true_degree and (None in functions or len(set(functions)) < len(functions)):
         return None
     groups = (0,) * len(splines)
     if not shared:
         groups = tuple([next(j for j, g in enumerate(splines) if g.denominators == f.denominators) for f in splines])
     degrees = tuple([f.degree for f in splines])
-    return Given(argument, splines, mesh, Signature(kind, dimension, polynomial, degrees, groups, mesh.unit))
+    signature = Signature(kind, dimension, polynomial, degrees, groups, mesh.unit, true_degree)
+    return Given(argument, splines, mesh, signature)
 
 
 @lru_cache(None)
@@ -230,9 +250,22 @@ _segments_asked: dict[tuple[Formula, Signature], int] = {}
 
 @lru_cache(1024)
 def _program(formula: Formula, signature: Signature) -> Program:
-    reading = ProgramReading(signature.degrees, signature.groups, unit_widths=signature.unit_widths)
-    value = formula(reading.argument(signature.kind, signature.dimension, polynomial=signature.polynomial))
-    return Program(value, reading, signature)
+    reading, argument = _read(signature)
+    return Program(formula(argument), reading, signature)
+
+
+@lru_cache(1024)
+def _program_of_all(formulas: tuple[Formula, ...], signature: Signature) -> Program:
+    reading, argument = _read(signature)
+    shared = argument.remembering()
+    return Program(tuple(formula(shared) for formula in formulas), reading, signature)
+
+
+def _read(signature: Signature) -> tuple[ProgramReading, Evaluated]:
+    reading = ProgramReading(
+        signature.degrees, signature.groups, unit_widths=signature.unit_widths, true_degree=signature.true_degree
+    )
+    return reading, reading.argument(signature.kind, signature.dimension, polynomial=signature.polynomial)
 
 
 def program_of(formula: Formula, signature: Signature) -> Program:

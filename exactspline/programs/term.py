@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import gcd
-from typing import Any
+from typing import Any, Self
 
 from exactspline.errors import FormulaError
 from exactspline.language.operand import CONSTANTS, Constant
@@ -61,20 +61,20 @@ class Term(RingOperand):
         self.provenance, self.number, self.widths, self.raised = provenance, number, widths, raised
 
     @classmethod
-    def operand(cls, recorder: Recorder, k: int, count: int, degree: int, group: int, provenance: Provenance) -> Term:
+    def operand(cls, recorder: Recorder, k: int, count: int, degree: int, group: int, provenance: Provenance) -> Self:
         """The k-th of so many operands, with the denominators of a group of them."""
         orders = tuple(0 if i == k else -1 for i in range(count + 1))
         below = Denominator.of(OfOperand(group))
         node = recorder.instructions.load(k, degree) if degree >= 0 else ZERO
         return cls(recorder, node, degree, orders, below, provenance)
 
-    def constant(self, value: Constant) -> Term:
+    def constant(self, value: Constant) -> Self:
         """An exact constant."""
         q = rational(value)
         orders = (*[-1] * (len(self.orders) - 1), 0)
         number, below = int(q.numerator), Denominator(int(q.denominator))
         node = ONE_POLYNOMIAL if number else ZERO
-        return Term(self.recorder, node, 0, orders, below, (MULTIPLE, UNIT, q), number)
+        return type(self)(self.recorder, node, 0, orders, below, (MULTIPLE, UNIT, q), number)
 
     @property
     def is_number(self) -> bool:
@@ -103,21 +103,21 @@ class Term(RingOperand):
     def __hash__(self) -> int:
         return hash((self.node, self.degree))
 
-    def _with(self, **changed: Any) -> Term:
+    def _with(self, **changed: Any) -> Self:
         fields = {name: getattr(self, name) for name in Term.__slots__} | changed
-        return Term(**fields)
+        return type(self)(**fields)
 
     # ---- sums
 
-    def __add__(self, other: object) -> Term:
+    def __add__(self, other: object) -> Self:
         right = self.beside(other)
         return NotImplemented if right is None else self._sum(right, 1, SUM)
 
-    def __sub__(self, other: object) -> Term:
+    def __sub__(self, other: object) -> Self:
         right = self.beside(other)
         return NotImplemented if right is None else self._sum(right, -1, DIFFERENCE)
 
-    def _sum(self, other: Term, sign: int, name: int) -> Term:
+    def _sum(self, other: Self, sign: int, name: int) -> Self:
         degree, below = max(self.degree, other.degree), self.below.common(other.below)
         a, b = self._over(below, degree), other._over(below, degree)._with_number(sign)
         orders = tuple(map(max, self.orders, other.orders))
@@ -130,10 +130,10 @@ class Term(RingOperand):
         node, number = multiple_of_sum(self.recorder.instructions, *parts)
         return first._with(node=node, number=number, orders=orders, provenance=provenance)
 
-    def _with_number(self, factor: int) -> Term:
+    def _with_number(self, factor: int) -> Self:
         return self if factor == 1 else self._with(number=self.number * factor)
 
-    def _over(self, below: Denominator, degree: int) -> Term:
+    def _over(self, below: Denominator, degree: int) -> Self:
         """Over a multiple of the denominator, of a degree at least as high."""
         if self.node == ZERO:
             return self._with(below=below, degree=degree, raised=0)
@@ -145,7 +145,7 @@ class Term(RingOperand):
         raised = self.raised + degree - self.degree
         return self._with(node=node, number=number, below=below, degree=degree, raised=raised)
 
-    def _down_to(self, raised: int, widths: int) -> Term:
+    def _down_to(self, raised: int, widths: int) -> Self:
         """With so many powers of ``u + v`` and of the width's denominator kept apart and the others multiplied in."""
         code = self.recorder.instructions
         node = code.raised(self.node, self.raised - raised)
@@ -155,13 +155,13 @@ class Term(RingOperand):
 
     # ---- products
 
-    def __mul__(self, other: object) -> Term:
+    def __mul__(self, other: object) -> Self:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Term):
             return NotImplemented
         nothing = ZERO in (self.node, other.node)
-        return Term(
+        return type(self)(
             self.recorder,
             ZERO if nothing else self.recorder.instructions.times(self.node, other.node),
             self.degree + other.degree,
@@ -173,7 +173,7 @@ class Term(RingOperand):
             self.raised + other.raised,
         )
 
-    def scaled(self, constant: Constant) -> Term:
+    def scaled(self, constant: Constant) -> Self:
         """The term times an exact constant."""
         q = rational(constant)
         number = self.number * int(q.numerator)
@@ -186,7 +186,7 @@ class Term(RingOperand):
 
     # ---- derivatives and degrees
 
-    def d(self, order: int = 1, *, by: str | None = None) -> Term:
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The derivative of an order."""
         self.only_parameter(by)
         result = self
@@ -194,7 +194,7 @@ class Term(RingOperand):
             result = result._derived()
         return result
 
-    def _derived(self) -> Term:
+    def _derived(self) -> Self:
         orders = tuple(k + 1 if k >= 0 else k for k in self.orders)
         provenance = (DERIVATIVE, self.provenance)
         if self.degree <= 0:
@@ -209,36 +209,36 @@ class Term(RingOperand):
         derived = self._with(node=node, raised=raised, degree=self.degree - 1, below=below, widths=widths)
         return derived._with(orders=orders, provenance=provenance)
 
-    def elevated_to(self, other: Term) -> Term:
+    def elevated_to(self, other: Term) -> Self:
         """The same term, at least of the degree of another."""
         if self.degree >= other.degree:
             return self
         raised = 0 if self.node == ZERO else self.raised + other.degree - self.degree
         return self._with(degree=other.degree, raised=raised)
 
-    def partials(self, degree: int, order: int) -> list[Term]:
+    def partials(self, degree: int, order: int) -> list[Self]:
         """``∂u^(order−i) ∂vⁱ`` for i = 0 … order, of the term as a form of a degree at least its own."""
         level = [self._over(self.below, degree)]
         for _ in range(order):
             level = [level[0]._partial("du"), *[term._partial("dv") for term in level]]
         return level
 
-    def _partial(self, name: str) -> Term:
+    def _partial(self, name: str) -> Self:
         term = self if self.node == ZERO else self._down_to(0, self.widths)
         node = ZERO if term.node == ZERO else term.recorder.instructions.derived(name, term.node)
         return term._with(node=node, degree=self.degree - 1)
 
-    def by_v(self) -> Term:
+    def by_v(self) -> Self:
         """``∂v``: not the derivative of the function, but a part of it."""
         return self._partial("dv")
 
-    def over_u(self) -> Term:
+    def over_u(self) -> Self:
         """Divided by u, where the form is a multiple of it: the same integers, of a degree one lower."""
         term = self if self.node == ZERO else self._down_to(0, self.widths)
         node = ZERO if term.node == ZERO else term.recorder.instructions.derived("over_u", term.node)
         return term._with(node=node, degree=self.degree - 1)
 
-    def per_width(self, weight: int, dropped: int) -> Term:
+    def per_width(self, weight: int, dropped: int) -> Self:
         """The term over so many powers of the segment's width, its continuity lowered by as many."""
         orders = tuple(k + dropped if k >= 0 else k for k in self.orders)
         if self.recorder.unit_widths:
@@ -246,7 +246,7 @@ class Term(RingOperand):
         below = self.below * Denominator(1, ((WidthNumerator(), weight),))
         return self._with(below=below, widths=self.widths + weight, orders=orders)
 
-    def over(self, below: Denominator) -> Term:
+    def over(self, below: Denominator) -> Self:
         """The term over one more denominator."""
         return self._with(below=self.below * below)
 

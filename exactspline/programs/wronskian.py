@@ -1,55 +1,63 @@
-"""The lowest Wronskian of a vector (see `exactspline.splines.wronskian`) as a program."""
+"""The reading of formulas at their true degree: a program whose Wronskians are determinants of partial derivatives.
+
+For forms of degree n in u and v, with ``A = u ∂u + v ∂v`` and ``B = ∂v − ∂u`` (the derivative, where u + v = 1),
+Euler's relation gives ``A^(r−i) Bⁱ f = (n−i)(n−i−1)…(n−r+1) f⁽ⁱ⁾``; the matrix that takes the r-th partial derivatives
+to these has a power of u + v for determinant, that is 1. So the Wronskian is the determinant of the r-th partial
+derivatives over a constant: of degree (r+1)(n−r), which is ``kd − 2m``, with nothing to divide.
+
+Where ``F = Π fᵉ`` is homogeneous of degree 0, ``u ∂u + v ∂v`` takes it to zero, so that where ``u + v = 1`` its
+derivative ``∂v − ∂u`` is ``∂v/u``: the numerator of F′/F comes out at its true degree, too.
+"""
 
 from __future__ import annotations
 
-from functools import cache
+from collections.abc import Sequence
 from math import factorial, prod
-from typing import Any, overload
+from typing import Self
 
-from exactspline.language.formula import Formula
 from exactspline.language.vector import Vector, det
+from exactspline.language.wronskians import OwnWronskians, logarithmic_sum
 from exactspline.programs.denominators import Denominator
 from exactspline.programs.term import Term
-from exactspline.splines import wronskian
-from exactspline.splines.bspline import BSpline
 
 
-def lowest_wronskian(vector: Vector[Term]) -> Term:
-    """The Wronskian of terms at its true degree: the determinant of partial derivatives over a constant.
+class TermAtTrueDegree(Term, OwnWronskians):
+    """A term whose Wronskians and logarithmic derivatives have their true degree.
 
     >>> from exactspline.papers import find
-    >>> from exactspline.programs.program import operands_of
+    >>> from exactspline.programs.program import operands_of, program_of
     >>> from exactspline.splines.examples import example
-    >>> lift = find("projective_lift")
-    >>> given = operands_of(lift.kind, example("rational_cubic"))
-    >>> given.value(wronskian_of(lift)).degree, given.value(find("f2")).degree
-    (3, 6)
+    >>> lifted, curve = find("inflections_lifted"), example("rational_cubic")
+    >>> read = [operands_of(lifted.kind, curve, true_degree=true_degree) for true_degree in (False, True)]
+    >>> [program_of(lifted, given.signature).on(given).degree for given in read]
+    [6, 3]
     """
-    r, n = len(vector) - 1, max(term.degree for term in vector)
-    if n < r:
-        return vector[0].constant(0)
-    columns = [term.partials(n, r) for term in vector]
-    value: Term = det(*[Vector(*[column[i] for column in columns]) for i in range(r + 1)])
-    constant = prod(factorial(n - i) // factorial(n - r) for i in range(r))
-    return value.per_width(r * (r + 1) // 2, r).over(Denominator(constant))
 
+    __slots__ = ()
 
-@overload
-def lowest(vector: Vector[Term]) -> Term: ...
-@overload
-def lowest(vector: Vector[BSpline]) -> BSpline: ...
-def lowest(vector: Vector[Term] | Vector[BSpline]) -> Term | BSpline:
-    """The lowest Wronskian of terms of a program or of splines."""
-    terms: Any = vector
-    return lowest_wronskian(terms) if isinstance(vector[0], Term) else wronskian.lowest_wronskian(terms)
+    def wronskian(self, functions: Sequence[Self]) -> Self:
+        """The determinant of partial derivatives; ``W(1, f, …) = W(f′, …)``."""
+        number = next((k for k, f in enumerate(functions) if f.is_number), None)
+        if number is not None:
+            rest = [f.d(1) for k, f in enumerate(functions) if k != number]
+            value = functions[number].value * (-1) ** number
+            return (rest[0].wronskian(rest) if rest else self.constant(1)).scaled(value)
+        r, n = len(functions) - 1, max(f.degree for f in functions)
+        if not r:
+            return functions[0]
+        if n < r:
+            return self.constant(0)
+        columns = [f.partials(n, r) for f in functions]
+        value_: Self = det(*[Vector(*[column[i] for column in columns]) for i in range(r + 1)])
+        constant = prod(factorial(n - i) // factorial(n - r) for i in range(r))
+        return value_.per_width(r * (r + 1) // 2, r).over(Denominator(constant))
 
-
-@cache
-def wronskian_of(lift: Formula) -> Formula:
-    """The lowest Wronskian of the value of a formula, as a formula for the readings of programs and splines."""
-
-    def of(c: Any) -> Any:
-        return lowest(lift(c))
-
-    of.__name__ = f"lowest Wronskian of {lift.name}"
-    return Formula(of, lift.source, lift.kind, "")
+    def logarithmic_numerator(self, powers: Sequence[tuple[Self, int]]) -> Self:
+        """By ``∂v/u`` where the product is homogeneous of degree 0."""
+        numbers, functions = [f.value for f, _ in powers if f.is_number], [p for p in powers if not p[0].is_number]
+        if not functions or 0 in numbers:
+            return self.constant(0)
+        homogeneous = sum(f.degree * e for f, e in functions) == 0
+        found: Self = logarithmic_sum([(f, f.by_v() if homogeneous else f.d(1), e) for f, e in functions])
+        found = found.over_u().per_width(1, 1) if homogeneous else found
+        return found.scaled(prod(numbers))

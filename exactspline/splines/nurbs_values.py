@@ -2,16 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import comb
 
 from exactspline.errors import DomainError, ShapeError
+from exactspline.formulas.derivatives import across
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import checked_order
-from exactspline.language.vector import Vector, dot
+from exactspline.language.vector import Vector, norm2, perp
 from exactspline.numbers.exact import Number, mpq, rational, text
 from exactspline.numbers.sides import Side
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
+
+
+def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
+    """The derivatives of p/w from those of p and w: p = w · (p/w), differentiated by Leibniz's rule.
+
+    >>> quotient_derivatives([mpq(1), mpq(0), mpq(0)], [mpq(1), mpq(1), mpq(0)])
+    [mpq(1,1), mpq(-1,1), mpq(2,1)]
+    """
+    found: list[mpq] = []
+    for k, value in enumerate(above):
+        rest = value - sum((comb(k, j) * below[k - j] * earlier for j, earlier in enumerate(found)), mpq(0))
+        found.append(rest / below[0])
+    return found
 
 
 class ValuesAlong(FunctionsOutside):
@@ -33,16 +48,8 @@ class ValuesAlong(FunctionsOutside):
         Raises `FormulaError` for a negative order, `DomainError` outside the domain.
         """
         order, t = checked_order(order), rational(t)
-        weights = [self.w.d(k)(t, side) for k in range(order + 1)]
-        found: list[tuple[mpq, ...]] = []
-        for k in range(order + 1):
-            # (wγ)⁽ᵏ⁾ = p⁽ᵏ⁾ by Leibniz' rule
-            row = [x.d(k)(t, side) for x in self.p]
-            for i in range(1, k + 1):
-                factor = comb(k, i) * weights[i]
-                row = [x - factor * y for x, y in zip(row, found[k - i], strict=True)]
-            found.append(tuple(x / weights[0] for x in row))
-        return found[order]
+        below, *rows = [[f.d(k)(t, side) for k in range(order + 1)] for f in (self.w, *self.p)]
+        return tuple(quotient_derivatives(row, below)[order] for row in rows)
 
     def tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """γ′ at a rational parameter (see `unit_tangent`).
@@ -78,17 +85,15 @@ class ValuesAlong(FunctionsOutside):
         where = f"at the parameter {text(rational(t))}"
         first = self.tangent(t, side)
         if self.dimension == 2:
-            return _normalized((-first[1], first[0]), f"γ′ = 0 {where}")
+            return _normalized(perp(Vector(*first)).components, f"γ′ = 0 {where}")
         if self.dimension != 3:
             raise ShapeError(f"the normal of a curve in R{self.dimension}", remedy="it is defined in plane and space")
-        second = self.derivative(2, t, side)
-        length, along = dot(Vector(*first), Vector(*first)), dot(Vector(*first), Vector(*second))
-        bent = tuple(length * b - along * a for a, b in zip(first, second, strict=True))
-        return _normalized(bent, f"γ′ × γ″ = 0 {where}")
+        bent = across(Vector(*first), Vector(*self.derivative(2, t, side)))
+        return _normalized(bent.components, f"γ′ × γ″ = 0 {where}")
 
 
 def _normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
-    length = dot(Vector(*v), Vector(*v))
+    length = norm2(Vector(*v))
     if not length:
         raise DomainError(problem, remedy="choose another parameter")
     inverse = square_root(1 / length)

@@ -11,7 +11,10 @@ from math import comb
 from typing import TYPE_CHECKING, Any
 
 from exactspline.display.plot.canvas import library
+from exactspline.formulas.surfaces.by_forms import area_of_forms, minimality_of_forms, parabolic_of_forms
 from exactspline.geometry.surface.forms import Patch, SurfaceForms
+from exactspline.language.arguments import Operands
+from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
@@ -145,13 +148,15 @@ def _quotients(np: Any, values: dict[tuple[int, int], list[Any]]) -> dict[tuple[
 
 def _principal(np: Any, s: dict[tuple[int, int], Any]) -> tuple[Any, Any]:
     """The two principal directions as doubled angles of (du, dv); zero where they are not determined."""
-    n = np.cross(s[1, 0], s[0, 1])
-    length = np.linalg.norm(n, axis=-1)
-    n = n / np.where(length > 0, length, 1)[..., None]
-    e, f, g = ((a * b).sum(-1) for a, b in ((s[1, 0], s[1, 0]), (s[1, 0], s[0, 1]), (s[0, 1], s[0, 1])))
-    ll, m, k = ((s[key] * n).sum(-1) for key in ((2, 0), (1, 1), (0, 2)))
-    area = np.where(e * g - f * f > 0, e * g - f * f, 1)
-    mean, gauss = (e * k - 2 * f * m + g * ll) / (2 * area), (ll * k - m * m) / area
+    by_u, by_v, *bent = (Vector(*np.moveaxis(s[key], -1, 0)) for key in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2)))
+    n = cross(by_u, by_v)
+    length = np.sqrt(norm2(n))
+    n = n * (1 / np.where(length > 0, length, 1))
+    e, f, g, ll, m, k = (dot(a, b) for a, b in ((by_u, by_u), (by_u, by_v), (by_v, by_v), *((b, n) for b in bent)))
+    forms = Operands(E=e, F=f, G=g, L=ll, M=m, N=k)
+    area = area_of_forms(forms)
+    area = np.where(area > 0, area, 1)
+    mean, gauss = minimality_of_forms(forms) / (2 * area), parabolic_of_forms(forms) / area
     gap = np.sqrt(np.maximum(mean * mean - gauss, 0))
     families = []
     for kappa in (mean + gap, mean - gap):

@@ -1,4 +1,4 @@
-"""The forms of a surface whose signs and zeros are asked for, from the formulas of `exactspline.papers.surfaces`.
+"""The forms of a surface whose signs and zeros are asked for, from the formulas of `exactspline.formulas.surfaces`.
 
 Each is evaluated on the given surface and brought to its lowest degree; on a patch it is then a `PatchForm`, without
 the factors that vanish on a border of the patch, which poles bring with them.

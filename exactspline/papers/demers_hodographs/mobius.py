@@ -1,9 +1,9 @@
 """Möbius maps: of rational curves in the plane, in complex notation, and in the conformal model."""
 
+from exactspline.formulas.lifted import conformal_lift
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import formula
 from exactspline.language.vector import join, norm2
-from exactspline.papers.lifted.formulas import conformal_lift
 
 #: Two complex polynomials P = x + iy and Q = z + iw, made of the four functions of a rational space curve.
 PAIR = "space"

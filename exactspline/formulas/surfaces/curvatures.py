@@ -4,20 +4,16 @@ With the normal of length ``√(EG − F²)`` the Gaussian curvature is ``(LN �
 ``(EN − 2FM + GL)/(2 (EG − F²)^(3/2))``: rational is its square.
 """
 
-from exactspline.language.arguments import Operands
-from exactspline.language.formula import formula
-from exactspline.language.vector import det, join
-from exactspline.papers.surfaces.by_forms import (
+from exactspline.formulas.surfaces.by_forms import (
     area_of_forms,
     minimality_of_forms,
     parabolic_of_forms,
     ridge_cubic,
     ridges_of_forms,
     stationary_by_u,
-    stationary_root_by_u,
     umbilicity_of_forms,
 )
-from exactspline.papers.surfaces.fundamental_forms import (
+from exactspline.formulas.surfaces.fundamental_forms import (
     E,
     E_reduced,
     F,
@@ -34,6 +30,9 @@ from exactspline.papers.surfaces.fundamental_forms import (
     S_v,
     normal,
 )
+from exactspline.language.arguments import Operands
+from exactspline.language.formula import formula
+from exactspline.language.vector import det, join
 
 
 def reduced_forms(c):
@@ -129,12 +128,6 @@ def brioschi(c):
 def stationary_curvature(c):
     """What of κ_u is free of the root: ``a Δ_u − 3 Δ a_u`` with ``a = EG − F²`` and ``Δ`` zero at the umbilics."""
     return stationary_by_u(forms(c))
-
-
-@formula("principal curvatures", on="surface")
-def stationary_mean_curvature(c):
-    """``2a h_u − 3h a_u`` with ``h = EN − 2FM + GL``: zero where H_u is."""
-    return stationary_root_by_u(forms(c))
 
 
 @formula("ridges", on="surface", symbol="T")

@@ -4,11 +4,8 @@ They are ``(√δ − M : L)`` and ``(−√δ − M : L)`` with ``δ = M² − 
 what is said of the one with √δ holds for the other.
 """
 
-from exactspline.language.adjoined_root import Adjoined
-from exactspline.language.formula import formula
-from exactspline.language.vector import cross, dot, join
-from exactspline.papers.surfaces.curves_on_surfaces import second_form, second_form_lifted
-from exactspline.papers.surfaces.fundamental_forms import (
+from exactspline.formulas.surfaces.curves_on_surfaces import second_form, second_form_lifted
+from exactspline.formulas.surfaces.fundamental_forms import (
     E_reduced,
     F_reduced,
     G_reduced,
@@ -21,7 +18,10 @@ from exactspline.papers.surfaces.fundamental_forms import (
     S_vv,
     normal,
 )
-from exactspline.papers.surfaces.lifted import L_lifted, M_lifted, N_lifted, area_squared_lifted
+from exactspline.formulas.surfaces.lifted import L_lifted, M_lifted, N_lifted, area_squared_lifted
+from exactspline.language.adjoined_root import Adjoined
+from exactspline.language.formula import formula
+from exactspline.language.vector import cross, dot, join
 
 
 def with_root(c):

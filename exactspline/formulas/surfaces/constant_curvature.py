@@ -4,9 +4,8 @@ Spheres, planes and developable surfaces are among the surfaces on which both va
 beside these there are is not said here.
 """
 
+from exactspline.formulas.surfaces.by_forms import area_of_forms, parabolic_of_forms
 from exactspline.language.formula import formula
-from exactspline.papers.surfaces.by_forms import area_of_forms, parabolic_of_forms
-from exactspline.papers.surfaces.lifted import area_squared_lifted, parabolic_lifted
 
 
 def change_of_quotient(k, a, by):
@@ -71,17 +70,3 @@ def change_weighted_by_u(c):
 def change_weighted_by_v(c):
     """``w (a k_v − 2 k a_v) + 4 w_v k a``."""
     return change_with_weight(parabolic_of_forms(c), area_of_forms(c), c.w, "v")
-
-
-@formula("constant curvature", on="surface")
-def gaussian_change_by_u_lifted(c):
-    """``‖Π_n‖⁶/w³`` times ``K_u``: with ``k = w⁸ (LN − M²)`` and ``a = ‖Π_n‖²`` it is ``w (a k_u − 2 k a_u) + 4 w_u k
-    a``.
-    """
-    return change_with_weight(parabolic_lifted(c), area_squared_lifted(c), c.w, "u")
-
-
-@formula("constant curvature", on="surface")
-def gaussian_change_by_v_lifted(c):
-    """``‖Π_n‖⁶/w³`` times ``K_v``."""
-    return change_with_weight(parabolic_lifted(c), area_squared_lifted(c), c.w, "v")

@@ -1,4 +1,4 @@
-"""Beyond the paper: the same objects from two lifts of the curve, by Wronskians and generalized cross products.
+"""Curves from their two lifts, by Wronskians and generalized cross products.
 
 ``P = (w, p)`` is the curve in projective space: points, lines and planes are linear in it. ``X = (‖p‖², w p, w²)`` is
 the curve among points and spheres: the point lies on the sphere ``a ‖x‖² + b·x + c = 0`` where ``(a, b, c)·X = 0``, and
@@ -8,8 +8,8 @@ generalized cross product. On a polynomial curve w is 1.
 
 from exactspline.language.formula import formula
 from exactspline.language.ruled import ruled
-from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, wronskian
-from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D1, D1_squared
+from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2
+from exactspline.language.wronskians import logarithmic_numerator, osculating, wronskian, wronskians
 
 
 @formula("projective lift", symbol="P")
@@ -24,6 +24,18 @@ def conformal_lift(c):
     return join(norm2(c.p), c.p * c.w, c.w**2)
 
 
+@formula("lifted", symbol="D_1")
+def tangent_lifted(c):
+    """``w p′ − w′ p``, the Wronskians of w and each coordinate: the D1 of the paper, ``w² γ′``."""
+    return wronskians(c.w, c.p)
+
+
+@formula("lifted", symbol=r"\|D_1\|^2")
+def tangent_lifted_squared(c):
+    """``w⁴ ‖γ′‖²``: without a zero where the curve is regular."""
+    return norm2(tangent_lifted(c))
+
+
 @formula("lifted", on="plane")
 def inflections_lifted(c):
     """The Wronskian of P: zero where the tangent meets the curve to third order."""
@@ -33,7 +45,7 @@ def inflections_lifted(c):
 @formula("lifted", on="plane")
 def curvature_squared_lifted(c):
     """Squared curvature, with the Wronskian of P."""
-    return (inflections_lifted(c) * c.w**3) ** 2 / D1_squared(c) ** 3
+    return (inflections_lifted(c) * c.w**3) ** 2 / tangent_lifted_squared(c) ** 3
 
 
 @formula("lifted", on="plane")
@@ -42,11 +54,16 @@ def vertices_lifted(c):
     return wronskian(conformal_lift(c), 4)
 
 
+@formula("lifted", on="plane", symbol=r"J_\kappa")
+def critical_curvature_lifted(c):
+    """The numerator of the logarithmic derivative of ``κ²``: as the Wronskian of X, with a third of its products."""
+    return logarithmic_numerator((inflections_lifted(c), 2), (tangent_lifted_squared(c), -3), (c.w, 6))
+
+
 @formula("lifted", on="plane", symbol="S")
 def osculating_circle(c):
     """The circle through three consecutive points of the curve, ``(a, b, c)`` as above."""
-    x = conformal_lift(c)
-    return generalized_cross(x, x.d(1), x.d(2))
+    return osculating(conformal_lift(c), 3)
 
 
 @formula("lifted", on="plane", symbol="E")
@@ -64,11 +81,10 @@ def torsion_zeros_lifted(c):
 
 @formula("lifted", on="space", symbol=r"\Pi")
 def osculating_plane(c):
-    """The plane through three consecutive points of the curve: its normal, after its first coordinate, is ``D1 × D2 /
-    w``.
+    """The plane through three consecutive points of the curve: its normal, after its first coordinate, is ``w³ γ′
+    × γ″``.
     """
-    x = projective_lift(c)
-    return generalized_cross(x, x.d(1), x.d(2))
+    return osculating(projective_lift(c), 3)
 
 
 @formula("lifted", on="space", symbol="b")
@@ -77,30 +93,36 @@ def binormal_lifted(c):
     return osculating_plane(c)[1:4]
 
 
+@formula("lifted", on="space")
+def binormal_lifted_squared(c):
+    """``‖Π‖²`` for the normal of the osculating plane."""
+    return norm2(binormal_lifted(c))
+
+
 @formula("lifted", on="space", symbol=r"\tau")
 def torsion_lifted(c):
     """Torsion: the Wronskian of P over the squared length of the binormal."""
-    return (torsion_zeros_lifted(c) * c.w**2) / norm2(binormal_lifted(c))
+    return (torsion_zeros_lifted(c) * c.w**2) / binormal_lifted_squared(c)
 
 
 @formula("lifted", on="space", symbol=r"\kappa^2")
 def space_curvature_squared_lifted(c):
     """Squared curvature from the binormal of the osculating plane."""
-    return (norm2(binormal_lifted(c)) * c.w**6) / D1_squared(c) ** 3
+    return (binormal_lifted_squared(c) * c.w**6) / tangent_lifted_squared(c) ** 3
 
 
 @formula("lifted", on="space", symbol=r"J_\kappa")
 def space_critical_curvature_lifted(c):
-    """The Jacobian of the two covariants whose quotient is κ², without the factors they share."""
-    w, bend, speed = c.w, norm2(binormal_lifted(c)), D1_squared(c)
-    return bend.d(1) * (w * speed) + bend * (6 * w.d(1) * speed) - bend * (3 * w * speed.d(1))
+    """The numerator of the logarithmic derivative of ``κ²``: the Jacobian of the two covariants whose quotient is κ²,
+    without the factors they share.
+    """
+    return logarithmic_numerator((binormal_lifted_squared(c), 1), (tangent_lifted_squared(c), -3), (c.w, 6))
 
 
 @formula("lifted", on="space", symbol="S")
 def osculating_sphere(c):
     """The sphere through four consecutive points of the curve."""
-    x = conformal_lift(c)
-    return generalized_cross(x, x.d(1), x.d(2), x.d(3))
+    return osculating(conformal_lift(c), 4)
 
 
 @formula("lifted", on="space", symbol="F")
@@ -127,27 +149,29 @@ def circle_centre_lifted(c):
 @formula("lifted", on="space")
 def normal_lifted(c):
     """The principal normal direction: across the tangent, in the osculating plane."""
-    return cross(binormal_lifted(c), D1(c))
+    return cross(binormal_lifted(c), tangent_lifted(c))
 
 
 @formula("lifted", on="space")
 def rectifying_generator_lifted(c):
     """The direction of ``τT + κB`` without denominators."""
     b = binormal_lifted(c)
-    return D1(c) * (torsion_zeros_lifted(c) * D1_squared(c)) + b * (c.w * norm2(b))
+    return tangent_lifted(c) * (torsion_zeros_lifted(c) * tangent_lifted_squared(c)) + b * (
+        c.w * binormal_lifted_squared(c)
+    )
 
 
 @formula("definition of a developable", on="space")
 def rectifying_development(c):
     """``[D1 G G′] / ‖G‖²`` for the generator without denominators: zero when the rectifying developable is one."""
     generator = rectifying_generator_lifted(c)
-    return det(D1(c), generator, generator.d(1)) / norm2(generator)
+    return det(tangent_lifted(c), generator, generator.d(1)) / norm2(generator)
 
 
 @formula("lifted", on="space")
 def tangent_developable_lifted(c):
     """``p/w + λ D1``."""
-    return ruled(c.gamma, D1(c))
+    return ruled(c.gamma, tangent_lifted(c))
 
 
 @formula("lifted", on="space")
@@ -268,12 +292,6 @@ def circle_sphere_coefficient(c):
 def bisector_sphere_coefficient(c):
     """The coefficient of ``‖x‖²`` in the sphere that touches two curves."""
     return bisector_sphere(c)[0]
-
-
-@formula("lifted", on="space")
-def binormal_lifted_squared(c):
-    """``‖Π‖²`` for the normal of the osculating plane."""
-    return norm2(binormal_lifted(c))
 
 
 @formula("lifted", on="point")

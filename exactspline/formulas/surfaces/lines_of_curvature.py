@@ -1,10 +1,10 @@
 """Lines of curvature: ``A du² + B du dv + C dv² = 0``; umbilics, where all three coefficients vanish."""
 
+from exactspline.formulas.surfaces.by_forms import line_uu_of_forms, line_uv_of_forms, line_vv_of_forms
+from exactspline.formulas.surfaces.curvatures import forms, reduced_forms
+from exactspline.formulas.surfaces.fundamental_forms import S_u, S_v, normal
 from exactspline.language.formula import formula
 from exactspline.language.vector import det
-from exactspline.papers.surfaces.by_forms import line_uu_of_forms, line_uv_of_forms, line_vv_of_forms
-from exactspline.papers.surfaces.curvatures import forms, reduced_forms
-from exactspline.papers.surfaces.fundamental_forms import S_u, S_v, normal
 
 
 @formula("lines of curvature", on="surface", symbol="A")

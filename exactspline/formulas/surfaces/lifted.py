@@ -5,10 +5,7 @@ The tangent plane is orthogonal to P, P_u and P_v, a tangent sphere to X, X_u an
 of second order, are determinants with second derivatives.
 """
 
-from exactspline.language.arguments import Operands
-from exactspline.language.formula import formula
-from exactspline.language.vector import det, generalized_cross, join, norm2
-from exactspline.papers.surfaces.by_forms import (
+from exactspline.formulas.surfaces.by_forms import (
     along_weight,
     area_of_forms,
     extremal_along_lines,
@@ -19,7 +16,10 @@ from exactspline.papers.surfaces.by_forms import (
     parabolic_of_forms,
     ridge_cubic,
 )
-from exactspline.papers.surfaces.fundamental_forms import E_reduced, F_reduced, G_reduced
+from exactspline.formulas.surfaces.fundamental_forms import E_reduced, F_reduced, G_reduced
+from exactspline.language.arguments import Operands
+from exactspline.language.formula import formula
+from exactspline.language.vector import det, generalized_cross, join, norm2
 
 
 def lifted_forms(c):

@@ -4,12 +4,16 @@ Statements of the fundamental forms about a direction are made here for every cu
 can be compared with the curvature of curves in space.
 """
 
+from exactspline.formulas.surfaces.curvatures import area_squared
+from exactspline.formulas.surfaces.fundamental_forms import E, F, G, L, M, N, normal
+from exactspline.formulas.surfaces.lifted import projective_lift_of_surface
+from exactspline.formulas.surfaces.lines_of_curvature import (
+    line_coefficient_uu,
+    line_coefficient_uv,
+    line_coefficient_vv,
+)
 from exactspline.language.formula import formula
 from exactspline.language.vector import det, dot
-from exactspline.papers.surfaces.curvatures import area_squared
-from exactspline.papers.surfaces.fundamental_forms import E, F, G, L, M, N, normal
-from exactspline.papers.surfaces.lifted import projective_lift_of_surface
-from exactspline.papers.surfaces.lines_of_curvature import line_coefficient_uu, line_coefficient_uv, line_coefficient_vv
 
 
 @formula("first fundamental form", on="curve on a surface", symbol=r"\mathrm{I}")

@@ -1,0 +1,1 @@
+"""Rational surfaces, from their fundamental forms to lines of curvature."""

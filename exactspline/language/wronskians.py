@@ -1,0 +1,115 @@
+"""Wronskians, what is orthogonal to a vector and its derivatives, and the numerator of a logarithmic derivative.
+
+Written out, these are determinants and sums of products of derivatives, and that is what they are in most readings. But
+a determinant of derivatives of forms of degree n has a lower degree than its products: a reading that knows how to
+carry such an operation out at its true degree says so by `OwnWronskians`. A formula never asks.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from typing import Any, Self, TypeVar, cast
+
+from exactspline.errors import FormulaError, as_integer
+from exactspline.language.operand import R
+from exactspline.language.vector import Vector, det, expect_vector, generalized_cross
+
+T = TypeVar("T")
+
+
+class OwnWronskians(ABC):
+    """An operand whose reading carries out the operations of this file itself."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def wronskian(self, functions: Sequence[Self]) -> Self:
+        """The determinant of functions, this one among them, and of their derivatives."""
+
+    @abstractmethod
+    def logarithmic_numerator(self, powers: Sequence[tuple[Self, int]]) -> Self:
+        """``Π f · F′/F`` of ``F = Π fᵉ``, this one among the f."""
+
+
+def wronskian(a: Vector[R], order: int | None = None) -> R:
+    """Determinant of a vector of n components and its first n−1 derivatives.
+
+    It vanishes identically where the components are linearly dependent functions. `order` is the number of components
+    where `a` does not know it (a node of a tree).
+
+    >>> from exactspline import BSpline, Vector
+    >>> t = BSpline.identity(0, 1)
+    >>> wronskian(Vector(t, t * t)) == t * t
+    True
+    """
+    expect_vector(a)
+    if (own := _own(a)) is not None:
+        return cast(R, own.wronskian(cast(Any, a.components)))
+    n = len(a) if order is None else as_integer(order, "a number of components", 1)
+    return det(a, *[a.d(k) for k in range(1, n)])
+
+
+def wronskians(w: R, p: Vector[R]) -> Vector[R]:
+    """``w p′ − w′ p``, the Wronskians of a function and each component of a vector: ``w²`` times the derivative of the
+    quotient.
+
+    >>> from exactspline import BSpline, Vector
+    >>> t = BSpline.identity(0, 1)
+    >>> wronskians(t, Vector(t * t, t))[0] == t * t
+    True
+    """
+    if isinstance(w, OwnWronskians):
+        return Vector(*[cast(R, w.wronskian((cast(Any, w), cast(Any, x)))) for x in p])
+    return p.d(1) * w - p * w.d(1)
+
+
+def osculating(a: Vector[R], order: int) -> Vector[R]:
+    """The vector orthogonal to `a` and its derivatives, `order` vectors in all and one component more: the line, plane
+    or sphere through so many consecutive points. Up to signs its components are the Wronskians of all others.
+
+    >>> from exactspline import BSpline, Vector
+    >>> t = BSpline.identity(0, 1)
+    >>> [x(0) for x in osculating(Vector(t.constant(1), t, t * t), 2)]
+    [mpq(0,1), mpq(0,1), mpq(1,1)]
+    """
+    if (own := _own(a)) is not None and len(a) == order + 1:
+        components: tuple[Any, ...] = a.components
+        minors: list[Any] = [own.wronskian([x for k, x in enumerate(components) if k != j]) for j in range(order + 1)]
+        return Vector(*[-minor if (order + j) % 2 else minor for j, minor in enumerate(minors)])
+    return generalized_cross(a, *[a.d(k) for k in range(1, order)])
+
+
+def logarithmic_numerator(*powers: tuple[R, int]) -> R:
+    """``Π f · F′/F`` of ``F = Π fᵉ``, the numerator of a logarithmic derivative: ``Σ e f′ Π (the others)``.
+
+    >>> from exactspline import BSpline
+    >>> t = BSpline.identity(0, 1)
+    >>> logarithmic_numerator((t, 2), (t + 1, -1)) == 2 * (t + 1) - t
+    True
+
+    Raises `FormulaError` where nothing is given.
+    """
+    if not powers:
+        raise FormulaError("the logarithmic derivative of nothing", remedy="give functions with their exponents")
+    own: object = powers[0][0]
+    if isinstance(own, OwnWronskians):
+        return cast(R, own.logarithmic_numerator(cast(Any, powers)))
+    return cast(R, logarithmic_sum([(f, f.d(1), e) for f, e in powers]))
+
+
+def logarithmic_sum(parts: Sequence[tuple[Any, Any, int]]) -> Any:
+    """``Σ e g Π (the other f)`` of triples (f, g, e)."""
+    total: Any = None
+    for k, (_, derivative, e) in enumerate(parts):
+        product = derivative
+        for j, (other, _, _) in enumerate(parts):
+            product = product * other if j != k else product
+        total = product * e if total is None else total + product * e
+    return total
+
+
+def _own(a: Vector[T]) -> OwnWronskians | None:
+    """A component that carries out these operations itself."""
+    first: object = a[0] if type(a) is Vector and len(a) else None
+    return first if isinstance(first, OwnWronskians) else None
