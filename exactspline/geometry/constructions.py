@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from enum import StrEnum
 from functools import cache
 from typing import cast
 
@@ -50,6 +51,25 @@ class Variant(Word):
     MINIMAL = "minimal"
 
 
+class Absence(StrEnum):
+    """Why a derived object does not exist on a whole piece of a curve."""
+
+    STRAIGHT = "straight"
+    PLANAR = "planar"
+    STILL = "still"
+    #: For no reason that is known.
+    DENOMINATOR = "denominator"
+
+    @property
+    def words(self) -> str:
+        """The reason in words."""
+        return {
+            Absence.STRAIGHT: "the curve is straight (its curvature vanishes identically)",
+            Absence.PLANAR: "the curve is planar (its torsion vanishes identically)",
+            Absence.STILL: "the curve stands still (its velocity vanishes identically)",
+        }.get(self, "the denominator vanishes identically")
+
+
 @dataclass(frozen=True)
 class Construction:
     """A derived object: its name, its variants as names of formulas, and whether only its zero set matters (then a
@@ -65,6 +85,8 @@ class Construction:
     variants: dict[Variant, str]
     zero_set: bool = False
     ruled: bool = False
+    #: Why it does not exist where its denominator vanishes identically.
+    missing: Absence = Absence.DENOMINATOR
     #: The lift whose Wronskian the lifted form is.
     wronskian_of: str = ""
 
@@ -165,11 +187,23 @@ def all_constructions() -> dict[str, Construction]:
                 choice(Variant, v, "variant", where=table.place): source.find(f).name
                 for v, f in entry.pop("variants").items()
             }
+            if "missing" in entry:
+                entry["missing"] = choice(Absence, entry["missing"], "missing", where=table.place)
             if name in made:
                 made[name] = replace(made[name], variants=made[name].variants | variants, **entry)
             else:
                 made[name] = Construction(name, variants=variants, **entry)
     return made
+
+
+def absence_of(formula: str) -> Absence:
+    """Why a construction, or one of its formulas, does not exist where its denominator vanishes identically.
+
+    >>> absence_of("focal_curve").name, absence_of("torsion_reduced").name, absence_of("f2").name
+    ('PLANAR', 'STRAIGHT', 'DENOMINATOR')
+    """
+    own = (each.missing for name, each in all_constructions().items() if formula in (name, *each.variants.values()))
+    return next(own, Absence.DENOMINATOR)
 
 
 def construction(name: str) -> Construction:
