@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from exactspline import example
+from exactspline.display.evidence import opinion
 from exactspline.display.latex import latex
 from exactspline.language.formula import Formula
 from exactspline.papers import papers
@@ -103,7 +104,7 @@ def _on_curves(claim: Claim) -> Iterator[str]:
 def main() -> int:
     """Write the page; the exit code says whether Coq says what is expected."""
     claims = chosen()
-    found = {key: str(opinion) for (_, key), opinion in coq_judge.opinions(claims).items()}
+    found = {key: opinion(each) for (_, key), each in coq_judge.findings(claims).items()}
     PAGE.write_text(page(found), encoding="utf-8")
     return int(any(found[claim.key] != expected(claim) for claim in claims))
 

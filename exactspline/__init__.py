@@ -322,8 +322,9 @@ _HOMES = {
 
 
 def _printed(form: str, shown: object) -> str | None:
-    """The text of an object in a notebook."""
-    found: str | None = getattr(import_module("exactspline.display.notebook"), form)(shown)
+    """The text of an object in a notebook, or what was found in words."""
+    home = "exactspline.display.evidence" if form == "words" else "exactspline.display.notebook"
+    found: str | None = getattr(import_module(home), form)(shown)
     return found
 
 

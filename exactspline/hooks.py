@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Protocol
 
-#: From the name of a format (``html``, ``latex``, ``short``) and an object to a text, None where there is none.
+#: From the name of a format (``html``, ``latex``, ``short``, ``words``) and an object to a text, None where there is
+#: none.
 Printers = Callable[[str, object], str | None]
 
 
@@ -47,6 +48,15 @@ class Displayed:
 
     def _repr_pretty_(self, writer: Writer, cycle: bool) -> None:
         writer.text(_printers[0]("short", self) or repr(self))
+
+
+class Worded:
+    """What a sentence is made of: `str` puts it into words, as `display` writes them."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        return _printers[0]("words", self) or repr(self)
 
 
 class FunctionsOutside:

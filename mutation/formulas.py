@@ -32,7 +32,7 @@ from exactspline.verification.claims import claims_in
 from exactspline.verification.kinds.identity import Identity
 from exactspline.verification.ledger import proved, tasks
 from exactspline.verification.paper_curves import own_curves
-from exactspline.verification.verdict import Row
+from exactspline.verification.rows import Row
 from exactspline.verification.vocabulary import Scope, Verdict
 from mutation.forked import Result, forked
 from mutation.mutants import Mutant, live, mutants

@@ -12,6 +12,7 @@ from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.claims import all_claims
 from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evidence import Fact, NoGenerator, Undefined, UndefinedAt
 from exactspline.verification.verdict import INAPPLICABLE, VACUOUS
 
 SEGMENT, PLANE_SEGMENT = [(0, 0, 0), (1, 0, 1), (2, 2, 0), (3, 1, 2)], [(0, 0), (1, 0), (2, 2), (3, 1)]
@@ -47,6 +48,10 @@ CHECKED = [
 ]
 
 
+#: What says that something does not exist.
+ABSENT = (NoGenerator, Undefined, UndefinedAt)
+
+
 @cache
 def evaluated(i):
     return Evaluation(CURVES[i])
@@ -58,7 +63,8 @@ def does_not_exist(claim, own):
         return gone
     found = claim.check(own)
     nothing = found.verdict in (VACUOUS, INAPPLICABLE)
-    return found.computed if nothing and ("no surface" in found.computed or "not exist" in found.computed) else ""
+    gone = found.computed in (Fact.NO_SIDE, Fact.NO_FACTOR, Fact.NOT_HERE)
+    return found.computed if nothing and (gone or isinstance(found.computed, ABSENT)) else None
 
 
 def findings(claim):

@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 import exactspline as xs
 from exactspline.cli import app
 from exactspline.display.code import code_lines
+from exactspline.display.evidence import worded
 from exactspline.display.sheet import Sheet, csv_of
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.papers import find, load_paper, papers, resolve
@@ -243,7 +244,7 @@ def test_a_broken_formula_elsewhere_changes_no_verdict(tmp_path):
     formulas = broken + FORMULAS + plane_formulas(h="(c.w + c.p[0]) * det(c.p, c.p.d(1))")
     found = [proved(claim) for claim in claims_of(load_paper(written(tmp_path / "p", formulas, claims)))]
     assert [row.verdict for row in found] == [REFUTED, REFUTED]
-    assert found[0].factor == "1/2"
+    assert worded(found[0].factor) == "1/2"
     right = [FALSE | {"factor": "1/2"}]
     assert proved(claims_of(load_paper(written(tmp_path / "p", formulas, right)))[0]).verdict == PROVED
 
@@ -262,17 +263,18 @@ def test_a_curve_on_which_a_check_fails_does_not_hide_a_refutation(monkeypatch):
     monkeypatch.setattr(Vanishing, "check", failing)
     found = combined(false)[1]
     assert found.verdict == REFUTED
-    assert found.witness.startswith("on the example curve")
+    assert worded(found.witness).startswith("on the example curve")
 
 
 def test_the_kernel_says_why_it_says_nothing(tmp_path):
     """Before, the column of the kernel was blank for every claim of a user's paper."""
-    from exactspline.verification.coq_judge import opinions
+    from exactspline.display.evidence import opinion
+    from exactspline.verification.coq_judge import findings
 
     folder = written(tmp_path / "p", FORMULAS, [FALSE, {**FALSE, **KINDS["degree"], "id": "2", "left": "f"}][:1])
     (claim,) = claims_of(load_paper(folder))
     degree = next(c for c in select(["C4.1c"]) if c.kind == "degree")
-    said = {key: str(each) for key, each in opinions([claim, degree]).items()}
+    said = {key: opinion(each) for key, each in findings([claim, degree]).items()}
     assert said[claim.paper, claim.key] == "not stated, formulas of users' folders are not written in Coq"
     assert said[degree.paper, degree.key] == "not stated, claims of the kind 'degree' are not equalities"
 

@@ -11,7 +11,7 @@ from exactspline.verification.claims import claim_of
 from exactspline.verification.kinds import KINDS
 
 #: What people write as they like.
-FREE = {"source", "statement", "words", "place", "context", "note"}
+FREE = {"source", "statement", "words", "place", "section", "context", "note"}
 ENTRIES = [(table, source) for source in papers() for table in source.claim_tables()]
 
 
@@ -105,7 +105,7 @@ ZERO_SET = {key: DEGREE[key] for key in ("id", "key", "status", "source", "state
         (DEGREE, {"measure": "height"}, "a height is a number"),
         (DEGREE, {"least_d": 0}, "not a number ≥ 1"),
         (DEGREE, {"assumes": ["γ′×γ″"]}, "says nothing of 'plane'"),
-        (DEGREE, {"status": "printed"}, "neither words nor an equation"),
+        (DEGREE, {"status": "printed"}, "neither words nor a place"),
         (DEGREE, {"status": "printed", "words": "a", "expected": "REFUTED"}, "belongs to an error"),
         (DEGREE, {"key": "X2-f2"}, "does not begin with the id"),
         (DEGREE, {"key": "X1-f22"}, "does not occur elsewhere in the entry.*f2"),

@@ -11,6 +11,7 @@ from typer.testing import CliRunner
 
 from exactspline.cli import COMMANDS, app
 from exactspline.cli.common import load_curve
+from exactspline.display.evidence import worded
 from exactspline.errors import CurveFileError, DomainError, ExactSplineError, KnotError, NumberError
 from exactspline.interchange.files import read
 from exactspline.interchange.formats import FORMATS
@@ -121,7 +122,9 @@ def test_open_slices_are_printed():
 
 def test_sums_without_a_symbol_are_in_parentheses_where_they_are_factors():
     claims = claims_in(named_papers(["primer_on_bezier_curves"]))
-    factors = [combined(claim)[1].factor for claim in claims if claim.key.startswith(("PB5e-cusp_edge", "PB5f-"))]
+    factors = [
+        worded(combined(claim)[1].factor) for claim in claims if claim.key.startswith(("PB5e-cusp_edge", "PB5f-"))
+    ]
     assert len(factors) == 2
     for factor in factors:
         assert re.fullmatch(r"(144·)?\(-18 P2\[0\] P1\[1\] .* \+ 18 P2\[0\] P3\[1\]\)⁻²", factor)

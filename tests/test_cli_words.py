@@ -11,13 +11,16 @@ from typer.testing import CliRunner
 from exactspline.cli import COMMANDS, app
 from exactspline.cli.schema import schema_of, schemas
 from exactspline.display.code import code_lines
+from exactspline.display.evidence import worded
 from exactspline.display.glossary import meaning, terms
 from exactspline.display.ledger import WORDS
 from exactspline.display.ledger_page import page
-from exactspline.display.numbers import decimals
+from exactspline.display.numbers import Numbers, decimals
+from exactspline.numbers.exact import mpq
 from exactspline.splines.curve_files import curve_data
 from exactspline.splines.examples import example
 from exactspline.verification.claims import select
+from exactspline.verification.evidence import Between
 from exactspline.verification.ledger import audit
 
 
@@ -204,10 +207,9 @@ def test_long_fractions_are_decimals_and_stand_in_full_on_demand():
     assert decimals(f"differs by {long}", exact=True) == f"differs by {long}"
     assert decimals("at 1/3") == "at 1/3"
     assert decimals("g1 = w⁸·1/2·f") == "g1 = w⁸·1/2·f"
-    between = (
-        "vanishes between the parameters 3333333333333333/10000000000000000 and 3333333333333334/10000000000000000"
-    )
-    assert decimals(between) == "vanishes near the parameter 0.333333"
+    between = Between(mpq("3333333333333333/10000000000000000"), mpq("3333333333333334/10000000000000000"))
+    assert worded(between, Numbers()) == "near the parameter 0.333333"
+    assert worded(Between(mpq(1, 3), mpq(1, 2)), Numbers()) == "between the parameters 1/3 and 1/2"
 
 
 def test_the_page_has_every_row_and_asks_nothing_of_the_network(tmp_path):

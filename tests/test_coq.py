@@ -20,6 +20,7 @@ import pytest
 
 from docs import ten_claims
 from exactspline import example, example_names, zeros
+from exactspline.display.evidence import opinion
 from exactspline.papers import find, papers
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification import coq_judge
@@ -111,13 +112,14 @@ def test_the_kernel_says_what_a_theorem_assumes(room: Path) -> None:
     name = "claims/chen_riesenfeld_cohen_2007_section4_1"
     assert compiled(room, name)
     said = coq_judge.assumptions(room, name, ["C41a_f0_f2", "C41a_f1_f2"])
-    assert said == {"C41a_f0_f2": "no axioms", "C41a_f1_f2": "no axioms"}
+    assert said == {"C41a_f0_f2": (), "C41a_f1_f2": ()}
 
 
 def test_without_coq_the_column_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shutil, "which", lambda name: None)
-    found = coq_judge.opinions(select(["C4.1a"]))
-    assert [str(opinion) for opinion in found.values()] == [coq_judge.MISSING] * 2
+    found = coq_judge.findings(select(["C4.1a"]))
+    assert [opinion(each) for each in found.values()] == ["Coq is not installed"] * 2
+    assert [each.verdict for each in found.values()] == ["UNDECIDED"] * 2
 
 
 @pytest.mark.parametrize("name", example_names())

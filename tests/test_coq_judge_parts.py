@@ -2,25 +2,37 @@
 
 import pytest
 
+from exactspline.display.evidence import opinion
+from exactspline.errors import FormulaError
 from exactspline.verification import coq_judge
 from exactspline.verification.claims import all_claims
-from exactspline.verification.verdict import PROVED, REFUTED
+from exactspline.verification.evidence import Fact, NoTheorem, Theorem
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding
 
 
 def test_what_coq_says_of_axioms():
-    assert coq_judge._told("about x\nClosed under the global context\n") == "no axioms"
+    assert coq_judge._axioms("about x\nClosed under the global context\n") == ()
     said = "about x\nAxioms:\nfunctional_extensionality_dep : forall A,\n  (B : A)\nclassic\n  : forall P\n"
-    assert coq_judge._told(said) == "axioms functional_extensionality_dep, classic"
+    assert coq_judge._axioms(said) == ("functional_extensionality_dep", "classic")
 
 
 def test_the_least_favourable_opinion_counts():
-    said = [coq_judge.Opinion("", each) for each in ("holds", "not stated", "fails", "not accepted", coq_judge.MISSING)]
-    assert coq_judge._together(said).says == "not accepted"
-    assert coq_judge._together(said[:3]).says == "not stated"
-    assert coq_judge._together([said[0], said[2]]).says == "holds"
-    assert coq_judge._together([said[0], said[4]]).says == coq_judge.MISSING
-    assert str(coq_judge.Opinion("t", "holds", "no axioms")) == "holds, no axioms"
-    assert str(coq_judge.Opinion("t", "holds")) == "holds"
+    missing, refused = (Finding(UNDECIDED, witness=fact) for fact in (Fact.COQ_NOT_INSTALLED, Fact.NOT_ACCEPTED))
+    unstated = Finding(UNDECIDED, witness=NoTheorem(FormulaError("no")))
+    holds, fails = (Finding(verdict, Theorem("t")) for verdict in (PROVED, REFUTED))
+    said = [holds, unstated, fails, refused, missing]
+    assert coq_judge._together(said) is refused
+    assert coq_judge._together(said[:3]) is unstated
+    assert coq_judge._together([holds, fails]) is holds
+    assert coq_judge._together([holds, missing]) is missing
+    assert [opinion(each) for each in said] == [
+        "holds, no axioms",
+        "not stated, no",
+        "fails, no axioms",
+        "not accepted",
+        "Coq is not installed",
+    ]
+    assert opinion(Finding(PROVED, Theorem("t", ("x", "y")))) == "holds, axioms x, y"
 
 
 def test_what_coq_is_asked_to_compile(monkeypatch):
@@ -36,7 +48,7 @@ def test_what_coq_is_asked_to_compile(monkeypatch):
             asked.append("written")
 
     class Theorem:
-        reason = ""
+        reason = None
 
         def __init__(self, name):
             self.name = name
@@ -59,7 +71,7 @@ def test_what_is_asked_of_theorems_and_what_is_told(monkeypatch, tmp_path):
 
     monkeypatch.setattr(coq_judge, "_coqc", coqc)
     told = coq_judge.assumptions(tmp_path, "papers/one", ["a", "b"])
-    assert told == {"a": "no axioms", "b": "axioms classic"}
+    assert told == {"a": (), "b": ("classic",)}
     text = asked["Ask.v"]
     assert text.startswith(f"Require {coq_judge.ROOT}.papers.one.\n")
     for name in "ab":
@@ -74,30 +86,30 @@ def test_opinions_of_the_kernel(monkeypatch):
     last = next(c for c in all_claims() if c not in (one, refuted))
 
     class Theorem:
-        def __init__(self, claim, name, reason=""):
+        def __init__(self, claim, name, reason=None):
             self.claim, self.name, self.reason, self.text = claim, name, reason, "Theorem."
 
     class Made:
         def __init__(self):
             self.theorems = {
-                "File": (Theorem(one, "a"), Theorem(refuted, "b"), Theorem(last, "c", "no equality")),
+                "File": (Theorem(one, "a"), Theorem(refuted, "b"), Theorem(last, "c", FormulaError("no equality"))),
                 "Other": (Theorem(last, "d"),),
             }
 
     monkeypatch.setattr(coq_judge, "library", Made)
-    monkeypatch.setattr(coq_judge, "_compiled", lambda made, chosen: {"a": "no axioms", "b": "axioms x"})
+    monkeypatch.setattr(coq_judge, "_compiled", lambda made, chosen: {"a": (), "b": ("x",)})
     monkeypatch.setattr(coq_judge.shutil, "which", lambda name: "/bin/coqc")
-    found = coq_judge.opinions([one, refuted, last])
-    assert [str(found[c.paper, c.key]) for c in (one, refuted, last)] == [
+    found = coq_judge.findings([one, refuted, last])
+    assert [opinion(found[c.paper, c.key]) for c in (one, refuted, last)] == [
         "holds, no axioms",
         "fails, axioms x",
         "not accepted",
     ]
-    assert [*coq_judge.opinions([one])] == [(one.paper, one.key)]
+    assert [*coq_judge.findings([one])] == [(one.paper, one.key)]
     monkeypatch.setattr(coq_judge, "_compiled", lambda made, chosen: pytest.fail("nothing is compiled"))
     monkeypatch.setattr(coq_judge.shutil, "which", lambda name: None)
-    found = coq_judge.opinions([one, last])
-    assert [found[c.paper, c.key].says for c in (one, last)] == [coq_judge.MISSING, "not stated"]
+    found = coq_judge.findings([one, last])
+    assert [opinion(found[c.paper, c.key]) for c in (one, last)] == ["Coq is not installed", "not stated, no equality"]
 
 
 def test_a_theorem_alone_is_compiled_with_what_it_requires(monkeypatch, tmp_path):

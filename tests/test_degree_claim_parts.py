@@ -2,6 +2,7 @@
 
 import pytest
 
+from exactspline.display.evidence import worded
 from exactspline.papers import load_paper
 from exactspline.verification.claims import claims_of
 from exactspline.verification.verdict import PROVED, REFUTED
@@ -68,9 +69,9 @@ MEASURED = [
 def test_an_exception_refutes_unless_it_is_below_the_least_d(paper, formula, measure, least_d):
     _, found = claim(paper, formula, measure, least_d).prove()
     assert found.verdict == (PROVED if least_d > 3 else REFUTED)
-    assert "lower for d = 3" in found.computed
-    assert ("(k, m, j = 2, 2, 2)" in found.computed) is (formula == "special" and measure == "reduced")
-    assert found.witness == ("" if least_d > 3 else f"at d = 3: {3 if formula != 'special' else 2}, not 4")
+    assert "lower for d = 3" in worded(found.computed)
+    assert ("(k, m, j = 2, 2, 2)" in worded(found.computed)) is (formula == "special" and measure == "reduced")
+    assert worded(found.witness) == ("" if least_d > 3 else f"at d = 3: {3 if formula != 'special' else 2}, not 4")
 
 
 @pytest.mark.parametrize(("formula", "measure"), MEASURED)
@@ -89,11 +90,12 @@ def test_another_degree_is_refuted_at_the_first_d_from_three_on(paper, measure):
         ("max(2d − 2, 6)", 4, ""),
     ):
         _, found = claim(paper, "special", measure, least_d, claimed=claimed).prove()
-        assert found.witness == witness
+        assert worded(found.witness) == witness
         assert found.verdict == (REFUTED if witness else PROVED)
 
 
 def test_from_which_d_on_is_told_only_where_it_is_not_the_first(paper):
-    assert "so from" not in claim(paper, "special", "lowest terms", 4).prove()[1].computed
+    assert "so from" not in worded(claim(paper, "special", "lowest terms", 4).prove()[1].computed)
     told = claim(paper, "special", "lowest terms", 6, claimed="max(2d − 2, 9)").prove()[1].computed
-    assert "(so from d = 6 on)" in told
+    assert told.start == 6
+    assert "(so from d = 6 on)" in worded(told)

@@ -5,6 +5,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.geometry.constructions import Absence
 from exactspline.geometry.curvature import curvature_function
 from exactspline.geometry.derived import derive
 from exactspline.papers import find
@@ -28,7 +29,7 @@ def test_a_straight_line_has_no_evolute(name):
 def test_a_curve_with_one_straight_segment_has_an_evolute_on_the_others():
     evolute = derive("evolute", example("straight_between_arcs"))
     assert [piece.interval for piece in evolute.pieces] == [(0, 1), (2, 3)]
-    assert evolute.missing == (((mpq(1), mpq(2)), "the curve is straight (its curvature vanishes identically)"),)
+    assert evolute.missing == (((mpq(1), mpq(2)), Absence.STRAIGHT),)
     assert evolute("1/2") == derive("evolute", example("straight_between_arcs"), "naive")("1/2")
     with pytest.raises(ShapeError, match="straight"):
         evolute("3/2")

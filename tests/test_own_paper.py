@@ -16,6 +16,7 @@ from typer.testing import CliRunner
 
 import exactspline
 from exactspline.cli import app
+from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.papers import Table, load_paper, named_papers, paper, papers, resolve
 from exactspline.papers.new import write_new_paper
@@ -204,7 +205,7 @@ def test_what_goes_wrong_in_a_formula_names_file_and_line(body, tmp_path):
     folder = written(
         tmp_path / "p", f"@formula('e', on='plane')\ndef f(c):\n    return {body.removeprefix('return ')}\n", [CLAIM]
     )
-    told = proved(claims_of(load_paper(folder))[0]).witness
+    told = worded(proved(claims_of(load_paper(folder))[0]).witness)
     assert problem in told
     assert f"formulas.py, {line}" in told
     assert run("prove", "--paper", folder).exit_code in (1, 2)
@@ -215,7 +216,7 @@ def test_a_trusted_formula_that_branches_names_file_and_line(tmp_path):
     folder = written(tmp_path / "p", formulas, [CLAIM])
     with pytest.raises(FormulaError, match=r"line 4: a formula branches"):
         load_paper(folder)
-    told = proved(claims_of(load_paper(folder, trust=True))[0]).witness
+    told = worded(proved(claims_of(load_paper(folder, trust=True))[0]).witness)
     assert "formulas.py, line 4" in told
     assert "must not branch" in told
 
@@ -257,7 +258,7 @@ def test_a_derivative_that_the_kind_does_not_have(tmp_path):
         "@formula('e', on='implicit')\ndef f(c):\n    return c.fxx.d(2)\n",
         [CLAIM | {"curve": "implicit"}],
     )
-    told = proved(claims_of(load_paper(folder))[0]).witness
+    told = worded(proved(claims_of(load_paper(folder))[0]).witness)
     assert "formulas.py, line 4" in told
     assert (
         "partial derivatives up to order 3" in told.replace("those up", "partial derivatives up") or "order 3" in told
@@ -352,10 +353,10 @@ def test_an_assumption_of_the_author_is_checked_on_every_curve(tmp_path):
     assumed, plain = claims_of(load_paper(folder))
     row = proved(assumed)
     assert row.verdict == PROVED
-    assert row.assumptions == ["x ≠ 0"]
+    assert row.finding.assumptions == ("x ≠ 0",)
     assert proved(plain).verdict == REFUTED
     finding = assumed.check(Evaluation(example("circle")))
-    assert finding.witness.startswith("x vanishes")
+    assert worded(finding.witness).startswith("x vanishes")
 
 
 WEIRD = [

@@ -3,6 +3,7 @@
 import pickle
 from concurrent.futures import ThreadPoolExecutor
 
+from exactspline.display.ledger import row_data
 from exactspline.splines.examples import example
 from exactspline.symbolic.assumptions import ASSUMPTIONS
 from exactspline.verification.claims import all_claims, select
@@ -11,7 +12,7 @@ from exactspline.verification.ledger import audit
 
 
 def told(row):
-    return {name: value for name, value in row.data().items() if name != "seconds"}
+    return {name: value for name, value in row_data(row).items() if name != "seconds"}
 
 
 def test_eight_threads_run_the_ledger_over_one_curve():

@@ -11,6 +11,7 @@ import pytest
 import sympy
 from sympy import Matrix, Rational, diff, sqrt, symbols
 
+from exactspline.display.evidence import worded
 from exactspline.papers import paper
 from exactspline.verification.claims import claims_of
 from exactspline.verification.ledger import audit
@@ -34,7 +35,7 @@ def rows(name):
 
 @pytest.mark.parametrize("name", SOURCES)
 def test_every_verdict_is_as_recorded(name):
-    wrong = [(r.key, r.curve, r.verdict, r.computed) for r in rows(name) if not r.as_recorded]
+    wrong = [(r.key, r.curve, r.verdict, worded(r.computed)) for r in rows(name) if not r.as_recorded]
     assert wrong == []
 
 

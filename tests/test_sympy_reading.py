@@ -7,18 +7,20 @@ import sympy
 from typer.testing import CliRunner
 
 from exactspline.cli import app
+from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.kinds import CURVE, PAIR, POINT_IN_SPACE
 from exactspline.papers import find
 from exactspline.readings.sympy_expression import FIRST, SympyReading, vanishes
 from exactspline.verification.claims import all_claims, select
-from exactspline.verification.sympy_judge import judged, tasks
+from exactspline.verification.judges import second_opinions
+from exactspline.verification.sympy_judge import Sympy
 
 x, y, w = (sympy.Function(name)(FIRST) for name in "xyw")
 
 
 def test_every_identity_of_the_ledger_is_decided_alike():
-    rows = [task() for task in tasks(all_claims())]
+    rows = [task() for task in second_opinions(Sympy(), all_claims())]
     assert [(r.id, r.statement, r.verdict) for r in rows if not r.as_recorded] == []
     kinds = {"identity", "vanishing", "same surface", "iso-curve"}
     assert len(rows) == sum(c.kind in kinds for c in all_claims()) > 90
@@ -28,25 +30,25 @@ def test_every_identity_of_the_ledger_is_decided_alike():
 @pytest.mark.parametrize("factor", ["1", "w^2", "2 w", "-1 w", "f2"])
 def test_a_false_factor_is_refuted(factor):
     claim = select(["C4.1a"])[0]
-    assert judged(claim).verdict == "PROVED"
-    assert judged(replace(claim, factor=factor)).verdict == "REFUTED"
+    assert Sympy().decide(claim).verdict == "PROVED"
+    assert Sympy().decide(replace(claim, factor=factor)).verdict == "REFUTED"
 
 
 def test_what_vanishes_on_both_sides_or_divides_by_zero_is_no_proof():
     true = next(c for c in all_claims() if c.key == "C3d-velocity_acceleration_jerk-D1_D2_D3")
-    assert judged(true).verdict == "PROVED"
-    assert judged(replace(true, factor="D1_D2_D21")).verdict == "REFUTED"
-    assert judged(replace(true, factor="D1_D2_D21^-1")).verdict == "REFUTED"
-    nothing = judged(replace(true, left="rectifying_plane", right="D1_D2_D21", factor="1"))
-    assert (nothing.verdict, nothing.computed) == ("VACUOUS", "0 = 0")
+    assert Sympy().decide(true).verdict == "PROVED"
+    assert Sympy().decide(replace(true, factor="D1_D2_D21")).verdict == "REFUTED"
+    assert Sympy().decide(replace(true, factor="D1_D2_D21^-1")).verdict == "REFUTED"
+    nothing = Sympy().decide(replace(true, left="rectifying_plane", right="D1_D2_D21", factor="1"))
+    assert (nothing.verdict, worded(nothing.computed)) == ("VACUOUS", "0 = 0")
 
 
 def test_false_vanishing_and_false_surfaces_are_refuted():
     claim = next(c for c in select(["C3c"]) if c.left == "D1_D2_D21")
-    assert judged(replace(claim, left="D1_D2_D3")).verdict == "REFUTED"
+    assert Sympy().decide(replace(claim, left="D1_D2_D3")).verdict == "REFUTED"
     surface = next(c for c in all_claims() if c.kind == "same surface" and c.left == "binormal_scroll")
-    assert judged(surface).verdict == "PROVED"
-    assert judged(replace(surface, left="normal_scroll")).verdict == "REFUTED"
+    assert Sympy().decide(surface).verdict == "PROVED"
+    assert Sympy().decide(replace(surface, left="normal_scroll")).verdict == "REFUTED"
 
 
 @pytest.mark.parametrize(

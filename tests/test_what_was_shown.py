@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.language.kinds import kind_of
 from exactspline.numbers.exact import to_fmpq
@@ -29,7 +30,7 @@ def test_the_witness_of_a_degree_is_one(claimed, relation):
     found = claim(kind="degree", curve="plane", formula="f2", of="polynomial", claimed=claimed, relation=relation)
     verdict = found.prove()[1]
     if verdict.verdict == REFUTED:
-        computed, said = verdict.witness.split(": ")[1].split(", not ")
+        computed, said = worded(verdict.witness).split(": ")[1].split(", not ")
         assert not found.relation.holds(int(computed), int(said.split()[-1]))
         assert (relation == "=") == (said.split()[-1] == said)
 
@@ -41,7 +42,7 @@ def test_a_witness_of_unequal_degrees_is_sought_where_equal_ones_show_nothing():
     )
     wrong = replace(product, claimed="2d1").prove()[1]
     assert wrong.verdict == REFUTED
-    computed, said = wrong.witness.split(": ")[1].split(", not ")
+    computed, said = worded(wrong.witness).split(": ")[1].split(", not ")
     assert computed != said
 
 
@@ -58,7 +59,7 @@ def test_a_form_that_vanishes_has_no_number_of_roots(tmp_path):
     entries = [told | {"id": f"{i}", "formula": f, "claimed": n} for i, (f, n) in enumerate(counted)]
     rows = [proved(each) for each in claims_of(load_paper(written(tmp_path / "counts", formulas, entries)))]
     assert [row.verdict for row in rows] == [VACUOUS, REFUTED, VERIFIED, REFUTED]
-    assert rows[3].computed == "not a form whose sign is that of κ′"
+    assert worded(rows[3].computed) == "not a form whose sign is that of κ′"
 
 
 def test_a_formula_is_not_called_like_a_constant_of_its_kind(tmp_path):

@@ -14,10 +14,12 @@ from exactspline.display.plot.canvas import Run, sampled
 from exactspline.display.plot.html import Scene, scenes_data
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
 from exactspline.display.plot.turning_surface import inspected_scene
+from exactspline.display.statement import statement_data
 from exactspline.papers import papers
 from exactspline.readings.degree import parse
 from exactspline.verification.claims import claims_in
 from exactspline.verification.degree_tables import generic_table
+from exactspline.verification.evidence import Evidence, OnExample
 from exactspline.verification.statement import statement
 
 CURVES = ("six_segment_cubic", "cubic_s", "rational_cubic", "ellipse", "cusp")
@@ -119,18 +121,19 @@ def claims() -> list[dict[str, Any]]:
     titles = {source.name: source.title for source in papers()}
     made = []
     for s in map(statement, claims_in(papers())):
-        told = s.data()
+        told = statement_data(s)
         told |= {"paper": s.claim.paper, "title": titles[s.claim.paper], "verdict": str(told["verdict"])}
-        told["curve"] = _address(_witness(str(told["witness"])))
+        told["curve"] = _address(_witness(s.finding.witness))
         made.append(told)
     return made
 
 
-def _witness(text: str) -> xs.Nurbs | None:
+def _witness(found: Evidence | None) -> xs.Nurbs | None:
     """The plane example curve that a witness names."""
-    named = [name for name in xs.example_names() if f"example curve {name}:" in text]
-    curve = xs.example(named[0]) if named else None
-    return curve if curve is not None and curve.dimension == 2 else None
+    if not isinstance(found, OnExample) or found.surface or found.name not in xs.example_names():
+        return None
+    curve = xs.example(found.name)
+    return curve if curve.dimension == 2 else None
 
 
 def _address(curve: xs.Nurbs | None) -> str:

@@ -102,13 +102,15 @@ class Work:
     def _judged(self, curve: Nurbs) -> tuple[Judged, ...]:
         if not self.claims:
             return ()
+        from exactspline.display.evidence import worded
         from exactspline.verification.evaluation import Evaluation
         from exactspline.verification.ledger import UNNAMED, checked
+        from exactspline.verification.vocabulary import Name
 
         own = Evaluation(curve)
         speaking = [claim for claim in _claims(self.claims) if claim.speaks_of(curve.dimension, curve.polynomial)]
-        rows = [(claim, checked(claim, own, curve.name or UNNAMED, _proofs())) for claim in speaking]
-        return tuple(Judged(claim.key, row.verdict, row.as_recorded, row.witness) for claim, row in rows)
+        rows = [(claim, checked(claim, own, Name(curve.name) or UNNAMED, _proofs())) for claim in speaking]
+        return tuple(Judged(claim.key, row.verdict, row.as_recorded, worded(row.witness)) for claim, row in rows)
 
 
 def _located(ids: Sequence[str]) -> tuple[tuple[str, str], ...]:

@@ -75,10 +75,10 @@ def _witness(given: Formula, reference: Formula, factor: str, dimension: int) ->
             found = verify(given, reference, curve, factor)
         except ExactSplineError:
             continue
-        if found.witness is not None:
-            left, right = (_value(f, curve, found.witness) for f in (given, reference))
+        if (t := found.parameter) is not None:
+            left, right = (_value(f, curve, t) for f in (given, reference))
             product = right if factor == "1" else f"{factor} · {right}"
-            return f"on the example curve {name} at t = {text(found.witness)} it gives {left}, where {product} is right"
+            return f"on the example curve {name} at t = {text(t)} it gives {left}, where {product} is right"
     return ""
 
 

@@ -13,6 +13,7 @@ from exactspline.errors import ClaimError, counted, nearest
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from exactspline.display.numbers import Numbers
     from exactspline.display.sheet import Sheet
     from exactspline.verification.errata import Erratum
 
@@ -32,12 +33,15 @@ def errata(
     """List the errors of the paper: the printed words with their place, what is true, why, a witness, and a check that
     can be pasted into Python.
     """
-    from exactspline.display.numbers import decimals
+    from exactspline.display.errata import erratum_data
+    from exactspline.display.evidence import worded
+    from exactspline.display.numbers import Numbers
     from exactspline.display.sheet import Sheet
     from exactspline.papers import named_papers
     from exactspline.verification.errata import errata as errors
     from exactspline.verification.errata import remarks
 
+    numbers = Numbers(digits, exact)
     sources = named_papers(paper or [], trust=trust)
     found = list(errors(sources))
     entries = _chosen([*found, *remarks(sources)], error or [])
@@ -47,9 +51,9 @@ def errata(
         made = Sheet(*columns, prose=columns[1:])
         for entry in entries:
             for each in entry.statements:
-                seen = decimals(each.witness, digits, exact=exact)
+                seen = worded(each.witness, numbers)
                 truth, why = "; ".join(entry.truth), "; ".join(entry.why)
-                made.add_row(entry.title, each.place, each.words, each.statement, each.found, seen, truth, why)
+                made.add_row(entry.title, each.place, each.words, each.statement, worded(each.found), seen, truth, why)
         return [made]
 
     def people() -> None:
@@ -58,10 +62,10 @@ def errata(
         shown = console.console()
         listed = [entry for entry in entries if entry in found]
         for entry in listed:
-            _print(shown, f"{found.index(entry) + 1}. ", entry, digits, exact)
+            _print(shown, f"{found.index(entry) + 1}. ", entry, numbers)
         for entry in entries:
             if entry not in found:
-                _print(shown, "Remark: ", entry, digits, exact)
+                _print(shown, "Remark: ", entry, numbers)
         statements = sum(len(entry.statements) for entry in listed)
         console.lines(
             shown, f"{counted(len(listed), 'error')} of the paper, {counted(statements, 'statement')} refuted"
@@ -69,7 +73,7 @@ def errata(
         if not out.quiet:
             console.legend(shown, ["PROVED", "VERIFIED"])
 
-    out.give("errata", lambda: [entry.data() for entry in entries], sheets, people)
+    out.give("errata", lambda: [erratum_data(entry) for entry in entries], sheets, people)
 
 
 def _chosen(entries: list[Erratum], wanted: list[str]) -> list[Erratum]:
@@ -83,12 +87,12 @@ def _chosen(entries: list[Erratum], wanted: list[str]) -> list[Erratum]:
     return [entry for entry in entries if not wanted or entry in keep]
 
 
-def _print(shown: Console, number: str, entry: Erratum, digits: int, exact: bool) -> None:
+def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> None:
     from rich.text import Text
 
     from exactspline.display import console
     from exactspline.display.code import code_lines
-    from exactspline.display.numbers import decimals
+    from exactspline.display.evidence import worded
 
     console.lines(shown, f"{number}{entry.title}", indent=3, style="bold")
     for each in entry.statements:
@@ -96,9 +100,9 @@ def _print(shown: Console, number: str, entry: Erratum, digits: int, exact: bool
         told = "printed in" if number[0].isdigit() else "beside"
         console.lines(shown, f"{told} {each.place}{words}", indent=5, first=3)
         console.lines(shown, f"which says: {each.statement} ({each.id})", indent=7, first=5)
-        console.lines(shown, f"found: {each.found}", indent=7, first=5)
+        console.lines(shown, f"found: {worded(each.found)}", indent=7, first=5)
         if each.witness:
-            console.lines(shown, f"witness: {decimals(each.witness, digits, exact=exact)}", indent=7, first=5)
+            console.lines(shown, f"witness: {worded(each.witness, numbers)}", indent=7, first=5)
     for line in entry.truth:
         console.lines(shown, f"true: {line}", indent=5, first=3)
     for line in entry.why:

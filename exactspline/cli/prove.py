@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -26,12 +26,14 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from exactspline.display.ledger import Failure
+    from exactspline.display.numbers import Numbers
     from exactspline.display.sheet import Sheet
     from exactspline.splines.nurbs import Nurbs
     from exactspline.splines.surface import NurbsSurface
     from exactspline.verification.claim import Claim
+    from exactspline.verification.judges import Judge
     from exactspline.verification.questions import Proof
-    from exactspline.verification.verdict import Row
+    from exactspline.verification.rows import Row
 
 #: Up to so many claims are listed one by one; more are summarized.
 FEW = 12
@@ -60,7 +62,7 @@ Surfaces = Annotated[
         "unless --paper names others). May be repeated.",
     ),
 ]
-Judge = Annotated[
+JudgeName = Annotated[
     str,
     typer.Option(
         "--judge",
@@ -100,7 +102,7 @@ def prove(
     surface: Surfaces = None,
     section: Sections = None,
     verdict: Verdicts = None,
-    judge: Judge = "",
+    judge: JudgeName = "",
     emit_coq: EmitCoq = "",
     rows: Rows = False,
     html: Page = "",
@@ -118,6 +120,7 @@ def prove(
         _identity(out, identity, trust)
         return
     from exactspline.display.ledger import WORDS
+    from exactspline.display.numbers import Numbers
     from exactspline.verification.ledger import settled, tasks
 
     if emit_coq:
@@ -139,8 +142,7 @@ def prove(
     if judge and curves is not None:
         told = "--judge and --curve" if curve else "--judge and --surface"
         raise OptionsError(told, remedy="another judge decides for all: leave it out")
-    found = settled(tracked(_judge(judge)(claims) if judge else tasks(claims, curves), "proving"))
-    kernel = _kernel(claims) if judge == "coq" else None
+    found, kernel = _judged(judge, claims) if judge else (settled(tracked(tasks(claims, curves), "proving")), None)
     chosen = [row for row in found if not wanted or row.verdict in wanted]
     if html:
         from exactspline.display.ledger_page import write_page
@@ -151,7 +153,7 @@ def prove(
 
         write_report(report, claims, found)
     listed = rows or bool(claim or section or verdict) or len(claims) <= FEW
-    pages = _Ledger(chosen, claims, curves, digits, exact, kernel)
+    pages = _Ledger(chosen, claims, curves, Numbers(digits, exact), kernel)
     out.give(
         "prove", pages.data, pages.sheets, lambda: pages.print(out, found, listed=listed, everything=rows), by="curve"
     )
@@ -214,24 +216,26 @@ def _told(text: str) -> None:
     console.lines(console.console(), text)
 
 
-def _judge(name: str) -> Callable[[Sequence[Claim]], list[Callable[[], Row]]]:
-    """The function that gives the calls of another judge."""
-    if name == "coq":
-        from exactspline.verification import ledger
+def _judged(name: str, claims: Sequence[Claim]) -> tuple[list[Row], dict[tuple[str, str], str] | None]:
+    """The rows of another judge, or those of the ledger with the column of the kernel; a CONTRADICTION where two judges
+    decide the opposite.
+    """
+    from exactspline.verification.coq_judge import Coq
+    from exactspline.verification.judges import compared_rows, judge_named, second_opinions
+    from exactspline.verification.ledger import settled, tasks
 
-        return ledger.tasks
-    if name != "sympy":
-        raise ClaimError(f"there is no judge called {name!r}", remedy="choose sympy or coq")
-    from exactspline.verification import sympy_judge
+    judge = judge_named(name)
+    if not isinstance(judge, Coq):
+        return tracked(second_opinions(judge, claims), "proving"), None
+    kernel = Coq(claims)
+    return compared_rows(settled(tracked(tasks(claims), "proving")), kernel), _kernel(claims, kernel)
 
-    return sympy_judge.tasks
 
-
-def _kernel(claims: Sequence[Claim]) -> dict[tuple[str, str], str]:
+def _kernel(claims: Sequence[Claim], kernel: Judge) -> dict[tuple[str, str], str]:
     """The column of the kernel: what Coq says, claim by claim."""
-    from exactspline.verification.coq_judge import opinions
+    from exactspline.display.evidence import opinion
 
-    return {key: str(opinion) for key, opinion in opinions(claims).items()}
+    return {(claim.paper, claim.key): opinion(kernel.decide(claim)) for claim in claims}
 
 
 def _emit(directory: str, claims: Sequence[Claim] | None) -> None:
@@ -246,7 +250,7 @@ def _emit(directory: str, claims: Sequence[Claim] | None) -> None:
     theorems = [each for own in made.theorems.values() for each in own if not each.reason]
     console.lines(shown, f"{len(theorems)} theorems in {len(made.files)} files, listed in {directory}/_CoqProject")
     for each in made.unstated:
-        console.lines(shown, f"{each.claim.key}: no theorem, {each.reason}")
+        console.lines(shown, f"{each.claim.key}: no theorem, {each.why}")
 
 
 def _word(name: str, known: Sequence[str]) -> str:
@@ -281,11 +285,10 @@ class _Ledger:
         rows: list[Row],
         claims: Sequence[Claim],
         curves: Sequence[Nurbs | NurbsSurface] | None,
-        digits: int,
-        exact: bool,
+        numbers: Numbers,
         kernel: dict[tuple[str, str], str] | None = None,
     ) -> None:
-        self.rows, self.claims, self.curves, self.digits, self.exact = rows, claims, curves, digits, exact
+        self.rows, self.claims, self.curves, self.numbers = rows, claims, curves, numbers
         self.kernel = kernel
 
     @property
@@ -297,10 +300,10 @@ class _Ledger:
 
     def data(self) -> list[dict[str, object]]:
         """Every row, with a unique key."""
-        from exactspline.display.ledger import keyed
+        from exactspline.display.ledger import keyed, row_data
 
         return [
-            row.data() | {"key": key, "claim": row.key, "as_recorded": row.as_recorded} | self._said(row)
+            row_data(row) | {"key": key, "claim": row.key, "as_recorded": row.as_recorded} | self._said(row)
             for key, row in keyed(self.rows)
         ]
 
@@ -317,7 +320,7 @@ class _Ledger:
             own = [row for row in self.rows if row.curve == name]
             title = name or "For all curves"
             told = None if name else self.kernel
-            shown.append(ledger(own, title, self.digits, exact=self.exact, name=name or "all curves", kernel=told))
+            shown.append(ledger(own, title, self.numbers, name=name or "all curves", kernel=told))
         return shown
 
     def print(self, out: Output, found: Sequence[Row], *, listed: bool, everything: bool) -> None:
@@ -368,9 +371,9 @@ class _Ledger:
         ids = ", ".join(dict.fromkeys(row.id for row in failure.rows))
         console.lines(shown, f"{ids}: {failure.title}", style="bold magenta")
         for row in failure.rows:
-            console.lines(shown, f"claimed: {said(row)} ({row.source})", indent=4, first=2)
+            console.lines(shown, f"claimed: {said(row)} ({row.claim.source})", indent=4, first=2)
             console.lines(shown, f"found: {found(row)}", indent=4, first=2)
-            if told := witness(row, self.digits, exact=self.exact):
+            if told := witness(row, self.numbers):
                 console.lines(shown, f"witness: {told}", indent=4, first=2)
         for row in failure.truth:
             console.lines(shown, f"true: {said(row)}", indent=4, first=2)
@@ -397,7 +400,7 @@ class _Ledger:
 
         if differing := [row for row in self.rows if not row.as_recorded]:
             shown.print()
-            shown.print(ledger(differing, "Not as recorded", self.digits, exact=self.exact))
+            shown.print(ledger(differing, "Not as recorded", self.numbers))
 
     def _on_curves(self, shown: Console, listed: bool) -> None:
         from exactspline.display import console
@@ -417,7 +420,7 @@ class _Ledger:
             if not own:
                 console.lines(shown, title)
             elif listed:
-                shown.print(ledger(own, title, self.digits, exact=self.exact))
+                shown.print(ledger(own, title, self.numbers))
             else:
                 made = by_section(own)
                 made.title = title
@@ -425,7 +428,7 @@ class _Ledger:
                 wrong = [row for row in own if row.verdict == REFUTED or not row.as_recorded]
                 if wrong:
                     shown.print()
-                    shown.print(ledger(wrong, "Refuted on this curve", self.digits, exact=self.exact))
+                    shown.print(ledger(wrong, "Refuted on this curve", self.numbers))
             speaks = [claim.speaks_of(c.dimension, c.polynomial, surface=on_surface) for claim in self.claims]
             if silent := [claim for claim, told in zip(self.claims, speaks, strict=True) if not told]:
                 told = "1 claim says" if len(silent) == 1 else f"{len(silent)} claims say"

@@ -34,6 +34,7 @@ def show(
     """Spell out a claim: what it says, its naive and its reduced side, the factor, the degrees, the verdict, the
     source.
     """
+    from exactspline.display.statement import statement_data
     from exactspline.verification.claims import located
     from exactspline.verification.statement import statement
 
@@ -44,7 +45,7 @@ def show(
     found = [statement(each) for each in located(claim, claims)]
     out.give(
         "show",
-        lambda: [s.data() | {"key": f"{s.claim.paper}/{s.claim.key}"} for s in found],
+        lambda: [statement_data(s) | {"key": f"{s.claim.paper}/{s.claim.key}"} for s in found],
         lambda: _sheets(found),
         lambda: _print(out, found, latex),
     )

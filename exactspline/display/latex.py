@@ -133,7 +133,7 @@ def _(s: Statement) -> str:
 def _(root: Root) -> str:
     if root.exact is not None:
         return rf"s = {fraction(root.exact)}"
-    shown = repr(root).removeprefix("<Root ").split(":")[0].removesuffix("…")
+    shown = root.shortly().replace("…", "")
     return rf"s = {shown}\ldots"
 
 

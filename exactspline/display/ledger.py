@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 
-from exactspline.display.numbers import decimals
+from exactspline.display.evidence import worded
+from exactspline.display.numbers import EXACT, Numbers
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
 from exactspline.language.kinds import kind_of
-from exactspline.papers import Paper, paper
+from exactspline.papers import paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.claim import Claim
-from exactspline.verification.claims import claims_of
-from exactspline.verification.errata import name_of, numbered
-from exactspline.verification.kinds import DegreeClaim, Identity, Vanishing
-from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED, Row
+from exactspline.verification.errata import numbered, true_relation
+from exactspline.verification.evidence import DegreeHere, ExactQuotient, WrongDegree
+from exactspline.verification.kinds import DegreeClaim, Vanishing
+from exactspline.verification.rows import Row
+from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict
 
 #: The words of the verdict column, in the order of the tables.
@@ -27,16 +27,6 @@ WORDS = tuple(Verdict)
 HOLDS = (PROVED, VERIFIED)
 #: The last two groups of the summary.
 MEANT, OURS = "as it must read", "beyond the paper"
-
-
-@cache
-def _claims(source: Paper) -> dict[str, Claim]:
-    return {claim.key: claim for claim in claims_of(source)}
-
-
-def claim_of(row: Row) -> Claim:
-    """The claim of which a row is a line."""
-    return _claims(paper(row.paper))[row.key]
 
 
 def section(claim: Claim) -> str:
@@ -48,43 +38,81 @@ def section(claim: Claim) -> str:
     """
     if claim.status == Status.OURS:
         return OURS
-    if number := re.match(r"C(\d+(?:\.\d+)?)", claim.id):
-        return f"§{number[1]}"
-    return claim.source_paper.sections.get(claim.id[0], claim.source)
+    return claim.section or claim.source
 
 
-def found(row: Row) -> str:
+def found(row: Row, numbers: Numbers = EXACT) -> str:
     """The result in one phrase: an identity as ``left = factor · right``."""
-    claim = claim_of(row)
+    computed = worded(row.computed, numbers)
     if row.verdict == INAPPLICABLE:
-        return f"{row.computed or 'nothing'}: {row.witness}"
+        return f"{computed or 'nothing'}: {worded(row.witness, numbers)}"
     if row.verdict == VACUOUS:
         return "nothing to decide here"
-    if isinstance(claim, Identity) and row.factor and (row.verdict != REFUTED or not row.curve):
-        left, right = name_of(claim, claim.left), name_of(claim, claim.right)
-        return f"{left} = {right}" if row.factor == "1" else f"{left} = {row.factor} · {right}"
-    if isinstance(claim, DegreeClaim):
-        computed = "identically zero" if row.computed == "-1" else row.computed
-        return computed if row.verdict in HOLDS else f"{computed}, not {row.claimed}"
-    if isinstance(claim, Vanishing) and row.verdict in HOLDS:
+    relation = true_relation(row.claim, row.finding)
+    if relation and (row.verdict != REFUTED or not row.curve):
+        return worded(relation, numbers)
+    if isinstance(row.claim, DegreeClaim):
+        none = isinstance(row.computed, DegreeHere) and row.computed.degree < 0
+        degree = "identically zero" if none else computed
+        return degree if row.verdict in HOLDS else f"{degree}, not {row.claimed}"
+    if isinstance(row.claim, Vanishing) and row.verdict in HOLDS:
         return "identically zero"
-    return f"{row.computed}: {row.factor}" if row.factor and row.verdict in HOLDS else row.computed
+    return f"{computed}: {worded(row.factor, numbers)}" if row.factor and row.verdict in HOLDS else computed
 
 
-def witness(row: Row, digits: int = 0, *, exact: bool = False) -> str:
+def witness(row: Row, numbers: Numbers = EXACT) -> str:
     """The place where a row fails, unless `found` says so already."""
-    if row.verdict in (VACUOUS, INAPPLICABLE) or row.witness.startswith("the exact quotient is"):
+    if row.verdict in (VACUOUS, INAPPLICABLE) or isinstance(row.witness, ExactQuotient):
         return ""
-    said = re.fullmatch(r"-?\d+, not -?\d+", row.witness)
-    return "" if said else decimals(row.witness, digits, exact=exact)
+    said = isinstance(row.witness, WrongDegree) and row.witness.at is None
+    return "" if said else worded(row.witness, numbers)
+
+
+def recorded(row: Row) -> str:
+    """The verdicts that agree with the record."""
+    return " or ".join(row.expected)
+
+
+def row_data(row: Row) -> dict[str, object]:
+    """A row as data.
+
+    >>> from exactspline.verification.claims import select
+    >>> from exactspline.verification.ledger import proved
+    >>> data = row_data(proved(select(["C4.1a"])[0]))
+    >>> [str(data[name]) for name in ("verdict", "claimed", "computed", "witness", "expected")]
+    ['PROVED', 'w', 'w', '', 'PROVED']
+    """
+    claim, finding = row.claim, row.finding
+    beside = f", {worded(row.beside)}" if row.beside else ""
+    return {
+        "id": claim.id,
+        "key": claim.key,
+        "paper": claim.paper,
+        "status": claim.status,
+        "kind": claim.kind,
+        "source": claim.source,
+        "statement": row.statement,
+        "assumes": claim.assumed,
+        "assumptions": list(finding.assumptions),
+        "reading": row.reading + beside,
+        "curve": row.curve,
+        "relation": finding.relation,
+        "claimed": row.claimed,
+        "computed": worded(finding.computed),
+        "factor": worded(finding.factor),
+        "witness": worded(finding.witness),
+        "verdict": finding.verdict,
+        "reason": finding.reason or "",
+        "expected": recorded(row),
+        "seconds": row.seconds,
+    }
 
 
 def ledger(
     rows: Iterable[Row],
     title: str = "",
-    digits: int = 0,
+    numbers: Numbers = EXACT,
     *,
-    exact: bool = False,
     name: str = "",
     kernel: Mapping[tuple[str, str], str] | None = None,
 ) -> Sheet:
@@ -93,9 +121,9 @@ def ledger(
     columns = ("verdict", "claim", "statement", "found", "witness", *asked)
     made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness", *asked), heads=2)
     for row in rows:
-        mark = "" if row.as_recorded else f" (recorded: {row.expected})"
+        mark = "" if row.as_recorded else f" (recorded: {recorded(row)})"
         says = () if kernel is None else (kernel.get((row.paper, row.key), ""),)
-        made.add_row(row.verdict + mark, row.id, row.statement, found(row), witness(row, digits, exact=exact), *says)
+        made.add_row(row.verdict + mark, row.id, row.statement, found(row), witness(row, numbers), *says)
     return made
 
 
@@ -103,7 +131,7 @@ def by_section(rows: Iterable[Row]) -> Sheet:
     """Counts of the verdicts: of printed statements by section, of corrected ones, and of those beyond the paper."""
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for row in rows:
-        claim = claim_of(row)
+        claim = row.claim
         counts[MEANT if claim.status == Status.MEANT else section(claim)][row.verdict] += 1
     words = [w for w in WORDS if any(c[w] for c in counts.values())]
     made = Sheet("section", "statements", *words, numbers=("statements", *words))
@@ -142,7 +170,7 @@ def refuted(rows: Iterable[Row]) -> list[Failure]:
     """The errors of the papers among the rows for all curves, in the order of the rows."""
     groups: dict[tuple[str, str], list[Row]] = defaultdict(list)
     for row in rows:
-        if not row.curve and (error := claim_of(row).error):
+        if not row.curve and (error := row.claim.error):
             groups[row.paper, error].append(row)
     found = []
     for (source, error), own in groups.items():
@@ -206,7 +234,7 @@ def closing(rows: Sequence[Row]) -> str:
 
 def said(row: Row) -> str:
     """A statement with its number."""
-    return numbered(claim_of(row))
+    return numbered(row.claim)
 
 
 def headline(rows: Sequence[Row]) -> str:

@@ -7,8 +7,8 @@ from html import escape
 
 from exactspline.atomic_write import write_atomically
 from exactspline.display.glossary import explained
-from exactspline.display.ledger import WORDS, claim_of, closing, found, headline, section, witness
-from exactspline.verification.verdict import Row
+from exactspline.display.ledger import WORDS, closing, found, headline, section, witness
+from exactspline.verification.rows import Row
 
 _STYLE = """
 body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:80rem;padding:0 1rem;color:#1a1a1a;background:#fff}
@@ -40,7 +40,7 @@ def page(rows: Sequence[Row]) -> str:
     (True, False)
     """
     words = [w for w in WORDS if any(row.verdict == w for row in rows)]
-    sections = list(dict.fromkeys(section(claim_of(row)) for row in rows))
+    sections = list(dict.fromkeys(section(row.claim) for row in rows))
     curves = list(dict.fromkeys(_curve(row) for row in rows))
     choices = (("verdict", words), ("section", sections), ("curve", curves))
     filters = "".join(_select(name, values) for name, values in choices)
@@ -59,7 +59,7 @@ def page(rows: Sequence[Row]) -> str:
 
 def _unchecked(rows: Sequence[Row]) -> str:
     """Which papers' formulas ran as they stand."""
-    papers = dict.fromkeys(claim_of(row).source_paper for row in rows)
+    papers = dict.fromkeys(row.claim.source_paper for row in rows)
     names = ", ".join(source.name for source in papers if source.trusted)
     return f"<p><b>Formulas that ran unchecked (--trust): {escape(names)}</b></p>" if names else ""
 
@@ -81,9 +81,9 @@ def _select(name: str, values: Sequence[str]) -> str:
 
 def _row(row: Row) -> str:
     told = row.verdict
-    data = {"verdict": told, "section": section(claim_of(row)), "curve": _curve(row)}
+    data = {"verdict": told, "section": section(row.claim), "curve": _curve(row)}
     attributes = "".join(f' data-{name}="{escape(value)}"' for name, value in data.items())
-    cells = (row.id, row.source, _curve(row), row.statement, found(row), witness(row))
+    cells = (row.id, row.claim.source, _curve(row), row.statement, found(row), witness(row))
     return (
         f'<tr{attributes}><td class="{told}">{told}</td>'
         + "".join(f"<td>{escape(cell)}</td>" for cell in cells)

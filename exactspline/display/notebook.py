@@ -9,9 +9,10 @@ from io import BytesIO
 from typing import Any, cast
 
 from exactspline.classroom.exercise import Exercise
+from exactspline.display.evidence import worded
 from exactspline.display.exercises import task_html
 from exactspline.display.latex import fraction, latex, mathematics
-from exactspline.display.numbers import decimals
+from exactspline.display.numbers import Numbers, decimals
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts
 from exactspline.errors import counted
@@ -27,8 +28,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.triangles import ProductTable, Triangle
 from exactspline.verification.claim import Claim
 from exactspline.verification.errata import Erratum
+from exactspline.verification.rows import Row
 from exactspline.verification.statement import Side, Statement, latex_of, sides
-from exactspline.verification.verdict import Row
 
 #: Numbers of a list that are written out, and control points above which a spline is described instead of written out.
 SHOWN, LONG = 8, 24
@@ -151,7 +152,7 @@ def _(d: Derived) -> str:
     lines = [(f"on [{text(a)}, {text(b)}]", escape(_piece(p.value))) for p in d.pieces for a, b in [p.interval]]
     return facts(
         f"{d.name}, {d.variant}",
-        lines + [(f"missing on [{text(a)}, {text(b)}]", escape(reason)) for (a, b), reason in d.missing],
+        lines + [(f"missing on [{text(a)}, {text(b)}]", escape(reason.words)) for (a, b), reason in d.missing],
     )
 
 
@@ -189,8 +190,8 @@ def _(e: Erratum) -> str:
         lines += [
             (each.place, escape(words)),
             ("which says", escape(each.statement)),
-            ("found", escape(each.found)),
-            ("witness", escape(decimals(each.witness))),
+            ("found", escape(worded(each.found))),
+            ("witness", escape(worded(each.witness, Numbers()))),
             ("check", f"<code>{'<br>'.join(map(escape, each.check))}</code>"),
         ]
     lines += [("true", escape(line)) for line in e.truth] + [("why", escape(line)) for line in e.why]
@@ -201,10 +202,10 @@ def _(e: Erratum) -> str:
 def _(s: Statement) -> str:
     c, f = s.claim, s.finding
     found = [
-        ("claimed", f.claimed),
-        ("computed", f.computed),
-        ("factor", f.factor),
-        ("witness", f.witness),
+        ("claimed", c.claims),
+        ("computed", worded(f.computed)),
+        ("factor", worded(f.factor)),
+        ("witness", worded(f.witness)),
         ("verdict", f.verdict),
     ]
     lines = [

@@ -3,46 +3,65 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import mpq, text
 
 _NUMBER = re.compile(r"(?<![\w/.])-?\d+/\d+(?![\w/.])|(?<![\w/.])-?\d{25,}(?![\w/.])")
-_BETWEEN = re.compile(r"between the parameters (-?\d+(?:/\d+)?) and (-?\d+(?:/\d+)?)")
 #: A number with more characters than this is shown as a decimal.
 LONGEST = 14
 #: Its significant digits.
 DIGITS = 6
 
 
-def decimals(text: str, digits: int = 0, *, exact: bool = False) -> str:
-    """A text with its exact numbers made readable: a long one as a decimal (whole where `exact`), every one with so
-    many digits beside it when asked for.
+@dataclass(frozen=True)
+class Numbers:
+    """How exact numbers are written: a long one as a decimal (in full where ``exact``), every one with this many digits
+    next to it when asked for.
 
-    >>> decimals("at the parameter 1/3", 5)
-    'at the parameter 1/3 ≈ 0.33333'
-    >>> decimals("differs by -37571202085457847/1220703125000000000")
-    'differs by ≈ -0.0307783'
-    >>> decimals("differs by -37571202085457847/1220703125000000000", exact=True)
-    'differs by -37571202085457847/1220703125000000000'
+    >>> Numbers()(mpq(1, 3)), Numbers(5)(mpq(1, 3)), Numbers()(mpq(1, 3**40))
+    ('1/3', '1/3 ≈ 0.33333', '≈ 8.22526e-20')
     """
 
-    def shown(match: re.Match[str]) -> str:
-        if len(match[0]) <= LONGEST or exact:
-            return f"{match[0]} ≈ {decimal(mpq(match[0]), digits)}" if digits else match[0]
-        return f"≈ {decimal(mpq(match[0]), digits or DIGITS)}"
+    digits: int = 0
+    exact: bool = False
 
-    return _NUMBER.sub(shown, text if exact else _BETWEEN.sub(_near, text))
+    def __call__(self, value: mpq) -> str:
+        """One number."""
+        return self.within(text(value))
+
+    def within(self, formula: str) -> str:
+        """A formula with its numbers written so.
+
+        >>> Numbers().within("x/7 + 1/1220703125000000000")
+        'x/7 + ≈ 8.192e-19'
+        """
+        return formula if self.exact and not self.digits else _NUMBER.sub(self._shown, formula)
+
+    def common(self, low: mpq, high: mpq) -> str:
+        """The digits on which the ends of an isolating interval agree; empty where they are written in full."""
+        if self.exact or max(len(text(low)), len(text(high))) <= LONGEST:
+            return ""
+        digits = next((n for n in range(DIGITS, 1, -1) if decimal(low, n) == decimal(high, n)), 0)
+        return decimal(low, digits) if digits else ""
+
+    def _shown(self, match: re.Match[str]) -> str:
+        if len(match[0]) <= LONGEST or self.exact:
+            return f"{match[0]} ≈ {decimal(mpq(match[0]), self.digits)}" if self.digits else match[0]
+        return f"≈ {decimal(mpq(match[0]), self.digits or DIGITS)}"
 
 
-def _near(match: re.Match[str]) -> str:
-    """An isolating interval by the digits on which its ends agree; a wide one in full."""
-    low, high = mpq(match[1]), mpq(match[2])
-    if max(len(match[1]), len(match[2])) <= LONGEST:
-        return match[0]
-    digits = next((n for n in range(DIGITS, 1, -1) if decimal(low, n) == decimal(high, n)), 0)
-    if digits:
-        return f"near the parameter {decimal(low, digits)}"
-    return f"between the parameters {decimal(low, DIGITS)} and {decimal(high, DIGITS)}"
+#: Every number in full.
+EXACT = Numbers(exact=True)
+
+
+def decimals(formula: str, digits: int = 0, *, exact: bool = False) -> str:
+    """A formula with its exact numbers made readable, as `Numbers` writes them.
+
+    >>> decimals("1/3 x - 37571202085457847/1220703125000000000")
+    '1/3 x - ≈ 0.0307783'
+    """
+    return Numbers(digits, exact).within(formula)
 
 
 def decimal(value: mpq, digits: int) -> str:

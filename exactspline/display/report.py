@@ -14,7 +14,8 @@ from exactspline.papers import Paper
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
 from exactspline.verification.claim import Claim
-from exactspline.verification.verdict import REFUTED, Row
+from exactspline.verification.rows import Row
+from exactspline.verification.verdict import REFUTED
 
 _STYLE = """
 body{font:16px/1.5 Georgia,serif;margin:2rem auto;max-width:52rem;padding:0 1rem;color:#1a1a1a;background:#fff}
@@ -87,8 +88,8 @@ def _claim(claim: Claim, rows: Iterable[Row]) -> str:
         ("recorded", "" if general is None or general.as_recorded else f"{claim.expected}: it differs"),
     ]
     if general:
-        told += [("found", found(general)), ("witness", witness(general)), ("reading", general.reading)]
-        told.append(("rests on", ", ".join(general.assumptions)))
+        told += [("found", found(general)), ("witness", witness(general)), ("reading", str(general.reading))]
+        told.append(("rests on", ", ".join(general.finding.assumptions)))
     cells = "".join(f"<dt>{what}</dt><dd>{escape(text)}</dd>" for what, text in told if text)
     shown = f'<span class="verdict">{verdict or "on curves"}</span>'
     head = f"<h3>{escape(claim.id)} · {escape(claim.place or claim.source)} · {shown}</h3>"

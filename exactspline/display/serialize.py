@@ -182,7 +182,7 @@ def derived_data(derived: Derived, curve: str) -> dict[str, object]:
         "curve": curve,
         "layout": "directrix, generator" if derived.ruled else "",
         "pieces": [piece_data(piece.interval, piece.value) for piece in derived.pieces],
-        "missing": [{"interval": [str(a), str(b)], "reason": reason} for (a, b), reason in derived.missing],
+        "missing": [{"interval": [str(a), str(b)], "reason": reason.words} for (a, b), reason in derived.missing],
     }
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from exactspline.display.evidence import worded
 from exactspline.verification.divisors import divisors
-from exactspline.verification.errata import name_of
-from exactspline.verification.kinds import Count, DegreeClaim, Identity
+from exactspline.verification.errata import true_relation
+from exactspline.verification.kinds import DegreeClaim, Identity
 from exactspline.verification.statement import Statement
 from exactspline.verification.vocabulary import Status
 
@@ -23,12 +24,11 @@ def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
             (side.role, side.latex if latex else side.text),
             ("of which", f"{side.name}, {side.source}, degree {side.degrees}"),
         ]
-    is_number = isinstance(c, DegreeClaim | Count)
     told += [
-        ("claimed", f.claimed if not isinstance(c, Identity) else f"factor {f.claimed}"),
-        ("found", _found(s) if not is_number else f.computed),
-        ("factor", f.factor if not isinstance(c, DegreeClaim | Identity) else ""),
-        ("witness", f.witness),
+        ("claimed", c.claims if not isinstance(c, Identity) else f"factor {c.claims}"),
+        ("found", _found(s)),
+        ("factor", worded(f.factor) if not isinstance(c, DegreeClaim | Identity) else ""),
+        ("witness", worded(f.witness)),
         ("assumes", c.assumed),
         ("divides by", ", ".join(divisors(c))),
         ("used", ", ".join(f.assumptions)),
@@ -40,8 +40,41 @@ def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
 
 
 def _found(s: Statement) -> str:
-    claim, factor = s.claim, s.finding.factor
-    if not isinstance(claim, Identity) or not factor:
-        return s.finding.computed
-    times = "" if factor == "1" else f"{factor} · "
-    return f"{name_of(claim, claim.left)} = {times}{name_of(claim, claim.right)}"
+    return worded(true_relation(s.claim, s.finding) or s.finding.computed)
+
+
+def statement_data(s: Statement) -> dict[str, object]:
+    """The statement as data.
+
+    >>> from exactspline.verification.statement import statements
+    >>> data = statement_data(next(statements("C4.1a")))
+    >>> data["latex"], data["factor"], data["divides_by"]
+    ('f_1 = w\\\\,f_2', 'w', [])
+    """
+    c, f = s.claim, s.finding
+    return {
+        "id": c.id,
+        "source": c.source,
+        "kind": c.kind,
+        "statement": c.statement,
+        "key": c.key,
+        "paper": c.paper,
+        "status": c.status,
+        "words": c.words,
+        "place": c.place,
+        "error": c.error,
+        "latex": s.latex,
+        "sides": [vars(side) for side in s.sides],
+        "assumes": c.assumed,
+        "divides_by": list(divisors(c)),
+        "reading": s.reading,
+        "note": c.note,
+        "expected": c.expected,
+        "claimed": c.claims,
+        "computed": worded(f.computed),
+        "factor": worded(f.factor),
+        "witness": worded(f.witness),
+        "verdict": f.verdict,
+        "relation": f.relation,
+        "assumptions": list(f.assumptions),
+    }

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from exactspline.display import console
+from exactspline.display.evidence import worded
+from exactspline.display.numbers import Numbers as Written
 from exactspline.display.sheet import Sheet
 from exactspline.errors import as_items, counted, written
 from exactspline.geometry.inspection import compare_approaches
@@ -20,8 +22,9 @@ from exactspline.verification.degree_tables import construction_table, generic_t
 from exactspline.verification.kinds import Count, DegreeClaim
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.measure import measurable, measure
+from exactspline.verification.rows import Row
 from exactspline.verification.statement import Statement, statement
-from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, VERIFIED, Row
+from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, VERIFIED
 from exactspline.verification.vocabulary import Status, Verdict
 
 #: Colours of verdicts that colour-blind readers can distinguish too (they are also given in words).
@@ -31,8 +34,6 @@ COLOURS = dict.fromkeys(Verdict, "#7A7A7A") | {
     REFUTED: "#D55E00",
     CONTRADICTION: "#B00020",
 }
-#: How the ids of claims beyond the paper begin.
-BEYOND = "L"
 #: A remark in a table is cut when it has more characters.
 LONGEST = 160
 
@@ -48,7 +49,7 @@ class Grid(Displayed):
 
     def __init__(self, columns: Sequence[str], rows: Iterable[Sequence[object]], title: str = "") -> None:
         self.columns, self.title = list(as_items(columns, "columns")), title
-        self.rows = [[written(cell) for cell in as_items(row, "cells")] for row in as_items(rows, "rows")]
+        self.rows = [[_cell(cell) for cell in as_items(row, "cells")] for row in as_items(rows, "rows")]
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -87,6 +88,10 @@ class Grid(Displayed):
         return f"<table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
+def _cell(value: object) -> str:
+    return "" if value is None else written(value)
+
+
 def _coloured(cell: str) -> str:
     return f";color:{COLOURS[Verdict(cell)]};font-weight:bold" if cell in COLOURS else ""
 
@@ -98,7 +103,7 @@ class Verdicts(Grid):
         self.rows_of_ledger = list(rows)
         columns = ["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"]
         cells: list[tuple[str, ...]] = [
-            (r.verdict, r.id, r.curve, r.statement, r.claimed, r.computed, remark(r), r.source)
+            (r.verdict, r.id, r.curve, r.statement, r.claimed, worded(r.computed), remark(r), r.claim.source)
             for r in self.rows_of_ledger
         ]
         if not any(r.curve for r in self.rows_of_ledger):
@@ -121,7 +126,10 @@ def remark(row: Row) -> str:
     >>> remark(proved(select(["C4.1a"])[0]))
     'w'
     """
-    text = console.decimals(row.witness or row.factor)
+    return _cut(worded(row.witness or row.factor, Written()))
+
+
+def _cut(text: str) -> str:
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} … ({len(text)} characters)"
 
 
@@ -238,7 +246,7 @@ def numerical_claims(*ids: str) -> list[Claim]:
     return [
         claim
         for claim in select(ids)
-        if isinstance(claim, DegreeClaim | Count) and (ids or not claim.id.startswith(BEYOND))
+        if isinstance(claim, DegreeClaim | Count) and (ids or claim.status != Status.OURS)
     ]
 
 
@@ -246,7 +254,7 @@ def _printed(s: Statement) -> tuple[str, ...]:
     claim, found = s.claim, s.finding
     claimed = str(getattr(claim, "claimed", claim.claims))
     printed = claimed if claim.status == Status.PRINTED else f"({claimed})"
-    return claim.id, claim.source, claim.statement, printed, found.computed, found.verdict
+    return claim.id, claim.source, claim.statement, printed, worded(found.computed), found.verdict
 
 
 def approaches_table(curve: Nurbs) -> Grid:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from enum import StrEnum
 from functools import cache
 from typing import cast
 
@@ -44,6 +45,25 @@ class Variant(Word):
     MINIMAL = "minimal"
 
 
+class Absence(StrEnum):
+    """Why a derived object does not exist on a whole piece of a curve."""
+
+    STRAIGHT = "straight"
+    PLANAR = "planar"
+    STILL = "still"
+    #: For no reason that is known.
+    DENOMINATOR = "denominator"
+
+    @property
+    def words(self) -> str:
+        """The reason in words."""
+        return {
+            Absence.STRAIGHT: "the curve is straight (its curvature vanishes identically)",
+            Absence.PLANAR: "the curve is planar (its torsion vanishes identically)",
+            Absence.STILL: "the curve stands still (its velocity vanishes identically)",
+        }.get(self, "the denominator vanishes identically")
+
+
 @dataclass(frozen=True)
 class Construction:
     """A derived object: its name, its variants as names of formulas, and whether only its zero set matters (then a
@@ -61,6 +81,8 @@ class Construction:
     ruled: bool = False
     #: The formula of the minimal form, where it is not the lifted one.
     lowest: str = ""
+    #: Why it does not exist where its denominator vanishes identically.
+    missing: Absence = Absence.DENOMINATOR
 
     @property
     def all_variants(self) -> tuple[Variant, ...]:
@@ -160,11 +182,23 @@ def all_constructions() -> dict[str, Construction]:
             }
             if "lowest" in entry:
                 entry["lowest"] = source.find(entry["lowest"]).name
+            if "missing" in entry:
+                entry["missing"] = choice(Absence, entry["missing"], "missing", where=table.place)
             if name in made:
                 made[name] = replace(made[name], variants=made[name].variants | variants, **entry)
             else:
                 made[name] = Construction(name, variants=variants, **entry)
     return made
+
+
+def absence_of(formula: str) -> Absence:
+    """Why a construction, or one of its formulas, does not exist where its denominator vanishes identically.
+
+    >>> absence_of("focal_curve").name, absence_of("torsion_reduced").name, absence_of("f2").name
+    ('PLANAR', 'STRAIGHT', 'DENOMINATOR')
+    """
+    own = (each.missing for name, each in all_constructions().items() if formula in (name, *each.variants.values()))
+    return next(own, Absence.DENOMINATOR)
 
 
 def construction(name: str) -> Construction:

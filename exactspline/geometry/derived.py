@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from exactspline.errors import FormulaError, ShapeError, shown
-from exactspline.geometry.constructions import Variant, all_constructions, construction
+from exactspline.geometry.constructions import Absence, Variant, absence_of, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
 from exactspline.hooks import Displayed
 from exactspline.language.formula import Formula, expect_formula
@@ -41,7 +41,7 @@ class Derived(Displayed):
     name: str
     variant: Variant
     pieces: tuple[Piece, ...]
-    missing: tuple[tuple[Interval, str], ...]
+    missing: tuple[tuple[Interval, Absence], ...]
     #: Whether it is a ruled surface: then the values are directrix and generator side by side.
     ruled: bool = False
 
@@ -70,7 +70,7 @@ class Derived(Displayed):
         on [0, 1] and [2, 3]; not on [1, 2]: the curve is straight (its curvature vanishes identically)
         """
         there = " and ".join(_shown(piece.interval) for piece in self.pieces)
-        gaps = [f"not on {_shown(interval)}: {reason}" for interval, reason in self.missing]
+        gaps = [f"not on {_shown(interval)}: {reason.words}" for interval, reason in self.missing]
         return "; ".join([f"on {there}", *gaps])
 
     def __call__(self, t: Number) -> mpq | tuple[mpq, ...]:
@@ -81,7 +81,7 @@ class Derived(Displayed):
                 return piece.value(t) if not isinstance(piece.value, Vector) else tuple(c(t) for c in piece.value)
         raise ShapeError(
             f"{self.name} does not exist at the parameter {short_text(t)}",
-            remedy="; ".join(reason for _, reason in self.missing),
+            remedy="; ".join(reason.words for _, reason in self.missing),
         )
 
 
@@ -128,13 +128,11 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     found = formula(curve)
     ruled = isinstance(found, RuledSurface)
     exists, breaks = _exists(found), curve.breakpoints
-    missing = tuple(
-        (interval, _why_missing(name)) for interval in intervals_where(breaks, [not here for here in exists])
-    )
+    missing = tuple((interval, absence_of(name)) for interval in intervals_where(breaks, [not here for here in exists]))
     pieces = tuple(Piece(interval, compute(part(curve, *interval))) for interval in intervals_where(breaks, exists))
     if not pieces:
         raise ShapeError(
-            f"{curve.name or 'the curve'} has no {name}: {missing[0][1]} on its whole domain",
+            f"{curve.name or 'the curve'} has no {name}: {missing[0][1].words} on its whole domain",
             remedy="choose another curve",
         )
     return Derived(name, Variant(variant), pieces, missing, ruled)
@@ -200,23 +198,3 @@ def _exists(value: Any) -> list[bool]:
     if isinstance(value, Rational):
         return [bool(c) for c in value.denominator.polynomials]
     return [True] * len((value[0] if isinstance(value, Vector) else value).mesh)
-
-
-#: Why an object does not exist where its denominator vanishes identically, by the beginning of its name.
-_MISSING = {
-    "evolute": "the curve is straight (its curvature vanishes identically)",
-    "focal_curve": "the curve is planar (its torsion vanishes identically)",
-    "torsion": "the curve is straight (its curvature vanishes identically)",
-    "circle_centres": "the curve is straight (its curvature vanishes identically)",
-    "rectifying_developable": "the curve is straight (its curvature vanishes identically)",
-    "focal_surface": "the curve is straight (its curvature vanishes identically)",
-    "binormal_scroll": "the curve is straight (its curvature vanishes identically)",
-    "normal_scroll": "the curve is straight (its curvature vanishes identically)",
-    "tangent_developable": "the curve stands still (its velocity vanishes identically)",
-}
-
-
-def _why_missing(name: str) -> str:
-    return next(
-        (why for start, why in _MISSING.items() if name.startswith(start)), "the denominator vanishes identically"
-    )

@@ -33,7 +33,6 @@ class Told(TypedDict):
     claims: list[str]
     uses: list[str]
     errors: dict[str, str]
-    sections: dict[str, str]
     default: bool
     order: int
 
@@ -49,7 +48,6 @@ SILENT: Told = {
     "claims": ["claims.toml"],
     "uses": [],
     "errors": {},
-    "sections": {},
     "default": False,
     "order": 0,
 }
@@ -68,11 +66,10 @@ class Paper:
     """A source: its folder, its title, the modules of its formulas and the files of its claims.
 
     ``uses`` are the papers whose formulas its own may build on and its claims may name. ``errors`` are its errors, each
-    a name that groups the claims failing for one reason, with an explanation. ``sections`` says where claims stand by
-    the first letter of their ids. A ``default`` paper is used where none is named. ``package`` is where its modules are
-    imported from (its own, or one in `exactspline.formulas` for what belongs to no single source), empty for a user's
-    folder; then formulas are checked before they run, unless the folder is
-    ``trusted``; what they may import from other papers is ``importable``.
+    a name that groups the claims failing for one reason, with an explanation. A ``default`` paper is used where none
+    is named. ``package`` is where its modules are imported from (its own, or one in `exactspline.formulas` for what
+    belongs to no single source), empty for a user's folder; then formulas are checked before they run, unless the
+    folder is ``trusted``; what they may import from other papers is ``importable``.
     """
 
     name: str
@@ -83,7 +80,6 @@ class Paper:
     claim_files: tuple[str, ...]
     uses: tuple[Paper, ...]
     errors: dict[str, str]
-    sections: dict[str, str] = field(default_factory=dict)
     default: bool = False
     package: str = ""
     trusted: bool = False
@@ -270,7 +266,6 @@ def paper_in(
         tuple(told["claims"]),
         tuple(used(other) for other in told["uses"]),
         told["errors"],
-        told["sections"],
         told["default"],
         package and (told["formulas_in"] or package),
         trusted,

@@ -35,13 +35,15 @@ SURFACES = ("surface", "planar map")
 class Assumption:
     """That a polynomial in the curve has no zero (`everywhere`), or that it vanishes on no whole segment.
 
-    ``name`` is how claims write it, ``words`` how it is read, ``meaning`` the explanation of a factor that has no zero
-    because of it. ``polynomial`` gives the polynomial in any reading of an argument of one of the ``kinds``; it depends
-    on the parameter of the second curve where ``second`` is set. ``formula`` is the name of the formula that gives it
-    (its squared length, where that is a vector); a denominator of a curve has none.
+    ``name`` is how claims write it, ``subject`` that of which it speaks, ``words`` how it is read, ``meaning`` the
+    explanation of a factor that has no zero because of it. ``polynomial`` gives the polynomial in any reading of an
+    argument of one of the ``kinds``; it depends on the parameter of the second curve where ``second`` is set.
+    ``formula`` is the name of the formula that gives it (its squared length, where that is a vector); a denominator of
+    a curve has none. ``implies`` are the names of others that follow from it.
     """
 
     name: str
+    subject: str
     words: str
     meaning: str
     polynomial: Callable[[Any], Any]
@@ -49,6 +51,7 @@ class Assumption:
     everywhere: bool = True
     second: bool = False
     formula: str = ""
+    implies: tuple[str, ...] = ()
 
     def speaks_of(self, kind: Kind) -> bool:
         """Whether its polynomial exists on arguments of a kind."""
@@ -87,9 +90,15 @@ def _of_second(name: str) -> Callable[[Any], Any]:
 
 _EVERYWHERE = (
     Assumption(
-        "w", "w has no zero", "the weight function, without a zero", lambda c: _first(c).w, (*ALONE, *PAIR, *SURFACES)
+        "w",
+        "w",
+        "w has no zero",
+        "the weight function, without a zero",
+        lambda c: _first(c).w,
+        (*ALONE, *PAIR, *SURFACES),
     ),
     Assumption(
+        "w̄",
         "w̄",
         "w̄ has no zero",
         "the weight function of the second curve, without a zero",
@@ -99,6 +108,7 @@ _EVERYWHERE = (
     ),
     Assumption(
         "γ′",
+        "γ′",
         "γ′ has no zero",
         "positive where the curve is regular",
         _formula("D1_squared"),
@@ -106,6 +116,7 @@ _EVERYWHERE = (
         formula="D1_squared",
     ),
     Assumption(
+        "γ̄′",
         "γ̄′",
         "γ̄′ has no zero",
         "positive where the second curve is regular",
@@ -116,13 +127,16 @@ _EVERYWHERE = (
     ),
     Assumption(
         "γ′×γ″",
+        "γ′×γ″",
         "γ′×γ″ has no zero",
         "positive where the curve is regular and its curvature is not zero",
         _formula("binormal_form_squared"),
         SPACE,
         formula="binormal_form_squared",
+        implies=("γ′",),
     ),
     Assumption(
+        "S_u×S_v",
         "S_u×S_v",
         "S_u×S_v has no zero",
         "positive where the surface is regular",
@@ -133,29 +147,31 @@ _EVERYWHERE = (
 )
 
 
-def _somewhere(name: str, formula: str, kinds: tuple[str, ...]) -> Assumption:
+def _somewhere(name: str, formula: str, kinds: tuple[str, ...], *implies: str) -> Assumption:
     return Assumption(
         f"{name} ≢ 0",
+        name,
         f"{name} vanishes on no whole segment",
         "",
         _formula(formula),
         kinds,
         everywhere=False,
         formula=formula,
+        implies=implies,
     )
 
 
 _SOMEWHERE = (
     _somewhere("γ′", "D1_squared", (*ALONE, *PAIR)),
-    _somewhere("[γ′ γ″]", "f2", (*PLANE, "plane pair")),
-    _somewhere("γ′×γ″", "binormal_form_squared", (*SPACE, *PAIR)),
-    _somewhere("[γ′ γ″ γ‴]", "D1_D2_D3", (*SPACE, *PAIR)),
-    _somewhere("[γ′ γ−Q]", "plane_bisector_determinant", ("plane point",)),
-    _somewhere("γ′×(γ−Q)", "point_bisector_generator_polynomial", ("point",)),
-    _somewhere("(γ′×(γ−Q))₁", "direct_determinant_x", ("point",)),
-    _somewhere("(γ′×(γ−Q))₂", "direct_determinant_y", ("point",)),
-    _somewhere("(γ′×(γ−Q))₃", "direct_determinant_z", ("point",)),
-    _somewhere("[γ′ γ̄′ γ−γ̄]", "bisector_determinant_symmetric", PAIR),
+    _somewhere("[γ′ γ″]", "f2", (*PLANE, "plane pair"), "γ′"),
+    _somewhere("γ′×γ″", "binormal_form_squared", (*SPACE, *PAIR), "γ′"),
+    _somewhere("[γ′ γ″ γ‴]", "D1_D2_D3", (*SPACE, *PAIR), "γ′", "γ′×γ″"),
+    _somewhere("[γ′ γ−Q]", "plane_bisector_determinant", ("plane point",), "γ′"),
+    _somewhere("γ′×(γ−Q)", "point_bisector_generator_polynomial", ("point",), "γ′"),
+    _somewhere("(γ′×(γ−Q))₁", "direct_determinant_x", ("point",), "γ′"),
+    _somewhere("(γ′×(γ−Q))₂", "direct_determinant_y", ("point",), "γ′"),
+    _somewhere("(γ′×(γ−Q))₃", "direct_determinant_z", ("point",), "γ′"),
+    _somewhere("[γ′ γ̄′ γ−γ̄]", "bisector_determinant_symmetric", PAIR, "γ′", "γ̄′"),
 )
 
 
@@ -182,7 +198,7 @@ def stated_assumption(name: str, what: Formula | str, kind: Kind, everywhere: bo
                 f"{shown!r} vanishes on every curve", where="assumes", remedy="nothing can be assumed of it"
             )
     words = f"{shown} has no zero" if everywhere else f"{shown} vanishes on no whole segment"
-    return Assumption(name, words, "not zero by assumption", polynomial, (kind.name,), everywhere)
+    return Assumption(name, shown, words, "not zero by assumption", polynomial, (kind.name,), everywhere)
 
 
 #: Every assumption by its name.

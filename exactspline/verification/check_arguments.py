@@ -9,14 +9,16 @@ from exactspline.language.accompanied import Accompanied
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.hodograph_kind import curve_of_hodograph
-from exactspline.language.kinds import HODOGRAPH, PLANAR_MAP, SURFACE, CurveKind, PairKind, constant_text, kind_of
+from exactspline.language.kinds import HODOGRAPH, PLANAR_MAP, SURFACE, CurveKind, PairKind, kind_of
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.integral import integral
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
+from exactspline.verification.evidence import AnyOperands, Chosen, Evidence, Fact
+from exactspline.verification.vocabulary import Name
 
 #: How many segments of either curve are used in a pair: more would show nothing new, and the number of patches is their
 #: product.
@@ -77,12 +79,12 @@ def is_tried_whole(surface: NurbsSurface) -> bool:
 
 class Given(NamedTuple):
     """The argument of formulas of a kind on one curve or surface; its description beside the name of that; and which
-    part of all such arguments it is, where formulas of the kind have others too (empty where it is the only one).
+    part of all such arguments it is, where formulas of the kind have others too (None where it is the only one).
     """
 
     argument: Evaluated
-    beside: str = ""
-    part: str = ""
+    beside: Evidence | None = None
+    part: Evidence | None = None
 
 
 def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
@@ -99,42 +101,42 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
         if is_tried_whole(curve):
             return Given(curve)
         (a, b, *_), (c, d, *_) = (mesh.breaks for mesh in curve.meshes)
-        return Given(curve.mapped(lambda f: f.restrict((a, b), (c, d))), ", first patch", "the first patch")
+        return Given(curve.mapped(lambda f: f.restrict((a, b), (c, d))), Fact.FIRST_PATCH, Fact.FIRST_PATCH)
     if isinstance(asked, PairKind):
-        beside = "first segment, with its moved copy"
-        return Given(pair_with(curve), f", {beside}", beside)
+        return Given(pair_with(curve), Fact.FIRST_SEGMENTS, Fact.FIRST_SEGMENTS)
     if asked is HODOGRAPH:
-        return Given(with_hodograph(curve), ", as u, v and h of a hodograph")
+        return Given(with_hodograph(curve), Fact.AS_HODOGRAPH)
     if not isinstance(asked, CurveKind):
         raise InapplicableError(
             f"one curve is not an example of {str(kind)!r}", remedy="such claims are decided for all curves"
         )
     handed: Curve[BSpline] = curve
-    parts = []
+    point: tuple[mpq, ...] = ()
+    values: dict[str, mpq] = {}
     if asked.with_point:
         point = point_beside(curve)
         handed = curve.with_point(point)
-        parts.append(f"the point ({', '.join(map(text, point))})")
     if asked.constants:
         values = dict(zip(asked.constants, CONSTANTS, strict=False))
         if len(values) < len(asked.constants):
             raise InapplicableError(f"{len(asked.constants)} constants", remedy=f"at most {len(CONSTANTS)} are tried")
         handed = Accompanied(handed, {name: curve.w.constant(value) for name, value in values.items()})
-        parts += [f"{constant_text(name)} = {text(value)}" for name, value in values.items()]
-    part = f"with {', '.join(parts)}" if parts else ""
-    return Given(handed, f", {part}" if parts else "", part)
+    chosen = Chosen(point, tuple((Name(name), value) for name, value in values.items())) if point or values else None
+    return Given(handed, chosen, chosen)
 
 
-def free_operands(kind: str) -> str:
-    """What is free beside the curve in arguments of a kind, in words; empty where nothing is.
+def free_operands(kind: str) -> AnyOperands | None:
+    """What is free beside the curve in arguments of a kind; None where nothing is.
 
-    >>> free_operands("plane pair"), free_operands("plane point"), free_operands("plane with delta")
-    ('with any second curve', 'with any point', 'with any δ')
+    >>> for kind in ("plane pair", "plane point", "plane with delta"):
+    ...     print(free_operands(kind))
+    with any second curve
+    with any point
+    with any δ
     """
     asked = kind_of(kind)
     if isinstance(asked, PairKind):
-        return "with any second curve"
-    if not isinstance(asked, CurveKind):
-        return ""
-    free = [*(["point"] if asked.with_point else []), *map(constant_text, asked.constants)]
-    return f"with any {', '.join(free)}" if free else ""
+        return AnyOperands(second_curve=True)
+    if not isinstance(asked, CurveKind) or not (asked.with_point or asked.constants):
+        return None
+    return AnyOperands(point=asked.with_point, constants=tuple(map(Name, asked.constants)))

@@ -7,7 +7,6 @@ from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field, replace
 from enum import StrEnum
-from functools import cache
 from typing import ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, VanishingDivisorError
@@ -21,7 +20,6 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.numbers.immutable import Immutable
 from exactspline.papers import Paper
 from exactspline.papers import paper as paper_named
-from exactspline.readings.degree import parse
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
@@ -30,7 +28,18 @@ from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption
 from exactspline.verification.check_arguments import free_operands
 from exactspline.verification.claim_factor import WEIGHTS
 from exactspline.verification.claim_fields import claim_kind, declared
+from exactspline.verification.decision import Statement
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.evidence import (
+    AnyOperands,
+    Evidence,
+    Fact,
+    FailsWithOthers,
+    OnExample,
+    OnPart,
+    Undefined,
+    UndefinedAt,
+)
 from exactspline.verification.notation import symbol
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names, one_patch_surfaces
 from exactspline.verification.segments import on_segments
@@ -50,7 +59,7 @@ from exactspline.verification.verdict import (
     vacuous,
     worst,
 )
-from exactspline.verification.vocabulary import ArgumentKind, Relation, Scope, Status, Verdict, word
+from exactspline.verification.vocabulary import ArgumentKind, Name, Relation, Scope, Status, Verdict, word
 
 E = TypeVar("E", bound=StrEnum)
 V = TypeVar("V")
@@ -74,7 +83,7 @@ def recorded(claim: Claim, name: str, value: object) -> Verdict:
     return found
 
 
-def formula_name(claim: Claim, name: str, value: str) -> str:
+def formula_name(claim: Claim, name: str, value: str) -> Name:
     """The name of a formula that applies to the arguments of the claim."""
     if value in WEIGHTS:
         raise ClaimError(
@@ -93,10 +102,10 @@ def formula_name(claim: Claim, name: str, value: str) -> str:
             where=name,
             remedy=f"name a formula that can be handed a {handed.name!r}",
         )
-    return str(value)
+    return Name(str(value))
 
 
-def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ...]:
+def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[Name, ...]:
     """Several of them."""
     return tuple(formula_name(claim, name, each) for each in value)
 
@@ -151,25 +160,6 @@ def _assumed(claim: Claim, text: str) -> Assumption:
     return stated_assumption(text, name if name in constants else claim.find(name), kind, "≠" in sign)
 
 
-def degree_text(claim: Claim, name: str, value: str) -> str:
-    """A degree in d, or in d1 and d2 for Table 1."""
-    names = _degree_names(kind_of(claim.curve))
-    if unknown := parse(value).names - names:
-        raise ClaimError(
-            f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
-            where=name,
-            remedy=f"write it in {' and '.join(sorted(names))}",
-        )
-    return str(value)
-
-
-@cache
-def _degree_names(kind: Kind) -> frozenset[str]:
-    """The names of the degrees of operands."""
-    symbols = [s for s in kind.symbols(kind.dimensions[0]) if s.degree]
-    return frozenset().union(*[parse(s.degree_in(p)).names for s in symbols for p in s.parameters])
-
-
 #: The largest count that a claim may state.
 LARGEST = 1000
 
@@ -202,8 +192,9 @@ class Claim(Immutable, Displayed):
     """One checkable statement.
 
     ``key`` is its name, unique in its paper; ``id`` that of the claim to which it belongs. ``words`` are the verbatim
-    words of the source and ``place`` is where they stand. ``curve`` is the kind of its arguments, ``of`` says whether
-    it is about polynomial curves, rational ones or both. ``assumes`` are assumptions of
+    words of the source and ``place`` is where they stand, ``section`` that under which the claim is listed (without
+    one, its source). ``curve`` is the kind of its arguments, ``of`` says whether it is about polynomial curves,
+    rational ones or both. ``assumes`` are assumptions of
     `exactspline.symbolic.assumptions`; ``context`` explains the letters in words. ``error`` groups the statements that
     fail for one reason. ``witness`` is the example curve that is tried first where a counterexample is wanted, and
     ``vacuous`` lists the example curves on which there is nothing to decide.
@@ -212,7 +203,7 @@ class Claim(Immutable, Displayed):
     """
 
     kind: ClassVar[str] = ""
-    reading: ClassVar[str] = "jet"
+    reading: ClassVar[Name] = Name("jet")
     #: Whether such claims can be decided where roots are adjoined.
     of_frames: ClassVar[bool] = False
     #: Whether it says that something vanishes: then it is decided on one curve for everything that is free beside it.
@@ -228,6 +219,7 @@ class Claim(Immutable, Displayed):
     key: str = field(metadata=read(identifier))
     words: str = ""
     place: str = ""
+    section: str = ""
     error: str = ""
     assumes: tuple[Assumption, ...] = field(default=(), metadata=read(assumption_list))
     context: str = ""
@@ -269,9 +261,9 @@ class Claim(Immutable, Displayed):
         return f"<claim {self.key} of {self.paper}>"
 
     def _validate_common(self) -> None:
-        if self.status == Status.PRINTED and not (self.words or re.search(r"eq|Table|[(]\d|\d", self.place)):
+        if self.status == Status.PRINTED and not (self.words or self.place):
             raise ClaimError(
-                "a printed claim has neither words nor an equation", where="words", remedy="quote what is printed"
+                "a printed claim has neither words nor a place", where="words", remedy="quote what is printed"
             )
         if (self.expected == REFUTED and self.status == Status.PRINTED) != (
             bool(self.error) and self.status == Status.PRINTED
@@ -298,13 +290,13 @@ class Claim(Immutable, Displayed):
         return re.sub(r"[ .]+", "", self.id)
 
     @property
-    def named(self) -> tuple[str, ...]:
+    def named(self) -> tuple[Name, ...]:
         """The names of the formulas it speaks of."""
-        chosen: list[str] = []
+        chosen: list[Name] = []
         for name, check, _ in declared(self.__class__).checks:
             if check in (formula_name, formula_names):
                 value = getattr(self, name)
-                chosen += [value] if isinstance(value, str) else value
+                chosen += [Name(value)] if isinstance(value, str) else value
         return tuple(name for name in chosen if name)
 
     def kind_of_field(self, name: str) -> Kind:
@@ -365,12 +357,17 @@ class Claim(Immutable, Displayed):
         """What it claims, as a row of the ledger shows it."""
         return ""
 
-    def prove(self) -> tuple[str, Finding]:
+    def prove(self) -> tuple[Name, Finding]:
         """The reading in which it is decided for all curves, and the finding: the worst of all cases, the
         rational and the polynomial curves of every dimension of which it speaks.
         """
         found = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
         return self.reading, worst(found)
+
+    @property
+    def equality(self) -> Statement | None:
+        """What it says, where that is an equality: decided in any exact reading."""
+        return None
 
     @abstractmethod
     def decide(self, dimension: int, polynomial: bool) -> Finding:
@@ -384,51 +381,53 @@ class Claim(Immutable, Displayed):
     def check(
         self,
         curve: Nurbs | NurbsSurface | Operands | Evaluation,
-        proof: Callable[[], tuple[str, Finding]] | None = None,
+        proof: Callable[[], tuple[Name, Finding]] | None = None,
     ) -> Finding:
         """The finding on one curve or surface (or on the `Evaluation` of one).
 
-        What held of the part that was tried holds on all of the curve where the claim is proved for all curves:
-        `proof` gives that proof where it is at hand, and is `prove` otherwise.
+        What held of the part that was tried holds on all of the curve where the claim is proved for all curves and the
+        curve satisfies its assumptions: `proof` gives that proof where it is at hand, and is `prove` otherwise.
         """
         own = evaluation(curve)
         if isinstance(own.curve, NurbsSurface) and self.asks_for_zeros:
-            return left(self.claims, "zeros in two parameters are not compared on one surface")
-        if isinstance(own.curve, NurbsSurface) and (told := too_long(map(self.find, self.named), own.curve)):
-            return left(self.claims, told)
+            return left(Fact.ZEROS_IN_TWO_PARAMETERS)
+        if isinstance(own.curve, NurbsSurface) and (long := too_long(map(self.find, self.named), own.curve)):
+            return left(long)
         argument = own.handed(self.curve)
         gone = self.missing(argument)
-        finding = vacuous(self.claims, gone) if gone else self.examine(argument, own)
+        finding = vacuous(gone) if gone else self.examine(argument, own)
         if finding.verdict in (REFUTED, VACUOUS) and (failing := own.failing(self.curve, self.assumes)):
-            return inapplicable(finding.claimed, failing, finding.computed)
-        part = "" if self.tries_all else own.part(self.curve)
+            return inapplicable(failing, finding.computed, finding.relation)
+        part = None if self.tries_all else own.part(self.curve)
         if part and finding.verdict == VERIFIED:
             if not (self.has_residues and isinstance(own.curve, Nurbs)):
                 return sampled(finding, part)
-            return finding if self._is_proved(proof or self.prove) else self._on_all(finding, own, part)
+            holds = not own.failing(self.curve, self.assumes) and self._is_proved(proof or self.prove)
+            return finding if holds else self._on_all(finding, own, part)
         if part and finding.verdict == REFUTED:
-            return replace(finding, witness=f"{finding.witness}, {part}")
+            return replace(finding, witness=OnPart(finding.witness, part))
         return finding
 
-    def _is_proved(self, proof: Callable[[], tuple[str, Finding]]) -> bool:
+    def _is_proved(self, proof: Callable[[], tuple[Name, Finding]]) -> bool:
         try:
             return proof()[1].verdict == PROVED
         except ExactSplineError:  # reported where the proof is asked for
             return False
 
-    def _on_all(self, finding: Finding, own: Evaluation, part: str) -> Finding:
+    def _on_all(self, finding: Finding, own: Evaluation, part: Evidence) -> Finding:
         """What held of one part, on all of the curve, with indeterminates for what is free; undecided if too long."""
+        free = free_operands(self.curve) or AnyOperands()
         try:
             for segment in on_segments(kind_of(self.curve), own.curve, self.highest_derivative(own.curve.dimension)):
                 if failing := [x for x in self.residues(segment.argument) if not x.is_zero]:
-                    told = f"it fails {segment.place(failing[0])} {free_operands(self.curve)}, though not {part}"
-                    return replace(finding, verdict=REFUTED, computed="not so", witness=told)
+                    fails = FailsWithOthers(segment.place(failing[0]), free, part)
+                    return replace(finding, verdict=REFUTED, computed=Fact.NOT_SO, witness=fails)
         except VanishingDivisorError:
-            gone = f"it does not exist {free_operands(self.curve)}: 1/0"
+            gone = UndefinedAt(free)
             broken = own.failing(self.curve, self.assumes)
-            return inapplicable(finding.claimed, broken, gone) if broken else vacuous(finding.claimed, gone)
+            return inapplicable(broken, gone) if broken else vacuous(gone)
         except FormulaError as error:
-            return sampled(finding, f"{part}: {error.problem}")
+            return sampled(finding, part, error)
         return finding
 
     @abstractmethod
@@ -453,63 +452,43 @@ class Claim(Immutable, Displayed):
         """The formulas it speaks of."""
         return list(map(self.find, self.named))
 
-    def beside(self, own: Evaluation) -> str:
-        """The description of a check beside the name of the curve."""
-        free = free_operands(self.curve) if self.has_residues else ""
-        return f", {free}" if free else own.beside(self.curve)
+    def beside(self, own: Evaluation) -> Evidence | None:
+        """What is beside the curve in a check; None where nothing is."""
+        free = free_operands(self.curve) if self.has_residues else None
+        return free or own.beside(self.curve)
 
-    def missing(self, argument: Handed) -> str:
-        """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; empty when
+    def missing(self, argument: Handed) -> Evidence | None:
+        """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; None when
         all exist.
         """
         if self.curve == ArgumentKind.TABLE:
-            return ""
+            return None
         for name in self.named:
             value = self.find(name)(argument)
             parts = [value.directrix, value.generator] if isinstance(value, RuledSurface) else [value]
             if any(isinstance(part, Rational) and not all(part.denominator.polynomials) for part in parts):
-                return f"{name} does not exist on all of this curve: 0/0"
-        return ""
+                return Undefined(name)
+        return None
 
     def refuted_on_examples(self) -> Finding:
         """The first example curve on which it fails, as a witness; UNDECIDED when there is none."""
-        for what, name, example in self._examples():
+        for surface, name, example in self._examples():
             try:
                 finding = self.check(example)
             except ExactSplineError as error:  # reported where this curve is asked about
-                finding = undecided(self.claims, error)
+                finding = undecided(error)
             if finding.verdict == REFUTED:
-                witness = f"on the example {what} {name}: {finding.witness}"
-                return Finding(REFUTED, finding.claimed, finding.computed, witness=witness)
-        return Finding(UNDECIDED, self.claims)
+                witness = OnExample(Name(name), finding.witness, surface)
+                return Finding(REFUTED, finding.computed, witness=witness, relation=finding.relation)
+        return Finding(UNDECIDED)
 
-    def _examples(self) -> Iterator[tuple[str, str, Nurbs | NurbsSurface]]:
+    def _examples(self) -> Iterator[tuple[bool, str, Nurbs | NurbsSurface]]:
         """The example curves and surfaces of which it speaks, that which is named as witness first."""
         for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
             curve = self.curve_named(name)
             if self.speaks_of(curve.dimension, curve.polynomial):
-                yield "curve", name, curve
+                yield False, name, curve
         if kind_of(self.curve).made_of_a_surface:
             for surface in one_patch_surfaces():
                 if self.speaks_of(surface.dimension, surface.polynomial, surface=True):
-                    yield "surface", surface.name, surface
-
-
-@claim_kind
-class ExampleClaim(Claim):
-    """A claim about one example curve alone."""
-
-    example: str = field(metadata=read(example_name))
-
-    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
-        """It applies to its example alone."""
-        return False
-
-    def prove(self) -> tuple[str, Finding]:
-        """The finding on the example."""
-        own = Evaluation(self.curve_named(self.example))
-        return self.reading, self.examine(own.handed(self.curve), own)
-
-    def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The same for every case."""
-        return self.prove()[1]
+                    yield True, surface.name, surface

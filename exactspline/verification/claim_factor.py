@@ -48,6 +48,17 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
     return found
 
 
+def factor_formulas(text: str, find: Callable[[str], Formula] = find_anywhere) -> list[Formula]:
+    """The formulas in a factor.
+
+    >>> [formula.name for formula in factor_formulas("2 w^16 D1_squared^-4")]
+    ['D1_squared']
+
+    Raises `ClaimError` when it cannot be read.
+    """
+    return [find(name) for name, _ in factor_parts(text) if name[0].isalpha() and name not in WEIGHTS]
+
+
 def factor_of_text(
     text: str, curve: Evaluated, find: Callable[[str], Formula] = find_anywhere
 ) -> tuple[Operand, Operand]:

@@ -9,11 +9,12 @@ from exactspline.errors import ClaimError, ExactSplineError
 from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.claim import Claim
 from exactspline.verification.verdict import CONTRADICTION, REFUTED, VERIFIED, Finding, compared, undecided
+from exactspline.verification.vocabulary import Name
 
 V = TypeVar("V")
 
 
-def combined(claim: Claim) -> tuple[str, Finding]:
+def combined(claim: Claim) -> tuple[Name, Finding]:
     """The one verdict on a claim: the proof for all curves, compared with every example curve to which it applies; a
     CONTRADICTION when it is proved and fails on one of them.
     """
@@ -47,11 +48,11 @@ def fitting(claim: Claim, call: Callable[[], V]) -> V:
         ) from None
 
 
-def _combined(claim: Claim) -> tuple[str, Finding]:
+def _combined(claim: Claim) -> tuple[Name, Finding]:
     try:
         reading, finding = fitting(claim, claim.prove)
     except ExactSplineError as error:
-        return claim.reading, undecided(claim.claims, error)
+        return claim.reading, undecided(error)
     if finding.verdict in (REFUTED, VERIFIED, CONTRADICTION):
         return reading, finding
     example_finding = fitting(claim, claim.refuted_on_examples)

@@ -7,75 +7,88 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 
 from exactspline.verification.claim import Claim
 from exactspline.verification.coq.emission import ROOT, Library, Stated, claims_header, library, why_unstated
-from exactspline.verification.vocabulary import Verdict
+from exactspline.verification.evidence import Fact, NoTheorem, Theorem
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding
+from exactspline.verification.vocabulary import Name
 
 #: Coq's answer for a theorem without assumptions.
 CLOSED = "Closed under the global context"
-#: The text of the column where Coq is not installed.
-MISSING = "Coq is not installed"
-#: What is said of a claim without a theorem.
-NOT_STATED = "not stated"
 #: The mark before every answer.
 MARK = "about"
 #: The time limit for one file, in seconds.
 SECONDS = 600
 
-
-@dataclass(frozen=True)
-class Opinion:
-    """The kernel's opinion on a claim: the theorem, or why there is none, and the assumptions of the theorem."""
-
-    theorem: str
-    says: str
-    assumes: str = ""
-
-    def __str__(self) -> str:
-        return f"{self.says}, {self.assumes}" if self.assumes else self.says
+#: The axioms of accepted theorems, by the name of the theorem.
+Axioms = dict[str, tuple[Name, ...]]
 
 
-def opinions(claims: Iterable[Claim]) -> dict[tuple[str, str], Opinion]:
-    """The kernel's opinions on claims, by paper and key. Every theorem of the claims is compiled; without Coq every
-    opinion says so. Claims without a theorem have an opinion that says why.
+class Coq:
+    """The judge that has theorems compiled by the kernel of Coq: those of the claims of which it is to be asked (all
+    together, when it is first asked for one), or those of one claim at a time.
+    """
+
+    name = Name("coq")
+
+    def __init__(self, claims: Iterable[Claim] = ()) -> None:
+        self._claims = tuple(claims)
+        self._found: dict[tuple[str, str], Finding] = {}
+
+    def decide(self, claim: Claim) -> Finding:
+        """What the kernel says; UNDECIDED, with the reason, where there is no theorem, or no Coq."""
+        if (claim.paper, claim.key) not in self._found:
+            self._found |= findings({claim, *self._claims})
+        return self._found[claim.paper, claim.key]
+
+
+def findings(claims: Iterable[Claim]) -> dict[tuple[str, str], Finding]:
+    """The findings of the kernel, by paper and key. A theorem says that a claim holds, or that it fails, as is on
+    record: the kernel refuses the one or the other.
     """
     claims = list(claims)
     wanted = {(claim.paper, claim.key) for claim in claims}
-    made = library()
+    made, installed = library(), bool(shutil.which("coqc"))
     chosen = {
         name: tuple(each for each in own if (each.claim.paper, each.claim.key) in wanted)
         for name, own in made.theorems.items()
     }
-    found: dict[tuple[str, str], list[Opinion]] = {}
-    compiled = _compiled(made, chosen) if shutil.which("coqc") else {}
-    for own in chosen.values():
-        for each in own:
-            if each.reason:
-                said = Opinion("", NOT_STATED, each.reason)
-            elif not shutil.which("coqc"):
-                said = Opinion(each.name, MISSING)
-            elif each.name in compiled:
-                fails = each.claim.expected == Verdict.REFUTED
-                said = Opinion(each.name, "fails" if fails else "holds", compiled[each.name])
-            else:
-                said = Opinion(each.name, "not accepted")
-            found.setdefault((each.claim.paper, each.claim.key), []).append(said)
-    unstated = {(claim.paper, claim.key): [Opinion("", NOT_STATED, why_unstated(claim))] for claim in claims}
+    compiled = _compiled(made, chosen) if installed else {}
+    found: dict[tuple[str, str], list[Finding]] = {}
+    for each in (each for own in chosen.values() for each in own):
+        said = _finding(each, compiled, installed=installed)
+        found.setdefault((each.claim.paper, each.claim.key), []).append(said)
+    unstated = {(c.paper, c.key): [Finding(UNDECIDED, witness=NoTheorem(why_unstated(c)))] for c in claims}
     return {key: _together(own) for key, own in (unstated | found).items()}
 
 
-def _together(own: list[Opinion]) -> Opinion:
-    """The least favourable opinion of those on the dimensions of one claim."""
-    order = ("not accepted", NOT_STATED, MISSING, "holds", "fails")
-    return min(own, key=lambda each: order.index(each.says))
+def _finding(each: Stated, compiled: Axioms, *, installed: bool) -> Finding:
+    """What follows from one theorem."""
+    if each.reason is not None:
+        return Finding(UNDECIDED, witness=NoTheorem(each.reason))
+    if each.name in compiled:
+        verdict = REFUTED if each.claim.expected == REFUTED else PROVED
+        return Finding(verdict, Theorem(Name(each.name), compiled[each.name]))
+    return Finding(UNDECIDED, witness=Fact.NOT_ACCEPTED if installed else Fact.COQ_NOT_INSTALLED)
 
 
-def _compiled(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> dict[str, str]:
-    """The assumptions of the accepted theorems, by name."""
-    found: dict[str, str] = {}
+def _together(own: list[Finding]) -> Finding:
+    """The least favourable finding of those on the dimensions of one claim: what is not decided comes first."""
+
+    def rank(finding: Finding) -> int:
+        undecided = (Fact.NOT_ACCEPTED, None, Fact.COQ_NOT_INSTALLED)
+        if finding.verdict == UNDECIDED:
+            return undecided.index(finding.witness if isinstance(finding.witness, Fact) else None)
+        return len(undecided) + (finding.verdict == REFUTED)
+
+    return min(own, key=rank)
+
+
+def _compiled(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> Axioms:
+    """The axioms of the accepted theorems, by name."""
+    found: Axioms = {}
     with tempfile.TemporaryDirectory() as room:
         place = Path(room)
         made.write(place)
@@ -83,7 +96,7 @@ def _compiled(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> dict[str,
             if name in chosen and not chosen[name]:
                 continue
             accepted = compile_file(place, name)
-            theorems = [each for each in chosen.get(name, ()) if not each.reason]
+            theorems = [each for each in chosen.get(name, ()) if each.reason is None]
             if accepted:
                 found |= assumptions(place, name, [each.name for each in theorems])
                 continue
@@ -105,8 +118,8 @@ def _alone(place: Path, name: str, theorem: Stated) -> bool:
     return compile_file(place, f"{name}_{theorem.name}")
 
 
-def assumptions(place: Path, module: str, theorems: Iterable[str]) -> dict[str, str]:
-    """The assumptions of compiled theorems of a module, each in one line."""
+def assumptions(place: Path, module: str, theorems: Iterable[str]) -> Axioms:
+    """The axioms of compiled theorems of a module."""
     names = list(theorems)
     logical = f"{ROOT}.{module.replace('/', '.')}"
     asked = "".join(
@@ -116,13 +129,14 @@ def assumptions(place: Path, module: str, theorems: Iterable[str]) -> dict[str, 
     ask.write_text(f"Require {logical}.\n{asked}", encoding="utf-8")
     accepted, said = _coqc(place, "Ask.v")
     answers = said.split(MARK)[1:] if accepted else []
-    return {name: _told(answer) for name, answer in zip(names, answers, strict=False)}
+    return {name: _axioms(answer) for name, answer in zip(names, answers, strict=False)}
 
 
-def _told(answer: str) -> str:
+def _axioms(answer: str) -> tuple[Name, ...]:
+    """The names in an answer of Coq, none where it says that there are no axioms."""
     if CLOSED in answer:
-        return "no axioms"
-    return "axioms " + ", ".join(re.findall(r"^(?!Axioms:)(\S+)(?=\s*:)", answer, re.MULTILINE))
+        return ()
+    return tuple(map(Name, re.findall(r"^(?!Axioms:)(\S+)(?=\s*:)", answer, re.MULTILINE)))
 
 
 def _coqc(place: Path, file: str) -> tuple[bool, str]:

@@ -11,7 +11,7 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.isolation import zero_on_segment
@@ -19,22 +19,23 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.given import checked_degree
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.tensor import TensorSpline
+from exactspline.verification.claim_factor import WEIGHTS, factor_parts
 from exactspline.verification.evaluation import between, segment
+from exactspline.verification.evidence import At, AtBoth, Place, StatedFactor
+from exactspline.verification.vocabulary import Name
 
 
-def where_it_differs(difference: BSpline | TensorSpline) -> str:
-    """A parameter (two, of a spline in two) at which a spline that is not zero does not vanish, and its value there."""
-    if difference.is_zero:
-        return "nowhere"
+def where_it_differs(difference: BSpline | TensorSpline) -> tuple[mpq, At | AtBoth]:
+    """The value of a spline that is not zero at a parameter (two, of a spline in two) at which it does not vanish."""
     if isinstance(difference, TensorSpline):
         n, segments = difference.degree.t, pairwise(difference.meshes[1].breaks)
         # one line more in every segment than a polynomial of this degree has zeros
         inside = (c + (d - c) / mpq(j) for c, d in segments for j in range(2, n + 3))
         t, line = next((t, line) for t in inside if not (line := difference.at_t(t)).is_zero)
         s, value = not_zero(line)
-        return f"by {text(value)} at the parameters {text(s)} and {text(t)}"
+        return value, AtBoth(s, t)
     t, value = not_zero(difference)
-    return f"by {text(value)} at the parameter {text(t)}"
+    return value, At(t)
 
 
 def not_zero(f: BSpline) -> tuple[mpq, mpq]:
@@ -48,12 +49,18 @@ def not_zero(f: BSpline) -> tuple[mpq, mpq]:
     )
 
 
-def printed_factor(factor: str, curve: Evaluated) -> str:
-    """The factor on this curve: powers of w are 1 where the curve is polynomial."""
-    only_w = all(part.split("^")[0] in ("w", "W") for part in factor.split())
-    known = [c.polynomial for c in curve.together() if isinstance(c, (Curve, Surface))]
-    polynomial = bool(known) and all(known)
-    return f"{factor} = 1 (polynomial: w = 1)" if polynomial and only_w and factor != "1" else factor
+def stated_factor(factor: str, c: Evaluated | Operands) -> StatedFactor:
+    """A factor as it is stated, on splines also whether it is 1: powers of w are, where the curve is polynomial.
+
+    >>> from exactspline.splines.examples import example
+    >>> [str(stated_factor("w^-3", example(name))) for name in ("circle", "parabola")]
+    ['w^-3', 'w^-3 = 1 (polynomial: w = 1)']
+    """
+    powers = tuple((Name(name), exponent) for name, exponent in factor_parts(factor))
+    known = [each for each in c.together() if isinstance(each, (Curve, Surface))]
+    splines = all(isinstance(each.w, BSpline | TensorSpline) for each in known)
+    polynomial = bool(known) and splines and all(each.polynomial for each in known)
+    return StatedFactor(powers, polynomial and all(name in WEIGHTS for name, _ in powers))
 
 
 def common_zeros(components: list[BSpline]) -> BSpline:
@@ -61,12 +68,12 @@ def common_zeros(components: list[BSpline]) -> BSpline:
     return components[0] if len(components) == 1 else common_factor(Vector(*components))
 
 
-def extra_zero(a: BSpline, b: BSpline) -> str:
-    """A place where a vanishes and b does not, as text; empty when there is none.
+def extra_zero(a: BSpline, b: BSpline) -> Place | None:
+    """A place where a vanishes and b does not; None where there is none.
 
     >>> t = BSpline.identity(0, 1)
     >>> extra_zero(t * (t - 1), t), extra_zero(t, t * t)
-    ('at the parameter 1 (from the left)', '')
+    (At(parameter=mpq(1,1), from_left=True), None)
     """
     for i, (p, q) in enumerate(zip(a.polynomials, b.polynomials, strict=True)):
         if not p and not q:
@@ -79,8 +86,8 @@ def extra_zero(a: BSpline, b: BSpline) -> str:
         if found and not (found[0] == found[1] == 1 and q and q[b.degree] == 0):
             return between(Interval(low, high).part(found))
         if p[a.degree] == 0 and q and q[b.degree] != 0:
-            return f"at the parameter {text(high)} (from the left)"
-    return ""
+            return At(high, from_left=True)
+    return None
 
 
 def _without(p: fmpz_poly, q: fmpz_poly) -> tuple[fmpz_poly, int]:

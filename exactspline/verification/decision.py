@@ -1,17 +1,37 @@
-"""Whether ``left = factor · right``: decided in one place, whatever the two sides are made of (differential
-polynomials, splines, expressions of sympy). Two sides that vanish say nothing, and neither does what is divided by
-zero.
+"""Whether two sides are equal: decided in one place, whatever they are made of (differential polynomials, splines,
+expressions of sympy). Two sides that vanish say nothing, and neither does what is divided by zero.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum, auto
-from typing import Any
+from typing import Any, Protocol
 
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Curve, embedded
+from exactspline.language.formula import Formula
 from exactspline.language.parts import Value, split
-from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS
-from exactspline.verification.vocabulary import Verdict
+from exactspline.language.ruled import differences
+from exactspline.papers import find as find_anywhere
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.tensor import TensorSpline
+from exactspline.verification.claim_factor import factor_formulas, factor_of_text
+from exactspline.verification.curve_check import stated_factor, where_it_differs
+from exactspline.verification.evidence import (
+    ComponentDiffers,
+    ComponentNotZero,
+    Components,
+    Difference,
+    Evidence,
+    Fact,
+    NoGenerator,
+    OneSurface,
+    Sides,
+)
+from exactspline.verification.verdict import PROVED, REFUTED, Finding, vacuous
+from exactspline.verification.vocabulary import Name, Verdict
 
 
 class Outcome(Enum):
@@ -38,14 +58,131 @@ class Decision:
     component: int = 0
     difference: Any = None
 
-    def verdict(self, equal: Verdict) -> Verdict:
-        """The verdict, PROVED or VERIFIED where the sides are equal. A factor that exists for no curve makes a
-        statement false; one that does not exist on one curve says nothing there.
+
+class Statement(Protocol):
+    """What can be decided of an argument of formulas in any reading that is exact."""
+
+    def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
+        """The finding, `holds` where the statement is true. A factor that exists for no curve makes it false; one that
+        does not exist on one curve says nothing there.
         """
-        if self.outcome is Outcome.EQUAL:
-            return equal
-        silent = self.outcome in (Outcome.NOTHING, Outcome.NO_SIDE)
-        return VACUOUS if silent or (self.outcome is Outcome.NO_FACTOR and equal is not PROVED) else REFUTED
+
+
+@dataclass(frozen=True)
+class Equation:
+    """``left = factor · right``; `find` gives the formulas in the factor.
+
+    >>> from exactspline.papers import find
+    >>> from exactspline.symbolic.factorization import jets_for
+    >>> c = jets_for(("f1", "f2"), 2)
+    >>> found = [Equation(find("f1"), find("f2"), factor).decide(c) for factor in ("w", "w^2")]
+    >>> [(str(each.verdict), str(each.computed)) for each in found]
+    [('PROVED', 'w'), ('REFUTED', 'not identical')]
+    """
+
+    left: Formula
+    right: Formula
+    factor: str = "1"
+    find: Callable[[str], Formula] = find_anywhere
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """Both sides, and the formulas in the factor."""
+        return (self.left, self.right, *factor_formulas(self.factor, self.find))
+
+    def compare(self, c: Evaluated) -> Decision:
+        """How the sides compare."""
+        return decide_identity(self.left(c), self.right(c), factor_of_text(self.factor, c, self.find))
+
+    def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
+        """The finding on an argument."""
+        found, factor, general = self.compare(c), stated_factor(self.factor, c), holds is PROVED
+        match found.outcome:
+            case Outcome.EQUAL:
+                return Finding(holds, factor, factor)
+            case Outcome.NOTHING:
+                return vacuous(factor=None if general else factor)
+            case Outcome.NO_SIDE:
+                return vacuous(Fact.NOWHERE) if general else vacuous(Fact.NO_SIDE, factor)
+            case Outcome.NO_FACTOR if not general:
+                return vacuous(Fact.NO_FACTOR, factor)
+            case Outcome.NO_FACTOR:
+                return Finding(REFUTED, Fact.DIVIDED_BY_ZERO, witness=Fact.FACTOR_DIVIDED_BY_ZERO)
+            case Outcome.UNLIKE:
+                sizes = (len(split(each(c))[0]) for each in (self.left, self.right))
+                return Finding(REFUTED, Components(*sizes), witness=Fact.OTHER_NUMBER_OF_COMPONENTS)
+        told = None if general else factor
+        return Finding(REFUTED, Fact.NOT_IDENTICAL, told, _where(found.difference, Sides.SIDES, found.component))
+
+
+@dataclass(frozen=True)
+class Zero:
+    """The formula vanishes."""
+
+    formula: Formula
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """It alone."""
+        return (self.formula,)
+
+    def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
+        """Every component is zero."""
+        for i, part in enumerate(split(self.formula(c))[0]):
+            if not part.is_zero:
+                return Finding(REFUTED, Fact.NOT_ZERO, witness=_where(part, Sides.ZERO, i))
+        return Finding(holds, Fact.ZERO)
+
+
+@dataclass(frozen=True)
+class OneRuledSurface:
+    """Two ruled surfaces are one: parallel generators, and directrices that differ along them."""
+
+    left: Formula
+    right: Formula
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """Both."""
+        return (self.left, self.right)
+
+    def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
+        """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, where neither generator vanishes."""
+        a, b = self.left(c), self.right(c)
+        for surface, formula in ((a, self.left), (b, self.right)):
+            if _vanish_together(split(surface.generator)[0]):
+                return vacuous(NoGenerator(Name(formula.name) if holds is PROVED else None))
+        for product in differences(a, b):
+            for x in split(product)[0]:
+                if not x.is_zero:
+                    return Finding(REFUTED, Fact.TWO_SURFACES, witness=_where(x, Sides.SURFACES))
+        return Finding(holds, OneSurface())
+
+
+@dataclass(frozen=True)
+class DirectrixOf:
+    """A plane curve is the curve ζ = 0 of a ruled surface of the same curve in space."""
+
+    plane: Formula
+    surface: Formula
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """Both."""
+        return (self.plane, self.surface)
+
+    def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
+        """The plane curve and the directrix, compared as quotients."""
+        assert isinstance(c, Curve)  # with its point
+        plane, space = self.plane(c), self.surface(embedded(c)).directrix
+        below = [denominator for _, denominator in map(split, (plane, space)) if denominator is not None]
+        if any(_vanishes(each) for each in below):
+            return vacuous(Fact.NOT_HERE)
+        if all(plane[i].is_zero and space[i].is_zero for i in range(2)) and space[2].is_zero:
+            return vacuous()
+        if plane[0] == space[0] and plane[1] == space[1] and space[2].is_zero:
+            return Finding(holds, Fact.CURVE_OF_ZERO_ZETA)
+        return Finding(REFUTED, Fact.OTHER_CURVE, witness=Fact.CURVES_DIFFER)
 
 
 def decide_identity(left: Value, right: Value, factor: tuple[Value, Value] | None = None) -> Decision:
@@ -80,6 +217,15 @@ def decide_identity(left: Value, right: Value, factor: tuple[Value, Value] | Non
     return Decision(Outcome.EQUAL)
 
 
+def _where(difference: Any, of: Sides, component: int = 0) -> Evidence:
+    """Where two sides differ: a place on splines, in other readings the component."""
+    if isinstance(difference, BSpline | TensorSpline):
+        return Difference(of, *where_it_differs(difference))
+    if of is Sides.SURFACES:
+        return Fact.GENERATORS_APART
+    return (ComponentDiffers if of is Sides.SIDES else ComponentNotZero)(component + 1)
+
+
 def _parts(value: Any) -> tuple[Any, Any]:
     return split(value)
 
@@ -93,3 +239,10 @@ def _product(value: Any, *others: Any) -> Any:
 def _vanishes(value: Any) -> bool:
     """Whether a denominator vanishes identically, a spline on a whole segment."""
     return value.is_zero or not all(getattr(value, "polynomials", ()))
+
+
+def _vanish_together(components: list[Any]) -> bool:
+    """Whether all components vanish identically, splines on one whole segment."""
+    if not hasattr(components[0], "polynomials"):
+        return all(x.is_zero for x in components)
+    return any(not any(pieces) for pieces in zip(*[x.polynomials for x in components], strict=True))

@@ -25,11 +25,6 @@ from exactspline.verification.coq.denominators import Evaluation, factored
 
 #: The denominators of curves and of the operands of Table 1: none has a zero.
 WEIGHTS = ("w", "W", "w1", "w2")
-#: Products with the velocity, which vanish on a whole segment where the velocity does.
-WITH_VELOCITY = (
-    *("[γ′ γ″]", "γ′×γ″", "[γ′ γ″ γ‴]", "[γ′ γ−Q]", "γ′×(γ−Q)"),
-    *("(γ′×(γ−Q))₁", "(γ′×(γ−Q))₂", "(γ′×(γ−Q))₃"),
-)
 
 
 def divisors(claim: Claim) -> tuple[str, ...]:
@@ -85,12 +80,7 @@ def _all(assumed: tuple[Assumption, ...]) -> Iterator[Assumption]:
     """The assumptions and what they imply."""
     for each in assumed:
         yield each
-        if each.name.removesuffix(" ≢ 0") in WITH_VELOCITY:
-            yield assumption("γ′")
-        if each.name.startswith("[γ′ γ″ γ‴]"):
-            yield assumption("γ′×γ″")
-        if each.name.startswith("[γ′ γ̄′"):
-            yield from map(assumption, ("γ′", "γ̄′"))
+        yield from map(assumption, each.implies)
 
 
 def _divides(polynomial: fmpq_mpoly, known: list[fmpq_mpoly]) -> bool:

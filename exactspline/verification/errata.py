@@ -6,7 +6,7 @@ what holds instead.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 
 from exactspline.errors import ClaimError
 from exactspline.hooks import Displayed
@@ -14,13 +14,15 @@ from exactspline.language.choices import Parameter
 from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper, default_papers, known_as
 from exactspline.readings.printing.text import symbol_text
+from exactspline.symbolic.factorization import Factor
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import combined
+from exactspline.verification.evidence import Evidence, Found, Relating, StatedFactor
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds import Count, DegreeClaim, Identity, Vanishing
-from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
-from exactspline.verification.vocabulary import Measure, Scope, Status
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
+from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 
 
 @dataclass(frozen=True)
@@ -35,8 +37,8 @@ class Refuted:
     words: str
     statement: str
     claimed: str
-    found: str
-    witness: str
+    found: Found | None
+    witness: Evidence | None
     check: tuple[str, ...]
 
 
@@ -55,10 +57,6 @@ class Erratum(Displayed):
     def id(self) -> str:
         """The id of the claim to which the first of its statements belongs."""
         return self.statements[0].id
-
-    def data(self) -> dict[str, object]:
-        """The error as data."""
-        return {"key": f"{self.paper}: {self.error}"} | asdict(self)
 
 
 def errata(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
@@ -109,24 +107,23 @@ def _refuted(claim: Claim) -> Refuted | None:
     if finding.verdict != REFUTED:
         return None
     place = ", ".join(dict.fromkeys(part for part in (claim.source, claim.place.split(",")[0]) if part))
-    found = _equation(claim, finding.factor) or finding.computed
-    witness = "" if isinstance(claim, Identity) and finding.factor else finding.witness
+    relation = true_relation(claim, finding)
+    found, witness = (relation, None) if relation else (finding.computed, finding.witness)
     return Refuted(claim.id, claim.key, place, claim.words, numbered(claim), claim.claims, found, witness, check(claim))
 
 
-def _equation(claim: Claim, factor: str) -> str:
-    """The true relation between the two sides of an identity: ``left = factor · right``; empty where no factor is
-    known.
-    """
-    if not isinstance(claim, Identity) or not factor:
-        return ""
-    return f"{name_of(claim, claim.left)} = {'' if factor == '1' else f'{factor} · '}{name_of(claim, claim.right)}"
+def true_relation(claim: Claim, finding: Finding) -> Relating | None:
+    """The true relation between the two sides of an identity; None where no factor is known."""
+    factor = finding.factor
+    if not isinstance(claim, Identity) or not isinstance(factor, Factor | StatedFactor):
+        return None
+    return Relating(name_of(claim, claim.left), factor, name_of(claim, claim.right))
 
 
-def name_of(claim: Claim, formula: str) -> str:
+def name_of(claim: Claim, formula: str) -> Name:
     """A formula of a claim by its symbol, by its name where it has none."""
     symbol = claim.find(formula).symbol
-    return symbol_text(symbol) if symbol else formula
+    return Name(symbol_text(symbol) if symbol else formula)
 
 
 def _truth(claims: list[Claim]) -> tuple[str, ...]:

@@ -10,7 +10,6 @@ from typing import Any
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.language.kinds import PairKind, kind_of
-from exactspline.numbers.exact import text
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.splines.bspline import BSpline
@@ -19,6 +18,16 @@ from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.check_arguments import Given, argument, moved_copy
+from exactspline.verification.evidence import (
+    AssumptionFails,
+    At,
+    Between,
+    Evidence,
+    OnAllOf,
+    OnPatch,
+    OnWholePatch,
+    Place,
+)
 from exactspline.verification.vocabulary import ArgumentKind
 
 #: The arguments of formulas on one curve: the curve, with a point or a second curve, or operands of Table 1.
@@ -39,7 +48,7 @@ class Evaluation:
         self.curve: Any = curve
         self._handed: dict[str, Given] = {}
         self._pair: Evaluated | None = None
-        self._failing: dict[tuple[str, Assumption], str] = {}
+        self._failing: dict[tuple[str, Assumption], AssumptionFails | None] = {}
 
     def _argument(self, kind: str) -> Given:
         if kind not in self._handed:
@@ -58,13 +67,13 @@ class Evaluation:
         """The argument of formulas of a kind; it remembers their values."""
         return self.curve if kind == ArgumentKind.TABLE else self._argument(kind).argument
 
-    def beside(self, kind: str) -> str:
-        """Its description beside the name of the curve."""
-        return "" if kind == ArgumentKind.TABLE else self._argument(kind).beside
+    def beside(self, kind: str) -> Evidence | None:
+        """What is beside the curve in it; None where nothing is."""
+        return None if kind == ArgumentKind.TABLE else self._argument(kind).beside
 
-    def part(self, kind: str) -> str:
-        """Which part of all arguments with this curve it is; empty where there is no other."""
-        return "" if kind == ArgumentKind.TABLE else self._argument(kind).part
+    def part(self, kind: str) -> Evidence | None:
+        """Which part of all arguments with this curve it is; None where there is no other."""
+        return None if kind == ArgumentKind.TABLE else self._argument(kind).part
 
     def _assumed_of(self, kind: str) -> Evaluated:
         """The argument of which assumptions are made: all segments of both curves of a pair."""
@@ -74,17 +83,16 @@ class Evaluation:
             self._pair = surface_pair(self.curve, moved_copy(self.curve)).remembering()
         return self._pair
 
-    def failing(self, kind: str, assumed: Iterable[Assumption]) -> str:
-        """The first assumption that fails on this curve, with the place; empty when all hold."""
+    def failing(self, kind: str, assumed: Iterable[Assumption]) -> AssumptionFails | None:
+        """The first assumption that fails on this curve, with the place; None when all hold."""
         for each in assumed:
             if (kind, each) not in self._failing:
                 on_surface = isinstance(self.curve, NurbsSurface)
                 place = (_fails_on_surface if on_surface else _fails)(each, self._assumed_of(kind))
-                told = each.name.removesuffix(" ≢ 0").removesuffix(" ≠ 0")
-                self._failing[kind, each] = f"{told} vanishes {place}" if place else ""
-            if told := self._failing[kind, each]:
-                return told
-        return ""
+                self._failing[kind, each] = AssumptionFails(each, place) if place else None
+            if failing := self._failing[kind, each]:
+                return failing
+        return None
 
 
 def evaluation(curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Evaluation:
@@ -92,43 +100,41 @@ def evaluation(curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Evaluatio
     return curve if isinstance(curve, Evaluation) else Evaluation(curve)
 
 
-def _fails(each: Assumption, handed: object) -> str:
+def _fails(each: Assumption, handed: object) -> Place | None:
     value = each.polynomial(handed)
     if isinstance(value, TensorSpline):
         if not each.everywhere:
-            return "on a whole patch" if not all(value.polynomials) else ""
+            return None if all(value.polynomials) else OnWholePatch()
         (a, b), (c, d) = value.domain
         value = value.at_s((a + b) / 2) if each.second else value.at_t((c + d) / 2)
     if not each.everywhere:
-        return next((segment(value, i) for i, p in enumerate(value.polynomials) if not p), "")
+        return next((segment(value, i) for i, p in enumerate(value.polynomials) if not p), None)
     return zero_of(value)
 
 
-def _fails_on_surface(each: Assumption, handed: Evaluated) -> str:
+def _fails_on_surface(each: Assumption, handed: Evaluated) -> Place | None:
     """The same where the parameters are those of a surface; what could not be decided counts as a zero."""
     from exactspline.geometry.surface.signs import Sign, sign_on_patch  # most evaluations are of curves
 
     value = each.polynomial(handed)
     patches = product(*[range(len(mesh)) for mesh in value.meshes])
-    for form, patch in ((value.patch_form(*patch), patch) for patch in patches):
+    for form, (i, j) in ((value.patch_form(*patch), patch) for patch in patches):
         sign = Sign.ZERO if form.is_zero or not each.everywhere else sign_on_patch(form).sign
         if form.is_zero or (each.everywhere and sign not in (Sign.POSITIVE, Sign.NEGATIVE)):
-            perhaps = "perhaps " if sign is Sign.UNDECIDED else ""
-            return f"{perhaps}on patch {patch[0]}, {patch[1]}" if each.everywhere else "on a whole patch"
-    return ""
+            return OnPatch(i, j, perhaps=sign is Sign.UNDECIDED) if each.everywhere else OnWholePatch()
+    return None
 
 
-def segment(f: BSpline, i: int) -> str:
-    """A whole segment as text."""
-    a, b = f.breakpoints[i : i + 2]
-    return f"on all of [{text(a)}, {text(b)}]"
+def segment(f: BSpline, i: int) -> OnAllOf:
+    """A whole segment."""
+    return OnAllOf(*f.breakpoints[i : i + 2])
 
 
-def zero_of(f: BSpline) -> str:
-    """Where a spline has a zero, one-sided limits among them, as text; empty when it has none.
+def zero_of(f: BSpline) -> Place | None:
+    """Where a spline has a zero, one-sided limits among them; None when it has none.
 
-    >>> zero_of(BSpline.identity(0, 1)), zero_of(BSpline.identity(0, 1) + 1)
-    ('at the parameter 0', '')
+    >>> str(zero_of(BSpline.identity(0, 1))), zero_of(BSpline.identity(0, 1) + 1)
+    ('at the parameter 0', None)
     """
     for i, p in enumerate(f.polynomials):
         if not p:
@@ -136,10 +142,10 @@ def zero_of(f: BSpline) -> str:
         a, b = f.breakpoints[i : i + 2]
         if found := zero_on_segment(p, f.degree):
             return between(Interval(a, b).part(found))
-    return ""
+    return None
 
 
-def between(found: Interval) -> str:
-    """The place of a zero, as text."""
+def between(found: Interval) -> At | Between:
+    """The place of a zero."""
     s, t = found
-    return f"at the parameter {text(s)}" if s == t else f"between the parameters {text(s)} and {text(t)}"
+    return At(s) if s == t else Between(s, t)

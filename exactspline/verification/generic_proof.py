@@ -26,6 +26,7 @@ from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.factorization import Factor, Named, factored, find_factor, jets_for, naming
 from exactspline.symbolic.reduction import Reduction, counted_in, reduce
 from exactspline.verification.check_arguments import argument
+from exactspline.verification.vocabulary import Name
 
 
 def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
@@ -69,17 +70,17 @@ def _naive_denominator(formula: Formula, ring: JetRing, polynomial: bool) -> Fac
     return found
 
 
-def harmful(factor: Factor, assumed: Iterable[Assumption]) -> tuple[list[str], tuple[str, ...]]:
+def harmful(factor: Factor, assumed: Iterable[Assumption]) -> tuple[list[Name], tuple[Name, ...]]:
     """The names of the irreducible parts of a factor that may have zeros, and those of the assumptions by which the
     others have none.
     """
-    assumed, names, used = list(assumed), [], []
+    assumed, names, used = list(assumed), list[Name](), list[Name]()
     for (name, polynomial), _ in factor.powers:
         reason = zero_free(Jet(factor.ring, polynomial), assumed)
         if reason is None:
-            names.append(name)
+            names.append(Name(name))
         elif reason.name not in used:
-            used.append(reason.name)
+            used.append(Name(reason.name))
     return names, tuple(used)
 
 

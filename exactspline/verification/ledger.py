@@ -20,12 +20,14 @@ from exactspline.verification.combined import fitting
 from exactspline.verification.curve_check import spline_table
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.paper_curves import one_patch_surfaces, own_curves
-from exactspline.verification.rows import row
-from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, Finding, Row, compared, undecided
-from exactspline.verification.vocabulary import ArgumentKind
+from exactspline.verification.rows import Row, row
+from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, Finding, compared, undecided
+from exactspline.verification.vocabulary import ArgumentKind, Name
 
-UNNAMED = "(unnamed curve)"
-TABLE = "splines of degrees 2 and 3 over different knots"
+UNNAMED = Name("(unnamed curve)")
+TABLE = Name("splines of degrees 2 and 3 over different knots")
+#: The reading of checks on one curve.
+SPLINE = Name("spline")
 Task = Callable[[], Row]
 
 
@@ -48,7 +50,7 @@ def settled(rows: Sequence[Row]) -> list[Row]:
     """The rows of a run; a proof for all curves that one of them contradicts is no proof."""
     contradicted = {(row.paper, row.key): row.witness for row in rows if row.verdict == CONTRADICTION}
     return [
-        replace(row, verdict=CONTRADICTION, witness=contradicted[row.paper, row.key])
+        replace(row, finding=replace(row.finding, verdict=CONTRADICTION, witness=contradicted[row.paper, row.key]))
         if row.verdict == PROVED and (row.paper, row.key) in contradicted
         else row
         for row in rows
@@ -90,7 +92,7 @@ def _on_curves(
     for curve in curves:
         own = evaluations.setdefault(id(curve), Evaluation(curve))
         calls += [
-            partial(checked, claim, own, own.curve.name or UNNAMED, proofs)
+            partial(checked, claim, own, Name(own.curve.name) or UNNAMED, proofs)
             for claim in claims
             if claim.speaks_of(curve.dimension, curve.polynomial, surface=isinstance(curve, NurbsSurface))
         ]
@@ -101,26 +103,26 @@ class Proofs:
     """The proofs of one run of the ledger, each made once."""
 
     def __init__(self) -> None:
-        self._made: dict[Claim, tuple[str, Finding]] = {}
+        self._made: dict[Claim, tuple[Name, Finding]] = {}
         self._jets: SharedJets = {}
 
     def __contains__(self, claim: Claim) -> bool:
         """Whether a claim has been decided in this run."""
         return claim in self._made
 
-    def __getitem__(self, claim: Claim) -> tuple[str, Finding]:
+    def __getitem__(self, claim: Claim) -> tuple[Name, Finding]:
         if claim not in self._made:
             with sharing(self._jets):
                 self._made[claim] = _proof(claim)
         return self._made[claim]
 
 
-def _proof(claim: Claim) -> tuple[str, Finding]:
+def _proof(claim: Claim) -> tuple[Name, Finding]:
     try:
         with speaking_of(claim.source_paper):
             return fitting(claim, claim.prove)
     except ExactSplineError as error:
-        return claim.reading, undecided(claim.claims, error)
+        return claim.reading, undecided(error)
 
 
 def proved(claim: Claim, proofs: Proofs | None = None) -> Row:
@@ -128,10 +130,10 @@ def proved(claim: Claim, proofs: Proofs | None = None) -> Row:
     start = perf_counter()
     made = as_instance(Proofs() if proofs is None else proofs, Proofs, "proofs", "leave them out")
     reading, finding = made[expect_claim(claim)]
-    return row(claim, reading, "", finding, perf_counter() - start)
+    return row(claim, reading, finding, perf_counter() - start)
 
 
-def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
+def checked(claim: Claim, own: Evaluation, name: Name, proofs: Proofs) -> Row:
     """A claim checked on one curve. A claim refuted there must not be proved for all curves: a proof that was made in
     this run is compared, and where the record does not say that the claim is refuted, one is made.
     """
@@ -140,9 +142,9 @@ def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
         with speaking_of(claim.source_paper):
             finding = fitting(claim, partial(claim.check, own, lambda: proofs[claim]))
     except ExactSplineError as error:
-        finding = undecided(claim.claims, error)
+        finding = undecided(error)
     if finding.verdict == REFUTED and (claim in proofs or claim.expected != REFUTED):
         finding = compared(proofs[claim][1], finding)
     is_example = bool(claim.source_paper.package) and name in example_names() and own.curve is example(name)
     beside, seconds = claim.beside(own), perf_counter() - start
-    return row(claim, f"spline{beside}", name, finding, seconds, is_example=is_example)
+    return row(claim, SPLINE, finding, seconds, curve=name, beside=beside, is_example=is_example)

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from exactspline.errors import FormulaError, as_integer
+from exactspline.hooks import Worded
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind, common_kind
@@ -21,10 +22,9 @@ from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.factorization import Factor, find_factor, jets_with_roots
 from exactspline.symbolic.reduction import Reduction, reduce
-from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
-from exactspline.verification.curve_check import not_zero
-from exactspline.verification.decision import Outcome, decide_identity
-from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED
+from exactspline.verification.decision import Equation
+from exactspline.verification.evidence import At, Difference
+from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED, Finding
 from exactspline.verification.vocabulary import Verdict
 from exactspline.words import choice
 
@@ -32,7 +32,7 @@ Named = Formula | str
 
 
 @dataclass(frozen=True)
-class Proof:
+class Proof(Worded):
     """The answer of `prove`: whether ``left = factor · right`` for all curves of that dimension. True or false in
     conditions.
     """
@@ -41,12 +41,16 @@ class Proof:
     right: str
     factor: str
     dimension: int
-    #: PROVED, REFUTED, or VACUOUS where both sides vanish for every curve: 0 = 0 is no success.
-    verdict: Verdict
+    finding: Finding
     #: The true quotient of the left side by the right one; None for vectors that are not parallel, and over roots.
     quotient: Factor | None
     #: Whether roots are adjoined: then a quotient is not a product of polynomials.
     roots: bool = False
+
+    @property
+    def verdict(self) -> Verdict:
+        """PROVED, REFUTED, or VACUOUS where both sides vanish for every curve: 0 = 0 is no success."""
+        return self.finding.verdict
 
     @property
     def holds(self) -> bool:
@@ -58,37 +62,36 @@ class Proof:
 
     def data(self) -> dict[str, object]:
         """The answer as data."""
-        told = {"key": f"{self.left} = {self.factor} {self.right}", "left": self.left, "right": self.right}
+        sides = {"key": f"{self.left} = {self.factor} {self.right}", "left": self.left, "right": self.right}
         quotient = None if self.quotient is None else str(self.quotient)
         return (
-            told
+            sides
             | {"factor": self.factor, "dimension": self.dimension, "holds": self.holds}
             | {"verdict": self.verdict, "quotient": quotient}
         )
 
-    def __str__(self) -> str:
-        statement = f"{self.left} = {'' if self.factor == '1' else f'{self.factor} · '}{self.right}"
-        if self.holds:
-            return f"{statement} for all curves in R{self.dimension}"
-        if self.verdict == VACUOUS:
-            return f"{statement} says nothing in R{self.dimension}: 0 = 0"
-        different = "they differ" if self.roots else "they are not parallel"
-        truth = different if self.quotient is None else f"the quotient is {self.quotient}"
-        return f"not {statement} in R{self.dimension}: {truth}"
-
 
 @dataclass(frozen=True)
-class Check:
+class Check(Worded):
     """The answer of `verify`: whether ``left = factor · right`` on one curve. True or false in conditions."""
 
     left: str
     right: str
     factor: str
-    #: VERIFIED, REFUTED, or VACUOUS where both sides vanish on all of the curve (then any factor holds), or the factor
-    #: does not exist there.
-    verdict: Verdict
-    #: A parameter at which the sides differ, None where they do not.
-    witness: mpq | None = None
+    finding: Finding
+
+    @property
+    def verdict(self) -> Verdict:
+        """VERIFIED, REFUTED, or VACUOUS where both sides vanish on all of the curve (then any factor holds), or the
+        factor does not exist there.
+        """
+        return self.finding.verdict
+
+    @property
+    def parameter(self) -> mpq | None:
+        """A parameter at which the sides differ, None where they do not."""
+        witness = self.finding.witness
+        return witness.at.parameter if isinstance(witness, Difference) and isinstance(witness.at, At) else None
 
     @property
     def holds(self) -> bool:
@@ -102,12 +105,6 @@ class Check:
 
     def __bool__(self) -> bool:
         return self.holds
-
-    def __str__(self) -> str:
-        statement = f"{self.left} = {'' if self.factor == '1' else f'{self.factor} · '}{self.right}"
-        if self.vacuous:
-            return f"{statement} says nothing on this curve: both sides are 0 there, or the factor is 1/0"
-        return f"{statement} on this curve" if self.holds else f"not {statement} at the parameter {self.witness}"
 
 
 def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None = None) -> Proof:
@@ -134,17 +131,16 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
         )
     n = common[0] if dimension is None else dimension
     kind = common_kind(f.kind for f in sides)
-    _check_kinds(kind, sides, n)
-    named = [find(name) for name, _ in factor_parts(factor) if name[0].isalpha() and name not in WEIGHTS]
-    _check_kinds(kind, named, n)
+    equation = Equation(sides[0], sides[1], factor)
+    _check_kinds(kind, equation.formulas, n)
     if kind.adjoins_roots:
-        curve = jets_with_roots((*sides, *named), factor, n)
+        curve = jets_with_roots(equation.formulas, factor, n)
     else:
-        curve = RationalJetReading(max(order_of(f, n) for f in (*sides, *named))).argument(kind, n)
-    found = decide_identity(sides[0](curve), sides[1](curve), factor_of_text(factor, curve))
+        curve = RationalJetReading(max(order_of(f, n) for f in equation.formulas)).argument(kind, n)
+    found = equation.decide(curve)
     nothing = kind.adjoins_roots or sides[1](curve).is_zero
     quotient = None if nothing else find_factor(sides[0](curve), sides[1](curve))
-    return Proof(sides[0].name, sides[1].name, factor, n, found.verdict(PROVED), quotient, kind.adjoins_roots)
+    return Proof(sides[0].name, sides[1].name, factor, n, found, quotient, kind.adjoins_roots)
 
 
 def proof_of(text: str, *, trust: bool = False) -> Proof:
@@ -230,8 +226,7 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
                 f"{f.name} is a formula of the kind {f.kind.name}, and the curve is in R{curve.dimension}",
                 remedy="compare formulas of a curve like this one",
             )
-    left_value, right_value = (f(curve) for f in sides)
-    (ps, k), (qs, m) = split(left_value), split(right_value)
+    (ps, k), (qs, m) = (split(f(curve)) for f in sides)
     if len(ps) != len(qs):
         raise FormulaError(
             f"{sides[0].name} has {len(ps)} components and {sides[1].name} has {len(qs)}", remedy="compare equals"
@@ -239,9 +234,8 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     for denominator, f in ((k, sides[0]), (m, sides[1])):
         if denominator is not None and denominator.vanishes_somewhere:
             raise FormulaError(f"{f.name} does not exist on all of this curve", remedy="restrict the curve")
-    found = decide_identity(left_value, right_value, factor_of_text(factor, curve))
-    witness = not_zero(found.difference)[0] if found.outcome is Outcome.DIFFERENT else None
-    return Check(sides[0].name, sides[1].name, factor, found.verdict(VERIFIED), witness)
+    found = Equation(sides[0], sides[1], factor).decide(curve, VERIFIED)
+    return Check(sides[0].name, sides[1].name, factor, found)
 
 
 def reduction(

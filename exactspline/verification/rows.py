@@ -2,50 +2,124 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+from exactspline.hooks import Displayed
 from exactspline.verification.claim import Claim
-from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding, Row
-from exactspline.verification.vocabulary import Reason, Status
+from exactspline.verification.evidence import DegreeHere, Evidence, Found, ZeroHere
+from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
+from exactspline.verification.vocabulary import Name, Reason, Relation, Status, Verdict
+
+#: The name in place of that of a curve, where all are meant.
+ALL_CURVES = Name("")
 
 
-def row(claim: Claim, reading: str, curve: str, finding: Finding, seconds: float, *, is_example: bool = False) -> Row:
+@dataclass(frozen=True)
+class Row(Displayed):
+    """A line of the ledger: what a check of a claim found, for all curves (``curve`` is empty) or on one.
+
+    ``reading`` is the one in which it was decided, with the operands ``beside`` the curve; ``expected`` are the
+    verdicts that agree with the record.
+    """
+
+    claim: Claim
+    reading: Name
+    curve: Name
+    finding: Finding
+    expected: tuple[Verdict, ...]
+    seconds: float
+    beside: Evidence | None = None
+
+    @property
+    def id(self) -> str:
+        """The id of the claim."""
+        return self.claim.id
+
+    @property
+    def key(self) -> str:
+        """Its key."""
+        return self.claim.key
+
+    @property
+    def paper(self) -> str:
+        """Its paper."""
+        return self.claim.paper
+
+    @property
+    def status(self) -> Status:
+        """Who says it."""
+        return self.claim.status
+
+    @property
+    def statement(self) -> str:
+        """Its statement, with a mark where the paper prints another one."""
+        return self.claim.statement + (" (as it must read)" if self.status == Status.MEANT else "")
+
+    @property
+    def claimed(self) -> str:
+        """What is claimed, of one curve as a number."""
+        here = self.computed
+        return here.relation.bound(here.claimed) if isinstance(here, DegreeHere | ZeroHere) else self.claim.claims
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict."""
+        return self.finding.verdict
+
+    @property
+    def reason(self) -> Reason | None:
+        """Why nothing was decided."""
+        return self.finding.reason
+
+    @property
+    def relation(self) -> Relation:
+        """The relation that was decided."""
+        return self.finding.relation
+
+    @property
+    def computed(self) -> Found | None:
+        """What was computed."""
+        return self.finding.computed
+
+    @property
+    def factor(self) -> Found | None:
+        """The factor between two sides."""
+        return self.finding.factor
+
+    @property
+    def witness(self) -> Evidence | None:
+        """Where it fails, or why nothing was decided."""
+        return self.finding.witness
+
+    @property
+    def as_recorded(self) -> bool:
+        """Whether the verdict is the one on record."""
+        return self.verdict in self.expected
+
+
+def row(
+    claim: Claim,
+    reading: Name,
+    finding: Finding,
+    seconds: float,
+    *,
+    curve: Name = ALL_CURVES,
+    beside: Evidence | None = None,
+    is_example: bool = False,
+) -> Row:
     """A finding compared with the record. The record is about all curves. On one curve a claim that holds must be
     VERIFIED, unless it is vacuous there, which is on record for the example curves; one that fails in general may well
     hold there.
     """
-    f = finding
-    return Row(
-        claim.id,
-        claim.key,
-        claim.paper,
-        claim.status,
-        claim.kind,
-        claim.source,
-        _statement(claim),
-        claim.assumed,
-        list(f.assumptions),
-        reading,
-        curve,
-        f.relation,
-        f.claimed,
-        f.computed,
-        f.factor,
-        f.witness,
-        f.verdict,
-        f.reason or "",
-        _expected(claim, curve, f, is_example) if curve else claim.expected,
-        seconds,
-    )
+    expected = _expected(claim, curve, finding, is_example) if curve else (claim.expected,)
+    return Row(claim, reading, curve, finding, expected, seconds, beside)
 
 
-def _statement(claim: Claim) -> str:
-    return claim.statement + (" (as it must read)" if claim.status == Status.MEANT else "")
-
-
-def _expected(claim: Claim, curve: str, finding: Finding, is_example: bool) -> str:
+def _expected(claim: Claim, curve: Name, finding: Finding, is_example: bool) -> tuple[Verdict, ...]:
     if finding.verdict == INAPPLICABLE:
-        return INAPPLICABLE
+        return (INAPPLICABLE,)
     if finding.reason in (Reason.LEFT, Reason.SAMPLED):
-        return UNDECIDED
+        return (UNDECIDED,)
     if (finding.verdict == VACUOUS and not is_example) or (is_example and curve in claim.vacuous):
-        return VACUOUS
-    return VERIFIED if claim.expected in (PROVED, VERIFIED) else f"{REFUTED} or {VERIFIED}"
+        return (VACUOUS,)
+    return (VERIFIED,) if claim.expected in (PROVED, VERIFIED) else (REFUTED, VERIFIED)

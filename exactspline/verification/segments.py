@@ -16,11 +16,12 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, T
 from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.kinds import PairKind
-from exactspline.numbers.exact import mpq, text, to_fmpq
+from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.evidence import At, On
 
 #: The parameters, less those at which a segment begins: names that no operand has.
 OWN, BAR = "_s", "_s_bar"
@@ -78,10 +79,12 @@ class OnSegment(NamedTuple):
     low: mpq
     high: mpq
 
-    def __str__(self) -> str:
-        return f"on [{text(self.low)}, {text(self.high)}]"
+    @property
+    def interval(self) -> On:
+        """The segment as a place."""
+        return On(self.low, self.high)
 
-    def place(self, value: JetFraction) -> str:
+    def place(self, value: JetFraction) -> At | On:
         """A parameter at which a value that is not zero does not vanish (for some values of what is free); where none
         is found at once, the interval.
         """
@@ -92,8 +95,8 @@ class OnSegment(NamedTuple):
                 to_fmpq(step if name in (OWN, BAR) else mpq(3 * i + k, k + 1)) for i, (name, _) in enumerate(variables)
             ]
             if value.top(*at) and value.bottom(*at):
-                return f"at the parameter {text(self.low + step)}"
-        return str(self)
+                return At(self.low + step)
+        return self.interval
 
 
 def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> Iterator[OnSegment]:
@@ -103,7 +106,7 @@ def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> 
     >>> from exactspline.language.kinds import kind_of
     >>> from exactspline.splines.examples import example
     >>> [segment] = on_segments(kind_of("plane with delta"), example("parabola"), 2)
-    >>> str(segment), segment.argument.p[0].d(2) * segment.argument.delta
+    >>> str(segment.interval), segment.argument.p[0].d(2) * segment.argument.delta
     ('on [0, 1]', (0) / (1))
     """
     both = same and isinstance(kind, PairKind)

@@ -22,11 +22,10 @@ from exactspline.readings.tree import Node, trace
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
 from exactspline.verification.combined import combined
-from exactspline.verification.divisors import divisors
 from exactspline.verification.generic_proof import degree_table
 from exactspline.verification.kinds import DegreeClaim
 from exactspline.verification.verdict import Finding
-from exactspline.verification.vocabulary import Scope
+from exactspline.verification.vocabulary import Name, Scope
 
 NAIVE, REDUCED = "naive", "reduced"
 
@@ -58,7 +57,7 @@ class Statement(Displayed):
     claim: Claim
     latex: str
     sides: tuple[Side, ...]
-    reading: str
+    reading: Name
     finding: Finding
 
     @property
@@ -66,50 +65,11 @@ class Statement(Displayed):
         """Whether the verdict is the one on record."""
         return self.finding.verdict == self.claim.expected
 
-    def data(self) -> dict[str, object]:
-        """The statement as data."""
-        c, f = self.claim, self.finding
-        head: dict[str, object] = {
-            "id": c.id,
-            "source": c.source,
-            "kind": c.kind,
-            "statement": c.statement,
-            "key": c.key,
-            "paper": c.paper,
-            "status": c.status,
-            "words": c.words,
-            "place": c.place,
-            "error": c.error,
-            "latex": self.latex,
-        }
-        sides = [vars(side) for side in self.sides]
-        verdict: dict[str, object] = {
-            "claimed": f.claimed,
-            "computed": f.computed,
-            "factor": f.factor,
-            "witness": f.witness,
-            "verdict": f.verdict,
-            "relation": f.relation,
-            "assumptions": list(f.assumptions),
-        }
-        return (
-            head
-            | {
-                "sides": sides,
-                "assumes": c.assumed,
-                "divides_by": list(divisors(c)),
-                "reading": self.reading,
-                "note": c.note,
-                "expected": c.expected,
-            }
-            | verdict
-        )
-
 
 def statements(wanted: str) -> Iterator[Statement]:
     """The statements of the claim with this id (or of all that it begins), each decided anew.
 
-    >>> [(s.sides[0].name, s.sides[-1].name, s.finding.factor) for s in statements("C4.1a")]
+    >>> [(s.sides[0].name, s.sides[-1].name, str(s.finding.factor)) for s in statements("C4.1a")]
     [('f1', 'f2', 'w'), ('f0', 'f2', 'w⁻³')]
 
     Raises `ClaimError` with the ids there are.

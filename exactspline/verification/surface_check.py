@@ -7,23 +7,25 @@ from collections.abc import Iterable
 from exactspline.language.formula import Formula
 from exactspline.readings.degree import DegreeReading
 from exactspline.splines.surface import NurbsSurface
+from exactspline.verification.evidence import TooLong
+from exactspline.verification.vocabulary import Name
 
 #: The largest degree in a parameter to which formulas are multiplied out on single surfaces.
 LARGEST = 100
 
 
-def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> str:
-    """The first formula whose value as it stands has too high a degree on a surface; empty where there is none.
+def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> TooLong | None:
+    """The first formula whose value as it stands has too high a degree on a surface; None where there is none.
 
     >>> from exactspline.papers import find
     >>> from exactspline.splines.examples import example_surface
-    >>> too_long([find("surfaces:E"), find("surfaces:brioschi")], example_surface("torus"))
-    'brioschi as it stands has degree 208 in u there, too much to be multiplied out'
+    >>> print(too_long([find("surfaces:E"), find("surfaces:brioschi")], example_surface("torus")))
+    brioschi as it stands has degree 208 in u there, too much to be multiplied out
     """
     for formula in formulas:
         for parameter, d in zip(formula.kind.counted, surface.degree, strict=True):
             reading = DegreeReading(parameter=parameter)
             degree = formula(reading.argument(formula.kind, surface.dimension, polynomial=surface.polynomial)).degree
             if (n := degree.at(dict.fromkeys(degree.names, d))) > LARGEST:
-                return f"{formula.name} as it stands has degree {n} in {parameter} there, too much to be multiplied out"
-    return ""
+                return TooLong(Name(formula.name), n, parameter)
+    return None

@@ -1,23 +1,15 @@
-"""The ledger: one row per claim, reading and curve."""
+"""Findings: a verdict, why nothing was decided, what was computed, a witness. None of them is a sentence."""
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 
 from exactspline.errors import ExactSplineError, InapplicableError
-from exactspline.hooks import Displayed
-from exactspline.verification.vocabulary import Reason, Relation, Status, Verdict
+from exactspline.verification.evidence import Evidence, Fact, Found, HeldOn, LeftToTheProof, Refutes, Stopped
+from exactspline.verification.vocabulary import Name, Reason, Relation, Verdict
 
 PROVED, VERIFIED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.VERIFIED, Verdict.REFUTED, Verdict.UNDECIDED
 VACUOUS, INAPPLICABLE, CONTRADICTION = Verdict.VACUOUS, Verdict.INAPPLICABLE, Verdict.CONTRADICTION
-#: How `witness` begins where a claim is decided for all alone.
-LEFT = "left to the proof for all: "
-#: How `witness` begins where a claim holds on the part on which it was tried.
-SAMPLED = "it holds, but was tried on a part only: "
-#: Why a curve of lower degree decides nothing about the generic one.
-LOWER_HERE = "the degree is lower on it, as it may be on special ones"
-#: Why a count says nothing of a patch of low degree.
-NO_DERIVATIVES = "its degree is lower than the order of a derivative"
 
 
 class ContradictionError(ExactSplineError):
@@ -33,45 +25,39 @@ class Finding:
     """
 
     verdict: Verdict
-    claimed: str = ""
-    computed: str = ""
-    factor: str = ""
-    witness: str = ""
+    computed: Found | None = None
+    factor: Found | None = None
+    witness: Evidence | None = None
     relation: Relation = Relation.EQUAL
-    assumptions: tuple[str, ...] = ()
+    assumptions: tuple[Name, ...] = ()
     reason: Reason | None = None
 
-    @property
-    def is_left(self) -> bool:
-        """Whether it was not tried to decide anything here."""
-        return self.reason == Reason.LEFT
 
-
-def undecided(claimed: str, error: ExactSplineError) -> Finding:
+def undecided(error: ExactSplineError) -> Finding:
     """Undecided because of an error; inapplicable, or a contradiction, where the error says so."""
     contradiction, outside = isinstance(error, ContradictionError), isinstance(error, InapplicableError)
     verdict = CONTRADICTION if contradiction else INAPPLICABLE if outside else UNDECIDED
-    return Finding(verdict, claimed, witness=str(error))
+    return Finding(verdict, witness=Stopped(error))
 
 
-def left(claimed: str, why: str) -> Finding:
+def left(why: Evidence) -> Finding:
     """Not tried on this curve: the proof for all decides it."""
-    return Finding(UNDECIDED, claimed, witness=LEFT + why, reason=Reason.LEFT)
+    return Finding(UNDECIDED, witness=LeftToTheProof(why), reason=Reason.LEFT)
 
 
-def sampled(found: Finding, part: str) -> Finding:
+def sampled(found: Finding, part: Evidence, stopped_by: ExactSplineError | None = None) -> Finding:
     """A finding that something holds, where it was tried on a part only: no verdict."""
-    return replace(found, verdict=UNDECIDED, witness=SAMPLED + part, reason=Reason.SAMPLED)
+    return replace(found, verdict=UNDECIDED, witness=HeldOn(part, stopped_by), reason=Reason.SAMPLED)
 
 
-def vacuous(claimed: str, computed: str = "0 = 0", factor: str = "") -> Finding:
+def vacuous(computed: Evidence = Fact.NOTHING, factor: Found | None = None) -> Finding:
     """Nothing to decide: both sides vanish, or do not exist on a whole segment."""
-    return Finding(VACUOUS, claimed, computed, factor)
+    return Finding(VACUOUS, computed, factor)
 
 
-def inapplicable(claimed: str, why: str, computed: str = "", relation: Relation = Relation.EQUAL) -> Finding:
+def inapplicable(why: Evidence, computed: Found | None = None, relation: Relation = Relation.EQUAL) -> Finding:
     """The claim does not speak of this curve, for a reason."""
-    return Finding(INAPPLICABLE, claimed, computed, witness=why, relation=relation)
+    return Finding(INAPPLICABLE, computed, witness=why, relation=relation)
 
 
 def worst(found: list[Finding]) -> Finding:
@@ -88,41 +74,4 @@ def compared(proof: Finding, refutation: Finding) -> Finding:
     """
     if proof.verdict != PROVED:
         return refutation
-    return replace(
-        refutation, verdict=CONTRADICTION, witness=f"proved for all curves, but refuted: {refutation.witness}"
-    )
-
-
-@dataclass
-class Row(Displayed):
-    """A line of the ledger."""
-
-    id: str
-    key: str
-    paper: str
-    status: Status
-    kind: str
-    source: str
-    statement: str
-    assumes: str
-    assumptions: list[str]
-    reading: str
-    curve: str
-    relation: Relation
-    claimed: str
-    computed: str
-    factor: str
-    witness: str
-    verdict: Verdict
-    reason: str
-    expected: str
-    seconds: float
-
-    @property
-    def as_recorded(self) -> bool:
-        """Whether the verdict is the one on record."""
-        return self.verdict in self.expected.split(" or ")
-
-    def data(self) -> dict[str, object]:
-        """The row as data."""
-        return asdict(self)
+    return replace(refutation, verdict=CONTRADICTION, witness=Refutes(refutation.witness))

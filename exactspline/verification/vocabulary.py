@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import TypeVar
+from typing import NewType, TypeVar
 
 from exactspline.errors import ClaimError
 from exactspline.words import choice
 
 E = TypeVar("E", bound=StrEnum)
+#: The name or the key of a formula, a curve, a constant, a map, a theorem: no sentence.
+Name = NewType("Name", str)
 
 
 class Verdict(StrEnum):
@@ -101,12 +103,55 @@ class Relation(StrEnum):
         """
         return {"=": computed == claimed, "≤": computed <= claimed, "≥": computed >= claimed}[self.value]
 
+    def bound(self, degree: object) -> str:
+        """A degree behind the relation; alone where it is equality.
+
+        >>> Relation.AT_MOST.bound(10), Relation.EQUAL.bound(10)
+        ('≤ 10', '10')
+        """
+        return str(degree) if self is Relation.EQUAL else f"{self} {degree}"
+
 
 class ZeroSetOf(StrEnum):
     """Whose zeros are meant: those of the numerators as they come, or of the values in lowest terms."""
 
     NUMERATORS = "numerators"
     VALUES = "lowest terms"
+
+
+class Sign(StrEnum):
+    """The claimed sign of a value."""
+
+    NONNEGATIVE = "≥ 0"
+    POSITIVE = "> 0"
+    NONPOSITIVE = "≤ 0"
+    NEGATIVE = "< 0"
+
+    @property
+    def direction(self) -> int:
+        """The sign by which the value is multiplied to be ≥ 0."""
+        return 1 if self in (Sign.NONNEGATIVE, Sign.POSITIVE) else -1
+
+    @property
+    def strict(self) -> bool:
+        """Whether zero is excluded."""
+        return self in (Sign.POSITIVE, Sign.NEGATIVE)
+
+
+class Group(StrEnum):
+    """The changes applied to a curve."""
+
+    REPARAMETRIZATION = "reparametrization"
+    COMMON_FACTOR = "common factor"
+    TRANSLATION = "translation"
+    ROTATION = "rotation"
+    MOTION = "motion"
+    REFLECTION = "reflection"
+    SCALING = "scaling"
+    SIMILARITY = "similarity"
+    AFFINE = "affine map"
+    PROJECTIVE = "projective map"
+    MOEBIUS = "Möbius map"
 
 
 class Curves(StrEnum):

@@ -151,7 +151,7 @@ def _principal(np: Any, s: dict[tuple[int, int], Any]) -> tuple[Any, Any]:
     by_u, by_v, *bent = (Vector(*np.moveaxis(s[key], -1, 0)) for key in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2)))
     n = cross(by_u, by_v)
     length = np.sqrt(norm2(n))
-    n = n * (1 / np.where(length > 0, length, 1))
+    n = n.mapped(lambda x: x / np.where(length > 0, length, 1))
     e, f, g, ll, m, k = (dot(a, b) for a, b in ((by_u, by_u), (by_u, by_v), (by_v, by_v), *((b, n) for b in bent)))
     forms = Operands(E=e, F=f, G=g, L=ll, M=m, N=k)
     area = area_of_forms(forms)

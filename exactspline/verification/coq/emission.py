@@ -10,7 +10,7 @@ from importlib import resources
 from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper, papers
 from exactspline.verification.claim import Claim
@@ -35,7 +35,12 @@ class Stated:
     claim: Claim
     name: str
     text: str
-    reason: str = ""
+    reason: ExactSplineError | None = None
+
+    @property
+    def why(self) -> str:
+        """Why there is none, for people."""
+        return "" if self.reason is None else self.reason.problem
 
 
 @dataclass(frozen=True)
@@ -64,7 +69,7 @@ class Library:
         for name, own in self.theorems.items():
             if found := tuple(each for each in own if (each.claim.paper, each.claim.key) in keys):
                 theorems[name] = found
-                if any(not each.reason for each in found):
+                if any(each.reason is None for each in found):
                     files[name] = claims_file(found[0].claim.source_paper, found)
         known = {(each.claim.paper, each.claim.key) for own in theorems.values() for each in own}
         without = [Stated(c, "", "", why_unstated(c)) for c in chosen if (c.paper, c.key) not in known]
@@ -72,14 +77,14 @@ class Library:
             theorems[""] = tuple(without)
         made = Library(files, theorems)
         if len(made.unstated) == sum(map(len, theorems.values())):
-            told = dict.fromkeys(f"{each.claim.key}: {each.reason}" for each in made.unstated)
+            told = dict.fromkeys(f"{each.claim.key}: {each.why}" for each in made.unstated)
             raise ClaimError("no theorem", where="; ".join(list(told)[:3]), remedy="name an equality of a paper")
         return made
 
     @property
     def unstated(self) -> list[Stated]:
         """The claims of equalities that have no theorem, with the reason."""
-        return [each for own in self.theorems.values() for each in own if each.reason]
+        return [each for own in self.theorems.values() for each in own if each.reason is not None]
 
 
 def _write(path: Path, text: str) -> None:
@@ -110,7 +115,7 @@ def library() -> Library:
             if found:
                 name = f"claims/{paper.name}_{table}"
                 theorems[name] = found
-                if any(not each.reason for each in found):
+                if any(each.reason is None for each in found):
                     files[name] = claims_file(paper, found)
     return Library(files, theorems)
 
@@ -130,14 +135,14 @@ def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
         return []
     kind = kind_of(claim.curve)
     if not written_for(kind):
-        return [Stated(claim, "", "", f"arguments of the kind {kind.name!r} are not written")]
+        return [Stated(claim, "", "", FormulaError(f"arguments of the kind {kind.name!r} are not written"))]
     make = refutation if claim.expected == Verdict.REFUTED else theorem
     found = []
     for dimension in kind.dimensions:
         try:
             text = make(claim, dimension, lambda formula: formulas.named(formula, paper))
         except ExactSplineError as error:
-            found.append(Stated(claim, "", "", error.problem))
+            found.append(Stated(claim, "", "", error))
             continue
         match = re.search(r"^Theorem (\S+)", text, re.MULTILINE)
         assert match is not None
@@ -147,7 +152,7 @@ def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
 
 def claims_file(paper: Paper, found: Iterable[Stated]) -> str:
     """The file of the theorems of one table of claims."""
-    texts = [each.text for each in found if not each.reason]
+    texts = [each.text for each in found if each.reason is None]
     return "\n".join([claims_header(paper.name, "".join(texts)), *texts])
 
 
@@ -170,11 +175,12 @@ def claims_header(name: str, text: str) -> str:
     )
 
 
-def why_unstated(claim: Claim) -> str:
+def why_unstated(claim: Claim) -> ExactSplineError:
     """Why a claim has no theorem."""
     if not isinstance(claim, STATED):
-        return f"claims of the kind {claim.kind!r} are not equalities"
-    return "formulas of users' folders are not written in Coq" if not claim.source_paper.package else "it has none"
+        return FormulaError(f"claims of the kind {claim.kind!r} are not equalities")
+    foreign = not claim.source_paper.package
+    return FormulaError("formulas of users' folders are not written in Coq" if foreign else "it has none")
 
 
 def emit(directory: Path, claims: Iterable[Claim] | None = None) -> Library:

@@ -14,8 +14,16 @@ from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import (
+    CoefficientIsZero,
+    Fact,
+    ForDegrees,
+    OnlyForDegrees,
+    ZeroCoefficient,
+    ZeroForDegree,
+)
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, sampled, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, Curves
+from exactspline.verification.vocabulary import ArgumentKind, Curves, Name
 
 #: The degrees for which the generic Bézier segment is computed.
 GENERIC_DEGREES = range(2, 7)
@@ -30,7 +38,7 @@ class Coefficients(Claim):
 
     kind: ClassVar[str] = "coefficients"
 
-    formula: str = field(metadata=read(formula_name))
+    formula: Name = field(metadata=read(formula_name))
     curves: Curves = field(default=Curves.EVERY, metadata=read(one_of(Curves)))
 
     def validate(self) -> None:
@@ -54,11 +62,11 @@ class Coefficients(Claim):
         """A generic claim does not apply to single curves."""
         return self.curves == Curves.EVERY and super().speaks_of(dimension, polynomial, surface=surface)
 
-    def prove(self) -> tuple[str, Finding]:
+    def prove(self) -> tuple[Name, Finding]:
         """A claim about every curve can only be refuted, by one; the generic curve is computed."""
         if self.curves == Curves.EVERY:
-            return "spline", self.refuted_on_examples()
-        return "generic", super().prove()[1]
+            return Name("spline"), self.refuted_on_examples()
+        return Name("generic"), super().prove()[1]
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """No Bézier coefficient is the zero polynomial in indeterminate control points and weights: for every degree at
@@ -68,35 +76,28 @@ class Coefficients(Claim):
         if not polynomial and _exists(
             lambda: every_coefficient(formula(BernsteinTermReading().argument(CURVE, dimension)))
         ):
-            told = (
-                "none vanishes for any d ≥ 1: coefficients 2k and 2k + 1 contain the product of control "
-                "point k + 1 and weight k"
-            )
-            return Finding(PROVED, NONE, told)
+            return Finding(PROVED, Fact.NONE_VANISHES_FOR_ANY_DEGREE)
         for d in GENERIC_DEGREES:
             value = formula(GenericReading(d).argument(CURVE, dimension, polynomial=polynomial))
             components = list(value) if isinstance(value, Vector) else [value]
             if all(c.is_zero for c in components):
-                told = f"it is zero for every curve of degree {d}"
-                return Finding(REFUTED, NONE, f"zero for degree {d}", witness=told)
+                return Finding(REFUTED, ZeroForDegree(d), witness=CoefficientIsZero(d))
             for i, parts in enumerate(zip(*[c.coefficients for c in components], strict=True)):
                 if not any(parts):
-                    told = f"coefficient {i} is zero for every curve of degree {d}"
-                    return Finding(REFUTED, NONE, f"coefficient {i} of degree {d}", witness=told)
-        degrees = f"d = {GENERIC_DEGREES[0]}…{GENERIC_DEGREES[-1]}"
-        return sampled(Finding(VERIFIED, NONE, f"none vanishes for {degrees}"), degrees)
+                    return Finding(REFUTED, ZeroForDegree(d, i), witness=CoefficientIsZero(d, i))
+        degrees = ForDegrees(GENERIC_DEGREES[0], GENERIC_DEGREES[-1])
+        return sampled(Finding(VERIFIED, OnlyForDegrees(degrees)), degrees)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """No control point is zero."""
         value = self.find(self.formula)(argument)
         components = list(value) if isinstance(value, Vector) else [value]
         if all(p.is_zero for p in components):
-            return vacuous(NONE, "all vanish")
+            return vacuous(Fact.ALL_VANISH)
         for i, point in enumerate(zip(*[p.control_points for p in components], strict=True)):
             if not any(point):
-                told = f"coefficient {i} of {self.formula} is 0"
-                return Finding(REFUTED, NONE, "one vanishes", witness=told)
-        return Finding(VERIFIED, NONE, NONE)
+                return Finding(REFUTED, Fact.ONE_VANISHES, witness=ZeroCoefficient(self.formula, i))
+        return Finding(VERIFIED, Fact.NONE_VANISHES)
 
 
 def _exists(attempt: Any) -> bool:

@@ -7,16 +7,19 @@ from typing import ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.parts import split
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.verification.claim import ExampleClaim, formula_name, read
+from exactspline.verification.claim import formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.components import only_component
 from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import AtKnot, Conditions, Enclosure, Fact, Isolated, NotBetter, OnExample
+from exactspline.verification.example_claim import ExampleClaim
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
+from exactspline.verification.vocabulary import Name
 
 BETTER = "better at every common zero"
 
@@ -28,10 +31,10 @@ class Condition(ExampleClaim):
     """
 
     kind: ClassVar[str] = "condition"
-    reading: ClassVar[str] = "spline"
+    reading: ClassVar[Name] = Name("spline")
 
-    left: str = field(metadata=read(formula_name))
-    right: str = field(metadata=read(formula_name))
+    left: Name = field(metadata=read(formula_name))
+    right: Name = field(metadata=read(formula_name))
 
     def validate(self) -> None:
         """Refuse an example to which the claim does not apply, and a form compared with itself."""
@@ -64,18 +67,18 @@ class Condition(ExampleClaim):
             if root == other
         ]
         if not pairs:
-            return vacuous(BETTER, "no zero in common")
-        told = ", ".join(f"{_middle(a)} against {_middle(b)}" for _, a, b in pairs)
+            return vacuous(Fact.NO_COMMON_ZERO)
+        found = Conditions(tuple((a, b) for _, a, b in pairs))
         if all(a[1] < b[0] for _, a, b in pairs):
-            return Finding(VERIFIED, BETTER, told)
+            return Finding(VERIFIED, found)
         for root, a, b in pairs:
             if a[0] >= b[1]:
-                witness = f"on the example curve {self.example}: not better at the zero {_place(root)}"
-                return Finding(REFUTED, BETTER, told, witness=witness)
-        return Finding(UNDECIDED, BETTER, told)
+                witness = OnExample(Name(self.example), NotBetter(_place(root)))
+                return Finding(REFUTED, found, witness=witness)
+        return Finding(UNDECIDED, found)
 
 
-def _condition(f: BSpline, root: Root) -> Interval:
+def _condition(f: BSpline, root: Root) -> Enclosure:
     """The condition number of a zero; at a knot it is 0, since the end coefficient is zero and stays so."""
     from exactspline.verification.conditioning.condition_number import condition_number
 
@@ -87,9 +90,5 @@ def _condition(f: BSpline, root: Root) -> Interval:
     return condition_number(f.forms[i], f.degree, root, root.multiplicity)
 
 
-def _middle(interval: Interval) -> str:
-    return f"{float(interval.middle):.4g}"
-
-
-def _place(root: Root) -> str:
-    return f"at the knot {text(root.low)}" if root.at_knot else f"between {text(root.low)} and {text(root.high)}"
+def _place(root: Root) -> AtKnot | Isolated:
+    return AtKnot(root.low) if root.at_knot else Isolated(root.low, root.high)

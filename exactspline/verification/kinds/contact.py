@@ -16,16 +16,13 @@ from exactspline.readings.rational_jet import JetFraction, RationalJetReading
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import AtLeast, ContactOrder, DerivativeAt, Evidence, Fact, UndefinedAt, Vanishes
 from exactspline.verification.segments import at_equal_parameters, equated, on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, inapplicable, vacuous
-from exactspline.verification.vocabulary import Relation
+from exactspline.verification.vocabulary import Name, Relation
 
-#: Why a curve of higher contact decides nothing about the generic one.
-HIGHER_HERE = "the contact is of a higher order on it, as it may be on special curves"
 #: The denominators of the two curves.
 BAR = dict(zip((*BARRED, "W"), (*COORDINATES, "w"), strict=True))
-#: Why a formula has no contact.
-SINGULAR = "as a function of the point at s̄ it is singular where the points meet: it defines no object there"
 #: The largest order.
 LARGEST_ORDER = 12
 
@@ -48,7 +45,7 @@ class Contact(Claim):
 
     kind: ClassVar[str] = "contact"
 
-    formula: str = field(metadata=read(formula_name))
+    formula: Name = field(metadata=read(formula_name))
     order: int = field(metadata=read(order_of_contact))
     relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
 
@@ -82,17 +79,16 @@ class Contact(Claim):
         ring = RationalJetReading(order_of(formula, dimension) + self.order + 1)
         value = split(formula(ring.argument(formula.kind, dimension, polynomial=polynomial)))[0]
         if all(x.is_zero for x in value):
-            return vacuous(self.claims)
+            return vacuous()
         if is_singular(formula, dimension, polynomial):
-            return Finding(UNDECIDED, self.claims, "no contact", witness=SINGULAR)
+            return Finding(UNDECIDED, Fact.NO_CONTACT, witness=Fact.SINGULAR_CONTACT)
         found = self._order(value, on_diagonal)
         if found is None:
-            return Finding(PROVED, self.claims, self.claims)
+            return Finding(PROVED, ContactOrder(self.order, self.relation))
         if found > self.order:
-            higher, why = f"at least {found}", f"{told(found, '= 0')} on every curve"
-            return Finding(REFUTED, self.claims, higher, witness=why)
-        less = f"{found - 1}" if found else "none: it does not pass through the point"
-        return Finding(REFUTED, self.claims, less, witness=self.refuted_on_examples().witness or told(found))
+            return Finding(REFUTED, AtLeast(found), witness=DerivativeAt(found, is_zero=True))
+        witness = self.refuted_on_examples().witness or DerivativeAt(found)
+        return Finding(REFUTED, ContactOrder(found - 1), witness=witness)
 
     def _order(self, value: list[Any], on_diagonal: Diagonal) -> int | None:
         """None where the contact is as claimed; else the order of the derivative at fault: one that does not vanish, or
@@ -110,19 +106,18 @@ class Contact(Claim):
         """All segments, and indeterminates."""
         return True
 
-    def beside(self, own: Evaluation) -> str:
+    def beside(self, own: Evaluation) -> Evidence:
         """Both curves are the one that is given."""
-        return ", with itself"
+        return Fact.WITH_ITSELF
 
-    def missing(self, argument: Handed) -> str:
+    def missing(self, argument: Handed) -> None:
         """No check beforehand: the formula is handed the curve twice."""
-        return ""
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The derivatives as polynomials in the two parameters, on every segment."""
         formula, curve = self.find(self.formula), own.curve
         if is_singular(formula, curve.dimension, curve.polynomial):
-            return Finding(UNDECIDED, self.claims, "no contact", witness=SINGULAR)
+            return Finding(UNDECIDED, Fact.NO_CONTACT, witness=Fact.SINGULAR_CONTACT)
         order, found, higher = order_of(formula, curve.dimension), None, 0
         whole = list(on_segments(formula.kind, curve, order, same=True))
         for segment in whole:
@@ -130,23 +125,18 @@ class Contact(Claim):
                 value = split(formula(segment.argument))[0]
                 found = self._order(value, at_equal_parameters)
             except VanishingDivisorError:
-                return vacuous(self.claims, f"it does not exist {segment}: 1/0")
+                return vacuous(UndefinedAt(segment.interval))
             if all(x.is_zero for x in value):
-                return vacuous(self.claims, f"0 {segment}")
+                return vacuous(Vanishes(segment.interval))
             if found is not None and found <= self.order:
                 for _ in range(found):
                     value = [x.d(1, by=PARAMETERS[1]) for x in value]
                 rest = next(x for x in map(at_equal_parameters, value) if not x.is_zero)
-                return Finding(REFUTED, self.claims, "less", witness=f"{told(found)} {segment.place(rest)}")
+                return Finding(REFUTED, Fact.LESS_CONTACT, witness=DerivativeAt(found, place=segment.place(rest)))
             higher += found is not None
         if higher == len(whole):
-            return inapplicable(self.claims, HIGHER_HERE, f"at least {self.order + 1}")
-        return Finding(VERIFIED, self.claims, self.claims)
-
-
-def told(n: int, what: str = "≠ 0") -> str:
-    """That the n-th derivative vanishes, or does not."""
-    return f"the derivative of order {n} by s̄ is {what} at s̄ = s" if n else f"the value is {what} at s̄ = s"
+            return inapplicable(Fact.HIGHER_CONTACT_HERE, AtLeast(self.order + 1))
+        return Finding(VERIFIED, ContactOrder(self.order, self.relation))
 
 
 #: The value of a quotient of both parameters where they are equal.

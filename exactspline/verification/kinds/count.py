@@ -11,12 +11,14 @@ from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms
-from exactspline.verification.claim import Claim, ExampleClaim, formula_name, read
+from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.components import only_component
 from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import Counted, Fact, OnExample, Undefined
+from exactspline.verification.example_claim import ExampleClaim
 from exactspline.verification.verdict import REFUTED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import Counter, word
+from exactspline.verification.vocabulary import Counter, Name, word
 
 
 def counts(claimed: str) -> list[tuple[int, Counter]]:
@@ -47,9 +49,9 @@ class Count(ExampleClaim):
     """The numbers in ``claimed`` are those of ``formula`` on the curve ``example``."""
 
     kind: ClassVar[str] = "count"
-    reading: ClassVar[str] = "spline"
+    reading: ClassVar[Name] = Name("spline")
 
-    formula: str = field(metadata=read(formula_name))
+    formula: Name = field(metadata=read(formula_name))
     claimed: str = field(metadata=read(counted))
 
     def validate(self) -> None:
@@ -75,17 +77,17 @@ class Count(ExampleClaim):
         value = joined(self.find(self.formula)(argument))
         numerators, below = split(value)
         if below is not None and below.vanishes_somewhere:
-            return vacuous(self.claimed, f"{self.formula} does not exist on all of this curve: 0/0")
+            return vacuous(Undefined(self.formula))
         if all(p.is_zero for p in numerators):
-            return vacuous(self.claimed, "0")
+            return vacuous(Fact.VANISHES)
         wanted = counts(self.claimed)
         if not numerators[0].breakpoints[1:-1] and {what for _, what in wanted} & CONTINUITIES:
-            return vacuous(self.claimed, "one segment: nothing is joined")
-        found = [(self._counted(what, value, own), what) for _, what in wanted]
-        told = ", ".join(_text(n, what) for n, what in found)
-        if found == wanted:
-            return Finding(VERIFIED, self.claimed, told)
-        return Finding(REFUTED, self.claimed, told, witness=f"on the example curve {self.example}: {told}")
+            return vacuous(Fact.NO_JOINT)
+        numbers = [(self._counted(what, value, own), what) for _, what in wanted]
+        found = Counted(tuple(numbers))
+        if numbers == wanted:
+            return Finding(VERIFIED, found)
+        return Finding(REFUTED, found, witness=OnExample(Name(self.example), found))
 
     def _counted(self, what: Counter, value: Any, own: Evaluation) -> int | None:
         """One of the numbers; None where there are infinitely many, or where it is not one of the formula."""
@@ -120,9 +122,3 @@ def _extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
     changes += [jump_root(jump) for jump in zero_set.jumps if jump.sign_change]
     same = len(found) == len(changes) and all(any(each.root == root for root in changes) for each in found)
     return len(found) if same and not zero_set.intervals else None
-
-
-def _text(n: int | None, what: Counter) -> str:
-    if n is None:
-        return "infinitely many roots" if what == Counter.ROOTS else "not a form whose sign is that of κ′"
-    return (f"degree {n}" if what == Counter.DEGREE else f"{n} {what}").replace("-", "−")

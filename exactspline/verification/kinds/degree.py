@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import field, replace
+from functools import cache
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.arguments import Pair
 from exactspline.language.choices import Counting, Parameter
-from exactspline.language.kinds import kind_of
+from exactspline.language.kinds import Kind, kind_of
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -20,23 +21,35 @@ from exactspline.readings.differential_order import order_of
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_parts import Degrees
-from exactspline.verification.claim import count_from, degree_text, formula_name, one_of, read
+from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import DegreeHere, Fact, WrongDegree, ZeroHere
 from exactspline.verification.generic_proof import reduction_of, transposed
 from exactspline.verification.kinds.degree_proof import DegreeStatement, decide
 from exactspline.verification.notation import degree_latex
-from exactspline.verification.verdict import (
-    LOWER_HERE,
-    NO_DERIVATIVES,
-    REFUTED,
-    VERIFIED,
-    Finding,
-    inapplicable,
-    sampled,
-    vacuous,
-)
-from exactspline.verification.vocabulary import ArgumentKind, Measure, Relation, Scope
+from exactspline.verification.verdict import REFUTED, VERIFIED, Finding, inapplicable, sampled, vacuous
+from exactspline.verification.vocabulary import ArgumentKind, Measure, Name, Relation, Scope
+
+
+def degree_text(claim: Claim, name: str, value: str) -> str:
+    """A degree in d, or in d1 and d2 for Table 1."""
+    names = _degree_names(kind_of(claim.curve))
+    if unknown := parse(value).names - names:
+        raise ClaimError(
+            f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
+            where=name,
+            remedy=f"write it in {' and '.join(sorted(names))}",
+        )
+    return str(value)
+
+
+@cache
+def _degree_names(kind: Kind) -> frozenset[str]:
+    """The names of the degrees of operands."""
+    symbols = [s for s in kind.symbols(kind.dimensions[0]) if s.degree]
+    return frozenset().union(*[parse(s.degree_in(p)).names for s in symbols for p in s.parameters])
+
 
 #: The measured degree, as LaTeX.
 MEASURES = {
@@ -46,10 +59,8 @@ MEASURES = {
     Measure.REDUCED: r"\deg_{\mathrm{reduced}}",
     Measure.HEIGHT: r"\mathrm{height}",
 }
-#: In lowest terms a value of two parameters is measured along one line.
-ONE_LINE = "one value of the other parameter"
-#: Relations in LaTeX, as prefixes of a claimed degree.
-RELATIONS = {Relation.EQUAL: ("=", ""), Relation.AT_MOST: (r"\le", "≤ "), Relation.AT_LEAST: (r"\ge", "≥ ")}
+#: Relations in LaTeX.
+RELATIONS = {Relation.EQUAL: "=", Relation.AT_MOST: r"\le", Relation.AT_LEAST: r"\ge"}
 
 
 @claim_kind
@@ -65,7 +76,7 @@ class DegreeClaim(DegreeStatement):
 
     kind: ClassVar[str] = "degree"
 
-    formula: str = field(metadata=read(formula_name))
+    formula: Name = field(metadata=read(formula_name))
     claimed: str = field(metadata=read(degree_text))
     measure: Measure = field(default=Measure.NOMINAL, metadata=read(one_of(Measure)))
     relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
@@ -93,7 +104,7 @@ class DegreeClaim(DegreeStatement):
     @property
     def claims(self) -> str:
         """The degree, with its relation."""
-        return RELATIONS[self.relation][1] + str(parse(self.claimed))
+        return self.relation.bound(str(parse(self.claimed)))
 
     @property
     def relation_claimed(self) -> Relation:
@@ -103,13 +114,13 @@ class DegreeClaim(DegreeStatement):
     @property
     def latex(self) -> str:
         """The degree, the relation, what is claimed."""
-        sign = RELATIONS[self.relation][0]
+        sign = RELATIONS[self.relation]
         return rf"{MEASURES[self.measure]} {self.symbol(self.formula)} {sign} {degree_latex(self.claimed)}"
 
     @property
-    def proof_reading(self) -> str:
+    def proof_reading(self) -> Name:
         """The reading that decides the measure."""
-        return {Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant")
+        return Name({Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant"))
 
     def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """Counts by another rule, heights, and lower bounds for the generic curve do not apply to one curve."""
@@ -120,14 +131,14 @@ class DegreeClaim(DegreeStatement):
         )
         return not silent and super().speaks_of(dimension, polynomial, surface=surface)
 
-    def prove(self) -> tuple[str, Finding]:
+    def prove(self) -> tuple[Name, Finding]:
         """The reading is that of the measure."""
         return self.proof_reading, super().prove()[1]
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """For symbolic d."""
         found = decide(self, dimension, polynomial)
-        return replace(found, claimed=self.claims, relation=self.relation)
+        return replace(found, relation=self.relation)
 
     @property
     def tries_all(self) -> bool:
@@ -139,19 +150,19 @@ class DegreeClaim(DegreeStatement):
         curve of lower degree may be a special one, and decides nothing.
         """
         if self._has_too_few_derivatives(argument):
-            return inapplicable(self.claims, NO_DERIVATIVES, relation=self.relation)
+            return inapplicable(Fact.TOO_FEW_DERIVATIVES, relation=self.relation)
         claimed = self._claimed(argument)
-        text = f"{RELATIONS[self.relation][1]}{claimed}"
         computed = self._computed(argument)
         if computed < 0 and self.measure.is_generic:
-            return vacuous(text, "0")
+            return vacuous(ZeroHere(claimed, self.relation))
+        here = DegreeHere(computed, claimed, self.relation)
         if self.measure.is_generic and self.relation == Relation.EQUAL and computed < claimed:
-            return inapplicable(text, LOWER_HERE, str(computed), self.relation)
+            return inapplicable(Fact.LOWER_DEGREE_HERE, here, self.relation)
         holds = self.relation.holds(computed, claimed)
-        told = "" if holds else f"{computed}, not {text}"
-        found = Finding(VERIFIED if holds else REFUTED, text, str(computed), witness=told, relation=self.relation)
+        wrong = None if holds else WrongDegree(computed, claimed, self.relation)
+        found = Finding(VERIFIED if holds else REFUTED, here, witness=wrong, relation=self.relation)
         along_a_line = self.measure == Measure.LOWEST_TERMS and isinstance(argument, (Pair, Surface))
-        return sampled(found, ONE_LINE) if holds and along_a_line else found
+        return sampled(found, Fact.ONE_LINE) if holds and along_a_line else found
 
     def _claimed(self, argument: Any) -> int:
         degree = parse(self.claimed)

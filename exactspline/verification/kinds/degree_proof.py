@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from itertools import chain, product
+from types import MappingProxyType
 from typing import Any
 
 from exactspline.errors import FormulaError
@@ -17,16 +19,17 @@ from exactspline.readings.leading_terms import generic_true_degree
 from exactspline.symbolic.covariants import degree_at, generic_degree, graded, true_degree, truncated, without_content
 from exactspline.symbolic.reduction import Reduction
 from exactspline.verification.claim import Claim
+from exactspline.verification.evidence import DegreeFound, Fact, Found, WrongDegree
 from exactspline.verification.generic_degree import joined_degree
 from exactspline.verification.generic_proof import degree_table, reduction_of, transposed, vanishes
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, ContradictionError, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, Measure, Relation
+from exactspline.verification.vocabulary import ArgumentKind, Measure, Name, Relation
 
 
 class DegreeStatement(Claim):
     """What is decided: the fields of `exactspline.verification.kinds.degree.DegreeClaim`."""
 
-    formula: str
+    formula: Name
     claimed: str
     measure: Measure
     relation: Relation
@@ -35,6 +38,8 @@ class DegreeStatement(Claim):
     least_d: int
 
 
+#: No exceptional d.
+NONE_LOWER: Mapping[int, int] = MappingProxyType({})
 #: How many values of each of several degrees are tried for a witness.
 UNEQUAL = 12
 
@@ -44,27 +49,26 @@ def decide(claim: DegreeStatement, dimension: int, polynomial: bool) -> Finding:
     formula = claim.find(claim.formula)
     zero = claim.curve != ArgumentKind.TABLE and vanishes(formula, dimension, polynomial)
     if claim.measure == Measure.NOMINAL:
-        told = ", as it is written: it vanishes on every curve" if zero else ""
-        return _held(claim, _nominal(claim, dimension, polynomial), {}, "", told)
+        return _held(claim, DegreeFound(_nominal(claim, dimension, polynomial), as_written=zero))
     if zero:
-        return vacuous(claim.claimed, "0")
+        return vacuous(Fact.VANISHES)
     if claim.parameter == Parameter.SECOND:
         formula = transposed(formula)
     if claim.measure == Measure.TRUE:
         computed, lower = _true(formula, dimension, polynomial, _counted(claim))
-        return _held(claim, computed, lower, "")
+        return _held(claim, DegreeFound(computed), lower)
     found = reduction_of(formula, dimension, polynomial, _counted(claim))
     part = found.main
     if claim.measure == Measure.HEIGHT:
         height = part.true.j if part.true else -1
-        return _held(claim, Degree.number(height), {}, "")
+        return _held(claim, DegreeFound(Degree.number(height)))
     if claim.measure == Measure.REDUCED:
         lower = (
             dict(part.true.lower)
             if part.true
             else lower_degrees([j for j in part.reduced if not j.is_zero], part.parameter)
         )
-        return _held(claim, part.generic, lower, str(part.cancelled), _grading(part.true))
+        return _held(claim, DegreeFound(part.generic, _grading(part.true)), lower, part.cancelled)
     return _lowest(claim, found)
 
 
@@ -73,8 +77,8 @@ def _counted(claim: DegreeStatement) -> Parameter:
     return Parameter.FIRST if claim.parameter == Parameter.SECOND else claim.parameter
 
 
-def _grading(true: Any) -> str:
-    return f" (k, m, j = {true.k}, {true.m}, {true.j})" if true else ""
+def _grading(true: Any) -> tuple[int, int, int] | None:
+    return (int(true.k), int(true.m), int(true.j)) if true else None
 
 
 def _nominal(claim: DegreeStatement, dimension: int, polynomial: bool) -> Degree:
@@ -135,12 +139,14 @@ def _lowest(claim: DegreeStatement, found: Reduction) -> Finding:
         n = -1 if vanishes else degree_at(without_content(cut), d, parameter)
         if n != computed.at(dict.fromkeys(computed.names, d)):
             lower[d] = n
-    return _held(claim, computed, lower, str(found.main.cancelled))
+    return _held(claim, DegreeFound(computed), lower, found.main.cancelled)
 
 
-def _held(claim: DegreeStatement, computed: Degree, lower: dict[int, int], factor: str, grading: str = "") -> Finding:
+def _held(
+    claim: DegreeStatement, found: DegreeFound, lower: Mapping[int, int] = NONE_LOWER, factor: Found | None = None
+) -> Finding:
     """A computed degree against the claimed one, for every d from the least one on; with every exception."""
-    claimed = parse(claim.claimed)
+    computed, claimed = found.degree, parse(claim.claimed)
     larger = computed.max(claimed)
     agree = {
         Relation.EQUAL: (computed, claimed),
@@ -148,13 +154,9 @@ def _held(claim: DegreeStatement, computed: Degree, lower: dict[int, int], facto
         Relation.AT_LEAST: (larger, computed),
     }[claim.relation]
     start = equal_from(*agree)
-    told = str(computed) + grading
-    if start is not None and start > 1:
-        told += f" (so from d = {start} on)"
-    gone = [d for d, n in lower.items() if n > _at(computed, d)]
-    for what, exceptions in (("lower", lower.keys() - gone), ("0", gone)):
-        if exceptions:
-            told += f" ({what} for d = {', '.join(map(str, sorted(exceptions)))})"
+    gone = tuple(sorted(d for d, n in lower.items() if n > _at(computed, d)))
+    rest = tuple(sorted(lower.keys() - set(gone)))
+    found = replace(found, start=1 if start is None else start, lower=rest, zero=gone)
     names = computed.names | claimed.names
     vanishing_is_less = claim.relation == Relation.AT_MOST
     failing = [
@@ -165,7 +167,7 @@ def _held(claim: DegreeStatement, computed: Degree, lower: dict[int, int], facto
         and not claim.relation.holds(lower[d], _at(claimed, d))
     ]
     if start is not None and not failing and _agree_before(start, claim, computed, claimed, lower):
-        return Finding(PROVED, computed=told, factor=factor)
+        return Finding(PROVED, found, factor)
     wrong: dict[str, int] | None
     if failing:
         n, wrong = lower[failing[0]], dict.fromkeys(names, failing[0])
@@ -173,14 +175,13 @@ def _held(claim: DegreeStatement, computed: Degree, lower: dict[int, int], facto
         wrong = _first_failure(claim, computed, claimed, names)
         n = 0 if wrong is None else computed.at(wrong)
     if wrong is None:
-        return Finding(UNDECIDED, computed=told, factor=factor, witness="no degrees are found for which it fails")
-    where = "at " + " and ".join(f"{name} = {d}" for name, d in sorted(wrong.items())) if wrong else "for every d"
-    relation = "" if claim.relation == Relation.EQUAL else f"{claim.relation} "
-    return Finding(REFUTED, computed=told, factor=factor, witness=f"{where}: {n}, not {relation}{claimed.at(wrong)}")
+        return Finding(UNDECIDED, found, factor, Fact.NO_COUNTEREXAMPLE)
+    at = tuple((Name(name), d) for name, d in sorted(wrong.items()))
+    return Finding(REFUTED, found, factor, WrongDegree(n, claimed.at(wrong), claim.relation, at))
 
 
 def _agree_before(
-    start: int, claim: DegreeStatement, computed: Degree, claimed: Degree, exceptions: dict[int, int]
+    start: int, claim: DegreeStatement, computed: Degree, claimed: Degree, exceptions: Mapping[int, int]
 ) -> bool:
     """Whether the relation holds between the least d and the one from which on it always does, exceptions aside: the
     last d before that must be an exception, so that it is a small one. Of operands of several degrees exceptions are

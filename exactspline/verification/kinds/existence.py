@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import field, replace
 from functools import cache
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.formula import Formula
@@ -13,8 +13,11 @@ from exactspline.language.parts import split
 from exactspline.symbolic.factorization import jets_with_roots
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.decision import Equation
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.verdict import REFUTED, UNDECIDED, Finding, vacuous
+from exactspline.verification.evidence import Fact, NotItsDefinition, RationalForm, RationalOfDegree, Undefined
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding, vacuous
+from exactspline.verification.vocabulary import Name
 
 NOT = "not rational"
 
@@ -27,8 +30,8 @@ class Existence(Claim):
 
     kind: ClassVar[str] = "existence"
 
-    formula: str = field(metadata=read(formula_name))
-    definition: str = field(metadata=read(formula_name))
+    formula: Name = field(metadata=read(formula_name))
+    definition: Name = field(metadata=read(formula_name))
 
     def kind_of_field(self, name: str) -> Kind:
         """A definition may have roots."""
@@ -58,23 +61,21 @@ class Existence(Claim):
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The absence of a rational form is refuted by one, if it is one: not zero, and equal to the definition."""
-        c: Any = jets_with_roots(self.compared, "1", dimension, polynomial=polynomial)
-        value, defined = (split(each(c))[0] for each in self.compared)
-        if all(x.is_zero for x in value):
-            return vacuous(NOT)
-        if len(value) == len(defined) and all((x - y).is_zero for x, y in zip(value, defined, strict=True)):
-            told = f"{self.formula} is a quotient of polynomials in the curve, and is {self.definition}"
-            return Finding(REFUTED, NOT, "rational", witness=told)
-        return Finding(UNDECIDED, NOT, "", witness=f"{self.formula} is not {self.definition}")
+        equation = Equation(self.find(self.formula), self.find(self.definition))
+        c = jets_with_roots(equation.formulas, "1", dimension, polynomial=polynomial)
+        if all(x.is_zero for x in split(equation.left(c))[0]):
+            return vacuous()
+        if equation.decide(c).verdict == PROVED:
+            return Finding(REFUTED, Fact.RATIONAL, witness=RationalForm(self.formula, self.definition))
+        return Finding(UNDECIDED, witness=NotItsDefinition(self.formula, self.definition))
 
     @property
     def compared(self) -> list[Formula]:
         """Both, and neither of them twice."""
         return [self.find(self.formula), self.find(self.definition)]
 
-    def missing(self, argument: Handed) -> str:
+    def missing(self, argument: Handed) -> None:
         """No check beforehand: splines have no roots."""
-        return ""
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The rational form on this curve."""
@@ -84,8 +85,8 @@ class Existence(Claim):
         value = self.find(self.formula)(argument)
         denominator = split(value)[1]
         if denominator is not None and denominator.vanishes_somewhere:
-            return vacuous(NOT, f"{self.formula} does not exist on all of this curve: 0/0")
-        return replace(general, computed=f"rational of degree {value.degree}")
+            return vacuous(Undefined(self.formula))
+        return replace(general, computed=RationalOfDegree(int(value.degree)))
 
 
 @cache

@@ -27,26 +27,10 @@ from exactspline.symbolic.motions import MAPS, Map
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import DifferUnder, Evidence, Fact, UndefinedAt, UnderEvery, UnderMap, Weight
 from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
-
-REPARAMETRIZATION, COMMON_FACTOR, MOEBIUS = "reparametrization", "common factor", "Möbius map"
-
-
-class Group(StrEnum):
-    """The changes applied to a curve."""
-
-    REPARAMETRIZATION = REPARAMETRIZATION
-    COMMON_FACTOR = COMMON_FACTOR
-    TRANSLATION = "translation"
-    ROTATION = "rotation"
-    MOTION = "motion"
-    REFLECTION = "reflection"
-    SCALING = "scaling"
-    SIMILARITY = "similarity"
-    AFFINE = "affine map"
-    PROJECTIVE = "projective map"
-    MOEBIUS = MOEBIUS
+from exactspline.verification.vocabulary import Group, Name
 
 
 class Nature(StrEnum):
@@ -74,6 +58,18 @@ UNITS = {
     Group.PROJECTIVE: "the determinant",
     Group.MOEBIUS: "the local scale",
 }
+
+
+def weight_text(under: Group, weight: int) -> str:
+    """A power of the unit of a group.
+
+    >>> weight_text(Group.SCALING, -2), weight_text(Group.MOTION, 0)
+    ('weight −2 in the scale', 'no change')
+    """
+    unit = UNITS.get(under)
+    return f"weight {weight} in {unit}".replace("-", "−") if unit else "no change"
+
+
 #: The maps by which a group is generated.
 GENERATED = {Group.MOEBIUS: ("similarity", "inversion")}
 
@@ -96,7 +92,7 @@ class Invariance(Claim):
 
     kind: ClassVar[str] = "invariance"
 
-    formula: str = field(metadata=read(formula_name))
+    formula: Name = field(metadata=read(formula_name))
     under: Group = field(metadata=read(one_of(Group)))
     weight: int = field(default=0, metadata=read(whole_number))
     nature: Nature = field(default=Nature.SCALAR, metadata=read(one_of(Nature)))
@@ -120,13 +116,12 @@ class Invariance(Claim):
     @property
     def claims(self) -> str:
         """The power of the unit."""
-        unit = UNITS.get(self.under)
-        return f"weight {self.weight} in {unit}".replace("-", "−") if unit else "no change"
+        return weight_text(self.under, self.weight)
 
     @property
     def latex(self) -> str:
         """The name, the group, the weight."""
-        return rf"{self.symbol(self.formula)}\;\text{{under {_a(self.under)}: {self.claims}}}"
+        return rf"{self.symbol(self.formula)}\;\text{{under {with_article(self.under)}: {self.claims}}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """By substitution in the jets, with indeterminates for the constants of the group."""
@@ -143,27 +138,27 @@ class Invariance(Claim):
         )
         moved, expected = self._sides(formula, name, curve, vars(curve))
         if all(x.is_zero for x in (*moved, *expected)):
-            return vacuous(self.claims)
+            return vacuous()
         if all(a == b for a, b in zip(moved, expected, strict=True)):
-            return Finding(PROVED, self.claims, self.claims)
-        told = f"under {_a(name)} the sides are not proportional"
+            return Finding(PROVED, Weight(self.under, self.weight))
+        told = UnderMap(Name(name))
         short = sum(len(x.top) + len(x.bottom) for x in (*moved, *expected)) < SHORT
         if (
             short
             and any(not x.is_zero for x in expected)
             and (factor := find_factor(Vector(*moved), Vector(*expected)))
         ):
-            told = f"under {_a(name)} it is {factor} times what is claimed"
-        return Finding(REFUTED, self.claims, told, witness=self.refuted_on_examples().witness or told)
+            told = UnderMap(Name(name), factor)
+        return Finding(REFUTED, told, witness=self.refuted_on_examples().witness or told)
 
     @property
     def tries_all(self) -> bool:
         """All segments, and indeterminates."""
         return True
 
-    def beside(self, own: Evaluation) -> str:
+    def beside(self, own: Evaluation) -> Evidence:
         """All elements of the group are tried at once."""
-        return f", under every {self.under}"
+        return UnderEvery(self.under)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On every segment of the curve, with indeterminates for the constants of the group, or for the change of
@@ -176,19 +171,19 @@ class Invariance(Claim):
                 try:
                     moved, expected = self._sides(formula, name, segment.argument, vars(segment.argument))
                 except VanishingDivisorError:
-                    return vacuous(self.claims, f"it does not exist {segment}: 1/0")
+                    return vacuous(UndefinedAt(segment.interval))
                 differ = [d for a, b in zip(moved, expected, strict=True) if not (d := a - b).is_zero]
                 if differ:
-                    told = f"under {_a(name)} the sides differ {segment.place(differ[0])}"
-                    return Finding(REFUTED, self.claims, "not so", witness=told)
+                    witness = DifferUnder(Name(name), segment.place(differ[0]))
+                    return Finding(REFUTED, Fact.NOT_SO, witness=witness)
                 nothing = nothing and all(x.is_zero for x in (*moved, *expected))
-        return vacuous(self.claims) if nothing else Finding(VERIFIED, self.claims, self.claims)
+        return vacuous() if nothing else Finding(VERIFIED, Weight(self.under, self.weight))
 
     def _sides(self, formula: Formula, name: str, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
         """The components of the value on the changed curve, and their claimed values."""
-        if name == REPARAMETRIZATION:
+        if name == Group.REPARAMETRIZATION:
             return self._in_other_parameter(formula, curve, k)
-        if name == COMMON_FACTOR:
+        if name == Group.COMMON_FACTOR:
             factor = k[SPEED]
             plain = Curve(curve.p * factor, curve.w * factor, point=curve.point)
             beside = {each: curve.operands()[each] for each in getattr(formula.kind, "constants", ())}
@@ -241,7 +236,7 @@ def _wider(kind: Kind, name: str, dimension: int) -> _Wider:
     return _Wider(f"{kind.name}, changed", kind.dimensions, with_point=kind.with_point, constants=both)
 
 
-def _a(name: str) -> str:
+def with_article(name: str) -> str:
     """A name with its article."""
     return f"an {name}" if name[0] in "ai" else f"a {name}"
 

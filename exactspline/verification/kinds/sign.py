@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import field
-from enum import StrEnum
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.parts import split
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import mpq
 from exactspline.polynomials.factors import factorize
 from exactspline.polynomials.isolation import is_nonnegative
 from exactspline.readings.jet import Jet
@@ -16,32 +15,14 @@ from exactspline.splines.bspline import BSpline
 from exactspline.symbolic.assumptions import zero_free
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, formula_names, one_of, read
-from exactspline.verification.claim_factor import factor_of_text, factor_parts
+from exactspline.verification.claim_factor import factor_formulas, factor_of_text, factor_parts
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import extra_zero
 from exactspline.verification.evaluation import Evaluation, Handed, zero_of
-from exactspline.verification.kinds.identity import stated_factor
+from exactspline.verification.evidence import At, Fact, HasSign, SumOfSquares, ZeroAt
+from exactspline.verification.kinds.identity import checked_factor
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind
-
-
-class Sign(StrEnum):
-    """The claimed sign of a value."""
-
-    NONNEGATIVE = "≥ 0"
-    POSITIVE = "> 0"
-    NONPOSITIVE = "≤ 0"
-    NEGATIVE = "< 0"
-
-    @property
-    def direction(self) -> int:
-        """The sign by which the value is multiplied to be ≥ 0."""
-        return 1 if self in (Sign.NONNEGATIVE, Sign.POSITIVE) else -1
-
-    @property
-    def strict(self) -> bool:
-        """Whether zero is excluded."""
-        return self in (Sign.POSITIVE, Sign.NEGATIVE)
+from exactspline.verification.vocabulary import ArgumentKind, Name, Sign
 
 
 def positive_factor(claim: Claim, name: str, value: str) -> str:
@@ -49,7 +30,7 @@ def positive_factor(claim: Claim, name: str, value: str) -> str:
     for part, exponent in factor_parts(value):
         if part[0] == "-" or (part[0].isalpha() and exponent % 2):
             raise ClaimError(f"the factor {value!r} has no sign", where=part, remedy="positive numbers and even powers")
-    return stated_factor(claim, name, value)
+    return checked_factor(claim, name, value)
 
 
 @claim_kind
@@ -60,9 +41,9 @@ class SignClaim(Claim):
 
     kind: ClassVar[str] = "sign"
 
-    formula: str = field(metadata=read(formula_name))
+    formula: Name = field(metadata=read(formula_name))
     sign: Sign = field(default=Sign.NONNEGATIVE, metadata=read(one_of(Sign)))
-    squares: tuple[str, ...] = field(default=(), metadata=read(formula_names))
+    squares: tuple[Name, ...] = field(default=(), metadata=read(formula_names))
     factor: str = field(default="1", metadata=read(positive_factor))
 
     def validate(self) -> None:
@@ -86,16 +67,14 @@ class SignClaim(Claim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The sum of squares is the value up to the factor, as differential polynomials."""
         formula, squares = self.find(self.formula), [self.find(name) for name in self.squares]
-        named = [
-            self.find(name) for name, _ in factor_parts(self.factor) if name[0].isalpha() and name not in ("w", "W")
-        ]
+        named = factor_formulas(self.factor, self.find)
         c: Any = jets_for((formula, *squares, *named), dimension, polynomial=polynomial)
         value = formula(c)
         if value.is_vector:
             raise ClaimError(f"{self.formula!r} is a vector", where=self.key, remedy="a vector has no sign")
         if value.is_zero:
-            return vacuous(self.claims)
-        told = "not the sum of these squares" if squares else "no squares are named"
+            return vacuous()
+        told = Fact.OTHER_SQUARES if squares else Fact.NO_SQUARES
         if squares:
             total = value.constant(0)
             for square in squares:
@@ -104,12 +83,10 @@ class SignClaim(Claim):
             top, bottom = factor_of_text(self.factor, c, self.find)
             if value * bottom * self.sign.direction == total * top:
                 if not self.sign.strict:
-                    return Finding(
-                        PROVED, self.claims, f"a sum of {len(squares)} squares" if squares[1:] else "a square"
-                    )
+                    return Finding(PROVED, SumOfSquares(len(squares)))
                 return self._strict([square(c) for square in squares])
         refuted = self.refuted_on_examples()
-        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, self.claims, "", witness=told)
+        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=told)
 
     def _strict(self, squares: list[Any]) -> Finding:
         """One of the squares has no zero by assumption: neither it nor a factor."""
@@ -117,10 +94,9 @@ class SignClaim(Claim):
         for value in squares:
             used = _zero_free(value, self.assumes)
             if used is not None and constant:
-                return Finding(PROVED, self.claims, "a sum of squares, one without a zero", assumptions=used)
+                return Finding(PROVED, Fact.SQUARES_ONE_WITHOUT_ZERO, assumptions=used)
         refuted = self.refuted_on_examples()
-        told = "every square may vanish under the assumptions"
-        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, self.claims, "", witness=told)
+        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=Fact.SQUARES_MAY_VANISH)
 
     @property
     def asks_for_zeros(self) -> bool:
@@ -135,18 +111,17 @@ class SignClaim(Claim):
         value = p * self.sign.direction
         value = value if below is None else value * below
         if p.is_zero:
-            return vacuous(self.claims, "0")
+            return vacuous(Fact.VANISHES)
         for i, c in enumerate(value.polynomials):
             if not is_nonnegative(c, value.degree):
-                place = _negative(value, i)
-                return Finding(REFUTED, self.claims, "the other sign", witness=f"at the parameter {text(place)}")
+                return Finding(REFUTED, Fact.OTHER_SIGN, witness=At(_negative(value, i)))
         zero = zero_of(p) if below is None else extra_zero(p, below)  # 0/0 is no value
         if self.sign.strict and zero:
-            return Finding(REFUTED, self.claims, "zero", witness=f"zero {zero}")
-        return Finding(VERIFIED, self.claims, self.claims)
+            return Finding(REFUTED, Fact.HAS_ZERO, witness=ZeroAt(zero))
+        return Finding(VERIFIED, HasSign(self.sign))
 
 
-def _zero_free(value: Any, assumed: Any) -> tuple[str, ...] | None:
+def _zero_free(value: Any, assumed: Any) -> tuple[Name, ...] | None:
     """The assumptions by which a value (of a vector: its squared length) has no zero; None where they do not imply
     it.
     """
@@ -161,7 +136,7 @@ def _zero_free(value: Any, assumed: Any) -> tuple[str, ...] | None:
         reason = zero_free(Jet(square.ring, p), assumed)
         if reason is None:
             return None
-        used.append(reason.name)
+        used.append(Name(reason.name))
     return tuple(dict.fromkeys(used))
 
 

@@ -13,11 +13,10 @@ from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.components import only_component
 from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import Fact, OddPowers, Quotients, SquareOnSegment, Squares
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind
-
-SAME = "the same"
+from exactspline.verification.vocabulary import ArgumentKind, Name
 
 
 @claim_kind
@@ -26,8 +25,8 @@ class SquareClass(Claim):
 
     kind: ClassVar[str] = "square class"
 
-    formula: str = field(metadata=read(formula_name))
-    right: str = field(metadata=read(formula_name))
+    formula: Name = field(metadata=read(formula_name))
+    right: Name = field(metadata=read(formula_name))
 
     def validate(self) -> None:
         """Refuse a formula compared with itself, and two curves."""
@@ -53,16 +52,16 @@ class SquareClass(Claim):
         formula, right = self.find(self.formula), self.find(self.right)
         c = jets_for((formula, right), dimension, polynomial=polynomial)
         if any(only_component(self, f.name, split(f(c))[0]).is_zero for f in (formula, right)):
-            return vacuous("a square")
+            return vacuous()
         factor = factor_of(formula, right, dimension, polynomial=polynomial)
-        odd = "not proportional" if factor is None else "·".join(base.name for base, e in factor.powers if e % 2)
-        quotient = f"{self.formula}/{self.right} = {factor}"
-        if not odd:
-            return Finding(PROVED, "a square", "a square", quotient)
-        told = "not proportional" if factor is None else f"odd powers of {odd}"
+        odd = () if factor is None else tuple(Name(base.name) for base, e in factor.powers if e % 2)
+        quotient = Quotients(self.formula, ((self.right, factor),))
+        if factor is not None and not odd:
+            return Finding(PROVED, Fact.SQUARE, quotient)
+        told = Fact.NOT_PROPORTIONAL if factor is None else OddPowers(odd)
         refuted = self.refuted_on_examples()
         verdict = REFUTED if refuted.verdict == REFUTED else UNDECIDED
-        return Finding(verdict, "a square", told, quotient, refuted.witness or told)
+        return Finding(verdict, told, quotient, refuted.witness or told)
 
     @property
     def asks_for_zeros(self) -> bool:
@@ -83,13 +82,9 @@ class SquareClass(Claim):
             if a and b
         }
         if not pairs:
-            return vacuous("a square")
+            return vacuous()
         for i, (a, b) in pairs.items():
             if a != b:
-                told = f"on segment {i} one is a square and the other is not"
-                return Finding(REFUTED, SAME, "different", witness=told)
+                return Finding(REFUTED, Fact.DIFFERENT, witness=SquareOnSegment(i))
         squares, whole = sum(b for _, b in pairs.values()), len(left.polynomials)
-        zero = f", 0 on {whole - len(pairs)}" if len(pairs) < whole else ""
-        return Finding(
-            VERIFIED, SAME, f"{self.right} is a square up to a constant on {squares} of {whole} segments{zero}"
-        )
+        return Finding(VERIFIED, Squares(self.right, squares, whole, whole - len(pairs)))

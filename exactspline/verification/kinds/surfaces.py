@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import field
-from typing import Any, ClassVar
+from dataclasses import field, replace
+from typing import ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.argument import Evaluated
@@ -17,11 +17,13 @@ from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.curve_check import common_zeros, extra_zero, where_it_differs
+from exactspline.verification.curve_check import common_zeros, extra_zero
+from exactspline.verification.decision import DirectrixOf, OneRuledSurface, Statement
 from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import Fact, NoGenerator, OneSurface, OneSurfaceBut, Rulings
 from exactspline.verification.generic_proof import harmful
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind
+from exactspline.verification.vocabulary import ArgumentKind, Name
 
 ONE = "one surface"
 ZETA = "the curve ζ = 0"
@@ -34,13 +36,18 @@ class SameSurface(Claim):
     kind: ClassVar[str] = "same surface"
     has_residues: ClassVar[bool] = True
 
-    left: str = field(metadata=read(formula_name))
-    right: str = field(metadata=read(formula_name))
+    left: Name = field(metadata=read(formula_name))
+    right: Name = field(metadata=read(formula_name))
 
     def validate(self) -> None:
         """Refuse a surface compared with itself."""
         if self.left == self.right:
             raise ClaimError("both sides are one formula", where="right", remedy="name another one")
+
+    @property
+    def equality(self) -> Statement:
+        """That they are one."""
+        return OneRuledSurface(self.find(self.left), self.find(self.right))
 
     @property
     def claims(self) -> str:
@@ -63,48 +70,40 @@ class SameSurface(Claim):
             if not isinstance(surface, RuledSurface):
                 raise ClaimError(f"{name!r} is not a ruled surface", where=self.key, remedy="name one")
             if all(x.is_zero for x in split(surface.generator)[0]):
-                return vacuous(ONE, f"no surface: the generator of {name} vanishes on every curve")
+                return vacuous(NoGenerator(name))
         offset = b.directrix - a.directrix
         # no generator vanishes: vectors of quotients are parallel exactly if they are proportional
         scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
         if scale is None or shift is None:
             witness = self.refuted_on_examples().witness
-            told = "the generators are not parallel, or the directrices differ across them"
-            return Finding(REFUTED, ONE, "two surfaces", witness=witness or told)
-        moved = "" if offset.is_zero else f"{shift} + "
+            return Finding(REFUTED, Fact.TWO_SURFACES, witness=witness or Fact.GENERATORS_APART)
         bad, used = harmful(scale, self.assumes)
         also, others = ([], ()) if offset.is_zero else harmful(_poles(shift), self.assumes)
         bad = list(dict.fromkeys([*bad, *also]))
-        where = f", but where {' or '.join(bad)} vanishes" if bad else ""
-        factor = f"ζ = {moved}{scale} λ".replace("1 λ", "λ")
-        return Finding(PROVED, ONE, ONE + where, factor, assumptions=tuple(dict.fromkeys([*used, *others])))
+        rulings = Rulings(scale, None if offset.is_zero else shift)
+        return Finding(PROVED, OneSurface(tuple(bad)), rulings, assumptions=tuple(dict.fromkeys([*used, *others])))
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""
-        a, b = self.find(self.left)(argument), self.find(self.right)(argument)
-        generators = [split(surface.generator)[0] for surface in (a, b)]
-        for i in range(len(generators[0][0].polynomials)):
-            if any(not any(x.polynomials[i] for x in generator) for generator in generators):
-                return vacuous(ONE, "no surface: the generator vanishes")
-        for product in differences(a, b):
-            for x in split(product)[0]:
-                if not x.is_zero:
-                    return Finding(REFUTED, ONE, "two surfaces", witness=f"they differ {where_it_differs(x)}")
-        return Finding(VERIFIED, ONE, ONE + self._but(generators))
+        found = self.equality.decide(argument, VERIFIED)
+        but = self._but(argument) if found.verdict == VERIFIED else None
+        return replace(found, computed=but) if but else found
 
     def residues(self, c: Evaluated) -> list[JetFraction]:
         """The vector products with a generator."""
         return [x for product in differences(self.find(self.left)(c), self.find(self.right)(c)) for x in product]
 
-    def _but(self, generators: list[list[Any]]) -> str:
+    def _but(self, argument: Handed) -> OneSurfaceBut | None:
         """Where one generator vanishes and the other does not."""
+        surfaces = (self.find(self.left)(argument), self.find(self.right)(argument))
+        generators = [split(surface.generator)[0] for surface in surfaces]
         if isinstance(generators[0][0], TensorSpline):
-            return ""
+            return None
         left, right = map(common_zeros, generators)
         for name, f, g in ((self.left, left, right), (self.right, right, left)):
             if place := extra_zero(f, g):
-                return f", but {place}, where the generator of {name} vanishes"
-        return ""
+                return OneSurfaceBut(place, name)
+        return None
 
 
 def _poles(factor: Factor) -> Factor:
@@ -119,8 +118,8 @@ class IsoCurve(Claim):
     kind: ClassVar[str] = "iso-curve"
     has_residues: ClassVar[bool] = True
 
-    left: str = field(metadata=read(formula_name))
-    right: str = field(metadata=read(formula_name))
+    left: Name = field(metadata=read(formula_name))
+    right: Name = field(metadata=read(formula_name))
 
     def kind_of_field(self, name: str) -> Kind:
         """The right side takes the same curve in space."""
@@ -130,6 +129,11 @@ class IsoCurve(Claim):
         """Refuse anything but a plane curve with a point."""
         if self.curve != ArgumentKind.PLANE_POINT:
             raise ClaimError("an iso-curve is one of a plane curve and a point", where="curve", remedy="plane point")
+
+    @property
+    def equality(self) -> Statement:
+        """That the plane curve is the directrix."""
+        return DirectrixOf(self.find(self.left), self.find(self.right))
 
     @property
     def claims(self) -> str:
@@ -143,33 +147,20 @@ class IsoCurve(Claim):
             rf"{self.symbol(self.left)} \;\text{{is the curve}}\; \zeta = 0 \;\text{{of}}\; {self.symbol(self.right)}"
         )
 
-    def missing(self, argument: Handed) -> str:
+    def missing(self, argument: Handed) -> None:
         """No check beforehand: the right side takes the curve in space."""
-        return ""
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """As quotients of differential polynomials."""
-        left, right = self.find(self.left), self.find(self.right)
-        c: Any = RationalJetReading(self.highest_derivative(dimension)).argument(
-            left.kind, dimension, polynomial=polynomial
-        )
-        plane, space = left(c), right(embedded(c)).directrix
-        if all(plane[i].is_zero for i in range(2)):
-            return vacuous(ZETA)
-        if self._agree(plane, space):
-            return Finding(PROVED, ZETA, ZETA)
-        return Finding(REFUTED, ZETA, "another curve", witness=self.refuted_on_examples().witness or "not identical")
+        reading = RationalJetReading(self.highest_derivative(dimension))
+        c = reading.argument(self.find(self.left).kind, dimension, polynomial=polynomial)
+        found = self.equality.decide(c)
+        witness = self.refuted_on_examples().witness if found.verdict == REFUTED else None
+        return replace(found, witness=witness or found.witness)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The plane curve and the directrix, compared as quotients."""
-        assert isinstance(argument, Curve)  # with its point
-        plane, space = self.find(self.left)(argument), self.find(self.right)(embedded(argument)).directrix
-        below = [denominator for _, denominator in map(split, (plane, space)) if denominator is not None]
-        if not all(p for denominator in below for p in denominator.polynomials):
-            return vacuous(ZETA, "does not exist here")
-        if self._agree(plane, space):
-            return Finding(VERIFIED, ZETA, ZETA)
-        return Finding(REFUTED, ZETA, "another curve", witness="the two curves differ")
+        return self.equality.decide(argument, VERIFIED)
 
     def highest_derivative(self, dimension: int) -> int:
         """The right side is one in space."""
@@ -180,6 +171,3 @@ class IsoCurve(Claim):
         assert isinstance(c, Curve)
         plane, space = self.find(self.left)(c), self.find(self.right)(embedded(c)).directrix
         return [plane[0] - space[0], plane[1] - space[1], space[2]]
-
-    def _agree(self, plane: Any, space: Any) -> bool:
-        return bool(plane[0] == space[0] and plane[1] == space[1] and space[2].is_zero)

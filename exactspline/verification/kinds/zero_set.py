@@ -14,9 +14,10 @@ from exactspline.verification.claim import Claim, formula_names, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
 from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import Fact, Quotients, VanishesAlone, VanishesAlways
 from exactspline.verification.generic_proof import factor_of, factor_of_numerators, harmful
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, ZeroSetOf
+from exactspline.verification.vocabulary import ArgumentKind, Name, ZeroSetOf
 
 ONE = "one zero set"
 
@@ -29,7 +30,7 @@ class ZeroSet(Claim):
 
     kind: ClassVar[str] = "zero set"
 
-    formulas: tuple[str, ...] = field(metadata=read(formula_names))
+    formulas: tuple[Name, ...] = field(metadata=read(formula_names))
     measure: ZeroSetOf = field(default=ZeroSetOf.NUMERATORS, metadata=read(one_of(ZeroSetOf)))
 
     def validate(self) -> None:
@@ -59,13 +60,11 @@ class ZeroSet(Claim):
         c = jets_for(formulas, dimension, polynomial=polynomial)
         zero = [name for name, f in zip(self.formulas, formulas, strict=True) if _is_zero(f(c))]
         if len(zero) == len(formulas):
-            return vacuous(ONE)
+            return vacuous()
         if zero:
-            return Finding(REFUTED, ONE, "different zero sets", witness=f"{zero[0]} vanishes on every curve")
+            return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=VanishesAlways(zero[0]))
         factors = [factor_of(formulas[0], other, dimension, polynomial=polynomial) for other in formulas[1:]]
-        names = ", ".join(
-            f"{self.formulas[0]}/{other} = {f}" for other, f in zip(self.formulas[1:], factors, strict=True)
-        )
+        quotients = Quotients(self.formulas[0], tuple(zip(self.formulas[1:], factors, strict=True)))
         if self.measure == ZeroSetOf.NUMERATORS and None not in factors:
             as_they_come = [
                 factor_of_numerators(formulas[0], other, dimension, polynomial=polynomial) for other in formulas[1:]
@@ -73,11 +72,11 @@ class ZeroSet(Claim):
             told = [harmful(factor, self.assumes) for factor in (*factors, *as_they_come) if factor is not None]
             if not any(bad for bad, _ in told):
                 used = tuple(dict.fromkeys(name for _, names_used in told for name in names_used))
-                return Finding(PROVED, ONE, ONE, names, assumptions=used)
+                return Finding(PROVED, Fact.ONE_ZERO_SET, quotients, assumptions=used)
         refuted = self.refuted_on_examples()
         if refuted.verdict == REFUTED:
-            return Finding(REFUTED, ONE, "different zero sets", witness=refuted.witness)
-        return Finding(UNDECIDED, ONE, "", names)
+            return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=refuted.witness)
+        return Finding(UNDECIDED, None, quotients)
 
     @property
     def asks_for_zeros(self) -> bool:
@@ -91,14 +90,13 @@ class ZeroSet(Claim):
             values = [(name, _lowest(value)) for name, value in values]
         numerators = [(name, common_zeros(split(value)[0])) for name, value in values]
         if all(p.is_zero for _, p in numerators):
-            return vacuous(ONE)
+            return vacuous()
         first = numerators[0]
         for other in numerators[1:]:
             for (a_name, a), (b_name, b) in ((first, other), (other, first)):
                 if place := extra_zero(a, b):
-                    told = f"{a_name} vanishes {place}, {b_name} does not"
-                    return Finding(REFUTED, ONE, "different zero sets", witness=told)
-        return Finding(VERIFIED, ONE, ONE)
+                    return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=VanishesAlone(a_name, place, b_name))
+        return Finding(VERIFIED, Fact.ONE_ZERO_SET)
 
 
 def _is_zero(value: Any) -> bool:

@@ -1,0 +1,31 @@
+"""Claims about one example curve alone."""
+
+from __future__ import annotations
+
+from dataclasses import field
+
+from exactspline.verification.claim import Claim, example_name, read
+from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.verdict import Finding
+from exactspline.verification.vocabulary import Name
+
+
+@claim_kind
+class ExampleClaim(Claim):
+    """A claim about one example curve alone."""
+
+    example: str = field(metadata=read(example_name))
+
+    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+        """It applies to its example alone."""
+        return False
+
+    def prove(self) -> tuple[Name, Finding]:
+        """The finding on the example."""
+        own = Evaluation(self.curve_named(self.example))
+        return self.reading, self.examine(own.handed(self.curve), own)
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """The same for every case."""
+        return self.prove()[1]

@@ -1,0 +1,110 @@
+"""Judges: provers that share nothing decide the same claims, and one that proves what another refutes is an alarm."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from functools import partial
+from time import perf_counter
+from typing import Protocol
+
+from exactspline.errors import ClaimError, ExactSplineError, nearest
+from exactspline.verification.claim import Claim
+from exactspline.verification.combined import fitting
+from exactspline.verification.coq_judge import Coq
+from exactspline.verification.evidence import JudgesDisagree
+from exactspline.verification.ledger import Proofs, Task
+from exactspline.verification.rows import Row, row
+from exactspline.verification.sympy_judge import Sympy
+from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, Finding, undecided
+from exactspline.verification.vocabulary import Name
+
+
+class Judge(Protocol):
+    """Who decides a claim for all arguments: the jets of this library, sympy, the kernel of Coq."""
+
+    @property
+    def name(self) -> Name:
+        """Its name."""
+
+    def decide(self, claim: Claim) -> Finding:
+        """Its finding, UNDECIDED where the claim is none of its kinds."""
+
+
+class Jets:
+    """The judge of the ledger: differential polynomials, each proof made once."""
+
+    name = Name("jet")
+
+    def __init__(self, proofs: Proofs | None = None) -> None:
+        self._proofs = Proofs() if proofs is None else proofs
+
+    def decide(self, claim: Claim) -> Finding:
+        """The proof."""
+        return self._proofs[claim][1]
+
+
+#: The judges besides the ledger's own.
+OTHERS: dict[str, type[Sympy | Coq]] = {"sympy": Sympy, "coq": Coq}
+
+
+def judge_named(name: str) -> Sympy | Coq:
+    """Another judge.
+
+    Raises `ClaimError` with the names there are.
+    """
+    if name not in OTHERS:
+        raise ClaimError(f"there is no judge called {name!r}", remedy=nearest(name, OTHERS))
+    return OTHERS[name]()
+
+
+def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:
+    """The finding of a judge, compared with that of another one: a CONTRADICTION where one proves what the other one
+    refutes.
+
+    >>> from exactspline.verification.verdict import UNDECIDED
+    >>> one, two = Name("one"), Name("two")
+    >>> print(agreed(Finding(PROVED), one, Finding(REFUTED), two).witness)
+    proved by one, but refuted by two
+    >>> str(agreed(Finding(PROVED), one, Finding(UNDECIDED), two).verdict)
+    'PROVED'
+    """
+    opposed = {own.verdict, other.verdict} == {PROVED, REFUTED}
+    if not opposed:
+        return own
+    proved, refuted = (first, second) if own.verdict == PROVED else (second, first)
+    witness = own.witness if own.verdict == REFUTED else other.witness
+    return replace(own, verdict=CONTRADICTION, witness=JudgesDisagree(proved, refuted, witness))
+
+
+def second_opinions(judge: Judge, claims: Iterable[Claim], first: Judge | None = None) -> list[Task]:
+    """The claims that state an equality, as calls that give the row of another judge each, compared with the first one
+    (the jets, without any).
+
+    >>> from exactspline.verification.claims import select
+    >>> [(str(task().factor), str(task().verdict)) for task in second_opinions(Sympy(), select(["C4.1a"]))]
+    [('w', 'PROVED'), ('w^-3', 'PROVED')]
+    """
+    compared = Jets() if first is None else first
+    return [partial(judged, judge, claim, compared) for claim in claims if claim.equality is not None]
+
+
+def judged(judge: Judge, claim: Claim, first: Judge) -> Row:
+    """The row of a judge, a CONTRADICTION where the first one decides the opposite."""
+    start = perf_counter()
+    try:
+        finding = fitting(claim, partial(judge.decide, claim))
+    except ExactSplineError as error:
+        finding = undecided(error)
+    seconds = perf_counter() - start
+    return row(claim, judge.name, agreed(finding, judge.name, first.decide(claim), first.name), seconds)
+
+
+def compared_rows(rows: Sequence[Row], judge: Judge) -> list[Row]:
+    """Rows for all curves compared with the findings of another judge; those on single curves as they are."""
+    return [
+        each
+        if each.curve
+        else replace(each, finding=agreed(each.finding, each.reading, judge.decide(each.claim), judge.name))
+        for each in rows
+    ]
