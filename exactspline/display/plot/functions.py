@@ -193,10 +193,10 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
     Raises `PlotError` without matplotlib.
     """
     ax = axes_for(ax)
-    roots = [as_instance(root, Root, "a root", "give exactspline.zeros(f)") for root in as_items(roots, "roots")]
-    bars = [(root.low, root.high) for root in roots]
+    found = [as_instance(root, Root, "a root", "give exactspline.zeros(f)") for root in as_items(roots, "roots")]
+    bars = [(root.low, root.high) for root in found]
     at = [
-        (low + high) / 2 if low == high else root.refine(20)[0] for root, (low, high) in zip(roots, bars, strict=True)
+        (low + high) / 2 if low == high else root.refine(20)[0] for root, (low, high) in zip(found, bars, strict=True)
     ]
     for i, (low, high) in enumerate(bars):
         draw(
@@ -208,7 +208,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
             markersize=12,
             label="_interval" if i else "isolating interval",
         )
-        kind = f"{color}" if roots[i].sign_change else "white"
+        kind = f"{color}" if found[i].sign_change else "white"
         draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
     empty: list[float] = []
     ax.plot(empty, empty, "o", color=color, label="root (filled: the sign changes)")
