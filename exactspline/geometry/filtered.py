@@ -16,7 +16,7 @@ from exactspline.geometry.constructions import construction
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE
 from exactspline.papers import find
-from exactspline.polynomials.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates
+from exactspline.polynomials.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates, without_zeros
 from exactspline.programs.doubles import Floats, in_doubles
 from exactspline.programs.invariants import slope, turning
 from exactspline.programs.program import Program, Signature, program_of
@@ -89,11 +89,11 @@ def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Fil
     if len(operands) == 3:
         left |= ~(operands[2] > 0).all(axis=1)
     try:
-        solved = [_solved(program, operands, left) for program in programs]
+        left |= ~without_zeros(_rows(programs.speed, operands))
+        solved = [_solved(program, operands, left) for program in (programs.curvature, programs.critical)]
     except FormulaError:
         return None
-    left[solved[2].zeros.row] = True
-    curvature, critical = (Form(rows, zeros.where(~left[zeros.row])) for rows, zeros in solved[:2])
+    curvature, critical = (Form(rows, zeros.where(~left[zeros.row])) for rows, zeros in solved)
     if narrow:
         curvature, critical = (Form(rows, narrowed(rows, zeros)) for rows, zeros in (curvature, critical))
     return Filtered(curvature, critical, left)
@@ -101,8 +101,13 @@ def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Fil
 
 def _solved(program: Program, operands: list[Floats], left: Flags) -> Form:
     """The zeros of a form; segments on which they are not certain are added to those that are left."""
-    (form,) = in_doubles(program, operands, roundings=2)
-    rows = ordinates(form.values, form.errors)
+    rows = _rows(program, operands)
     zeros, open_ = isolated(rows)
     left |= open_
     return Form(rows, zeros)
+
+
+def _rows(program: Program, operands: list[Floats]) -> Rows:
+    """The ordinates of a form."""
+    (form,) = in_doubles(program, operands, roundings=2)
+    return ordinates(form.values, form.errors)
