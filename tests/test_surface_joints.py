@@ -164,3 +164,52 @@ def test_the_command_reports_them(tmp_path):
             "angle": {"cosine": "0", "sine": "1", "degrees": "90"},
         }
     ]
+
+
+@pytest.mark.parametrize("factor", [1, mpq(5, 7), 3])
+@pytest.mark.parametrize(("x", "cosine"), [(3, mpq(3, 5)), (-3, mpq(-3, 5)), (0, 0)])
+def test_the_angle_of_a_crease_is_that_of_the_normals(x, cosine, factor):
+    """Normals of any lengths; passed by a mutant: no angle but a right one is the same everywhere."""
+    (joint,) = inspect_surface(squares([(1 + x * factor, v, 4 * factor) for v in (0, 1)])).joints
+    assert joint.kind is SurfaceJointKind.CREASE
+    assert joint.angle.cosine == cosine
+    # the side behind grows along the edge: its normals have other lengths at each point, and one direction
+    (joint,) = inspect_surface(squares([(1 + x, 0, 4), (1 + 2 * x, 1, 8)])).joints
+    assert joint.angle.cosine == cosine
+
+
+def turning_back(second):
+    """The side before turns back half way along the edge: the normal there is (1 − 2v) times one vector."""
+    net = [[(0, 0, 0), (2, 1, 0)], [(1, 0, 0), (1, 1, 0)], second]
+    return inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 2, 2], [0, 0, 1, 1], net)).joints
+
+
+def test_a_side_that_turns_back_half_way():
+    """A fold on a part of the edge, and an angle that is not the same everywhere though its cosine squared is."""
+    (joint,) = turning_back([(2, 0, 0), (2, 1, 0)])
+    assert (joint.kind, joint.order, joint.angle) == (SurfaceJointKind.FOLD, 0, None)
+    (joint,) = turning_back([(4, 0, 4), (4, 1, 4)])
+    assert (joint.kind, joint.angle) == (SurfaceJointKind.CREASE, None)
+
+
+def test_neighbouring_edges_that_are_alike_are_one():
+    """Three by three patches of a roof: one crease and smooth lines, each from end to end."""
+    net = [[(x, y, z) for y in range(4)] for x, z in ((0, 0), (1, 0), (2, 1), (3, 2))]
+    told = inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 2, 3, 3], [0, 0, 1, 2, 3, 3], net)).joints
+    assert [(one.across, one.value, one.interval, one.order) for one in told] == [
+        (Along.U, 1, (0, 3), 0),
+        (Along.U, 2, (0, 3), 2),
+        (Along.V, 1, (0, 3), 2),
+        (Along.V, 2, (0, 3), 2),
+    ]
+
+
+@pytest.mark.parametrize("factor", [3, mpq(1, 7)])
+@pytest.mark.parametrize("kind", KNOWN)
+def test_weights_times_a_number_are_the_same_surface(kind, factor):
+    """On one side only, where the knot has full multiplicity: nothing changes but the representation."""
+    plain = sheets(*KNOWN[kind])
+    weights = [[1] * 3] * 4 + [[factor] * 3] * 4
+    surface = NurbsSurface((3, 2), KNOTS, [0, 0, 0, 1, 1, 1], plain.control_points, weights)
+    (joint,) = inspect_surface(surface).joints
+    assert (joint.value, joint.kind) == (1, kind)
