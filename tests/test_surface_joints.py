@@ -166,30 +166,36 @@ def test_the_command_reports_them(tmp_path):
     ]
 
 
-@pytest.mark.parametrize("factor", [1, mpq(5, 7), 3])
+@pytest.mark.parametrize("axes", [(0, 1, 2), (1, 2, 0), (2, 0, 1)])
+@pytest.mark.parametrize("factor", [1, mpq(5, 7)])
 @pytest.mark.parametrize(("x", "cosine"), [(3, mpq(3, 5)), (-3, mpq(-3, 5)), (0, 0)])
-def test_the_angle_of_a_crease_is_that_of_the_normals(x, cosine, factor):
-    """Normals of any lengths; passed by a mutant: no angle but a right one is the same everywhere."""
-    (joint,) = inspect_surface(squares([(1 + x * factor, v, 4 * factor) for v in (0, 1)])).joints
-    assert joint.kind is SurfaceJointKind.CREASE
-    assert joint.angle.cosine == cosine
-    # the side behind grows along the edge: its normals have other lengths at each point, and one direction
-    (joint,) = inspect_surface(squares([(1 + x, 0, 4), (1 + 2 * x, 1, 8)])).joints
-    assert joint.angle.cosine == cosine
+def test_the_angle_of_a_crease_is_that_of_the_normals(x, cosine, factor, axes):
+    """Normals of any lengths, edges along any axis; passed by mutants: no angle but a right one is the same everywhere,
+    and what is a crease along one axis is none along another.
+    """
+    turned = [[int(axes[i] == k) for k in range(3)] + [0] for i in range(3)]
+    # the second side grows along the edge: its normals have other lengths at each point, and one direction
+    for second in ([(1 + x * factor, v, 4 * factor) for v in (0, 1)], [(1 + x, 0, 4), (1 + 2 * x, 1, 8)]):
+        (joint,) = inspect_surface(squares(second).transform(turned)).joints
+        assert joint.kind is SurfaceJointKind.CREASE
+        assert joint.angle.cosine == cosine
 
 
-def turning_back(second):
-    """The side before turns back half way along the edge: the normal there is (1 − 2v) times one vector."""
+def turning_back(second, *, behind):
+    """The side before, or that behind, turns back half way along the edge: the normal there is (1 − 2v) times one
+    vector.
+    """
     net = [[(0, 0, 0), (2, 1, 0)], [(1, 0, 0), (1, 1, 0)], second]
-    return inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 2, 2], [0, 0, 1, 1], net)).joints
+    surface = NurbsSurface((1, 1), [0, 0, 1, 2, 2], [0, 0, 1, 1], net[::-1] if behind else net)
+    (joint,) = inspect_surface(surface).joints
+    return joint.kind, joint.order, joint.angle
 
 
-def test_a_side_that_turns_back_half_way():
+@pytest.mark.parametrize("behind", [False, True])
+def test_a_side_that_turns_back_half_way(behind):
     """A fold on a part of the edge, and an angle that is not the same everywhere though its cosine squared is."""
-    (joint,) = turning_back([(2, 0, 0), (2, 1, 0)])
-    assert (joint.kind, joint.order, joint.angle) == (SurfaceJointKind.FOLD, 0, None)
-    (joint,) = turning_back([(4, 0, 4), (4, 1, 4)])
-    assert (joint.kind, joint.angle) == (SurfaceJointKind.CREASE, None)
+    assert turning_back([(2, 0, 0), (2, 1, 0)], behind=behind) == (SurfaceJointKind.FOLD, 0, None)
+    assert turning_back([(4, 0, 4), (4, 1, 4)], behind=behind) == (SurfaceJointKind.CREASE, 0, None)
 
 
 def test_neighbouring_edges_that_are_alike_are_one():
