@@ -26,6 +26,8 @@ CASES = {
     "two intervals": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])),
     "periodic, an end": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [0, 1, 0, 0, -1, 0, 0]), periodic=True),
     "periodic, a start": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [0, 0, 1, 0, 0, -1, 0]), periodic=True),
+    "periodic, both ends": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 5], [0, 0, 1, -1, 0, 0]), periodic=True),
+    "jumps from nothing": lambda: zeros(BSpline(1, [0, 0, 1, 1, 2, 2, 3, 3], [0, 0, 1, 2, 0, 0])),
     "without zeros": lambda: zeros(T * T - T + 1),
     "doubles": lambda: zeros(BSpline.bezier([mpq(*x.as_integer_ratio()) for x in (0.1, -1e300, 1e-300, 0.7)])),
     "degree 8": lambda: zeros((T**2 - mpq(1, 2)) * (3 * T - 2) ** 3 * (T**3 + 5)),
@@ -202,6 +204,12 @@ ATTACKS = {
     "a leaf that goes back": one_segment(
         CROSSING,
         [["0", "1/2", 0], ["1/2", "3/4", 0], ["3/4", "1/2", 0], ["1/2", "1", 0]],
+        points=["1/2"],
+        roots=[("1/2", "1/2", 1, [-1, 1])] * 2,
+    ),
+    "an empty leaf": one_segment(
+        CROSSING,
+        [["0", "1/2", 0], ["1/2", "1/2", 0], ["1/2", "1", 0]],
         points=["1/2"],
         roots=[("1/2", "1/2", 1, [-1, 1])] * 2,
     ),
