@@ -41,11 +41,6 @@ class Finding:
     assumptions: tuple[str, ...] = ()
     reason: Reason | None = None
 
-    @property
-    def is_left(self) -> bool:
-        """Whether it was not tried to decide anything here."""
-        return self.reason == Reason.LEFT
-
 
 def undecided(claimed: str, error: ExactSplineError) -> Finding:
     """Undecided because of an error; inapplicable, or a contradiction, where the error says so."""

@@ -1,0 +1,176 @@
+"""Parts of the judge held against what they mean, found by changes of the code that no other test noticed."""
+
+from itertools import cycle
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import Nurbs, analyse
+from exactspline.language.choices import Parameter
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE
+from exactspline.language.parts import split
+from exactspline.language.vector import Vector
+from exactspline.papers import find
+from exactspline.readings.degree import Degree
+from exactspline.readings.rational_jet import JetFraction, RationalJetReading
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.examples import example
+from exactspline.splines.tensor import TensorSpline
+from exactspline.symbolic.assumptions import Assumption
+from exactspline.verification.claims import _stands, all_claims, select
+from exactspline.verification.decision import Decision, Outcome
+from exactspline.verification.evaluation import Evaluation, _fails_on_surface
+from exactspline.verification.kinds import condition
+from exactspline.verification.kinds.contact import _partial, _rank
+from exactspline.verification.kinds.count import _extrema
+from exactspline.verification.kinds.degree_proof import _true
+from exactspline.verification.kinds.invariance import MAPS, _image
+from exactspline.verification.ledger import proved
+from exactspline.verification.verdict import REFUTED, SAMPLED, UNDECIDED, VACUOUS, VERIFIED, Finding, Reason, sampled
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "verdict"),
+    [
+        ((1, 2), (3, 4), VERIFIED),
+        ((3, 4), (1, 2), REFUTED),
+        ((2, 3), (1, 2), REFUTED),
+        ((1, 3), (2, 4), UNDECIDED),
+        ((1, 4), (2, 3), UNDECIDED),
+        ((2, 3), (1, 4), UNDECIDED),
+    ],
+)
+def test_enclosures_that_overlap_decide_nothing(monkeypatch, left, right, verdict):
+    """Passed by a mutant: an enclosure around another one is "not better"."""
+    (claim,) = select(["O1-g2-curvature_squared_derivative"])
+    enclosures = cycle([left, right])
+    monkeypatch.setattr(condition, "_condition", lambda form, root: tuple(map(mpq, next(enclosures))))
+    own = Evaluation(example("cubic_s"))
+    assert claim.examine(own.curve, own).verdict == verdict
+
+
+def jets(order=2, dimension=2):
+    return RationalJetReading(order).argument(CURVE, dimension)
+
+
+def test_the_witness_of_an_identity_is_what_differs():
+    claim = next(c for c in all_claims() if c.kind == "identity")
+    scalar, vector = find("f2")(jets(3)), find("D1")(jets(3))
+    tell = claim._difference
+    assert tell(Decision(Outcome.UNLIKE), scalar, vector) == ("1 components, and 2", "", "not as many components")
+    assert tell(Decision(Outcome.DIFFERENT, 2), vector, vector) == ("not identical", "", "component 3 differs")
+    assert tell(Decision(Outcome.NO_FACTOR), scalar, scalar)[0] == "1/0"
+
+
+@pytest.mark.parametrize(
+    ("key", "begins"),
+    [
+        ("C53a-tangent_developable-tangent_developable_reduced", "ζ = w λ"),
+        ("C54a-rectifying_developable-rectifying_developable_reduced", "ζ = λ"),
+        ("C62e-point_bisector_direct_x-point_bisector_direct_z", "ζ = 1/2·w⁻²·("),
+    ],
+)
+def test_ruling_parameters_differ_by_a_shift_where_directrices_do(key, begins):
+    (claim,) = select([key])
+    factor = proved(claim).factor
+    assert factor.startswith(begins)
+    assert (")⁻¹ + (" in factor) == (begins[-1] == "(")
+
+
+def test_a_derivative_by_a_variable_is_that_of_the_quotient():
+    """By the quotient rule, up to the square of the denominator: compared with differences of values."""
+    x, y = jets().p
+    w = jets().w
+    value = (x * x * w + y) / (x + w * 3)
+    (part,) = split(value)[0]
+    ring = part.ring
+    i = ring.index["x", (0,)]
+    top, bottom = x * x * w + y, x + w * 3
+    expected = x * w * 2 * bottom - top
+    found = _partial(part, i)
+    square = JetFraction(ring, part.bottom**2, ring.context.constant(1))
+    ratio = split(expected / (bottom * bottom))[0][0]
+    assert (found - ratio * square).is_zero
+
+
+def test_zeros_on_a_whole_segment_are_no_extrema():
+    """A straight segment: κ′ vanishes on all of it, and what is counted elsewhere says nothing of it."""
+    s = example("cubic_s")
+    line = [s.control_points[-1], *[tuple(x + k for x in s.control_points[-1]) for k in (1, 2, 3)]]
+    curve = Nurbs(3, [0] * 4 + [1] * 4 + [2] * 4, [*s.control_points, *line])
+    for one, count in ((s, len(analyse(s).curvature_extrema)), (curve, None)):
+        assert _extrema(zeros(find("g2")(one)), Evaluation(one)) == count
+
+
+@pytest.mark.parametrize("name", ["projective map", "inversion", "translation"])
+def test_the_image_of_a_point_is_that_of_a_curve_that_stays_there(name):
+    made = MAPS[name]
+    k = {constant: mpq(i * i + 2) for i, constant in enumerate(made.constants(2))}
+    point = Vector(mpq(3), mpq(5))
+    top, below = made.image(point, mpq(1), k)
+    assert [x * (1 if made.affine else below) for x in _image(point, made, k, mpq(1))] == list(top)
+    assert made.affine or below != 1
+
+
+def test_a_form_that_vanishes_has_no_degree():
+    nothing = Formula(lambda c: c.w - c.w, "nothing", CURVE, "0")
+    assert _true(nothing, 2, False, Parameter.FIRST) == (Degree.number(-1), {})
+
+
+def test_a_rational_form_that_does_not_exist_says_nothing():
+    (claim,) = select(["N9-torsion"])
+    line = Nurbs(3, [0] * 4 + [1] * 4, [(k, 2 * k, 3 * k) for k in (0, 1, 2, 4)])
+    for curve, verdict in ((line, VACUOUS), (example("twisted_cubic"), REFUTED)):
+        assert claim.examine(curve, Evaluation(curve)).verdict == verdict
+
+
+def test_where_an_assumption_fails_on_a_surface():
+    """A sign that changes, one that does not, and nothing: as an assumption of all points, and of whole patches."""
+
+    def net(*values):
+        return TensorSpline((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], [[x, x] for x in values])
+
+    def fails(spline, everywhere):
+        told = Assumption("a", "a", "a", lambda _: spline, ("surface",), everywhere=everywhere)
+        return _fails_on_surface(told, None)
+
+    assert [fails(net(1, 2, 2, 3), everywhere) for everywhere in (True, False)] == ["", ""]
+    assert [fails(net(1, 2, 2, -3), everywhere) for everywhere in (True, False)] == ["on patch 1, 0", ""]
+    assert [fails(net(1, 2, 0, 0), everywhere) for everywhere in (True, False)] == ["on patch 1, 0", "on a whole patch"]
+
+
+def test_the_rank_of_a_matrix_of_quotients():
+    (x, y), w = jets().p, jets().w
+    one = w / w
+
+    def rank(*rows):
+        return _rank([[split(entry * one)[0][0] for entry in row] for row in rows])
+
+    assert rank((w, x), (w * w, x * w)) == 1
+    assert rank((w, x), (w * w, x * w + y)) == 2
+    assert rank((w - w, x), (w - w, y)) == 1
+    assert rank((w - w, x), (y, w)) == 2
+    assert rank((x, y, w), (y, w, x), (x + y, y + w, w + x)) == 2
+    assert rank((w - w, x - x)) == 0
+
+
+def test_what_was_tried_on_a_part_says_so():
+    found = sampled(Finding(VERIFIED, "1", "1"), "the first segment")
+    assert (found.verdict, found.reason) == (UNDECIDED, Reason.SAMPLED)
+    assert found.witness == SAMPLED + "the first segment" != "the first segment"
+
+
+def test_a_place_is_not_one_with_more_digits():
+    assert [_stands(place, "theorem 1") for place in ("Theorem 12", "Theorem 1", "see theorem 1.", "Theorem")] == [
+        False,
+        True,
+        True,
+        False,
+    ]
+    assert [_stands("§5, Equation (12)", wanted) for wanted in ("(12)", "(1)", "eq. (12)", "5")] == [
+        True,
+        False,
+        True,
+        False,
+    ]
