@@ -12,6 +12,8 @@ from exactspline.polynomials import elimination, factors
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
 from exactspline.verification.coq.refutations import Units
 from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
+from exactspline.polynomials.factorization import power_text
+from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
 S, T = CONTEXT.gens()
@@ -189,6 +191,12 @@ def test_values_have_no_more_bits_than_is_said():
         assert most <= elimination._bits(rows, count) <= 4 * most + 20 * count.bit_length()
 
 
+@pytest.mark.parametrize("digit", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+def test_a_power_of_a_power_has_parentheses(digit):
+    assert power_text(f"w¹{digit}", 3) == f"(w¹{digit})³"
+    assert power_text("w₁", 10) == "w₁¹⁰"
+
+
 def test_what_need_not_be_done_is_paid_for_or_left():
     assert not affords(11, longest=10)
     assert affords(10, longest=10)
@@ -202,6 +210,7 @@ def test_what_need_not_be_done_is_paid_for_or_left():
             check_reach(1, lambda: "this")
     assert refused.value.data == {"seconds": 1}
     assert [Budget(100, left).spent for left in (0, 1, 2, 3)] == [True, True, False, False]
+    assert [Budget(5000, left).spent for left in (99, 100)] == [True, False]
     with pytest.raises(ReachError, match="more than a week"):
         check_reach(10**15, lambda: "this")
     with pytest.raises(ReachError, match="about 999999 s"):
