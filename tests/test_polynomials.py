@@ -210,6 +210,9 @@ def test_what_need_not_be_done_is_paid_for_or_left():
             check_reach(1, lambda: "this")
     assert refused.value.data == {"seconds": 1}
     assert [Budget(100, left).spent for left in (0, 1, 2, 3)] == [True, True, False, False]
+    with drawing_on(Budget(5)) as budget:
+        check_reach(5, lambda: "what the budget just pays for")
+        assert budget.left == 0
     assert [Budget(5000, left).spent for left in (99, 100)] == [True, False]
     with pytest.raises(ReachError, match="more than a week"):
         check_reach(10**15, lambda: "this")
