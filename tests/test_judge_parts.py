@@ -1,11 +1,13 @@
 """Parts of the judge held against what they mean, found by changes of the code that no other test noticed."""
 
+from dataclasses import replace
 from itertools import cycle
 
 import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs, analyse
+from exactspline.errors import ClaimError
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE
@@ -174,3 +176,12 @@ def test_a_place_is_not_one_with_more_digits():
         True,
         False,
     ]
+
+
+@pytest.mark.parametrize("key", ["X9-torsion", "N9torsion", "N9", "N9-", "N9-a b", "N9-a;b"])
+def test_a_key_is_the_id_and_words(key):
+    """Passed by a mutant: an id of as many letters, or no words."""
+    (claim,) = select(["N9-torsion"])
+    assert replace(claim, key="N9-other-words").key == "N9-other-words"
+    with pytest.raises(ClaimError, match="does not begin with the id"):
+        replace(claim, key=key)

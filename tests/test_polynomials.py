@@ -12,7 +12,7 @@ from exactspline.polynomials import elimination, factors
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
 from exactspline.verification.coq.refutations import Units
 from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
-from exactspline.polynomials.factorization import power_text
+from exactspline.polynomials.factorization import Factorization, power_text
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
@@ -189,6 +189,21 @@ def test_values_have_no_more_bits_than_is_said():
         count = random.randint(2, 60)
         most = max(abs(row(z)).height_bits() for row in rows for z in range(-count, count + 1))
         assert most <= elimination._bits(rows, count) <= 4 * most + 20 * count.bit_length()
+
+
+def test_an_estimate_is_about_the_time_that_is_measured():
+    """Refused beforehand is what takes too long, and nothing else: within a factor of ten."""
+    random = Random(8)
+    first, second = ([fmpz_poly([random.getrandbits(300) + 1 for _ in range(4)]) for _ in range(17)] for _ in range(2))
+    with drawing_on(Budget()) as budget:
+        start = time.process_time()
+        elimination.resultant(first, second)
+        measured = int(10**9 * (time.process_time() - start))
+    assert measured / 10 < budget.total - budget.left < 10 * measured
+
+
+def test_a_factorization_as_text():
+    assert [str(Factorization(powers)) for powers in ([], [("w", 1)], [("w", 2), ("f2", -1)])] == ["1", "w", "w² f2⁻¹"]
 
 
 @pytest.mark.parametrize("digit", "⁰¹²³⁴⁵⁶⁷⁸⁹")
