@@ -188,12 +188,14 @@ def rows(known: Known) -> list[str]:
 
     why, witnesses = explained(), engines.Witnesses().recorded
     rooms: dict[str, Counter[str]] = {}
-    for mutant in (*formulas.all_mutants(), *engines.all_mutants()):
+    # those that are judged first: an explanation that none of them has is counted once, though others may say the same
+    everything = sorted((*formulas.all_mutants(), *engines.all_mutants()), key=lambda m: m.key not in known)
+    counted = set()
+    for mutant in everything:
         verdict = known.get(mutant.key, {}).get("verdict") or ("killed" if mutant.key in witnesses else "")
-        if verdict in ("", "survived", "timeout") and mutant.stable in why:
+        if mutant.stable in why and verdict != "killed" and (verdict or mutant.stable not in counted):
             verdict = "explained"
-            if mutant.key not in known:  # each explanation once: others may say the same
-                del why[mutant.stable]
+            counted.add(mutant.stable)
         if verdict:
             depth = 3 if "/papers/" in mutant.file else 2
             rooms.setdefault("/".join(Path(mutant.file).parts[1:depth]), Counter())[verdict] += 1
