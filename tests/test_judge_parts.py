@@ -13,6 +13,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE
 from exactspline.language.parts import split
 from exactspline.language.vector import Vector
+from exactspline.numbers.intervals import Interval
 from exactspline.papers import find
 from exactspline.readings.degree import Degree
 from exactspline.readings.rational_jet import JetFraction, RationalJetReading
@@ -47,7 +48,7 @@ def test_enclosures_that_overlap_decide_nothing(monkeypatch, left, right, verdic
     """Passed by a mutant: an enclosure around another one is "not better"."""
     (claim,) = select(["O1-g2-curvature_squared_derivative"])
     enclosures = cycle([left, right])
-    monkeypatch.setattr(condition, "_condition", lambda form, root: tuple(map(mpq, next(enclosures))))
+    monkeypatch.setattr(condition, "_condition", lambda form, root: Interval(*map(mpq, next(enclosures))))
     own = Evaluation(example("cubic_s"))
     assert claim.examine(own.curve, own).verdict == verdict
 

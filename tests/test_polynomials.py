@@ -9,11 +9,10 @@ from flint import Ordering, fmpq_mpoly_ctx, fmpz, fmpz_mpoly_ctx, fmpz_poly, nmo
 
 from exactspline.errors import ReachError
 from exactspline.polynomials import elimination, factors
-from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
-from exactspline.verification.coq.refutations import Units
 from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
 from exactspline.polynomials.factorization import Factorization, power_text
-from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
+from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
+from exactspline.verification.coq.refutations import Units
 
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
 S, T = CONTEXT.gens()
