@@ -23,6 +23,9 @@ from mutation.coverage_map import MAP, ROOT
 from mutation.mutants import Mutant, drawn
 
 RESULTS = MAP.parent / "results.jsonl"
+PAGE = ROOT / "docs" / "mutation.md"
+#: Between these lines of the page stands the table.
+BEGIN, END = "<!-- written by ./run mutate --record -->\n", "<!-- end -->\n"
 SURVIVORS = ROOT / "mutation" / "survivors.toml"
 #: Verdicts that are not failures: refuted, or no change at all. A run that did not end, or broke, says nothing.
 HARMLESS = ("killed", "equivalent")
@@ -70,8 +73,15 @@ def arguments() -> argparse.Namespace:
     )
     parser.add_argument("--results", type=Path, default=RESULTS)
     parser.add_argument("--witnesses", action="store_true", help="a sample of what was noticed, again")
-    parser.add_argument("--table", action="store_true", help="only tell what is judged so far, module by module")
-    parser.add_argument("--record", action="store_true", help="write witnesses.json from the verdicts so far")
+    parser.add_argument("--table", action="store_true", help="only print the table of what is judged so far")
+    parser.add_argument(
+        "--edited",
+        action="store_true",
+        help="what was noticed in functions that have been edited since, by the tests on record for them",
+    )
+    parser.add_argument(
+        "--record", action="store_true", help="write witnesses.json and the table of docs/mutation.md from the verdicts"
+    )
     return parser.parse_args()
 
 
@@ -85,7 +95,8 @@ def main() -> int:
 
     def told(mutant: Mutant, result: dict[str, Any]) -> bool:
         known[mutant.key] = {"key": mutant.key, "mutant": mutant.name, **result}
-        if not options.witnesses:
+        # of an edited function only the tests on record are run: others may notice what these do not
+        if not options.witnesses and not (options.edited and result["verdict"] != "killed"):
             with options.results.open("a", encoding="utf-8") as stream:
                 stream.write(json.dumps(known[mutant.key], ensure_ascii=False) + "\n")
         return bool(monotonic() < end)
@@ -128,6 +139,12 @@ def judge_engines(
         chosen = _drawn([m for m in everything if m.key in witnesses.recorded], options, 60)
         engines.judged(engines.Judge(chosen, witnesses, options.budget, options.jobs), told, witnesses.files(chosen))
         return chosen
+    if options.edited:
+        witnesses = engines.Witnesses()
+        again = witnesses.of_edited(m for m in everything if m.key not in known)
+        chosen = _drawn(again, options, 10**6)
+        engines.judged(engines.Judge(chosen, witnesses, options.budget, options.jobs), told, witnesses.files(chosen))
+        return [m for m in chosen if known.get(m.key, {}).get("verdict") == "killed"]
     chosen = _drawn(everything, options, 500)
     todo = [m for m in chosen if m.key not in known]
     if not todo:
@@ -147,31 +164,55 @@ def judge_engines(
 
 
 def record(known: Known) -> int:
-    """Write what noticed what, for samples."""
+    """Write what noticed what, for samples, and the table of the page."""
     from mutation import engines
 
-    found = engines.recorded((m, known[m.key]) for m in engines.all_mutants() if m.key in known)
+    everything = engines.all_mutants()
+    found = engines.recorded(everything, known)
     engines.WITNESSES.write_text(json.dumps(found, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
     print(f"{len(found)} mutants with the test that notices each in {engines.WITNESSES.relative_to(ROOT)}")
+    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+    PAGE.write_text(before + BEGIN + "\n".join(rows(known)) + "\n" + END + rest.split(END)[1], encoding="utf-8")
     return 0
 
 
 def table(known: Known) -> int:
-    """What is judged of all functions as they stand now, module by module, whatever was drawn."""
+    """What is judged of all functions as they stand now, room by room, whatever was drawn."""
+    print("\n".join(rows(known)))
+    return 0
+
+
+def rows(known: Known) -> list[str]:
+    """The table of the page. What was noticed before the verdicts at hand is on record, and so is what is explained."""
     from mutation import engines, formulas
 
-    judged = [m for m in (*formulas.all_mutants(), *engines.all_mutants()) if m.key in known]
-    by_room: dict[str, list[Mutant]] = {}
-    for mutant in judged:
-        by_room.setdefault("/".join(Path(mutant.file).parts[1:3]), []).append(mutant)
-    why = explained()
-    for room, mutants in sorted(by_room.items()):
-        counts = Counter(known[m.key]["verdict"] for m in mutants)
-        told = sum(known[m.key]["verdict"] == "survived" and m.stable in why for m in mutants)
-        print(
-            f"{room}: {len(mutants)} judged, {counts['killed']} killed, {counts['survived']} survived, {told} explained"
-        )
-    return report(judged, known, by_score=True)
+    why, witnesses = explained(), engines.Witnesses().recorded
+    rooms: dict[str, Counter[str]] = {}
+    # those that are judged first: an explanation that none of them has is counted once, though others may say the same
+    everything = sorted((*formulas.all_mutants(), *engines.all_mutants()), key=lambda m: m.key not in known)
+    counted = set()
+    for mutant in everything:
+        verdict = known.get(mutant.key, {}).get("verdict") or ("killed" if mutant.key in witnesses else "")
+        if mutant.stable in why and verdict != "killed" and (verdict or mutant.stable not in counted):
+            verdict = "explained"
+            counted.add(mutant.stable)
+        if verdict:
+            depth = 3 if "/papers/" in mutant.file else 2
+            rooms.setdefault("/".join(Path(mutant.file).parts[1:depth]), Counter())[verdict] += 1
+    told = ["| room | judged | noticed | equal | explained | open | score |", "|---|---|---|---|---|---|---|"]
+    for name, of in (("formulas", "papers/"), ("engines", "")):
+        mine = {room: counts for room, counts in sorted(rooms.items()) if room.startswith("papers/") == bool(of)}
+        told += [_row(room, counts) for room, counts in mine.items()]
+        told.append(_row(f"**all {name}**", sum(mine.values(), Counter())))
+    return told
+
+
+def _row(name: str, counts: Counter[str]) -> str:
+    judged = counts.total()
+    real = judged - counts["equivalent"] - counts["explained"]
+    cells = judged, counts["killed"], counts["equivalent"], counts["explained"], real - counts["killed"]
+    score = f"{100 * counts['killed'] / real:.1f} %" if real else "–"
+    return f"| {name} | " + " | ".join(map(str, cells)) + f" | {score} |"
 
 
 def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> list[Mutant]:

@@ -23,7 +23,18 @@ ROOT = Path(__file__).resolve().parent.parent
 #: Where the map is kept between runs.
 MAP = ROOT / "mutation" / ".state" / "coverage.json"
 #: The packages whose mutants are judged by tests.
-ENGINE = ("readings", "symbolic", "roots", "verification", "splines", "programs", "geometry")
+ENGINE = (
+    "numbers",
+    "polynomials",
+    "reals",
+    "splines",
+    "readings",
+    "programs",
+    "roots",
+    "symbolic",
+    "geometry",
+    "verification",
+)
 #: Caches that hold what was read from files, the same for every mutant.
 READ = ("papers", "_formulas", "all_formulas", "example", "example_names")
 #: The tests of a function by line, counted from its first.

@@ -1,4 +1,4 @@
-"""Mutants of the engines (readings, symbolic, roots, verification), judged by the tests that execute them.
+"""Mutants of the engines (all rooms of `ENGINE`), judged by the tests that execute them.
 
 A pytest plugin: everything is imported and collected once, then every mutant gets a forked process that runs the tests
 of its line until one fails: first what noticed other mutants of the function, then the fast ones. The ledger is one of
@@ -114,16 +114,28 @@ class Witnesses:
     def of(self, mutant: Mutant) -> list[str]:
         """Its own, then those of other mutants of the function."""
         beside = [test for name, test in self.recorded.items() if name.startswith(f"{place(mutant)}#")]
-        return list(dict.fromkeys([self.recorded[mutant.key], *beside]))
+        own = [self.recorded[mutant.key]] if mutant.key in self.recorded else []
+        return list(dict.fromkeys([*own, *beside]))
+
+    def of_edited(self, mutants: Iterable[Mutant]) -> list[Mutant]:
+        """Those with the places of mutants that were noticed in the same function before it was edited."""
+        found = list(mutants)
+        stale = {name.partition("@")[0] for name in self.recorded.keys() - {m.key for m in found}}
+        return [m for m in found if m.key not in self.recorded and m.key.partition("@")[0] in stale]
 
     def files(self, chosen: list[Mutant]) -> list[str]:
         """The files of these tests."""
         return sorted({test.partition("::")[0] for mutant in chosen for test in self.of(mutant)})
 
 
-def recorded(known: Iterable[tuple[Mutant, Result]]) -> dict[str, str]:
-    """Every mutant that a test noticed, by what it says, with that test."""
-    return {m.key: r["by"] for m, r in known if r["verdict"] == "killed" and "::" in r["by"]}
+def recorded(mutants: Iterable[Mutant], known: dict[str, Result]) -> dict[str, str]:
+    """Every mutant that a test noticed, by what it says, with that test: as judged or recorded before."""
+    before, found = Witnesses().recorded, {}
+    for mutant in mutants:
+        result = known.get(mutant.key, {"verdict": "killed", "by": before.get(mutant.key, "")})
+        if result["verdict"] == "killed" and "::" in result["by"]:
+            found[mutant.key] = result["by"]
+    return found
 
 
 class Judge:

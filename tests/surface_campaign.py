@@ -3,7 +3,8 @@
 Every surface is drawn from a family, by a seed, at a setting of the dial from small integers to 17-digit doubles and
 1e±300. The sign that is proved on each patch is held against K at rational points by the oracle of
 `tests.surface_oracle`; joints against normals and curvatures on both sides of a knot line; K on a listed line or point
-must be zero. Surfaces that are undecided are counted for each family; one that takes longer than `LIMIT` is named.
+must be zero. Surfaces that are undecided are counted for each family, with a ceiling; one that takes longer than
+`LIMIT` is named. The exit status is 1 where anything is different or slow, or a family is above its ceiling.
 
 The result of the last whole run stands in `docs/inspecting-surfaces.md`.
 """
@@ -137,6 +138,9 @@ def flat(random: Random, setting: str) -> NurbsSurface:
 
 
 FAMILIES = (net, weighted, translation, even, corners, irrational, creased, flat)
+#: Per mille of the surfaces of a family that may be incomplete. In `corners` K has up to four nodes at corners of the
+#: patch whose branches touch the borders: singular points of the curve on the border, which `ZeroCurve` leaves open.
+CEILING, CEILINGS = 1, {corners.__name__: 900}
 
 
 # ---- what is held against the oracle
@@ -267,11 +271,17 @@ def run(count: int, seed: int = SEED, start: int = 0) -> dict[str, Counter[str]]
     return table
 
 
+def is_good(name: str, counts: Counter[str]) -> bool:
+    """Whether nothing of a family is different or slow, and no more of it incomplete than may be."""
+    allowed = CEILINGS.get(name, CEILING) * counts["surfaces"]
+    return not counts["different"] and not counts["slow"] and 1000 * counts["incomplete"] <= allowed
+
+
 if __name__ == "__main__":
     arguments = [int(x) for x in sys.argv[1:]]
     begun = time.process_time()
-    for name, counts in run(
-        arguments[0] if arguments else 1000, start=arguments[1] if len(arguments) > 1 else 0
-    ).items():
+    table = run(arguments[0] if arguments else 1000, start=arguments[1] if len(arguments) > 1 else 0)
+    for name, counts in table.items():
         print(f"{name:12}", ", ".join(f"{what} {n}" for what, n in counts.items()))
     print(f"{time.process_time() - begun:.0f} s of CPU time, seed {SEED}")
+    sys.exit(not all(is_good(name, counts) for name, counts in table.items()))

@@ -9,7 +9,8 @@ from flint import Ordering, fmpq_mpoly_ctx, fmpz, fmpz_mpoly_ctx, fmpz_poly, nmo
 
 from exactspline.errors import ReachError
 from exactspline.polynomials import elimination, factors
-from exactspline.polynomials.cost import check_reach
+from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
+from exactspline.polynomials.factorization import Factorization, power_text
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
 from exactspline.verification.coq.refutations import Units
 
@@ -152,3 +153,83 @@ def test_a_prime_weight_of_any_size_is_a_unit_of_a_theorem():
     units = Units()
     units.recognize(10**15 + 37)
     assert units.atoms == [(10**15 + 37,)]
+
+
+@pytest.mark.parametrize("content", [6, -6])
+def test_what_is_seen_modulo_a_prime_is_what_flint_finds(monkeypatch, content):
+    """The way of long polynomials, taken by short ones: square-free, irreducible, with a content and any sign."""
+    square_free, irreducible = (Z * Z - 2) * (Z - 3) * content, (Z * Z + Z + 3) * content
+    both = (S * S - T * T * 2 + 1) * content
+    plain = [[factorize(p), factorize_square_free(p)] for p in (square_free, irreducible, both)]
+    monkeypatch.setattr(factors, "WORTH_A_TRY", 0)
+    for p, found in zip((square_free, irreducible, both), plain, strict=True):
+        for way, before in zip((factorize, factorize_square_free), found, strict=True):
+            told = way(p)
+            assert told.constant == before.constant
+            assert sorted(map(str, told.powers)) == sorted(map(str, before.powers))
+
+
+@pytest.mark.parametrize("k", range(-6, 7))
+def test_resultants_are_those_of_the_values(k):
+    """Wherever the leading rows vanish: there FLINT takes polynomials of another degree. Compared at other places."""
+    first, second = [3 * Z + 1, Z**2 - 2, Z - k], [Z + 5, fmpz_poly([2]), Z + k - 1]
+    found, discriminant = elimination.resultant(first, second), elimination.discriminant(first)
+    for z in (50, -71, 1000, -(10**20)):
+        assert found(z) == elimination._at(first, z).resultant(elimination._at(second, z))
+        assert discriminant(z) == elimination._at(first, z).discriminant()
+    longer = elimination.resultant([*first, fmpz_poly([k * 7 + 1])], [Z - k, fmpz_poly([5])])
+    assert longer(99) == elimination._at([*first, fmpz_poly([k * 7 + 1])], 99).resultant(fmpz_poly([99 - k, 5]))
+
+
+def test_values_have_no_more_bits_than_is_said():
+    random = Random(7)
+    for _ in range(30):
+        rows = [fmpz_poly([random.randint(-99, 99) for _ in range(random.randint(1, 6))] + [1]) for _ in range(3)]
+        count = random.randint(2, 60)
+        most = max(abs(row(z)).height_bits() for row in rows for z in range(-count, count + 1))
+        assert most <= elimination._bits(rows, count) <= 4 * most + 20 * count.bit_length()
+
+
+def test_an_estimate_is_about_the_time_that_is_measured():
+    """Refused beforehand is what takes too long, and nothing else: within a factor of ten."""
+    random = Random(8)
+    first, second = ([fmpz_poly([random.getrandbits(300) + 1 for _ in range(4)]) for _ in range(17)] for _ in range(2))
+    with drawing_on(Budget()) as budget:
+        start = time.process_time()
+        elimination.resultant(first, second)
+        measured = int(10**9 * (time.process_time() - start))
+    assert measured / 10 < budget.total - budget.left < 10 * measured
+
+
+def test_a_factorization_as_text():
+    assert [str(Factorization(powers)) for powers in ([], [("w", 1)], [("w", 2), ("f2", -1)])] == ["1", "w", "w² f2⁻¹"]
+
+
+@pytest.mark.parametrize("digit", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+def test_a_power_of_a_power_has_parentheses(digit):
+    assert power_text(f"w¹{digit}", 3) == f"(w¹{digit})³"
+    assert power_text("w₁", 10) == "w₁¹⁰"
+
+
+def test_what_need_not_be_done_is_paid_for_or_left():
+    assert not affords(11, longest=10)
+    assert affords(10, longest=10)
+    with drawing_on(Budget(20)) as budget:
+        assert not affords(21)
+        assert not affords(11, longest=10)
+        assert budget.left == 20
+        assert affords(20, longest=20)
+        assert (budget.left, budget.spent) == (0, True)
+        with pytest.raises(ReachError, match=r"\(less than a second\) exceeds what remains") as refused:
+            check_reach(1, lambda: "this")
+    assert refused.value.data == {"seconds": 1}
+    assert [Budget(100, left).spent for left in (0, 1, 2, 3)] == [True, True, False, False]
+    with drawing_on(Budget(5)) as budget:
+        check_reach(5, lambda: "what the budget just pays for")
+        assert budget.left == 0
+    assert [Budget(5000, left).spent for left in (99, 100)] == [True, False]
+    with pytest.raises(ReachError, match="more than a week"):
+        check_reach(10**15, lambda: "this")
+    with pytest.raises(ReachError, match="about 999999 s"):
+        check_reach(10**15 - 1, lambda: "this")
+    assert (height_bits([]), height_bits([fmpz(0)]), height_bits([fmpz(3), fmpz(-8)])) == (0, 0, 4)

@@ -107,9 +107,11 @@ def test_two_squares_at_a_right_angle():
     # the second one is twisted: the angle is another one at each point
     (joint,) = inspect_surface(squares([(2, 0, 0), (2, 1, 1)])).joints
     assert (joint.kind, joint.angle) == (SurfaceJointKind.CREASE, None)
-    # a side without tangent planes
-    (joint,) = inspect_surface(squares([(1, 5, 0), (1, 6, 0)])).joints
-    assert (joint.kind, joint.order) == (SurfaceJointKind.SINGULAR, None)
+    # a side without tangent planes, behind and before
+    thin = squares([(1, 5, 0), (1, 6, 0)])
+    for one in (thin, NurbsSurface(thin.degree, *thin.knots, thin.control_points[::-1])):
+        (joint,) = inspect_surface(one).joints
+        assert (joint.kind, joint.order) == (SurfaceJointKind.SINGULAR, None)
 
 
 @pytest.mark.parametrize("name", ["sphere", "torus", "cylinder", "ellipsoid", "cyclide"])
@@ -119,6 +121,8 @@ def test_closed_examples_are_smooth_at_knots_and_seams(name):
     assert found.joints
     assert {joint.order for joint in found.joints} == {2}
     assert {joint.across for joint in found.joints if joint.at_seam} == set(found.closed)
+    places = [(joint.across.direction, joint.value, joint.interval) for joint in found.joints]
+    assert places == sorted(places)
     assert all(
         joint.value == found.surface.domain[joint.across.direction][0] for joint in found.joints if joint.at_seam
     )
@@ -164,3 +168,71 @@ def test_the_command_reports_them(tmp_path):
             "angle": {"cosine": "0", "sine": "1", "degrees": "90"},
         }
     ]
+
+
+@pytest.mark.parametrize("axes", [(0, 1, 2), (1, 2, 0), (2, 0, 1)])
+@pytest.mark.parametrize("factor", [1, mpq(5, 7)])
+@pytest.mark.parametrize(("x", "cosine"), [(3, mpq(3, 5)), (-3, mpq(-3, 5)), (0, 0)])
+def test_the_angle_of_a_crease_is_that_of_the_normals(x, cosine, factor, axes):
+    """Normals of any lengths, edges along any axis; passed by mutants: no angle but a right one is the same everywhere,
+    and what is a crease along one axis is none along another.
+    """
+    turned = [[int(axes[i] == k) for k in range(3)] + [0] for i in range(3)]
+    # the second side grows along the edge: its normals have other lengths at each point, and one direction
+    even, growing = [(1 + x * factor, v, 4 * factor) for v in (0, 1)], [(1 + x, 0, 4), (1 + 2 * x, 1, 8)]
+    surfaces = [squares(second).transform(turned) for second in (even, growing)]
+    surfaces += [NurbsSurface(one.degree, *one.knots, one.control_points[::-1]) for one in surfaces]
+    for surface in surfaces:
+        (joint,) = inspect_surface(surface).joints
+        assert joint.kind is SurfaceJointKind.CREASE
+        assert joint.angle.cosine == cosine
+
+
+def turning_back(second, *, behind):
+    """The side before, or that behind, turns back half way along the edge: the normal there is (1 − 2v) times one
+    vector.
+    """
+    net = [[(0, 0, 0), (2, 1, 0)], [(1, 0, 0), (1, 1, 0)], second]
+    surface = NurbsSurface((1, 1), [0, 0, 1, 2, 2], [0, 0, 1, 1], net[::-1] if behind else net)
+    (joint,) = inspect_surface(surface).joints
+    return joint.kind, joint.order, joint.angle
+
+
+@pytest.mark.parametrize("behind", [False, True])
+def test_a_side_that_turns_back_half_way(behind):
+    """A fold on a part of the edge, and an angle that is not the same everywhere though its cosine squared is."""
+    assert turning_back([(2, 0, 0), (2, 1, 0)], behind=behind) == (SurfaceJointKind.FOLD, 0, None)
+    assert turning_back([(4, 0, 4), (4, 1, 4)], behind=behind) == (SurfaceJointKind.CREASE, 0, None)
+
+
+@pytest.mark.parametrize("behind", [False, True])
+def test_a_normal_may_vanish_in_the_middle_of_a_crease(behind):
+    """One side is (1 − 2v)² times as wide: there is no normal at v = 1/2, and the same angle at all other points."""
+    rows = [[(x, mpq(j, 2), 0) for j in range(3)] for x in (0, 1)]
+    net = [*rows, [(1 + 3 * c, mpq(j, 2), 4 * c) for j, c in enumerate((1, -1, 1))]]
+    surface = NurbsSurface((1, 2), [0, 0, 1, 2, 2], [0, 0, 0, 1, 1, 1], net[::-1] if behind else net)
+    (joint,) = inspect_surface(surface).joints
+    assert (joint.kind, joint.angle.cosine) == (SurfaceJointKind.CREASE, mpq(3, 5))
+
+
+def test_neighbouring_edges_that_are_alike_are_one():
+    """Three by three patches of a roof: one crease and smooth lines, each from end to end."""
+    net = [[(x, y, z) for y in range(4)] for x, z in ((0, 0), (1, 0), (2, 1), (3, 2))]
+    told = inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 2, 3, 3], [0, 0, 1, 2, 3, 3], net)).joints
+    assert [(one.across, one.value, one.interval, one.order) for one in told] == [
+        (Along.U, 1, (0, 3), 0),
+        (Along.U, 2, (0, 3), 2),
+        (Along.V, 1, (0, 3), 2),
+        (Along.V, 2, (0, 3), 2),
+    ]
+
+
+@pytest.mark.parametrize("factor", [3, mpq(1, 7)])
+@pytest.mark.parametrize("kind", KNOWN)
+def test_weights_times_a_number_are_the_same_surface(kind, factor):
+    """On one side only, where the knot has full multiplicity: nothing changes but the representation."""
+    plain = sheets(*KNOWN[kind])
+    weights = [[1] * 3] * 4 + [[factor] * 3] * 4
+    surface = NurbsSurface((3, 2), KNOTS, [0, 0, 0, 1, 1, 1], plain.control_points, weights)
+    (joint,) = inspect_surface(surface).joints
+    assert (joint.value, joint.kind) == (1, kind)

@@ -14,7 +14,7 @@ import numpy as np
 from exactspline.errors import FormulaError
 from exactspline.formulas.lifted import critical_curvature_lifted, inflections_lifted, tangent_lifted_squared
 from exactspline.language.kinds import PLANE
-from exactspline.polynomials.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates
+from exactspline.polynomials.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates, without_zeros
 from exactspline.programs.doubles import Floats, in_doubles
 from exactspline.programs.program import Program, Signature, program_of
 
@@ -77,11 +77,12 @@ def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Fil
     if len(operands) == 3:
         left |= ~(operands[2] > 0).all(axis=1)
     try:
-        solved = [_solved(program, operands, left) for program in programs(degree, len(operands) == 3)]
+        curvature_form, critical_form, speed = programs(degree, len(operands) == 3)
+        left |= ~without_zeros(_rows(speed, operands))
+        solved = [_solved(program, operands, left) for program in (curvature_form, critical_form)]
     except FormulaError:
         return None
-    left[solved[2].zeros.row] = True
-    curvature, critical = (Form(rows, zeros.where(~left[zeros.row])) for rows, zeros in solved[:2])
+    curvature, critical = (Form(rows, zeros.where(~left[zeros.row])) for rows, zeros in solved)
     if narrow:
         curvature, critical = (Form(rows, narrowed(rows, zeros)) for rows, zeros in (curvature, critical))
     return Filtered(curvature, critical, left)
@@ -89,8 +90,13 @@ def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Fil
 
 def _solved(program: Program, operands: list[Floats], left: Flags) -> Form:
     """The zeros of a form; segments on which they are not certain are added to those that are left."""
-    (form,) = in_doubles(program, operands, roundings=2)
-    rows = ordinates(form.values, form.errors)
+    rows = _rows(program, operands)
     zeros, open_ = isolated(rows)
     left |= open_
     return Form(rows, zeros)
+
+
+def _rows(program: Program, operands: list[Floats]) -> Rows:
+    """The ordinates of a form."""
+    (form,) = in_doubles(program, operands, roundings=2)
+    return ordinates(form.values, form.errors)

@@ -92,7 +92,7 @@ def joints(forms: SurfaceForms, closed: Sequence[Along]) -> tuple[SurfaceJoint, 
     found: list[SurfaceJoint] = []
     for one in _edges(forms, closed):
         last = found[-1] if found else None
-        if last and last.interval[1] == one.interval[0] and replace(last, interval=one.interval) == one:
+        if last and replace(last, interval=one.interval) == one:  # the next on the same line
             found[-1] = replace(one, interval=Interval(last.interval.low, one.interval.high))
         else:
             found.append(one)
