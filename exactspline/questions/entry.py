@@ -11,7 +11,8 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from enum import StrEnum
 from inspect import cleandoc
-from typing import Concatenate, Generic, ParamSpec, Protocol, TypeVar, cast, overload
+from threading import RLock
+from typing import Any, Concatenate, Generic, ParamSpec, Protocol, TypeVar, cast, overload
 
 from exactspline.roots.zero_set import ZeroSet
 
@@ -19,11 +20,21 @@ T = TypeVar("T")
 P = ParamSpec("P")
 
 
-class Remembers(Protocol):
-    """An object that keeps what was computed of it once."""
+class Remembers:
+    """An object that keeps what was computed of it once, also where several threads ask for it."""
+
+    def __init__(self) -> None:
+        self._known: dict[Any, Any] = {}
+        self._lock = RLock()
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
         """The value kept under a key, computed at the first request."""
+        if key not in self._known:
+            with self._lock:
+                if key not in self._known:
+                    self._known[key] = compute()
+        found: T = self._known[key]
+        return found
 
 
 F = TypeVar("F", bound=Remembers)
@@ -34,6 +45,9 @@ class Of(StrEnum):
 
     PLANE_CURVE = "plane curve"
     SPACE_CURVE = "space curve"
+    SURFACE = "surface in space"
+    PLANAR_MAP = "map of a rectangle into the plane"
+    PAIR = "pair of space curves"
 
 
 #: A question about curves in the plane and in space.
@@ -43,7 +57,7 @@ CURVES = (Of.PLANE_CURVE, Of.SPACE_CURVE)
 class Answered(StrEnum):
     """What an answer consists of."""
 
-    #: Points of the curve, and pieces all of whose points belong to it (`exactspline.questions.answers.Places`).
+    #: Points, and parts all of whose points belong to it (`exactspline.questions.answers.Answer`).
     PLACES = "places"
     #: Joints of its segments.
     JOINTS = "joints"
@@ -52,6 +66,15 @@ class Answered(StrEnum):
     #: Pieces of it, each with its plane; or one plane.
     PLANAR_PIECES = "planar pieces"
     PLANE = "plane"
+    #: The patches of a surface, each with what holds of it.
+    PATCHES = "patches"
+    #: Curves on a surface, whole.
+    CURVES = "curves"
+    #: Parts of a bisector; what is not known of them is named beside them.
+    SOLUTIONS = "solutions"
+    #: A value, or one point.
+    VALUE = "value"
+    POINT = "point"
 
 
 class Known(Protocol):

@@ -33,6 +33,11 @@ class Edge(NamedTuple):
         """The value of that parameter."""
         return sides[self.direction][self.end]
 
+    def box(self, sides: Box) -> Box:
+        """The parameters of its points."""
+        at = self.value(sides), self.value(sides)
+        return (at, sides[1]) if self.direction == 0 else (sides[0], at)
+
     def place(self, sides: Box, other: Parameter) -> tuple[Parameter, Parameter]:
         """Both parameters of a point of the edge."""
         return (self.value(sides), other) if self.direction == 0 else (other, self.value(sides))
