@@ -5,12 +5,14 @@ Parameters and coordinates are unitless exact numbers.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 from exactspline.errors import FormulaError, ShapeError, shown
 from exactspline.exact import Number, mpq, rational, short_text, text
-from exactspline.geometry.constructions import Variant, all_constructions, construction
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.constructions import Construction, Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
 from exactspline.hooks import Displayed
 from exactspline.language.formula import Formula
@@ -107,8 +109,8 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     if not isinstance(what, str | Formula):
         raise FormulaError(f"a construction called {shown(what)}", remedy="give its name, or a formula")
     name = what if isinstance(what, str) else what.name
-    if isinstance(what, str) and name in all_constructions():
-        made = construction(name)
+    made = construction(name) if isinstance(what, str) and name in all_constructions() else None
+    if made is not None:
         needed, compute = kind_of(made.curve), lambda c: made.on(c, variant)
         formula = made.formula(variant)
     else:
@@ -131,7 +133,8 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     ruled = isinstance(found, RuledSurface)
     exists, breaks = _exists(found), curve.breakpoints
     missing = tuple(
-        (interval, _why_missing(name)) for interval in intervals_where(breaks, [not here for here in exists])
+        (interval, _why_missing(made, curve, interval))
+        for interval in intervals_where(breaks, [not here for here in exists])
     )
     pieces = tuple(Piece(interval, compute(part(curve, *interval))) for interval in intervals_where(breaks, exists))
     if not pieces:
@@ -204,21 +207,19 @@ def _exists(value: Any) -> list[bool]:
     return [True] * len((value[0] if isinstance(value, Vector) else value).mesh)
 
 
-#: Why an object does not exist where its denominator vanishes identically, by the beginning of its name.
-_MISSING = {
-    "evolute": "the curve is straight (its curvature vanishes identically)",
-    "focal_curve": "the curve is planar (its torsion vanishes identically)",
-    "torsion": "the curve is straight (its curvature vanishes identically)",
-    "circle_centres": "the curve is straight (its curvature vanishes identically)",
-    "rectifying_developable": "the curve is straight (its curvature vanishes identically)",
-    "focal_surface": "the curve is straight (its curvature vanishes identically)",
-    "binormal_scroll": "the curve is straight (its curvature vanishes identically)",
-    "normal_scroll": "the curve is straight (its curvature vanishes identically)",
-    "tangent_developable": "the curve stands still (its velocity vanishes identically)",
-}
+def _why_missing(made: Construction | None, curve: Nurbs, interval: Interval) -> str:
+    """Why a construction does not exist on an interval: what vanishes identically there on the curve itself."""
+    if made is not None and curve.dimension in (2, 3):
+        facts = analyse(curve)
+        inside = [interval[0] <= a < interval[1] for a in facts.breaks[:-1]]
 
+        def all_over(vanishes: Iterable[bool]) -> bool:
+            return all(here for here, asked in zip(vanishes, inside, strict=True) if asked)
 
-def _why_missing(name: str) -> str:
-    return next(
-        (why for start, why in _MISSING.items() if name.startswith(start)), "the denominator vanishes identically"
-    )
+        if all_over(facts.standing):
+            return "the curve stands still (its velocity vanishes identically)"
+        if all_over(facts.flatness.vanishes_on(facts.breaks)):
+            return "the curve is straight (its curvature vanishes identically)"
+        if facts.in_space and all_over(facts.zero_form("zero_torsion", Variant.PAPER).vanishes_on(facts.breaks)):
+            return "the curve is planar (its torsion vanishes identically)"
+    return "the denominator vanishes identically"

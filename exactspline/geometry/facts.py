@@ -421,7 +421,7 @@ class Facts(Remembers):
 
         return pieces(self.breaks, runs(holds, [joined(i) for i in range(len(holds))]))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda _: ())
+    @question(*CURVES, answered=Answered.PIECES, known=lambda _: (), of_piece="stands still")
     def standing_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve stands still."""
         if not any(self.standing):

@@ -99,7 +99,7 @@ class About:
     contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the object and the
     argument. ``known``: the answer
     from what the certified filter knows. ``argument``: what it is asked with, an example of it in text ("" for
-    nothing).
+    nothing). ``of_piece``: what a table says of one of the pieces.
     """
 
     of: tuple[Of, ...]
@@ -108,6 +108,7 @@ class About:
     proof: Callable[..., ZeroSet] | None = None
     known: Callable[[Known], object] | None = None
     argument: str = ""
+    of_piece: str = ""
 
 
 class Entry(ABC):
@@ -200,9 +201,10 @@ def question(
     part_of: str = "",
     proof: Callable[..., ZeroSet] | None = None,
     known: Callable[[Known], object] | None = None,
+    of_piece: str = "",
 ) -> Callable[[Callable[[F], T]], Question[F, T]]:
     """Make the property that computes an answer an entry of the registry (see `About`)."""
-    return lambda compute: Question(compute, About(of, answered, part_of, proof, known))
+    return lambda compute: Question(compute, About(of, answered, part_of, proof, known, of_piece=of_piece))
 
 
 def question_with(
