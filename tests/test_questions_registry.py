@@ -2,7 +2,6 @@
 
 import doctest
 import json
-from pathlib import Path
 
 import jsonschema
 import pytest
@@ -21,7 +20,7 @@ from exactspline.geometry.analysis import QUESTIONS, Analysis, analyse, question
 from exactspline.geometry.registry import REGISTRY
 from exactspline.geometry.surface import inspection
 from exactspline.questions.answers import Places
-from exactspline.questions.entry import CURVES, Answered, Of, question, question_with, questions_of
+from exactspline.questions.entry import CURVES, Of, question, question_with, questions_of
 
 LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])
 SPACE_LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 1, 1)])
@@ -178,30 +177,6 @@ def test_a_question_about_another_kind_of_curve_is_refused():
         analyse(xs.example("circle")).torsion_zeros  # noqa: B018
     with pytest.raises(xs.ExactSplineError, match="space curve"):
         oracle(xs.example("circle"), "torsion_zeros")
-
-
-#: Where names of questions about points may stand beside their entries, with the reason.
-MAY_NAME = {
-    "geometry": "the entries and what they are computed from",
-    "display/plot": "colours and markers of pictures",
-    "display/figures": "the figures of the paper",
-    "batch/grade": "what libraries are asked, on purpose independent",
-    "batch/bench": "what is timed",
-    "papers": "formulas",
-    "classroom": "exercises",
-}
-
-
-def test_no_second_list_of_questions():
-    """A file outside these rooms that names three questions or more has a list of its own."""
-    names = [n for n, q in QUESTIONS.items() if q.about.answered in (Answered.PLACES, Answered.PIECES)]
-    root = Path(xs.__file__).parent
-    for path in root.rglob("*.py"):
-        where = path.relative_to(root).as_posix()
-        if any(where.startswith(room) for room in MAY_NAME):
-            continue
-        found = [n for n in names if f'"{n}"' in path.read_text(encoding="utf-8")]
-        assert len(found) < 3 or where in ("batch/inspections.py", "cli/inspect.py"), (where, found)
 
 
 def test_answers_say_of_which_curve_they_are(tmp_path):
