@@ -37,6 +37,26 @@ class Remembers:
         return found
 
 
+class Inspected(Remembers):
+    """One that is a value: equal where it is asked of the same (`of`), copied and pickled with what is known of it."""
+
+    def __init__(self, *of: Hashable) -> None:
+        super().__init__()
+        self.of = of
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and isinstance(other, Inspected) and self.of == other.of
+
+    def __hash__(self) -> int:
+        return hash(self.of)
+
+    def __getstate__(self) -> dict[str, object]:
+        return {name: kept for name, kept in vars(self).items() if name != "_lock"}
+
+    def __setstate__(self, kept: dict[str, object]) -> None:
+        vars(self).update(kept, _lock=RLock())
+
+
 F = TypeVar("F", bound=Remembers)
 
 

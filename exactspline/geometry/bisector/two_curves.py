@@ -29,7 +29,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import cross
 from exactspline.papers import find
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
-from exactspline.questions.entry import Answered, Fact, Of, Remembers, question
+from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
@@ -64,7 +64,7 @@ CURVE_FORMS = {
 }
 
 
-class CurveBisector(Remembers):
+class CurveBisector(Inspected):
     """The bisector of two space curves: the surface in patches, the rectangles on which no pair in general position has
     one point (`missing`), each with the reason, and, computed when first asked for, all pairs that have more than a
     point. Its questions are entries of the registry (`exactspline.geometry.registry`).
@@ -75,7 +75,7 @@ class CurveBisector(Remembers):
     """
 
     def __init__(self, first: Nurbs, second: Nurbs, variant: SurfaceVariant = SurfaceVariant.MINIMAL) -> None:
-        super().__init__()
+        super().__init__(first, second, variant)
         self.curves, self.variant = (first, second), variant
         with drawing_on(Budget(QUESTION + PATCH * (first.segments * second.segments - 1))) as self.budget:
             self._patches, self.missing, self.unreduced = _surface(first, second, variant)

@@ -24,7 +24,7 @@ from exactspline.geometry.surface.singular import SingularPoints, singular_point
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
-from exactspline.questions.entry import Answered, Fact, Of, Remembers, question
+from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
 from exactspline.splines.expected import surface_of
 from exactspline.splines.patch_forms import UNIT, Box, PatchForm
 from exactspline.splines.surface import Along, NurbsSurface
@@ -121,7 +121,7 @@ class PatchInspection:
         return not self.open_boxes
 
 
-class SurfaceInspection(Remembers):
+class SurfaceInspection(Inspected):
     """Everything that can be computed of a surface in space. Its questions are entries of the registry
     (`exactspline.geometry.registry`); each is answered when it is first asked.
 
@@ -134,7 +134,7 @@ class SurfaceInspection(Remembers):
     """
 
     def __init__(self, surface: NurbsSurface) -> None:
-        super().__init__()
+        super().__init__(surface)
         self.surface = surface
         self._forms = SurfaceForms(surface)
 

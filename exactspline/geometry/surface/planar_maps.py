@@ -17,7 +17,7 @@ from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.signs import Point, Sign, sign_on_patch
 from exactspline.language.rational import Rational
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
-from exactspline.questions.entry import Answered, Fact, Of, Remembers, question
+from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
 from exactspline.splines.expected import surface_of
 from exactspline.splines.patch_forms import Box, PatchForm
 from exactspline.splines.surface import NurbsSurface
@@ -35,7 +35,7 @@ class MapKind(StrEnum):
     UNDECIDED = "undecided"
 
 
-class MapInspection(Remembers):
+class MapInspection(Inspected):
     """Everything that can be computed of the sign of the Jacobian determinant of a map of the plane. Its questions are
     entries of the registry (`exactspline.geometry.registry`).
 
@@ -43,7 +43,7 @@ class MapInspection(Remembers):
     """
 
     def __init__(self, surface: NurbsSurface) -> None:
-        super().__init__()
+        super().__init__(surface)
         if surface.dimension != 2:
             raise ShapeError(f"the Jacobian of a map into R{surface.dimension}", remedy="it is defined for planar maps")
         self.surface = surface
