@@ -58,7 +58,7 @@ def test_the_oracle_notices_a_line_that_is_missing():
     second = mapped(first, lambda x, y, z: (x, y, -2 - z))
     found = curve_bisector(first, second)
     assert bisector_campaign.differences(found, first, second, Random(1)) == []
-    object.__setattr__(found.special, "lines", ())
+    vars(found)["lines"] = ()
     assert bisector_campaign.differences(found, first, second, Random(1))
 
 

@@ -11,6 +11,7 @@ from gmpy2 import mpq
 from exactspline import Nurbs
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.kinds import JointKind
+from tests.answers import places
 from tests.chains import EQUAL, as_curve, closed_chain, curvature_at, cut_and_rotated, expected_pieces, meeting
 from tests.space_curves import TURNED
 from tests.test_shared_curves import FILES, read_curve
@@ -57,15 +58,8 @@ def as_sets(pieces):
 
 def kinds(curve):
     """How many features of each kind a curve has: whatever its knots and its seam."""
-    found = analyse(curve)
-    lists = [
-        found.singular_points,
-        found.inflections,
-        found.critical_points,
-        found.torsion_zeros if found.in_space else (),
-    ]
-    named = [Counter(f.kind for f in features) for features in lists]
-    return *named, Counter(joint.order for joint in found.joints if joint.order < 3)
+    named = [Counter(f.kind for f in found) for found in places(curve).values()]
+    return *named, Counter(joint.order for joint in analyse(curve).joints if joint.order < 3)
 
 
 def check_seed(seed):

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from exactspline import Nurbs
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.kinds import FeatureKind, JointKind
+from tests.answers import pieces, places
 from tests.space_curves import backwards
 from tests.strategies import nurbs
 
@@ -15,15 +16,8 @@ curves = nurbs(dimension=2, low=1, high=4)
 
 def told(curve):
     """Everything that `inspect` finds but for the values and the joints."""
-    found = analyse(curve)
-    features = [
-        [(f.kind, f.root, f.by_jump, f.of_absolute) for f in group]
-        for group in (found.singular_points, found.inflections, found.critical_points)
-    ]
-    return features, [
-        [piece.parts for piece in group]
-        for group in (found.straight_pieces, found.constant_pieces, found.standing_pieces)
-    ]
+    found = {n: [(f.kind, f.root, f.by_jump, f.of_absolute) for f in group] for n, group in places(curve).items()}
+    return found, pieces(curve)
 
 
 def joints(curve):
@@ -84,10 +78,10 @@ def test_similarities_change_nothing(curve, shift, scale):
 @given(curves)
 def test_reflections_turn_the_sign_of_the_curvature(curve):
     other = Nurbs(curve.degree, curve.knots, [(x, -y) for x, y in curve.control_points], curve.weights)
-    (singular, flat, critical), pieces = told(curve)
+    found, straight = told(curve)
     extrema = (FeatureKind.MAXIMUM, FeatureKind.MINIMUM)
-    turned = [(k.opposite if k in extrema else k, root, jump, absolute) for k, root, jump, absolute in critical]
-    assert told(other) == ([singular, flat, turned], pieces)
+    turned = [(k.opposite if k in extrema else k, *rest) for k, *rest in found["critical_points"]]
+    assert told(other) == (found | {"critical_points": turned}, straight)
     angles = [[j.angle for j in analyse(c).joints if j.angle] for c in (curve, other)]
     assert [(a.cosine, -a.sine) for a in angles[0]] == [(a.cosine, a.sine) for a in angles[1]]
 
@@ -97,9 +91,9 @@ def test_reflections_turn_the_sign_of_the_curvature(curve):
 def test_running_backwards_mirrors_the_parameters(curve):
     assume(not curve.closed)
     other, total = backwards(curve), sum(curve.domain)
-    (forward, pieces), (back, turned) = told(curve), told(other)
+    (forward, own), (back, turned) = told(curve), told(other)
     extrema = (FeatureKind.MAXIMUM, FeatureKind.MINIMUM)
-    for group, mirrored in zip(forward, back, strict=True):
+    for group, mirrored in zip(forward.values(), back.values(), strict=True):
         assert len(group) == len(mirrored)
         for (kind, root, jump, absolute), (kind_, root_, jump_, absolute_) in zip(
             group, reversed(mirrored), strict=True
@@ -108,5 +102,6 @@ def test_running_backwards_mirrors_the_parameters(curve):
             assert (jump, absolute) == (jump_, absolute_)
             (low, high), (low_, high_) = root.refine(30), root_.refine(30)
             assert low + low_ <= total <= high + high_
-    assert turned == [[((total - b, total - a),) for ((a, b),) in reversed(group)] for group in pieces]
+    for name, group in own.items():
+        assert turned[name] == [((total - b, total - a),) for ((a, b),) in reversed(group)]
     assert sorted((total - t, kind, order) for t, kind, order in joints(curve)) == joints(other)

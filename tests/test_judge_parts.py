@@ -21,7 +21,7 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.claims import _stands, all_claims, select
+from exactspline.verification.claims import _stands, select
 from exactspline.verification.decision import Equation, Outcome, decide_identity
 from exactspline.verification.evaluation import Evaluation, _fails_on_surface
 from exactspline.verification.evidence import ComponentDiffers, Components, Fact, HeldOn, OnPatch, OnWholePatch

@@ -20,6 +20,7 @@ from exactspline.geometry.planarity import as_plane_curve, planar_pieces, plane_
 from exactspline.splines.examples import example
 from exactspline.verification.claims import all_claims
 from exactspline.verification.ledger import audit
+from tests.answers import places
 from tests.space_curves import TURNED, chained, moved, power_curve
 
 
@@ -187,8 +188,7 @@ def test_degree_one(points):
     knots = [0, *range(len(points)), len(points) - 1]
     found = analyse(Nurbs(1, knots, points))
     assert [p.parts for p in found.straight_pieces] == [((i, i + 1),) for i in range(len(points) - 1)]
-    lists = [found.singular_points, found.inflections, found.critical_points, found.torsion_zeros]
-    assert [places.points for places in lists] == [()] * 4
+    assert [answer.points for answer in places(found.curve).values()] == [()] * 4
 
 
 @pytest.mark.parametrize("weights", [None, [1, 2, 1], [1, 1, 3]])

@@ -21,6 +21,7 @@ from exactspline.geometry.values_along import curvature, torsion
 from exactspline.papers import find
 from exactspline.roots import checker
 from exactspline.splines.examples import example, example_names
+from tests.answers import pieces, places
 from tests.space_curves import MIRRORED, SCALED, TURNED, backwards, moved, power_curve
 from tests.strategies import nurbs
 from tests.test_shared_curves import FILES, read_curve
@@ -137,20 +138,8 @@ def test_curvature_is_extremal_where_it_says_so(name):
 
 def signature(curve):
     """Everything that `inspect` finds, without the values."""
-    found = analyse(curve)
-    lists = [
-        found.singular_points,
-        found.inflections,
-        found.critical_points,
-        found.torsion_zeros if found.in_space else (),
-    ]
-    return (
-        [[(f.kind, f.root, f.by_jump) for f in features] for features in lists],
-        *[
-            [p.parts for p in pieces]
-            for pieces in (found.straight_pieces, found.constant_pieces, [p for p, _ in found.planar_pieces])
-        ],
-    )
+    found = {name: [(f.kind, f.root, f.by_jump) for f in places_of] for name, places_of in places(curve).items()}
+    return found, pieces(curve), [p.parts for p, _ in analyse(curve).planar_pieces]
 
 
 @settings(max_examples=40)
@@ -178,17 +167,16 @@ def test_running_backwards_mirrors_the_parameters_and_nothing_else(curve):
     turned = backwards(curve)
     assume(not curve.closed)
     total = sum(curve.domain)
-    lists, straight, constant, planar = signature(curve)
-    back, *rest = signature(turned)
-    for forward, other in zip(lists, back, strict=True):
+    lists, own, planar = signature(curve)
+    back, mirrored, planar_back = signature(turned)
+    for forward, other in zip(lists.values(), back.values(), strict=True):
         assert len(forward) == len(other)
         for (kind, root, by_jump), (kind_, root_, by_jump_) in zip(forward, reversed(other), strict=True):
             assert (kind, by_jump) == (kind_, by_jump_)
             (low, high), (low_, high_) = root.refine(30), root_.refine(30)
             assert low + low_ <= total <= high + high_
-    assert rest == [
-        [((total - b, total - a),) for ((a, b),) in reversed(pieces)] for pieces in (straight, constant, planar)
-    ]
+    for before, after in zip([*own.values(), planar], [*mirrored.values(), planar_back], strict=True):
+        assert after == [((total - b, total - a),) for ((a, b),) in reversed(before)]
     assert [f.root.signs for f in analyse(turned).torsion_zeros] == [
         f.root.signs[::-1] for f in reversed(analyse(curve).torsion_zeros)
     ]

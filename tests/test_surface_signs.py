@@ -384,8 +384,8 @@ def test_a_kind_that_is_undecided_has_a_remark(tmp_path):
 
     found = inspect_surface(example_surface("bicubic"))
     (patch,) = found.patches
-    undecided = replace(found, patches=(replace(patch, kind=PatchKind.UNDECIDED),))
-    sheet = surface_sheet(undecided, 5)
+    vars(found)["patches"] = (replace(patch, kind=PatchKind.UNDECIDED),)
+    sheet = surface_sheet(found, 5)
     assert all(row[-1] for row in sheet.rows if row[0] == "undecided")
     assert "incomplete" in sheet.title
     path = tmp_path / "surface.json"

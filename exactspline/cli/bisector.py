@@ -25,6 +25,13 @@ class Row(NamedTuple):
     where: str
     degree: str
     remark: str
+    #: The equation of its pairs where it is short enough to be shown before their parameters.
+    equation: PairEquation | None = None
+
+    @property
+    def parameters(self) -> str:
+        """Which pairs of parameters it has."""
+        return f"{self.equation.short_text}: {self.where}" if self.equation else self.where
 
 
 class Answer(NamedTuple):
@@ -133,13 +140,11 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
 
 
 def _grouped(rows: Iterable[Row]) -> list[Row]:
-    """Rows that differ only in their patch merged into one: the text before the colon is the same."""
-    found: dict[tuple[str, ...], Row] = {}
+    """Rows that differ only in their patch merged into one: those of one equation that is shown."""
+    found: dict[tuple[object, ...], Row] = {}
     for i, row in enumerate(rows):
-        equation, colon, where = row.where.partition(": ")
-        short = colon and not equation.startswith("equation")
-        key = (row.piece, equation, row.degree, row.remark) if short else (str(i),)
-        found[key] = row if key not in found else row._replace(where=f"{found[key].where}; {where}")
+        key = (row.piece, row.equation, row.degree, row.remark) if row.equation else (i,)
+        found[key] = row if key not in found else row._replace(where=f"{found[key].where}; {row.where}")
     return list(found.values())
 
 
@@ -171,7 +176,8 @@ def _line_row(line: LineComponent, digits: int) -> Row:
         where = f"{'ts'[own.of]} = {shown(own.other, digits)}; {'st'[own.of]} in {own.interval.shortly}"
     else:
         where = f"{len(line.real.branches)} branches"
-    return Row("lines", _pairs(line.equation, line.sides, where), ", ".join(map(str, degrees)) or "–", str(line.cause))
+    where, short = _pairs(line.equation, line.sides, where)
+    return Row("lines", where, ", ".join(map(str, degrees)) or "–", str(line.cause), short)
 
 
 def _plane_row(plane: PlaneComponent, digits: int) -> Row:
@@ -179,20 +185,22 @@ def _plane_row(plane: PlaneComponent, digits: int) -> Row:
 
     where = "; ".join(f"{'st'[plane.of]} in [{shown(a, digits)}, {shown(b, digits)}]" for a, b in plane.intervals)
     kind = "planes" if plane.equation is not None and plane.fixed is None else str(plane.solutions)
-    return Row(kind, _pairs(plane.equation, plane.sides, where), "–", str(plane.cause))
+    where, short = _pairs(plane.equation, plane.sides, where)
+    return Row(kind, where, "–", str(plane.cause), short)
 
 
 def _pole_row(pole: PoleCurve) -> Row:
     certain = "the surface is at infinity" if pole.certain else "the surface is at infinity, if there are such pairs"
-    return Row("poles", _pairs(pole.equation, pole.sides, ""), "–", certain)
+    where, short = _pairs(pole.equation, pole.sides, "")
+    return Row("poles", where, "–", certain, short)
 
 
-def _pairs(equation: PairEquation | None, sides: Any, where: str) -> str:
-    """The pairs of an equation on a patch, as text."""
-
+def _pairs(equation: PairEquation | None, sides: Any, where: str) -> tuple[str, PairEquation | None]:
+    """The pairs of an equation on a patch as text, and the equation if it is short enough to stand before them."""
     if equation is None:
-        return f"all of {sides.shortly}"
-    return f"{equation.short_text}: {where or sides.shortly}"
+        return f"all of {sides.shortly}", None
+    where = where or sides.shortly
+    return (where, equation) if equation.is_short else (f"{equation.short_text}: {where}", None)
 
 
 # ---- a point and a curve
@@ -259,7 +267,7 @@ def _sheet(answer: Answer) -> Sheet:
 
     made = Sheet("piece", "parameters", "degree", "remark", title=answer.title, prose=["parameters", "remark"])
     for row in answer.rows:
-        made.add_row(*row)
+        made.add_row(row.piece, row.parameters, row.degree, row.remark)
     return made
 
 

@@ -210,6 +210,7 @@ def _ticking(count: int) -> Any:
 def _sheet(c: Any, data: dict[str, Any]) -> Sheet:
     """The features of a curve, one per row."""
     from exactspline.display.sheet import Sheet
+    from exactspline.geometry.analysis import QUESTIONS
     from exactspline.questions.entry import Answered
 
     closed = ", closed" if c.closed else ""
@@ -237,10 +238,10 @@ def _sheet(c: Any, data: dict[str, Any]) -> Sheet:
             )
     for name in _asked(c, Answered.PIECES):
         for piece in data[name]:
-            made.add_row(PIECES.get(name, name), _intervals(piece), _intervals(piece), "", *empty, "")
+            made.add_row(QUESTIONS[name].about.of_piece, _intervals(piece), _intervals(piece), "", *empty, "")
     for piece in data.get("planar_pieces", []):
-        interval = _intervals(piece["intervals"])
-        made.add_row("planar, τ ≡ 0", interval, interval, "", *empty, f"in the plane {piece['plane']}")
+        interval, lies_in = _intervals(piece["intervals"]), f"in the plane {piece['plane']}"
+        made.add_row(QUESTIONS["planar_pieces"].about.of_piece, interval, interval, "", *empty, lies_in)
     return made
 
 
@@ -256,14 +257,13 @@ def _asked(c: Any, answered: Answered) -> list[str]:
 
 def _print(c: Any, data: dict[str, Any]) -> None:
     from exactspline.display import console
+    from exactspline.questions.entry import Answered
 
     out, made = console.console(), _sheet(c, data)
-    nothing = "no singular points, no corners, no inflections, no extrema of the curvature inside" + (
-        ", no zeros of the torsion" if c.dimension == 3 else ""
-    )
     if made.row_count:
         out.print(made)
     else:
+        nothing = ", ".join("no " + name.replace("_", " ") for name in ("corners", *_asked(c, Answered.PLACES)))
         console.lines(out, f"{c.name}: {nothing}")
     if data["joints"]:
         console.lines(out, _continuity(data["joints"]))
@@ -277,8 +277,6 @@ def _print(c: Any, data: dict[str, Any]) -> None:
 
 #: Characters of an exact number that a table shows.
 READABLE = 20
-#: What a table says of pieces of a curve, by the question that they answer.
-PIECES = {"straight_pieces": "straight", "constant_pieces": "κ′ ≡ 0", "standing_pieces": "stands still"}
 #: The kinds of joints with a row of their own; singular ones are among the singular points.
 TOLD = (JointKind.GAP, JointKind.CORNER, JointKind.TURN, JointKind.CURVATURE_JUMP)
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from exactspline.cli.output import VERSION, print_json
 from exactspline.errors import ExactSplineError, nearest
+
+if TYPE_CHECKING:
+    from exactspline.questions.entry import Entry
 
 #: The schema of a line of `exactspline sweep`, which is not a document of rows.
 LINE = "sweep_line"
@@ -36,27 +39,43 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
 
     text = resources.files(__package__).joinpath("schemas.json").read_text(encoding="utf-8")
     found: dict[str, dict[str, dict[str, object]]] = json.loads(text)
-    found["inspect"] |= answers()
+    found["inspect"] |= answers("plane curve", "space curve")
+    found["inspect surface"] |= answers("surface in space", "map of a rectangle into the plane")
+    # a row may also be the bisector of a point and a curve
+    found["bisector"] |= {name: field | {"optional": True} for name, field in answers("pair of space curves").items()}
     return found
 
 
-def answers() -> dict[str, dict[str, object]]:
-    """The fields of an inspection: the questions that it answers, each with the form of its answer."""
-    from exactspline.geometry.analysis import QUESTIONS
+def answers(*of: str) -> dict[str, dict[str, object]]:
+    """The fields of an inspection of these kinds of objects: the questions that it answers, each with the form of its
+    answer. One that is not asked of all of them is optional.
+    """
+    from exactspline.geometry.registry import REGISTRY
+    from exactspline.questions.entry import Of
+
+    kinds = [Of(kind) for kind in of]
+    entries = {name: entry for kind in kinds for name, entry in REGISTRY[kind].items()}
+    return {
+        name: _form(entry)
+        | {"description": entry.meaning}
+        | ({} if set(kinds) <= set(entry.about.of) else {"optional": True})
+        for name, entry in entries.items()
+        if not entry.about.part_of and not entry.about.argument
+    }
+
+
+def _form(entry: Entry) -> dict[str, object]:
+    """The form of an answer: a list, if it is neither places nor a single thing."""
     from exactspline.questions.entry import CURVES, Answered
 
-    listed: dict[str, object] = {"type": "array"}
-    fields = {"points": listed, "everywhere": listed}
-    forms: dict[Answered, dict[str, object]] = dict.fromkeys(Answered, listed) | {
-        Answered.PLACES: {"type": "object", "required": [*fields], "additionalProperties": False, "properties": fields},
-        Answered.PLANE: {"type": ["null", "string"]},
-    }
+    if entry.about.answered is Answered.PLACES:
+        parts = ["points", "everywhere"] + ([] if set(entry.about.of) <= set(CURVES) else ["undecided"])
+        fields = {part: {"type": "array"} for part in parts}
+        return {"type": "object", "required": parts, "additionalProperties": False, "properties": fields}
     return {
-        name: forms[entry.about.answered]
-        | {"description": entry.meaning}
-        | ({} if entry.about.of == CURVES else {"optional": True})
-        for name, entry in QUESTIONS.items()
-        if not entry.about.part_of and not entry.about.argument
+        "type": {Answered.PLANE: ["null", "string"], Answered.VALUE: "string", Answered.POINT: ["null", "array"]}.get(
+            entry.about.answered, "array"
+        )
     }
 
 

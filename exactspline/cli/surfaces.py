@@ -87,7 +87,7 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str,
         if plot:
             raise OptionsError("--plot and a map of the plane", remedy="surfaces in space are drawn")
         sign = jacobian_sign(surface)
-        return map_data(sign), map_sheet(sign)
+        return map_data(sign, digits), map_sheet(sign)
     found = inspect_surface(surface)
     if plot:
         _drawn(found, plot)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from functools import singledispatch
+from typing import Any, cast
 
 from flint import arb
 
@@ -24,10 +25,12 @@ from exactspline.geometry.bisector.point_and_curve import PointBisector
 from exactspline.geometry.bisector.root_lines import Coordinate, RootLines
 from exactspline.geometry.bisector.trimmed import TrimmedBisector, TrimmedPiece
 from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
+from exactspline.geometry.registry import REGISTRY
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box
+from exactspline.questions.entry import Of
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.common import with_common_knots
@@ -46,25 +49,28 @@ def curve_bisector_data(found: CurveBisector, digits: int) -> Data:
     s, and beside it lines, planes, single pairs and poles.
     """
     missing = [{"sides": _sides(sides), "reason": reason} for sides, reason in found.missing]
+    answers = {name: entry.answer(found) for name, entry in REGISTRY[Of.PAIR].items()}
     return {
         "kind": "bisector of two curves",
         "variant": str(found.variant),
-        "patches": [_patch_data(patch) for patch in found.patches],
         "missing": missing,
-        "lines": [_line_data(line, digits) for line in found.lines],
-        "planes": [_plane_data(plane, digits) for plane in found.planes],
-        "pairs": [_pair_data(pair, digits) for pair in found.pairs],
-        "poles": [_pole_data(pole) for pole in found.poles],
         "left_out": list(found.left_out),
         "complete": not found.left_out,
-    }
+    } | {name: [_solution_data(each, digits) for each in cast(tuple[object, ...], x)] for name, x in answers.items()}
+
+
+@singledispatch
+def _solution_data(part: object, digits: int) -> Data:
+    """A part of the answer, as data."""
+    raise AssertionError(f"{type(part).__name__} is no part of a bisector")
 
 
 def _sides(sides: Box) -> list[list[str]]:
     return [[text(x) for x in side] for side in sides]
 
 
-def _patch_data(patch: BisectorPatch) -> Data:
+@_solution_data.register
+def _patch_data(patch: BisectorPatch, digits: int) -> Data:
     numerator, w = patch.value.elevated()
     assert isinstance(numerator, Vector)  # a surface
     return {"sides": _sides(patch.sides)} | control_net([*numerator, w])
@@ -87,6 +93,7 @@ def equation_data(equation: PairEquation) -> Data:
     return {"text": f"{equation.text} = 0", "terms": [[i, j, text(x)] for (i, j), x in equation.terms]}
 
 
+@_solution_data.register
 def _line_data(line: LineComponent, digits: int) -> Data:
     return {
         "pairs": str(line.correspondence),
@@ -161,6 +168,7 @@ def _limits_data(real: RealZeros, digits: int) -> Data:
     }
 
 
+@_solution_data.register
 def _plane_data(plane: PlaneComponent, digits: int) -> Data:
     return {
         "solutions": str(plane.solutions),
@@ -174,6 +182,7 @@ def _plane_data(plane: PlaneComponent, digits: int) -> Data:
     } | _limits_data(plane.real, digits)
 
 
+@_solution_data.register
 def _pair_data(pair: SinglePair, digits: int) -> Data:
     head: Data = {
         "s": parameter_data(pair.s, digits),
@@ -201,7 +210,8 @@ def _number(x: mpq | arb, digits: int) -> str:
     return str(x.str(digits, radius=False)) if isinstance(x, arb) else text(x)
 
 
-def _pole_data(pole: PoleCurve) -> Data:
+@_solution_data.register
+def _pole_data(pole: PoleCurve, digits: int) -> Data:
     return {"sides": _sides(pole.sides), "equation": equation_data(pole.equation), "certain": pole.certain}
 
 

@@ -8,7 +8,7 @@ from functools import cache
 from importlib import resources
 
 from exactspline.errors import ExactSplineError, nearest
-from exactspline.geometry.analysis import QUESTIONS
+from exactspline.geometry.registry import terms_of_questions
 
 
 class GlossaryError(ExactSplineError):
@@ -23,7 +23,7 @@ def glossary() -> dict[str, dict[str, str]]:
     'it fails, and a witness shows where'
     """
     written = tomllib.loads(resources.files(__package__).joinpath("glossary.toml").read_text(encoding="utf-8"))
-    return written | {"questions": {name.replace("_", " "): entry.meaning for name, entry in QUESTIONS.items()}}
+    return written | {"questions": terms_of_questions()}
 
 
 @cache

@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from enum import StrEnum
+from functools import singledispatch
 from math import prod
+from typing import cast
 
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
-from exactspline.geometry.surface.chains import Piece
-from exactspline.geometry.surface.degenerate import Gap
+from exactspline.geometry.surface.chains import ParabolicCurve, Piece
+from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
+from exactspline.geometry.surface.parabolic_lines import ParabolicLine
 from exactspline.geometry.surface.places import Parameter, Place, enclosing
 from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box, Interval, hull, joined
 from exactspline.polynomials.patch_forms import clusters
+from exactspline.questions.answers import SurfacePlaces
+from exactspline.questions.entry import questions_of
 from exactspline.roots.root import Root
 from exactspline.splines.surface import Along, NurbsSurface
 
@@ -80,54 +86,43 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
         "minimal": found.minimal,
         "curvature": None if found.curvature is None else text(found.curvature),
         "umbilic_everywhere": found.umbilic_everywhere,
-        "patches": [_patch_data(one) for one in found.patches],
-        "umbilics": [_umbilic_data(umbilic, digits) for umbilic in found.umbilics],
-        "parabolic_lines": [
-            {
-                "along": line.along.value,
-                **_parameter_data(line.value, digits),
-                "interval": _ends(line.interval),
-                "closed": line.closed,
-                "one_sided": line.one_sided,
-            }
-            for line in found.parabolic_lines
-        ],
-        "parabolic_curves": [
-            {
-                "patches": [list(patch) for patch in curve.patches],
-                "shape": curve.shape.value,
-                **_hull_data(hull(_hull(piece) for piece in curve.pieces)),
-            }
-            for curve in found.parabolic_curves
-        ],
-        "parabolic_points": [_place_data(place, digits) for place in found.parabolic_points],
-        "singular_points": [_place_data(place, digits) for place in found.singular_points],
-        "poles": [
-            {
-                "along": pole.along.value,
-                "value": text(pole.value),
-                "interval": _ends(pole.interval),
-                "point": None if pole.point is None else [text(x) for x in pole.point],
-                "gap": pole.gap.value,
-            }
-            for pole in found.poles
-        ],
-        "joints": [
-            {
-                "across": joint.across.value,
-                "value": text(joint.value),
-                "interval": _ends(joint.interval),
-                "at_seam": joint.at_seam,
-                "kind": joint.kind.value,
-                "geometric_continuity": joint.order,
-                "angle": angle_data(joint.angle, digits),
-            }
-            for joint in found.joints
-        ],
-    }
+    } | answers_data(found, digits)
 
 
-def _patch_data(one: PatchInspection) -> dict[str, object]:
+def answers_data(found: SurfaceInspection | MapInspection, digits: int) -> dict[str, object]:
+    """The answers to all questions of the registry about a surface, under their names."""
+    return {name: surface_answer_data(entry.answer(found), digits) for name, entry in questions_of(type(found)).items()}
+
+
+def surface_answer_data(answer: object, digits: int) -> object:
+    """The answer to a question about a surface as data: points one by one, the parts of patches all of whose points
+    are, and boxes in which something is undecided; lists of curves, joints and patches; a value as text, one point.
+    """
+    if isinstance(answer, SurfacePlaces):
+        return {
+            "points": [_element_data(each, digits) for each in answer],
+            "everywhere": [
+                {"patch": list(part.patch), **_hull_data(part.sides), "along_curve": part.along_curve}
+                for part in answer.everywhere
+            ],
+            "undecided": [_hull_data(box) for box in answer.undecided],
+        }
+    if isinstance(answer, StrEnum):
+        return answer.value
+    if answer is None:
+        return None
+    assert isinstance(answer, tuple)  # as the registry says
+    return [_element_data(each, digits) for each in answer]
+
+
+@singledispatch
+def _element_data(each: object, digits: int) -> object:
+    """One of several things, as data; a coordinate as exact text."""
+    return text(cast(mpq, each))
+
+
+@_element_data.register
+def _patch_data(one: PatchInspection, digits: int) -> dict[str, object]:
     return {
         "patch": list(one.patch),
         **_hull_data(one.sides),
@@ -142,6 +137,7 @@ def _patch_data(one: PatchInspection) -> dict[str, object]:
     }
 
 
+@_element_data.register
 def _umbilic_data(umbilic: Umbilic, digits: int) -> dict[str, object]:
     return {
         **_place_data(umbilic.place, digits),
@@ -151,6 +147,7 @@ def _umbilic_data(umbilic: Umbilic, digits: int) -> dict[str, object]:
     }
 
 
+@_element_data.register
 def _place_data(place: Place, digits: int) -> dict[str, object]:
     exact, box = place.exact, place.box(digits + 2)
     sides = {
@@ -162,6 +159,50 @@ def _place_data(place: Place, digits: int) -> dict[str, object]:
         for k, (name, (a, b)) in enumerate(zip("uv", box, strict=True))
     }
     return {**sides, "patches": [list(patch) for patch in place.patches]}
+
+
+@_element_data.register
+def _line_data(line: ParabolicLine, digits: int) -> dict[str, object]:
+    return {
+        "along": line.along.value,
+        **_parameter_data(line.value, digits),
+        "interval": _ends(line.interval),
+        "closed": line.closed,
+        "one_sided": line.one_sided,
+    }
+
+
+@_element_data.register
+def _curve_data(curve: ParabolicCurve, digits: int) -> dict[str, object]:
+    return {
+        "patches": [list(patch) for patch in curve.patches],
+        "shape": curve.shape.value,
+        **_hull_data(hull(_hull(piece) for piece in curve.pieces)),
+    }
+
+
+@_element_data.register
+def _pole_data(pole: Pole, digits: int) -> dict[str, object]:
+    return {
+        "along": pole.along.value,
+        "value": text(pole.value),
+        "interval": _ends(pole.interval),
+        "point": None if pole.point is None else [text(x) for x in pole.point],
+        "gap": pole.gap.value,
+    }
+
+
+@_element_data.register
+def _joint_data(joint: SurfaceJoint, digits: int) -> dict[str, object]:
+    return {
+        "across": joint.across.value,
+        "value": text(joint.value),
+        "interval": _ends(joint.interval),
+        "at_seam": joint.at_seam,
+        "kind": joint.kind.value,
+        "geometric_continuity": joint.order,
+        "angle": angle_data(joint.angle, digits),
+    }
 
 
 def _parameter_data(t: Parameter, digits: int) -> dict[str, str | None]:
@@ -345,24 +386,16 @@ def _near(side: Interval, digits: int = 4) -> str:
 # ---- maps of the plane
 
 
-def map_data(found: MapInspection) -> dict[str, object]:
+def map_data(found: MapInspection, digits: int) -> dict[str, object]:
     """The sign of a Jacobian determinant as data."""
-
-    def point(place: tuple[mpq, mpq] | None) -> list[str] | None:
-        return None if place is None else [text(x) for x in place]
-
     surface = found.surface
     return {
         "surface": surface.name,
         "degree": list(surface.degree),
         "polynomial": surface.polynomial,
         "complete": found.complete,
-        "kind": found.kind.value,
-        "positive": point(found.positive),
-        "negative": point(found.negative),
-        "zeros": [point(place.exact) for place in found.zeros],
         "undecided": [_hull_data(box) for box in found.undecided],
-    }
+    } | answers_data(found, digits)
 
 
 def map_sheet(found: MapInspection) -> Sheet:

@@ -138,7 +138,7 @@ class Analysis(SpaceFacts):
             raise ShapeError("the torsion of a curve in R2", remedy="this needs a curve in space")
         return Places(tuple(space_features.torsion_zeros(self)), tuple(piece for piece, _ in self.planar_pieces))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda _: ())
+    @question(*CURVES, answered=Answered.PIECES, known=lambda _: (), of_piece="straight")
     def straight_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve is straight.
 
@@ -151,7 +151,7 @@ class Analysis(SpaceFacts):
         """
         return tuple(self.pieces_where_zero(self.flatness))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda _: ())
+    @question(*CURVES, answered=Answered.PIECES, known=lambda _: (), of_piece="κ′ ≡ 0")
     def constant_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curvature is constant.
 
@@ -163,7 +163,7 @@ class Analysis(SpaceFacts):
         """
         return tuple(self.pieces_where_zero(self.zero_form(self.critical_form)))
 
-    @question(Of.SPACE_CURVE, answered=Answered.PLANAR_PIECES)
+    @question(Of.SPACE_CURVE, answered=Answered.PLANAR_PIECES, of_piece="planar, τ ≡ 0")
     def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
         """The pieces of a space curve that lie in one plane without being straight, and their planes."""
         return tuple(planar_pieces(self.curve)) if self.in_space and not self._twists_everywhere else ()

@@ -81,8 +81,6 @@ class Construction:
     ruled: bool = False
     #: The formula of the minimal form, where it is not the lifted one.
     lowest: str = ""
-    #: Why it does not exist where its denominator vanishes identically.
-    missing: Absence = Absence.DENOMINATOR
 
     @property
     def all_variants(self) -> tuple[Variant, ...]:
@@ -182,23 +180,11 @@ def all_constructions() -> dict[str, Construction]:
             }
             if "lowest" in entry:
                 entry["lowest"] = source.find(entry["lowest"]).name
-            if "missing" in entry:
-                entry["missing"] = choice(Absence, entry["missing"], "missing", where=table.place)
             if name in made:
                 made[name] = replace(made[name], variants=made[name].variants | variants, **entry)
             else:
                 made[name] = Construction(name, variants=variants, **entry)
     return made
-
-
-def absence_of(formula: str) -> Absence:
-    """Why a construction, or one of its formulas, does not exist where its denominator vanishes identically.
-
-    >>> absence_of("focal_curve").name, absence_of("torsion_reduced").name, absence_of("f2").name
-    ('PLANAR', 'STRAIGHT', 'DENOMINATOR')
-    """
-    own = (each.missing for name, each in all_constructions().items() if formula in (name, *each.variants.values()))
-    return next(own, Absence.DENOMINATOR)
 
 
 def construction(name: str) -> Construction:

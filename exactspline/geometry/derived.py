@@ -5,11 +5,13 @@ Parameters and coordinates are unitless exact numbers.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 from exactspline.errors import FormulaError, ShapeError, shown
-from exactspline.geometry.constructions import Absence, Variant, absence_of, all_constructions, construction
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.constructions import Absence, Construction, Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
 from exactspline.hooks import Displayed
 from exactspline.language.formula import Formula, expect_formula
@@ -105,8 +107,8 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     """
     curve = curve_of(curve)
     name = what if isinstance(what, str) else expect_formula(what).name
-    if isinstance(what, str) and name in all_constructions():
-        made = construction(name)
+    made = construction(name) if isinstance(what, str) and name in all_constructions() else None
+    if made is not None:
         needed, compute = kind_of(made.curve), lambda c: made.on(c, variant)
         formula = made.formula(variant)
     else:
@@ -128,7 +130,10 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     found = formula(curve)
     ruled = isinstance(found, RuledSurface)
     exists, breaks = _exists(found), curve.breakpoints
-    missing = tuple((interval, absence_of(name)) for interval in intervals_where(breaks, [not here for here in exists]))
+    missing = tuple(
+        (interval, _why_missing(made, curve, interval))
+        for interval in intervals_where(breaks, [not here for here in exists])
+    )
     pieces = tuple(Piece(interval, compute(part(curve, *interval))) for interval in intervals_where(breaks, exists))
     if not pieces:
         raise ShapeError(
@@ -198,3 +203,21 @@ def _exists(value: Any) -> list[bool]:
     if isinstance(value, Rational):
         return [bool(c) for c in value.denominator.polynomials]
     return [True] * len((value[0] if isinstance(value, Vector) else value).mesh)
+
+
+def _why_missing(made: Construction | None, curve: Nurbs, interval: Interval) -> Absence:
+    """Why a construction does not exist on an interval: what vanishes identically there on the curve itself."""
+    if made is not None and curve.dimension in (2, 3):
+        facts = analyse(curve)
+        inside = [interval[0] <= a < interval[1] for a in facts.breaks[:-1]]
+
+        def all_over(vanishes: Iterable[bool]) -> bool:
+            return all(here for here, asked in zip(vanishes, inside, strict=True) if asked)
+
+        if all_over(facts.standing):
+            return Absence.STILL
+        if all_over(facts.flatness.vanishes_on(facts.breaks)):
+            return Absence.STRAIGHT
+        if facts.in_space and all_over(facts.zero_form("zero_torsion", Variant.PAPER).vanishes_on(facts.breaks)):
+            return Absence.PLANAR
+    return Absence.DENOMINATOR

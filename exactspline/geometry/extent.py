@@ -46,17 +46,6 @@ def turning_points(curve: Nurbs, axis: int | str) -> Places[Feature]:
     return Places(tuple(found), tuple(CurvePiece(each.parts) for each in solved.intervals))
 
 
-def coordinate_extrema(curve: Nurbs) -> list[Feature]:
-    """The extrema of all coordinates, in the order of the parameter.
-
-    >>> from exactspline import example
-    >>> len(coordinate_extrema(example("circle")))
-    4
-    """
-    found = [f for axis in range(curve.dimension) for f in turning_points(curve, axis)]
-    return sorted(found, key=lambda f: f.root)
-
-
 def coordinate_range(curve: Nurbs, axis: int) -> tuple[Real, Real]:
     """The smallest and the largest value of a coordinate, known exactly.
 

@@ -8,11 +8,9 @@ depend on the parameter of a form: it uses the zero sets.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from threading import RLock
 from time import perf_counter
-from typing import Any, TypeVar
 
 from flint import fmpz
 
@@ -53,7 +51,7 @@ from exactspline.polynomials.bernstein import ONE, variations
 from exactspline.polynomials.factors import certainly_coprime
 from exactspline.programs.program import Given, operands_of
 from exactspline.questions.answers import CurvePiece, Places
-from exactspline.questions.entry import CURVES, Answered, Fact, question
+from exactspline.questions.entry import CURVES, Answered, Fact, Remembers, question
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
 from exactspline.splines.bspline import BSpline
@@ -61,8 +59,6 @@ from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineValue
 from exactspline.words import choice
-
-T = TypeVar("T")
 
 KINDS: dict[int, Kind] = {2: PLANE, 3: SPACE}
 #: What is computed at once of a curve in the plane and in space, at its true degree, by one program.
@@ -139,28 +135,18 @@ def among(roots: Sequence[Root], others: Sequence[Root]) -> list[bool]:
     return found
 
 
-class Facts:
+class Facts(Remembers):
     """The facts of one curve that its features are read from."""
 
     def __init__(self, curve: Nurbs) -> None:
+        super().__init__()
         self.curve = curve
-        self._known: dict[Any, Any] = {}
-        self._lock = RLock()
         negative = curve.w.polynomials[0][0] < 0
         #: The curve as operands of formulas, with a positive weight function: forms of odd degree in (p, w) would
         #: change their sign with it.
         self.operands: Curve[BSpline] = Curve(-curve.p, -curve.w, polynomial=curve.polynomial) if negative else curve
         self.closed: bool = curve.closed
         self.breaks: tuple[mpq, ...] = curve.breakpoints
-
-    def once(self, key: Hashable, compute: Callable[[], T]) -> T:
-        """The value kept under a key, computed at the first request."""
-        if key not in self._known:
-            with self._lock:
-                if key not in self._known:
-                    self._known[key] = compute()
-        found: T = self._known[key]
-        return found
 
     # ---- forms
 
@@ -455,7 +441,7 @@ class Facts:
 
         return pieces(self.breaks, runs(holds, [joined(i) for i in range(len(holds))]))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda _: ())
+    @question(*CURVES, answered=Answered.PIECES, known=lambda _: (), of_piece="stands still")
     def standing_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve stands still."""
         if not any(self.standing):

@@ -1,15 +1,16 @@
-"""What the answer to a question looks like: points, pieces of a curve, or both."""
+"""What the answer to a question looks like: points, pieces of a curve or parts of a surface, or both."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
-from typing import Generic, TypeVar, overload
+from dataclasses import dataclass, replace
+from typing import Generic, Self, TypeVar, overload
 
 from exactspline.numbers.exact import mpq, text
-from exactspline.numbers.intervals import Interval
+from exactspline.numbers.intervals import Box, Interval
 
 T_co = TypeVar("T_co", covariant=True)
+W = TypeVar("W")
 
 
 @dataclass(frozen=True)
@@ -47,20 +48,31 @@ class CurvePiece:
 
 
 @dataclass(frozen=True)
-class Places(Sequence[T_co], Generic[T_co]):
-    """Where on a curve something holds: at single points, in the order of the parameter; and `everywhere` on these
-    pieces, whose points are not listed one by one. As a sequence it is that of its points; it is true unless the answer
-    is "nowhere".
+class SurfacePart:
+    """A part of one patch of a surface, as seen from it: a rectangle of parameters, an edge (one side of the rectangle
+    is a single number), or a curve inside of the rectangle.
 
-    >>> nowhere, on_a_line = Places(()), Places((), (CurvePiece(((mpq(0), mpq(1)),)),))
-    >>> len(nowhere), bool(nowhere), len(on_a_line), bool(on_a_line)
-    (0, False, 0, True)
-    >>> on_a_line
-    everywhere on [0, 1]
+    >>> print(SurfacePart((0, 0), Box(Interval(mpq(0), mpq(1)), Interval.point(mpq(2)))))
+    [0, 1] × [2, 2]
+    """
+
+    patch: tuple[int, int]
+    sides: Box
+    along_curve: bool = False
+
+    def __str__(self) -> str:
+        box = " × ".join(f"[{text(a)}, {text(b)}]" for a, b in self.sides)
+        return f"a curve in {box}" if self.along_curve else box
+
+
+@dataclass(frozen=True, repr=False)
+class Answer(Sequence[T_co], Generic[T_co, W]):
+    """Where something holds: at single points, and `everywhere` on these parts, whose points are not listed one by one.
+    As a sequence it is that of its points; it is true unless the answer is "nowhere".
     """
 
     points: tuple[T_co, ...]
-    everywhere: tuple[CurvePiece, ...] = ()
+    everywhere: tuple[W, ...] = ()
 
     @overload
     def __getitem__(self, index: int) -> T_co: ...
@@ -78,11 +90,43 @@ class Places(Sequence[T_co], Generic[T_co]):
     def __bool__(self) -> bool:
         return bool(self.points or self.everywhere)
 
-    def where(self, holds: Callable[[T_co], bool]) -> Places[T_co]:
-        """The points with a property, on the same pieces."""
-        return Places(tuple(filter(holds, self.points)), self.everywhere)
+    def where(self, holds: Callable[[T_co], bool]) -> Self:
+        """The points with a property, on the same parts."""
+        return replace(self, points=tuple(filter(holds, self.points)))
 
     def __repr__(self) -> str:
+        return ", and ".join(self._parts()) or "nowhere"
+
+    def _parts(self) -> list[str]:
         points = ["[" + ", ".join(map(repr, self.points)) + "]"] if self.points else []
-        pieces = [f"everywhere on {piece}" for piece in self.everywhere]
-        return ", and ".join([*points, *pieces]) or "nowhere"
+        return points + [f"everywhere on {part}" for part in self.everywhere]
+
+
+class Places(Answer[T_co, CurvePiece]):
+    """Where on a curve something holds: at points in the order of the parameter, and everywhere on pieces.
+
+    >>> nowhere, on_a_line = Places(()), Places((), (CurvePiece(((mpq(0), mpq(1)),)),))
+    >>> len(nowhere), bool(nowhere), len(on_a_line), bool(on_a_line)
+    (0, False, 0, True)
+    >>> on_a_line
+    everywhere on [0, 1]
+    """
+
+
+@dataclass(frozen=True, repr=False)
+class SurfacePlaces(Answer[T_co, SurfacePart]):
+    """Where on a surface something holds: at points, each once, and everywhere on parts of patches; `undecided` are
+    rectangles of parameters in which there may be more. An answer with such a rectangle is not "nowhere".
+
+    >>> unit = Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1)))
+    >>> SurfacePlaces((), undecided=(unit,)), bool(SurfacePlaces((), undecided=(unit,)))
+    (undecided in [0, 1] × [0, 1], True)
+    """
+
+    undecided: tuple[Box, ...] = ()
+
+    def __bool__(self) -> bool:
+        return super().__bool__() or bool(self.undecided)
+
+    def _parts(self) -> list[str]:
+        return super()._parts() + [f"undecided in {SurfacePart((0, 0), box)}" for box in self.undecided]

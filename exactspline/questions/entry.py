@@ -11,7 +11,8 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from enum import StrEnum
 from inspect import cleandoc
-from typing import Concatenate, Generic, ParamSpec, Protocol, TypeVar, cast, overload
+from threading import RLock
+from typing import Any, Concatenate, Generic, ParamSpec, Protocol, TypeVar, cast, overload
 
 from exactspline.roots.zero_set import ZeroSet
 
@@ -19,11 +20,41 @@ T = TypeVar("T")
 P = ParamSpec("P")
 
 
-class Remembers(Protocol):
-    """An object that keeps what was computed of it once."""
+class Remembers:
+    """An object that keeps what was computed of it once, also where several threads ask for it."""
+
+    def __init__(self) -> None:
+        self._known: dict[Any, Any] = {}
+        self._lock = RLock()
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
         """The value kept under a key, computed at the first request."""
+        if key not in self._known:
+            with self._lock:
+                if key not in self._known:
+                    self._known[key] = compute()
+        found: T = self._known[key]
+        return found
+
+
+class Inspected(Remembers):
+    """One that is a value: equal where it is asked of the same (`of`), copied and pickled with what is known of it."""
+
+    def __init__(self, *of: Hashable) -> None:
+        super().__init__()
+        self.of = of
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and isinstance(other, Inspected) and self.of == other.of
+
+    def __hash__(self) -> int:
+        return hash(self.of)
+
+    def __getstate__(self) -> dict[str, object]:
+        return {name: kept for name, kept in vars(self).items() if name != "_lock"}
+
+    def __setstate__(self, kept: dict[str, object]) -> None:
+        vars(self).update(kept, _lock=RLock())
 
 
 F = TypeVar("F", bound=Remembers)
@@ -34,6 +65,9 @@ class Of(StrEnum):
 
     PLANE_CURVE = "plane curve"
     SPACE_CURVE = "space curve"
+    SURFACE = "surface in space"
+    PLANAR_MAP = "map of a rectangle into the plane"
+    PAIR = "pair of space curves"
 
 
 #: A question about curves in the plane and in space.
@@ -43,7 +77,7 @@ CURVES = (Of.PLANE_CURVE, Of.SPACE_CURVE)
 class Answered(StrEnum):
     """What an answer consists of."""
 
-    #: Points of the curve, and pieces all of whose points belong to it (`exactspline.questions.answers.Places`).
+    #: Points, and parts all of whose points belong to it (`exactspline.questions.answers.Answer`).
     PLACES = "places"
     #: Joints of its segments.
     JOINTS = "joints"
@@ -52,6 +86,15 @@ class Answered(StrEnum):
     #: Pieces of it, each with its plane; or one plane.
     PLANAR_PIECES = "planar pieces"
     PLANE = "plane"
+    #: The patches of a surface, each with what holds of it.
+    PATCHES = "patches"
+    #: Curves on a surface, whole.
+    CURVES = "curves"
+    #: Parts of a bisector; what is not known of them is named beside them.
+    SOLUTIONS = "solutions"
+    #: A value, or one point.
+    VALUE = "value"
+    POINT = "point"
 
 
 class Known(Protocol):
@@ -76,7 +119,7 @@ class About:
     contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the object and the
     argument. ``known``: the answer
     from what the certified filter knows. ``argument``: what it is asked with, an example of it in text ("" for
-    nothing).
+    nothing). ``of_piece``: what a table says of one of the pieces.
     """
 
     of: tuple[Of, ...]
@@ -85,6 +128,7 @@ class About:
     proof: Callable[..., ZeroSet] | None = None
     known: Callable[[Known], object] | None = None
     argument: str = ""
+    of_piece: str = ""
 
 
 class Entry(ABC):
@@ -177,9 +221,10 @@ def question(
     part_of: str = "",
     proof: Callable[..., ZeroSet] | None = None,
     known: Callable[[Known], object] | None = None,
+    of_piece: str = "",
 ) -> Callable[[Callable[[F], T]], Question[F, T]]:
     """Make the property that computes an answer an entry of the registry (see `About`)."""
-    return lambda compute: Question(compute, About(of, answered, part_of, proof, known))
+    return lambda compute: Question(compute, About(of, answered, part_of, proof, known, of_piece=of_piece))
 
 
 def question_with(

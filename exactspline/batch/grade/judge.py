@@ -10,6 +10,7 @@ from typing import Any
 
 from exactspline.batch.grade.cases import Case
 from exactspline.batch.grade.data import Answer, Reply
+from exactspline.batch.grade.questions import QUESTIONS, Judged
 from exactspline.batch.grade.recheck import at
 from exactspline.batch.grade.truth import bend, rows
 from exactspline.errors import ExactSplineError
@@ -79,7 +80,7 @@ def judged(case: Case, question: str, truth: Answer, reply: Reply) -> Verdict:
     if "raised" in reply:
         return Verdict(CRASHED, note=reply["raised"])
     try:
-        return _JUDGES[question](case, question, truth, reply["answer"])
+        return _JUDGES[QUESTIONS[question].judged](case, question, truth, reply["answer"])
     except (TypeError, ValueError, KeyError, IndexError, ExactSplineError) as error:
         return Verdict(OFF, note=f"no answer of the kind asked for ({type(error).__name__})")
 
@@ -302,13 +303,19 @@ def _is_straight(curve: Nurbs) -> bool:
     return turning * (curve.domain[1] - curve.domain[0]) <= STRAIGHT * speed * speed
 
 
-def _places(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
-    soft: list[mpq] = []
-    if question in ("inflections", "extrema") and _is_straight(case.curve):
+def _regular_places(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
+    if _is_straight(case.curve):
         return Verdict(RIGHT, note="straight within the tolerance: any answer is right")
-    if question in ("inflections", "extrema"):
-        soft = [root.low for root in analyse(case.curve).speed.zeros]
-        soft += case.curve.breakpoints[1:-1]
+    soft = [root.low for root in analyse(case.curve).speed.zeros]
+    return _compared(truth, answer, [*soft, *case.curve.breakpoints[1:-1]])
+
+
+def _places(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
+    return _compared(truth, answer, [])
+
+
+def _compared(truth: Answer, answer: Any, soft: list[mpq]) -> Verdict:
+    """Lists of parameters against certificates of zero sets; those near a soft parameter may be named or not."""
     missed, invented = list[str](), list[str]()
     if len(answer) != len(truth["certificates"]):
         raise ValueError("a different count of lists")
@@ -328,12 +335,13 @@ def _places(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
 
 
 #: An answer of a library may be anything: anything else raises, and counts as off.
-_JUDGES: dict[str, Callable[[Case, str, Answer, Any], Verdict]] = {
-    **dict.fromkeys(("value", "first", "second"), _vector),
-    **dict.fromkeys(("tangent", "curvature", "torsion"), _quotient),
-    **dict.fromkeys(("insert", "remove", "elevate", "split"), _rows),
-    **dict.fromkeys(("turns", "roots", "inflections", "extrema"), _places),
-    "box": _box,
-    "length": _length,
-    "area": _area,
+_JUDGES: dict[Judged, Callable[[Case, str, Answer, Any], Verdict]] = {
+    Judged.VECTOR: _vector,
+    Judged.QUOTIENT: _quotient,
+    Judged.CONTROL_POINTS: _rows,
+    Judged.BOX: _box,
+    Judged.NUMBER: _length,
+    Judged.AREA: _area,
+    Judged.PLACES: _places,
+    Judged.REGULAR_PLACES: _regular_places,
 }

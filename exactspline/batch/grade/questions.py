@@ -3,15 +3,38 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
+
+from exactspline.geometry.analysis import QUESTIONS as OF_CURVES
+
+
+class Judged(StrEnum):
+    """How an answer is compared with the truth."""
+
+    VECTOR = "vector"
+    QUOTIENT = "quotient"
+    CONTROL_POINTS = "control points"
+    BOX = "box"
+    NUMBER = "number"
+    AREA = "area"
+    PLACES = "places"
+    #: Places at regular points: knots and singular points may be named or not, and all of a straight curve.
+    REGULAR_PLACES = "regular places"
 
 
 @dataclass(frozen=True)
 class Asked:
-    """A question: its name, its meaning, and the error allowed."""
+    """A question: its name, its meaning, the error allowed, and how an answer is judged."""
 
     name: str
     meaning: str
     allowed: str
+    judged: Judged
+
+
+def _at_places(name: str, entry: str, allowed: str, judged: Judged) -> Asked:
+    """A question of the registry, of which libraries give parameters: those at which a sign changes must be named."""
+    return Asked(name, f"the parameters of {OF_CURVES[entry].meaning}", allowed, judged)
 
 
 #: The unit of errors, said once.
@@ -29,26 +52,47 @@ STRAIGHT = "anything where γ′ × γ″, times the length of the domain, is no
 QUESTIONS: dict[str, Asked] = {
     asked.name: asked
     for asked in (
-        Asked("value", "the point at a parameter", ULPS),
-        Asked("first", "the first derivative there", f"degree / (shortest segment) times {ULPS}"),
-        Asked("second", "the second derivative there", f"the square of degree / (shortest segment) times {ULPS}"),
-        Asked("tangent", "the unit tangent there", "what the error allowed to γ′ makes of it"),
-        Asked("curvature", "the absolute curvature there", "what the errors allowed to γ′ and γ″ make of it"),
-        Asked("torsion", "the torsion there", "what the errors allowed to γ′, γ″ and γ‴ make of it"),
-        Asked("insert", "the control points with a knot there", f"twice {ULPS}"),
-        Asked("remove", "the control points without a knot that was inserted exactly", f"2¹⁶ times {ULPS}"),
+        Asked("value", "the point at a parameter", ULPS, Judged.VECTOR),
+        Asked("first", "the first derivative there", f"degree / (shortest segment) times {ULPS}", Judged.VECTOR),
+        Asked(
+            "second",
+            "the second derivative there",
+            f"the square of degree / (shortest segment) times {ULPS}",
+            Judged.VECTOR,
+        ),
+        Asked("tangent", "the unit tangent there", "what the error allowed to γ′ makes of it", Judged.QUOTIENT),
+        Asked(
+            "curvature",
+            "the absolute curvature there",
+            "what the errors allowed to γ′ and γ″ make of it",
+            Judged.QUOTIENT,
+        ),
+        Asked("torsion", "the torsion there", "what the errors allowed to γ′, γ″ and γ‴ make of it", Judged.QUOTIENT),
+        Asked("insert", "the control points with a knot there", f"twice {ULPS}", Judged.CONTROL_POINTS),
+        Asked(
+            "remove",
+            "the control points without a knot that was inserted exactly",
+            f"2¹⁶ times {ULPS}",
+            Judged.CONTROL_POINTS,
+        ),
         Asked(
             "elevate",
             "the control points with the degree raised by one",
             f"2¹⁶ times {ULPS}; over other knots, the curve itself",
+            Judged.CONTROL_POINTS,
         ),
-        Asked("split", "the control points of the two parts", f"twice {ULPS}"),
-        Asked("box", "the smallest and largest coordinates", f"2¹⁶ times {ULPS}, and what the library says it adds"),
-        Asked("turns", "the parameters at which a coordinate turns", PLACES),
-        Asked("roots", "the parameters at which y = 0", PLACES),
-        Asked("inflections", "the parameters at which the curvature changes its sign", f"{PLACES}; {STRAIGHT}"),
-        Asked("extrema", "the parameters at which the curvature is largest or smallest", f"{PLACES}; {STRAIGHT}"),
-        Asked("length", "the arc length", "10⁻⁶ of it, or the tolerance that the library documents"),
-        Asked("area", "the signed area inside a closed curve", f"2¹⁰ times {ULPS}, times that coordinate"),
+        Asked("split", "the control points of the two parts", f"twice {ULPS}", Judged.CONTROL_POINTS),
+        Asked(
+            "box",
+            "the smallest and largest coordinates",
+            f"2¹⁶ times {ULPS}, and what the library says it adds",
+            Judged.BOX,
+        ),
+        _at_places("turns", "turning_points", PLACES, Judged.PLACES),
+        Asked("roots", "the parameters at which y = 0", PLACES, Judged.PLACES),
+        _at_places("inflections", "inflections", f"{PLACES}; {STRAIGHT}", Judged.REGULAR_PLACES),
+        _at_places("extrema", "curvature_extrema", f"{PLACES}; {STRAIGHT}", Judged.REGULAR_PLACES),
+        Asked("length", "the arc length", "10⁻⁶ of it, or the tolerance that the library documents", Judged.NUMBER),
+        Asked("area", "the signed area inside a closed curve", f"2¹⁰ times {ULPS}, times that coordinate", Judged.AREA),
     )
 }

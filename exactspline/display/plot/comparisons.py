@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from exactspline.display.plot.canvas import (
     BLACK,
@@ -24,10 +24,10 @@ from exactspline.display.plot.canvas import (
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
 from exactspline.display.plot.functions import draw_roots, marked, plot_function
 from exactspline.errors import as_items
-from exactspline.geometry.analysis import Analysis, analyse
+from exactspline.geometry.analysis import QUESTIONS, analyse
 from exactspline.geometry.constructions import construction
-from exactspline.geometry.extent import coordinate_extrema
-from exactspline.geometry.kinds import FeatureKind
+from exactspline.geometry.joints import Joint
+from exactspline.geometry.kinds import Feature
 from exactspline.numbers.exact import iroot, mpq
 from exactspline.numbers.sides import Side
 from exactspline.roots.root import Root, knot_root
@@ -46,14 +46,22 @@ LINES = ((BLACK, "-"), (VERMILLION, "--"), (BLUE, "-."), (GREEN, ":"), (PURPLE, 
 SAMPLES = 400
 
 
-#: The marks in a picture of several curves: a name, the marker with size and colour, the parameters on one curve.
-_MARKED: tuple[tuple[str, str, int, str, Callable[[Analysis], list[Root]]], ...] = (
-    ("corners", "s", 11, VERMILLION, lambda found: [knot_root(joint.parameter) for joint in found.corners]),
-    ("cusps", "X", 9, BLACK, lambda found: [f.root for f in found.singular_points if f.kind is FeatureKind.CUSP]),
-    ("coordinate extrema", "o", 7, SKY, lambda found: [f.root for f in coordinate_extrema(found.curve)]),
-    ("curvature extrema", "^", 7, ORANGE, lambda found: [f.root for f in found.curvature_extrema]),
-    ("inflections", "D", 7, GREEN, lambda found: [f.root for f in found.inflections]),
+#: The marks in a picture of several curves: a question of the registry, the marker with size and colour.
+_MARKED: tuple[tuple[str, str, int, str], ...] = (
+    ("corners", "s", 11, VERMILLION),
+    ("cusps", "X", 9, BLACK),
+    ("turning_points", "o", 7, SKY),
+    ("curvature_extrema", "^", 7, ORANGE),
+    ("inflections", "D", 7, GREEN),
 )
+
+
+def _places(curve: Nurbs, name: str) -> list[Root]:
+    """The single points that answer a question; one about a coordinate is asked of all of them."""
+    entry, facts = QUESTIONS[name], analyse(curve)
+    arguments = map(str, range(curve.dimension)) if entry.about.argument else ("",)
+    found = [each for argument in arguments for each in cast(Iterable[Feature | Joint], entry.answer(facts, argument))]
+    return [knot_root(each.parameter) if isinstance(each, Joint) else each.root for each in found]
 
 
 def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]], *, evolute: bool = False) -> Figure:
@@ -72,7 +80,6 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
     ['cubic_s: degree 3, 4 control points', 'zero curvature: degree 3, 4 control points']
     """
     figure = new_figure(13, max(5.5, 3.4 * len(panels)))
-    analysis = analyse(curve)
     grid = figure.add_gridspec(max(1, len(panels)), 2 if panels else 1)
     ax = plot_curve(curve, figure.add_subplot(grid[:, 0], projection="3d" if curve.dimension == 3 else None))
     if evolute:
@@ -87,16 +94,15 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
         single, jumps = marked(roots)
         size = 7 + 3 * (len(panels) - 1 - i)
         plot_features(curve, [*single, *jumps], ax, marker=marker, color=color, label=f"zeros of {title}", size=size)
-    for name, marker, size, color, of in _MARKED:
-        if name in ("corners", "cusps"):
-            places = of(analysis)
-            plot_features(curve, places, ax, marker=marker, color=color, label=f"{name} ({len(places)})", size=size)
+    for name, marker, size, color in _MARKED[:2]:
+        places = _places(curve, name)
+        plot_features(curve, places, ax, marker=marker, color=color, label=f"{name} ({len(places)})", size=size)
     return figure
 
 
 def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
-    """One picture of several curves, a drawing or a glyph: corners, inflections, cusps, the extrema of the curvature,
-    and the extrema of the coordinates.
+    """One picture of several curves, a drawing or a glyph, with the points that answer some questions: where it has
+    corners and cusps, where its curvature and where a coordinate is extremal, and where it changes the way it turns.
 
     >>> from exactspline.splines.examples import example
     >>> ax, = features_figure([example("cubic_s"), example("cusp")]).axes
@@ -109,9 +115,9 @@ def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
     ax = figure.add_subplot(projection="3d" if curves[0].dimension == 3 else None)
     for curve in curves:
         plot_curve(curve, ax, control_polygon=False, label="_curve")
-    for name, marker, size, color, of in _MARKED:
-        found = [(curve, of(analyse(curve))) for curve in curves]
-        label = f"{name} ({sum(len(places) for _, places in found)})"
+    for name, marker, size, color in _MARKED:
+        found = [(curve, _places(curve, name)) for curve in curves]
+        label = f"{name.replace('_', ' ')} ({sum(len(places) for _, places in found)})"
         for curve, places in found:
             plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
     seen = set()

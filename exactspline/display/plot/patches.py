@@ -212,10 +212,10 @@ def _legend(figure: Figure, found: SurfaceInspection, lines: bool) -> None:
         handles.append(line([], [], color=BLACK, linewidth=1.6, label="parabolic curve"))
     if lines:
         handles.append(line([], [], color=GREY, linewidth=0.7, label="lines of curvature"))
-    if found.umbilics:
+    if found.umbilics.points:
         count = len(found.umbilics)
         label = f"{count} umbilic{'s' if count > 1 else ''}"
         handles.append(line([], [], color=VERMILLION, marker="o", linestyle="", label=label))
-    if found.singular_points:
+    if found.singular_points.points:
         handles.append(line([], [], color=GREEN, marker="s", linestyle="", label="singular point"))
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False, fontsize="small")

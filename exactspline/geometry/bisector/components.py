@@ -94,13 +94,18 @@ class PairEquation:
         return str(self.polynomial)
 
     @property
+    def is_short(self) -> bool:
+        """Whether it is short enough to be shown."""
+        return len(self.terms) <= SHORT and len(self.text) + 4 <= SHORT
+
+    @property
     def short_text(self) -> str:
         """The equation as text where it is short, otherwise its degree.
 
         >>> PairEquation.of(S - T).short_text, PairEquation.of(S**40 * 10**40 - T**3).short_text
         ('s - t = 0', 'equation of degree 40 × 3')
         """
-        if len(self.terms) <= SHORT and len(self.text) + 4 <= SHORT:
+        if self.is_short:
             return f"{self.text} = 0"
         m, n = (max(powers[i] for powers, _ in self.terms) for i in (0, 1))
         return f"equation of degree {m} × {n}"

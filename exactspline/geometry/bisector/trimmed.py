@@ -22,7 +22,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.conditions import Conditions, Parameter
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
-from exactspline.geometry.kinds import JointKind
+from exactspline.geometry.kinds import FeatureKind, JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, perp
@@ -203,7 +203,7 @@ def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
             missing.append(
                 f"the line that belongs to the singular point at {feature.root!r}: its coordinates are irrational"
             )
-        elif feature.kind != "singular end":
+        elif feature.kind is not FeatureKind.SINGULAR_END:
             found.append((PieceKind.CORNER, feature.root.exact))
     points: dict[Any, tuple[PieceKind, mpq]] = {}
     for kind, t in found:

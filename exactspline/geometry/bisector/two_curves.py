@@ -6,9 +6,8 @@ Parameters and coordinates are unitless exact numbers. "Bisector" means equal *c
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import StrEnum
-from functools import cached_property
 from itertools import pairwise, product, starmap
 from typing import Any
 
@@ -23,6 +22,7 @@ from exactspline.numbers.exact import Number, mpq, rational, short_text
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.papers import find
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
+from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
@@ -58,46 +58,76 @@ CURVE_FORMS = {
 }
 
 
-@dataclass(frozen=True)
-class CurveBisector:
+class CurveBisector(Inspected):
     """The bisector of two space curves: the surface in patches, the rectangles on which no pair in general position has
-    one point, each with the reason, and (computed when first asked for) all pairs that have more than a point.
+    one point (`missing`), each with the reason, and, computed when first asked for, all pairs that have more than a
+    point. Its questions are entries of the registry (`exactspline.geometry.registry`).
 
     Together ``patches``, ``lines``, ``planes`` and ``pairs`` are all points with two equal critical distances, except
     for the cases named in ``left_out``; along ``poles`` the surface is at infinity. ``unreduced`` names the patches
     whose lowest terms were out of reach; ``budget`` is what remains of the work on the whole answer.
     """
 
-    variant: SurfaceVariant
-    patches: tuple[BisectorPatch, ...]
-    missing: tuple[tuple[Box, str], ...]
-    curves: tuple[Nurbs, Nurbs] = field(repr=False)
-    unreduced: tuple[str, ...] = ()
-    budget: Budget = field(default_factory=Budget, repr=False, compare=False)
+    def __init__(self, first: Nurbs, second: Nurbs, variant: SurfaceVariant = SurfaceVariant.MINIMAL) -> None:
+        super().__init__(first, second, variant)
+        self.curves, self.variant = (first, second), variant
+        with drawing_on(Budget(QUESTION + PATCH * (first.segments * second.segments - 1))) as self.budget:
+            self._patches, self.missing, self.unreduced = _surface(first, second, variant)
 
-    @cached_property
+    @Fact
     def special(self) -> SpecialPairs:
         """The pairs of parameters that have no single point."""
         return special_pairs(*self.curves, self.budget)
 
-    @property
+    @question(Of.PAIR, answered=Answered.SOLUTIONS)
+    def patches(self) -> tuple[BisectorPatch, ...]:
+        """The patches of the bisector surface: the points of the pairs that have one point.
+
+        >>> from exactspline import bisector, example
+        >>> found = bisector(example("rational_space_cubic"), example("twisted_cubic"))
+        >>> [patch.value.degree for patch in found.patches]
+        [Degrees(s=10, t=8)]
+        """
+        return self._patches
+
+    @question(Of.PAIR, answered=Answered.SOLUTIONS)
     def lines(self) -> tuple[LineComponent, ...]:
-        """Lines of solutions along curves of pairs."""
+        """The lines of solutions along curves of pairs.
+
+        >>> from exactspline import bisector, example
+        >>> len(bisector(example("rational_space_cubic"), example("twisted_cubic")).lines)
+        0
+        """
         return self.special.lines
 
-    @property
+    @question(Of.PAIR, answered=Answered.SOLUTIONS)
     def planes(self) -> tuple[PlaneComponent, ...]:
-        """Planes of solutions along curves of pairs."""
+        """The planes of solutions along curves of pairs.
+
+        >>> from exactspline import bisector, example
+        >>> len(bisector(example("rational_space_cubic"), example("twisted_cubic")).planes)
+        0
+        """
         return self.special.planes
 
-    @property
+    @question(Of.PAIR, answered=Answered.SOLUTIONS)
     def pairs(self) -> tuple[SinglePair, ...]:
-        """Single pairs with a line, a plane or all of space for their solutions."""
+        """The single pairs with a line, a plane or all of space for their solutions.
+
+        >>> from exactspline import bisector, example
+        >>> len(bisector(example("rational_space_cubic"), example("twisted_cubic")).pairs)
+        3
+        """
         return self.special.pairs
 
-    @property
+    @question(Of.PAIR, answered=Answered.SOLUTIONS)
     def poles(self) -> tuple[PoleCurve, ...]:
-        """The curves of pairs along which the surface is at infinity."""
+        """The curves of pairs along which the bisector surface is at infinity.
+
+        >>> from exactspline import bisector, example
+        >>> len(bisector(example("rational_space_cubic"), example("twisted_cubic")).poles)
+        1
+        """
         return self.special.poles
 
     @property
@@ -143,9 +173,7 @@ def curve_bisector(
                 f"a curve in R{c.dimension}",
                 remedy="the bisector of two plane curves is not a rational curve; use curves in space",
             )
-    with drawing_on(Budget(QUESTION + PATCH * (first.segments * second.segments - 1))) as budget:
-        patches, missing, unreduced = _surface(first, second, chosen)
-    return CurveBisector(chosen, patches, missing, (first, second), unreduced, budget)
+    return CurveBisector(first, second, chosen)
 
 
 def _surface(

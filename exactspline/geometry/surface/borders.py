@@ -12,7 +12,7 @@ from flint import fmpz_poly
 
 from exactspline.geometry.surface.places import Parameter, enclosing
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import UNIT, Box
+from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.common_zeros import Zero
 from exactspline.polynomials.patch_forms import PatchForm
@@ -32,6 +32,11 @@ class Edge(NamedTuple):
     def value(self, sides: Box) -> mpq:
         """The value of that parameter."""
         return sides[self.direction][self.end]
+
+    def box(self, sides: Box) -> Box:
+        """The parameters of its points."""
+        at = Interval.point(self.value(sides))
+        return Box(at, sides[1]) if self.direction == 0 else Box(sides[0], at)
 
     def place(self, sides: Box, other: Parameter) -> tuple[Parameter, Parameter]:
         """Both parameters of a point of the edge."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
@@ -25,6 +25,8 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_polynomial
+from exactspline.questions.answers import SurfacePart, SurfacePlaces
+from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
 from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import Along, NurbsSurface
 
@@ -101,9 +103,18 @@ class PatchInspection:
     @property
     def open_boxes(self) -> tuple[Box, ...]:
         """Rectangles of parameters in which something could not be decided."""
-        own = () if self.curve is None else tuple(self.sides.part(box) for box in self.curve.undecided)
+        own = self._open_curve
         boxes = (*self.singular.undecided, *self.umbilics.undecided, *own)
         return tuple(dict.fromkeys(boxes)) or ((self.sides,) if self.kind is PatchKind.UNDECIDED else ())
+
+    @property
+    def open_signs(self) -> tuple[Box, ...]:
+        """Rectangles of parameters in which the sign of K could not be decided."""
+        return self._open_curve or ((self.sides,) if self.kind is PatchKind.UNDECIDED else ())
+
+    @property
+    def _open_curve(self) -> tuple[Box, ...]:
+        return () if self.curve is None else tuple(self.sides.part(box) for box in self.curve.undecided)
 
     @property
     def complete(self) -> bool:
@@ -111,24 +122,154 @@ class PatchInspection:
         return not self.open_boxes
 
 
-@dataclass(frozen=True)
-class SurfaceInspection:
-    """What a surface has."""
+class SurfaceInspection(Inspected):
+    """Everything that can be computed of a surface in space. Its questions are entries of the registry
+    (`exactspline.geometry.registry`); each is answered when it is first asked.
 
-    surface: NurbsSurface
-    patches: tuple[PatchInspection, ...]
-    #: Each once, also where patches or the two ends of a closed surface meet.
-    umbilics: tuple[Umbilic, ...]
-    parabolic_lines: tuple[ParabolicLine, ...]
-    #: Whole, across borders of patches where these are zeros of K on both sides.
-    parabolic_curves: tuple[ParabolicCurve, ...]
-    #: Where K vanishes at that point alone.
-    parabolic_points: tuple[Place, ...]
-    poles: tuple[Pole, ...]
-    #: How patches meet along knot lines and seams.
-    joints: tuple[SurfaceJoint, ...]
-    #: The parameters in which it is closed.
-    closed: tuple[Along, ...]
+    >>> from exactspline import example_surface
+    >>> found = SurfaceInspection(example_surface("hyperbolic_paraboloid"))
+    >>> found.umbilics, found.singular_points, found.complete
+    (nowhere, nowhere, True)
+
+    Raises `ShapeError` for a surface that is not in space.
+    """
+
+    def __init__(self, surface: NurbsSurface) -> None:
+        super().__init__(surface)
+        self.surface = surface
+        self._forms = SurfaceForms(surface)
+
+    @question(Of.SURFACE, answered=Answered.PATCHES)
+    def patches(self) -> tuple[PatchInspection, ...]:
+        """What is proved of every patch: the sign of the Gaussian curvature, and where it is constant its value.
+
+        >>> from exactspline import example_surface, inspect_surface
+        >>> [one.kind.value for one in inspect_surface(example_surface("hyperbolic_paraboloid")).patches]
+        ['hyperbolic']
+        """
+        return tuple(_in_reach(self._forms, patch) for patch in self._forms.patches)
+
+    @question(Of.SURFACE)
+    def umbilics(self) -> SurfacePlaces[Umbilic]:
+        """The points with a tangent plane at which the two principal curvatures are equal.
+
+        Each once, also where patches or the two ends of a closed surface meet. Everywhere on spheres and planes, and
+        along curves of umbilics.
+
+        >>> from exactspline import example_surface, inspect_surface
+        >>> found = inspect_surface(example_surface("ellipsoid")).umbilics
+        >>> len(found), found.everywhere, found[0].kind.value
+        (4, (), 'lemon or monstar')
+        """
+        everywhere = []
+        for one in self.patches:
+            own = one.umbilics
+            everywhere += [SurfacePart(one.patch, one.sides)] * own.everywhere
+            everywhere += [SurfacePart(one.patch, edge.box(one.sides)) for edge in own.edges]
+            everywhere += [SurfacePart(one.patch, one.sides, along_curve=True)] * (own.curve is not None)
+        found = merged_umbilics([(one.sides, one.umbilics) for one in self.patches], self.surface.domain, self.closed)
+        return SurfacePlaces(found, tuple(everywhere), _boxes(one.umbilics.undecided for one in self.patches))
+
+    @question(Of.SURFACE, answered=Answered.CURVES)
+    def parabolic_lines(self) -> tuple[ParabolicLine, ...]:
+        """The isoparametric lines along which the Gaussian curvature vanishes, on patches that are not developable.
+
+        >>> from exactspline import example_surface, inspect_surface
+        >>> found = inspect_surface(example_surface("torus")).parabolic_lines
+        >>> [(line.along.value, str(line.value)) for line in found]
+        [('u', '1'), ('u', '3')]
+        """
+        return parabolic_lines(
+            self.surface,
+            [
+                LinesOfPatch(one.patch, one.sides, one.parabolic_edges, one.parabolic_lines, one.flat)
+                for one in self.patches
+            ],
+            self.closed,
+        )
+
+    @question(Of.SURFACE, answered=Answered.CURVES)
+    def parabolic_curves(self) -> tuple[ParabolicCurve, ...]:
+        """The other curves along which the Gaussian curvature vanishes, on patches that are not developable.
+
+        Whole, across borders of patches where these are zeros of K on both sides.
+
+        >>> from exactspline import example_surface, inspect_surface
+        >>> [curve.shape.value for curve in inspect_surface(example_surface("bicubic")).parabolic_curves]
+        ['arc from border to border', 'arc from border to border', 'arc from border to border', 'closed loop']
+        """
+        return tuple(curve for curve in self._zeros_of_curvature if curve.shape is not Shape.POINT)
+
+    @question(Of.SURFACE)
+    def parabolic_points(self) -> SurfacePlaces[Place]:
+        """The points at which the Gaussian curvature vanishes at that point alone.
+
+        Everywhere on developable patches and planes.
+
+        >>> from exactspline import example_surface, inspect_surface
+        >>> inspect_surface(example_surface("paraboloid")).parabolic_points
+        nowhere
+        >>> inspect_surface(example_surface("developable")).parabolic_points.points
+        ()
+        """
+        found = _single_points(self.surface, self.patches, self.parabolic_lines, self._zeros_of_curvature, self.closed)
+        flat = tuple(SurfacePart(one.patch, one.sides) for one in self.patches if one.flat)
+        return SurfacePlaces(found, flat, _boxes(one.open_signs for one in self.patches))
+
+    @question(Of.SURFACE)
+    def singular_points(self) -> SurfacePlaces[Place]:
+        """The points without a tangent plane.
+
+        One on a border of patches or on a seam once. Everywhere on patches that are curves or points, along poles and
+        along singular curves.
+
+        >>> from exactspline import example_surface, inspect_surface
+        >>> [place.exact for place in inspect_surface(example_surface("cross_cap")).singular_points]
+        [(mpq(0,1), mpq(0,1))]
+        """
+        everywhere = []
+        for one in self.patches:
+            own = one.singular
+            everywhere += [SurfacePart(one.patch, one.sides)] * own.degenerate
+            everywhere += [SurfacePart(one.patch, edge.box(one.sides)) for edge in own.edges]
+            everywhere += [SurfacePart(one.patch, one.sides, along_curve=True)] * own.along_curve
+        places = [place for one in self.patches for place in one.singular.places]
+        found = merged_places(places, self.surface.domain, self.closed)
+        return SurfacePlaces(found, tuple(everywhere), _boxes(one.singular.undecided for one in self.patches))
+
+    @question(Of.SURFACE, answered=Answered.CURVES)
+    def poles(self) -> tuple[Pole, ...]:
+        """The edges of patches along which the surface has no tangent plane.
+
+        >>> from exactspline import example_surface, inspect_surface
+        >>> len(inspect_surface(example_surface("torus")).poles)
+        0
+        """
+        edges = [(one.patch, edge) for one in self.patches for edge in one.singular.edges]
+        return tuple(dict.fromkeys(pole_at(self._forms, patch, edge) for patch, edge in edges))
+
+    @question(Of.SURFACE, answered=Answered.JOINTS)
+    def joints(self) -> tuple[SurfaceJoint, ...]:
+        """How patches meet along knot lines and seams: kind, order of geometric continuity, angle of a crease.
+
+        >>> from exactspline import example_surface, inspect_surface
+        >>> {joint.order for joint in inspect_surface(example_surface("sphere")).joints}
+        {2}
+        """
+        return joints(self._forms, self.closed)
+
+    @Fact
+    def closed(self) -> tuple[Along, ...]:
+        """The parameters in which it is closed."""
+        return tuple(along for along in Along if closed_along(self.surface, along))
+
+    @Fact
+    def _zeros_of_curvature(self) -> tuple[ParabolicCurve, ...]:
+        """The zeros of K that are not on lines, those that are one across borders of patches together."""
+        pieces = [piece for one in self.patches for piece in one.pieces]
+        return chained(
+            pieces, self.surface.domain, self.closed, [box for one in self.patches for box in one.open_boxes]
+        )
 
     @property
     def kinds(self) -> tuple[PatchKind, ...]:
@@ -152,15 +293,14 @@ class SurfaceInspection:
         return all(one.minimal for one in self.patches)
 
     @property
-    def singular_points(self) -> tuple[Place, ...]:
-        """The single points without a tangent plane; one on a border of patches or on a seam once."""
-        places = [place for one in self.patches for place in one.singular.places]
-        return merged_places(places, self.surface.domain, self.closed)
-
-    @property
     def complete(self) -> bool:
         """Whether everything was decided."""
         return all(one.complete for one in self.patches)
+
+
+def _boxes(found: Iterable[tuple[Box, ...]]) -> tuple[Box, ...]:
+    """The boxes of all patches, each once."""
+    return tuple(dict.fromkeys(box for boxes in found for box in boxes))
 
 
 def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
@@ -171,34 +311,10 @@ def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
     >>> found = inspect_surface(example_surface("ellipsoid"))
     >>> [kind.value for kind in found.kinds], len(found.umbilics), found.complete
     (['elliptic'], 4, True)
-    >>> [(line.along.value, str(line.value)) for line in inspect_surface(example_surface("torus")).parabolic_lines]
-    [('u', '1'), ('u', '3')]
 
     Raises `ShapeError` for a surface that is not in space.
     """
-    surface = surface_of(surface)
-    forms = SurfaceForms(surface)
-    patches = tuple(_in_reach(forms, patch) for patch in forms.patches)
-    closed = tuple(along for along in Along if closed_along(surface, along))
-    poles = dict.fromkeys(pole_at(forms, one.patch, edge) for one in patches for edge in one.singular.edges)
-    lines = parabolic_lines(
-        surface,
-        [LinesOfPatch(one.patch, one.sides, one.parabolic_edges, one.parabolic_lines, one.flat) for one in patches],
-        closed,
-    )
-    pieces = [piece for one in patches for piece in one.pieces]
-    curves = chained(pieces, surface.domain, closed, [box for one in patches for box in one.open_boxes])
-    return SurfaceInspection(
-        surface,
-        patches,
-        merged_umbilics([(one.sides, one.umbilics) for one in patches], surface.domain, closed),
-        lines,
-        tuple(curve for curve in curves if curve.shape is not Shape.POINT),
-        _single_points(surface, patches, lines, curves, closed),
-        tuple(poles),
-        joints(forms, closed),
-        closed,
-    )
+    return SurfaceInspection(surface_of(surface))
 
 
 def _single_points(
@@ -236,7 +352,8 @@ def _in_reach(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     except ReachError:
         sides = sides_of(forms.surface, patch)
         unknown = SingularPoints(undecided=(sides,))
-        return PatchInspection(patch, sides, PatchKind.UNDECIDED, False, None, None, unknown, UmbilicsOfPatch())
+        umbilics = UmbilicsOfPatch(undecided=(sides,))
+        return PatchInspection(patch, sides, PatchKind.UNDECIDED, False, None, None, unknown, umbilics)
 
 
 def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:

@@ -13,11 +13,13 @@ from exactspline.geometry.surface.borders import EDGES, Edge
 from exactspline.geometry.surface.forms import Patch, formula, lowest, on_patch, sides_of
 from exactspline.geometry.surface.merged import merged_places
 from exactspline.geometry.surface.places import Place
-from exactspline.geometry.surface.signs import Point, sign_on_patch
+from exactspline.geometry.surface.signs import Point, Sign, sign_on_patch
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.questions.answers import SurfacePart, SurfacePlaces
+from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
 from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
@@ -34,20 +36,83 @@ class MapKind(StrEnum):
     UNDECIDED = "undecided"
 
 
-@dataclass(frozen=True)
-class MapInspection:
-    """The sign of the Jacobian determinant of a planar map: its kind; parameters at which it is positive, negative,
-    zero; edges of patches along which it vanishes; boxes that are undecided.
+class MapInspection(Inspected):
+    """Everything that can be computed of the sign of the Jacobian determinant of a map of the plane. Its questions are
+    entries of the registry (`exactspline.geometry.registry`).
+
+    Raises `ShapeError` for a surface that is not in the plane.
     """
 
-    surface: NurbsSurface
-    kind: MapKind
-    positive: Point | None = None
-    negative: Point | None = None
-    #: Each with the patches from which the determinant vanishes there.
-    zeros: tuple[Place, ...] = ()
-    edges: tuple[tuple[Patch, Edge], ...] = ()
-    undecided: tuple[Box, ...] = ()
+    def __init__(self, surface: NurbsSurface) -> None:
+        super().__init__(surface)
+        if surface.dimension != 2:
+            raise ShapeError(f"the Jacobian of a map into R{surface.dimension}", remedy="it is defined for planar maps")
+        self.surface = surface
+
+    @Fact
+    def _found(self) -> _Found:
+        determinant, found = _determinant(self.surface), _Found()
+        rows, columns = self.surface.patches
+        for patch in product(range(rows), range(columns)):
+            _add_patch(found, determinant, patch, sides_of(self.surface, patch), self.surface.domain)
+        return found
+
+    @question(Of.PLANAR_MAP, answered=Answered.VALUE)
+    def kind(self) -> MapKind:
+        """What is proved of the sign of the Jacobian determinant on the whole closed rectangle.
+
+        >>> from exactspline import example_surface, jacobian_sign
+        >>> jacobian_sign(example_surface("planar_map")).kind.value
+        'orientation kept: det > 0'
+        """
+        return self._found.kind
+
+    @question(Of.PLANAR_MAP, answered=Answered.POINT)
+    def positive(self) -> Point | None:
+        """A point at which the Jacobian determinant is positive, where one is found.
+
+        >>> from exactspline import example_surface, jacobian_sign
+        >>> jacobian_sign(example_surface("planar_map")).positive is not None
+        True
+        """
+        return self._found.positive
+
+    @question(Of.PLANAR_MAP, answered=Answered.POINT)
+    def negative(self) -> Point | None:
+        """A point at which the Jacobian determinant is negative, where one is found.
+
+        >>> from exactspline import example_surface, jacobian_sign
+        >>> jacobian_sign(example_surface("planar_map")).negative is None
+        True
+        """
+        return self._found.negative
+
+    @question(Of.PLANAR_MAP)
+    def zeros(self) -> SurfacePlaces[Place]:
+        """The points at which the Jacobian determinant is zero.
+
+        Each with the patches from which it vanishes there; everywhere on patches and their edges on which it vanishes.
+        Not looked for, and undecided, inside of patches on which it has both signs.
+
+        >>> from exactspline import example_surface, jacobian_sign
+        >>> jacobian_sign(example_surface("planar_map")).zeros
+        nowhere
+        """
+        found = self._found
+        everywhere = [SurfacePart(patch, sides_of(self.surface, patch)) for patch in found.degenerate]
+        everywhere += [SurfacePart(patch, edge.box(sides_of(self.surface, patch))) for patch, edge in found.edges]
+        places = merged_places(found.zeros, self.surface.domain, ())
+        return SurfacePlaces(places, tuple(everywhere), (*found.mixed, *found.undecided))
+
+    @property
+    def edges(self) -> tuple[tuple[Patch, Edge], ...]:
+        """The edges of patches along which it vanishes."""
+        return tuple(self._found.edges)
+
+    @property
+    def undecided(self) -> tuple[Box, ...]:
+        """The boxes of parameters in which its sign is not decided."""
+        return tuple(self._found.undecided)
 
     @property
     def regular(self) -> bool:
@@ -72,23 +137,7 @@ def jacobian_sign(surface: NurbsSurface) -> MapInspection:
 
     Raises `ShapeError` for a surface that is not in the plane.
     """
-    surface = surface_of(surface)
-    if surface.dimension != 2:
-        raise ShapeError(f"the Jacobian of a map into R{surface.dimension}", remedy="it is defined for planar maps")
-    determinant = _determinant(surface)
-    found = _Found()
-    rows, columns = surface.patches
-    for patch in product(range(rows), range(columns)):
-        _add_patch(found, determinant, patch, sides_of(surface, patch), surface.domain)
-    return MapInspection(
-        surface,
-        found.kind,
-        found.positive,
-        found.negative,
-        merged_places(found.zeros, surface.domain, ()),
-        tuple(found.edges),
-        tuple(found.undecided),
-    )
+    return MapInspection(surface_of(surface))
 
 
 @dataclass
@@ -97,10 +146,12 @@ class _Found:
 
     positive: Point | None = None
     negative: Point | None = None
-    degenerate: bool = False
+    degenerate: list[Patch] = field(default_factory=list)
     zeros: list[Place] = field(default_factory=list)
     edges: list[tuple[Patch, Edge]] = field(default_factory=list)
     undecided: list[Box] = field(default_factory=list)
+    #: The patches on which it has both signs.
+    mixed: list[Box] = field(default_factory=list)
 
     @property
     def kind(self) -> MapKind:
@@ -118,7 +169,7 @@ class _Found:
 def _add_patch(found: _Found, determinant: TensorSpline, patch: Patch, sides: Box, domain: Box) -> None:
     own = on_patch(determinant, patch)
     if own is None:
-        found.degenerate = True
+        found.degenerate.append(patch)
         return
     signs = sign_on_patch(own.form)
     if signs.positive:
@@ -127,6 +178,7 @@ def _add_patch(found: _Found, determinant: TensorSpline, patch: Patch, sides: Bo
         found.negative = found.negative or _inside(signs.negative, -1, own.whole, sides, domain)
     found.zeros += [Place((patch,), None, *sides.at(*point)) for point in signs.zeros]
     found.undecided += [sides.part(box) for box in signs.undecided]
+    found.mixed += [sides] * (signs.sign is Sign.BOTH)
     found.edges += [(patch, edge) for edge, times in zip(EDGES, own.borders, strict=True) if times]
 
 

@@ -1,0 +1,37 @@
+"""The registry of all questions: what can be asked of a curve, a surface, a map of the plane, a pair of curves. An
+entry stands where its exact answer is computed; this module only knows the classes that have them.
+"""
+
+from __future__ import annotations
+
+from exactspline.geometry.analysis import Analysis
+from exactspline.geometry.bisector.two_curves import CurveBisector
+from exactspline.geometry.surface.inspection import SurfaceInspection
+from exactspline.geometry.surface.planar_maps import MapInspection
+from exactspline.questions.entry import Entry, Of, questions_of
+
+#: The classes whose properties are questions.
+ASKED = (Analysis, SurfaceInspection, MapInspection, CurveBisector)
+#: The questions by the kind of object that they are asked of, and by their names.
+REGISTRY: dict[Of, dict[str, Entry]] = {
+    of: {name: entry for owner in ASKED for name, entry in questions_of(owner).items() if of in entry.about.of}
+    for of in Of
+}
+
+
+def terms_of_questions() -> dict[str, str]:
+    """What is asked, by the words for it; a question that is not asked of curves with its object, where another one has
+    its name.
+
+    >>> terms_of_questions()["umbilics"]
+    'the points with a tangent plane at which the two principal curvatures are equal'
+    >>> terms_of_questions()["singular points of a surface in space"]
+    'the points without a tangent plane'
+    """
+    found: dict[str, str] = {}
+    for of, entries in REGISTRY.items():
+        for name, entry in entries.items():
+            words = name.replace("_", " ")
+            taken = found.get(words, entry.meaning) != entry.meaning
+            found[f"{words} of a {of}" if taken else words] = entry.meaning
+    return found
