@@ -240,7 +240,7 @@ def darboux_vector(c):
 
 
 @formula("definition of a developable", on="space")
-def rectifying_development(c):
+def darboux_development(c):
     """``[γ′ G G′]`` with the Darboux vector for G."""
     return development(ruled(c.gamma, darboux_vector(c)))
 
