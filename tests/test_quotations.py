@@ -1,23 +1,14 @@
 """The words on which claims rest stand in the paper, on the page that is named."""
 
 import re
-from pathlib import Path
 
 import pytest
 
 from exactspline.verification.claims import all_claims
+from reading.cutter import squeezed
+from reading.readings import TEXT, table
 
-TEXT = Path(__file__).resolve().parents[2] / "shared" / "paper-raw.txt"
-HEADER = "April 2, 2007 21:19 WSPC/INSTRUCTION FILE ws-ijsm"
-ALIKE = {"″": "′′", "‴": "′′′", "’": "'", "²": "2", "³": "3", "⁴": "4"}
 PRINTED = [claim for claim in all_claims() if claim.status == "printed"]
-
-
-def squeezed(words):
-    """Without spaces and hyphens (lines are broken anywhere), and bold letters once: the text has each three times."""
-    for theirs, ours in ALIKE.items():
-        words = words.replace(theirs, ours)
-    return re.sub(r"([^\W\d_]′*)\1\1", r"\1", re.sub(r"[\s\-]", "", words))
 
 
 def test_squeezing_keeps_what_distinguishes():
@@ -27,7 +18,7 @@ def test_squeezing_keeps_what_distinguishes():
 
 @pytest.mark.skipif(not TEXT.exists(), reason="the text of the paper is not part of the repository")
 def test_every_quotation_stands_on_its_page():
-    pages = [squeezed(page) for page in TEXT.read_text(encoding="utf-8").split(HEADER)]
+    pages = [squeezed(page) for page in TEXT.read_text(encoding="utf-8").split(table()["cut"]["header"])]
     quoted = [claim for claim in all_claims() if claim.words]
     assert len(quoted) > 200
     wrong = []

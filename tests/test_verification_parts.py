@@ -282,7 +282,7 @@ def test_the_sides_of_a_claim_are_ranked_by_their_degrees(one):
         assert set(roles[1:-1]) <= {"formula"}
         assert told[0].degrees != told[-1].degrees
     else:
-        assert set(roles) == {"formula"}
+        assert set(roles) <= {"formula"}
 
 
 # ---- errors in print

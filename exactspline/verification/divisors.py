@@ -32,7 +32,7 @@ def divisors(claim: Claim) -> tuple[str, ...]:
 
     >>> from exactspline.verification.claims import select
     >>> [divisors(claim) for claim in select(["T8", "C4.1a"])]
-    [('p₂',), ('p₂', 'w₁ p₂'), (), ()]
+    [('p₂',), ('p₂', 'w₁ p₂'), ('p₂',), (), ()]
     """
     formulas = [claim.find(name) for name in claim.named]
     found = dict.fromkeys(text for formula in formulas for n in claim.dimensions for text in _of(formula, n, claim))

@@ -74,7 +74,7 @@ def remarks(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
     """Misreadings: statements that also fail, in the same form, although no paper makes them.
 
     >>> [each.error for each in remarks()]
-    ['second-parameter']
+    ['replacement', 'second-parameter']
     """
     return _joined(Status.OURS, sources)
 

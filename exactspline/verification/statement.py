@@ -85,9 +85,11 @@ def statement(claim: Claim) -> Statement:
 
 def sides(claim: Claim) -> tuple[Side, ...]:
     """The formulas of a claim; where it compares some, the one of the highest degree is the naive side and that of the
-    lowest the reduced one.
+    lowest the reduced one. A claim that evaluates none has none.
     """
     names = dict.fromkeys(claim.named)
+    if not names:
+        return ()
     ranked = sorted(names, key=lambda name: -_size(name, claim))
     first, last = _size(ranked[0], claim), _size(ranked[-1], claim)
     roles = {ranked[0]: NAIVE, ranked[-1]: REDUCED} if first != last else {}

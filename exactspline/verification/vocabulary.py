@@ -181,3 +181,11 @@ def word(kind: type[E], value: object, what: str) -> E:
     Raises `ClaimError` with the words there are.
     """
     return choice(kind, value, what, raised=ClaimError)
+
+
+class ValueType(StrEnum):
+    """The three types of a piecewise function: a polynomial, a quotient of polynomials that is none, neither."""
+
+    POLYNOMIAL = "polynomial"
+    RATIONAL = "rational"
+    NOT_RATIONAL = "not rational"

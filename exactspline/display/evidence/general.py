@@ -16,6 +16,7 @@ FACTS = {
     Fact.NO_SIDE: "a side does not exist on all of this curve: 0/0",
     Fact.NOWHERE: "a side exists on no curve: 0/0",
     Fact.NO_FACTOR: "the factor does not exist on all of this curve: 1/0",
+    Fact.NO_VALUE: "it does not exist on all of this curve: 1/0",
     Fact.NO_COMMON_ZERO: "no zero in common",
     Fact.NO_JOINT: "one segment: nothing is joined",
     Fact.NOT_HERE: "does not exist here",
@@ -30,6 +31,7 @@ FACTS = {
     Fact.SQUARES_ONE_WITHOUT_ZERO: "a sum of squares, one without a zero",
     Fact.ONE_ZERO_SET: "one zero set",
     Fact.CURVE_OF_ZERO_ZETA: "the curve ζ = 0",
+    Fact.APPLIES: "it applies",
     Fact.NOT_PROPORTIONAL: "not proportional",
     Fact.NOT_IDENTICAL: "not identical",
     Fact.NOT_ZERO: "not zero",
@@ -58,10 +60,17 @@ FACTS = {
         "as a function of the point at s̄ it is singular where the points meet: it defines no object there"
     ),
     Fact.NO_COUNTEREXAMPLE: "no degrees are found for which it fails",
+    Fact.DENOMINATOR_DIVIDES_OUT: "its denominator divides out on every curve",
+    Fact.MADE_BY_ARITHMETIC: (
+        "it is made of the operands by + − × ÷ and derivatives: a quotient of polynomials on every curve"
+    ),
+    Fact.NO_CURVE_OF_THIS_TYPE: "no example curve shows of which type it is",
     Fact.LOWER_DEGREE_HERE: "the degree is lower on it, as it may be on special ones",
     Fact.HIGHER_CONTACT_HERE: "the contact is of a higher order on it, as it may be on special curves",
     Fact.TOO_FEW_DERIVATIVES: "its degree is lower than the order of a derivative",
     Fact.ZEROS_IN_TWO_PARAMETERS: "zeros in two parameters are not compared on one surface",
+    Fact.NO_COMMON_KNOTS: "the operands of Table 1 have no knots in common",
+    Fact.ROOT_IS_RATIONAL: "a root is itself rational on it",
     Fact.NOT_OF_THIS_JUDGE: "this judge does not decide claims of this kind",
     Fact.COQ_NOT_INSTALLED: "Coq is not installed",
     Fact.NOT_ACCEPTED: "not accepted",

@@ -65,7 +65,7 @@ def normal_by_curvature(c):
     return unit_normal(c) / curvature_in_space(c)
 
 
-@formula("Frenet equations", on="framed space")
+@formula("Frenet equations", on="framed")
 def unit_tangent_derivative(c):
     """``T′``."""
     return unit_tangent(c).d(1)

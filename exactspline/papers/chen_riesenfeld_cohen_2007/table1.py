@@ -104,3 +104,21 @@ def T16(t):
 def T17(t):
     """Derivative of a rational."""
     return (t.p1 / t.w1).d(1)
+
+
+@formula("Table 1, T1", on="table")
+def T1_minus(t):
+    """Difference of two polynomials."""
+    return t.p1 - t.p2
+
+
+@formula("Table 1, T4", on="table")
+def T4_minus(t):
+    """Difference of a rational and a polynomial."""
+    return t.p1 / t.w1 - t.p2
+
+
+@formula("Table 1, T5", on="table")
+def T5_minus(t):
+    """Difference of two rationals."""
+    return t.p1 / t.w1 - t.p2 / t.w2

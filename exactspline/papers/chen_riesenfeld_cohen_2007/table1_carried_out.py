@@ -1,13 +1,7 @@
-"""§2, Table 1, the column "carried out as": every row over one denominator."""
+"""§2, Table 1, the column "carried out as": every row as it is printed there."""
 
 from exactspline.language.formula import formula
-from exactspline.language.vector import cross, dot
-
-
-@formula("Table 1, T1", on="table")
-def T1_carried_out(t):
-    """Row T1 over one denominator."""
-    return t.p2 + t.p1
+from exactspline.language.vector import cross, dot, join
 
 
 @formula("Table 1, T4", on="table")
@@ -70,10 +64,29 @@ def T15_carried_out(t):
     return dot(t.v1, t.v2) / (t.w1 * t.w2)
 
 
+@formula("Table 1, T4", on="table")
+def T4_minus_carried_out(t):
+    """Row T4 with its lower sign."""
+    return (t.p1 - t.p2 * t.w1) / t.w1
+
+
+@formula("Table 1, T5", on="table")
+def T5_minus_carried_out(t):
+    """Row T5 with its lower sign."""
+    return (t.p1 * t.w2 - t.p2 * t.w1) / (t.w1 * t.w2)
+
+
 @formula("Table 1, T10", on="table")
 def T10_carried_out(t):
-    """Row T10 over one denominator."""
-    return -cross(t.v2, t.v1)
+    """Row T10: the component that is printed, and the two that follow in cyclic order."""
+    a, b = t.v1, t.v2
+    return join(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+@formula("Table 1, T11", on="table")
+def T11_carried_out(t):
+    """Row T11: the sum of the products of components."""
+    return t.v1[0] * t.v2[0] + t.v1[1] * t.v2[1] + t.v1[2] * t.v2[2]
 
 
 @formula("Table 1, T17", on="table")

@@ -85,6 +85,7 @@ from exactspline.verification.evidence.kinds import (
     ZeroForDegree,
     ZeroHere,
 )
+from exactspline.verification.evidence.types import OfType, SpeaksOf, SpeaksOfAnother, TypeHere, TypeOnExample
 
 __all__ = [
     "AnyOperands",
@@ -124,6 +125,7 @@ __all__ = [
     "NotBetter",
     "NotItsDefinition",
     "OddPowers",
+    "OfType",
     "On",
     "OnAllOf",
     "OnExample",
@@ -142,6 +144,8 @@ __all__ = [
     "Remainder",
     "Rulings",
     "Sides",
+    "SpeaksOf",
+    "SpeaksOfAnother",
     "SquareOnSegment",
     "Squares",
     "StatedFactor",
@@ -149,6 +153,8 @@ __all__ = [
     "SumOfSquares",
     "Theorem",
     "TooLong",
+    "TypeHere",
+    "TypeOnExample",
     "Undefined",
     "UndefinedAt",
     "UnderEvery",

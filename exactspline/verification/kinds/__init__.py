@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from exactspline.verification.claim import Claim
+from exactspline.verification.kinds.applies import Applies
 from exactspline.verification.kinds.coefficients import Coefficients
 from exactspline.verification.kinds.condition import Condition
 from exactspline.verification.kinds.contact import Contact
@@ -14,6 +15,7 @@ from exactspline.verification.kinds.invariance import Invariance
 from exactspline.verification.kinds.sign import SignClaim
 from exactspline.verification.kinds.square_class import SquareClass
 from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
+from exactspline.verification.kinds.value_type import TypeClaim
 from exactspline.verification.kinds.zero_set import ZeroSet
 
 #: The classes by their word in tables of claims.
@@ -34,11 +36,14 @@ KINDS: dict[str, type[Claim]] = {
         Contact,
         Invariance,
         SignClaim,
+        TypeClaim,
+        Applies,
     )
 }
 
 __all__ = [
     "KINDS",
+    "Applies",
     "Coefficients",
     "Condition",
     "Contact",
@@ -51,6 +56,7 @@ __all__ = [
     "SameSurface",
     "SignClaim",
     "SquareClass",
+    "TypeClaim",
     "Vanishing",
     "ZeroSet",
 ]

@@ -1,0 +1,240 @@
+"""§6: the terms of the determinants, the entries of the matrices, and the displays of §6.2 as they are printed."""
+
+from exactspline.language.formula import formula
+from exactspline.language.linear_system import cramer
+from exactspline.language.ruled import ruled
+from exactspline.language.vector import cross, dot, norm2
+from exactspline.papers.chen_riesenfeld_cohen_2007.bisector import (
+    bisector_determinant_polynomial,
+    middle_height,
+    middle_normal,
+    normal_height,
+    normal_height_polynomial,
+    point_bisector_determinant_polynomial,
+    point_bisector_directrix,
+    point_bisector_directrix_levelled,
+    point_bisector_directrix_polynomial,
+    point_bisector_directrix_printed,
+    point_bisector_generator,
+    point_bisector_generator_polynomial,
+    second_height,
+    second_normal,
+    through_point_height,
+)
+from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D1, velocity
+
+
+def _rows(c):
+    """The normals of (22) in the order of its rows."""
+    return velocity(c.first), second_normal(c), middle_normal(c)
+
+
+def _product(rows, columns):
+    """One term of a determinant: an entry of each row, from these columns."""
+    i, j, k = columns
+    return rows[0][i] * rows[1][j] * rows[2][k]
+
+
+@formula("eq. (23), D", on="pair")
+def determinant_term_1(c):
+    """The term of D from the columns 0, 1, 2."""
+    return _product(_rows(c), (0, 1, 2))
+
+
+@formula("eq. (23), D", on="pair")
+def determinant_term_2(c):
+    """The term of D from the columns 1, 2, 0."""
+    return _product(_rows(c), (1, 2, 0))
+
+
+@formula("eq. (23), D", on="pair")
+def determinant_term_3(c):
+    """The term of D from the columns 2, 0, 1."""
+    return _product(_rows(c), (2, 0, 1))
+
+
+@formula("eq. (23), D", on="pair")
+def determinant_term_4(c):
+    """The term of D from the columns 0, 2, 1."""
+    return _product(_rows(c), (0, 2, 1))
+
+
+@formula("eq. (23), D", on="pair")
+def determinant_term_5(c):
+    """The term of D from the columns 1, 0, 2."""
+    return _product(_rows(c), (1, 0, 2))
+
+
+@formula("eq. (23), D", on="pair")
+def determinant_term_6(c):
+    """The term of D from the columns 2, 1, 0."""
+    return _product(_rows(c), (2, 1, 0))
+
+
+@formula("eq. (23), D", on="pair")
+def determinant_of_six_terms(c):
+    """The sum of the six terms of D, with their signs."""
+    plus = determinant_term_1(c) + determinant_term_2(c) + determinant_term_3(c)
+    return plus - (determinant_term_4(c) + determinant_term_5(c) + determinant_term_6(c))
+
+
+@formula("eq. (25), D0", on="pair")
+def numerator_term_1(c):
+    """The term of D0 with the height of the first row, columns 1, 2 of the others."""
+    return normal_height(c.first) * second_normal(c)[1] * middle_normal(c)[2]
+
+
+@formula("eq. (25), D0", on="pair")
+def numerator_term_2(c):
+    """The term of D0 with the height of the first row, columns 2, 1 of the others."""
+    return normal_height(c.first) * second_normal(c)[2] * middle_normal(c)[1]
+
+
+@formula("eq. (25), D0", on="pair")
+def numerator_term_3(c):
+    """The term of D0 with the height of the second row, columns 1, 2 of the others."""
+    return velocity(c.first)[1] * second_height(c) * middle_normal(c)[2]
+
+
+@formula("eq. (25), D0", on="pair")
+def numerator_term_4(c):
+    """The term of D0 with the height of the second row, columns 2, 1 of the others."""
+    return velocity(c.first)[2] * second_height(c) * middle_normal(c)[1]
+
+
+@formula("eq. (25), D0", on="pair")
+def numerator_term_5(c):
+    """The term of D0 with the height of the third row, columns 1, 2 of the others."""
+    return velocity(c.first)[1] * second_normal(c)[2] * middle_height(c)
+
+
+@formula("eq. (25), D0", on="pair")
+def numerator_term_6(c):
+    """The term of D0 with the height of the third row, columns 2, 1 of the others."""
+    return velocity(c.first)[2] * second_normal(c)[1] * middle_height(c)
+
+
+@formula("eq. (25), D0", on="pair")
+def numerator_of_six_terms(c):
+    """The sum of the six terms of D0, with their signs."""
+    pairs = numerator_term_1(c) - numerator_term_2(c), numerator_term_4(c) - numerator_term_3(c)
+    return pairs[0] + pairs[1] + (numerator_term_5(c) - numerator_term_6(c))
+
+
+@formula("eq. (23), D0", on="pair")
+def numerator_first_component(c):
+    """D0 by Cramer's rule for (22)."""
+    first = velocity(c.first), normal_height(c.first)
+    second, middle = (second_normal(c), second_height(c)), (middle_normal(c), middle_height(c))
+    return cramer(first, second, middle)[0]
+
+
+@formula("§6.1, the first two terms of D0", on="pair")
+def numerator_pair_1(c):
+    """The two terms of D0 with the height of the first row."""
+    return numerator_term_1(c) - numerator_term_2(c)
+
+
+@formula("§6.1, two terms of D0", on="pair")
+def numerator_pair_2(c):
+    """The two terms of D0 with the height of the second row."""
+    return numerator_term_4(c) - numerator_term_3(c)
+
+
+@formula("§6.1, the last two terms of D0", on="pair")
+def numerator_pair_3(c):
+    """The two terms of D0 with the height of the third row."""
+    return numerator_term_5(c) - numerator_term_6(c)
+
+
+@formula("eq. (25), the denominators of its first row")
+def denominator_of_velocity(c):
+    """``w²``: the denominator of γ′."""
+    return c.w**2
+
+
+@formula("eq. (25), the denominators of its first row")
+def denominator_of_height(c):
+    """``w³``: the denominator of γ·γ′."""
+    return c.w**3
+
+
+@formula("§6.1, below eq. (29)", on="pair")
+def bisector_denominator(c):
+    """``Dw``: the denominator of the bisector by (27), (28)."""
+    return bisector_determinant_polynomial(c) * c.first.w
+
+
+@formula("§6.2, footnote c", on="point")
+def foot_second_order(c):
+    """``‖γ′‖² − (δ − γ)·γ″``: half of the second derivative of the squared distance of δ from γ at its foot; where it
+    is negative, the foot is farther from δ than the points of the curve beside it.
+    """
+    offset = point_bisector_directrix_polynomial(c) - c.gamma
+    return norm2(c.gamma.d(1)) - dot(offset, c.gamma.d(2))
+
+
+@formula("eq. (31)", on="point")
+def directrix_through_point_plane(c):
+    """``(δ − Q)·(γ′ × (γ − Q))``: zero when δ lies in the third plane."""
+    return dot(point_bisector_directrix(c) - c.point, point_bisector_generator(c))
+
+
+@formula("§6.2.1, the third plane", on="point")
+def point_in_third_plane(c):
+    """``Q·(γ′ × (γ − Q))`` less the height of the third row of (31): zero when its plane passes through Q."""
+    return dot(point_bisector_generator(c), c.point) - through_point_height(c)
+
+
+@formula("§6.2, footnote e", on="point")
+def point_bisector_by_numerator(c):
+    """The surface of (31) with the numerator of the generator in its place."""
+    return ruled(point_bisector_directrix_levelled(c), point_bisector_generator_polynomial(c))
+
+
+@formula("display below eq. (34)", on="point")
+def through_point_height_polynomial(c):
+    """``wQ·(D1 × (p − wQ))``."""
+    return dot(c.point * c.w, point_bisector_generator_polynomial(c))
+
+
+@formula("display below eq. (34)", on="point")
+def point_middle_normal_polynomial(c):
+    """``p − wQ``."""
+    return c.p - c.point * c.w
+
+
+@formula("eq. (34), as printed", on="point")
+def point_middle_height_printed(c):
+    """``½(‖p‖² − w‖Q‖²)``."""
+    return (norm2(c.p) - c.w * norm2(c.point)) / 2
+
+
+@formula("eq. (34), as printed", on="point")
+def directrix_numerators_printed(c):
+    """The numerators of Cramer's rule for (34)."""
+    rows = (
+        (D1(c), normal_height_polynomial(c)),
+        (point_bisector_generator_polynomial(c), through_point_height_polynomial(c)),
+        (point_middle_normal_polynomial(c), point_middle_height_printed(c)),
+    )
+    return cramer(rows[0], rows[1], rows[2])
+
+
+@formula("§6.2.1, below eq. (34)", on="point")
+def directrix_denominator(c):
+    """The determinant of (34) times w: the denominator of the directrix."""
+    return point_bisector_determinant_polynomial(c) * c.w
+
+
+@formula("eq. (34), as printed", on="point")
+def point_bisector_printed(c):
+    """The surface of (34) with the last height as it is printed."""
+    return ruled(point_bisector_directrix_printed(c), cross(D1(c), c.gamma - c.point))
+
+
+@formula("§6.2.2", on="point")
+def point_bisector_with_another_directrix(c):
+    """The surface with ``δ + xG`` for its directrix, x any function: here the first coordinate of p."""
+    generator = cross(D1(c), c.gamma - c.point)
+    return ruled(point_bisector_directrix_polynomial(c) + generator * c.p[0], generator)

@@ -1,0 +1,54 @@
+"""Claims that a formula can be asked for a kind of argument: what a citation of an equation says."""
+
+from __future__ import annotations
+
+from dataclasses import field
+from typing import ClassVar
+
+from exactspline.language.kinds import kind_of
+from exactspline.verification.claim import Claim, read
+from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import Fact, SpeaksOf, SpeaksOfAnother
+from exactspline.verification.verdict import PROVED, REFUTED, Finding
+from exactspline.verification.vocabulary import Name
+
+
+def any_formula(claim: Claim, name: str, value: str) -> str:
+    """The name of a formula of whatever argument."""
+    claim.find(value)
+    return str(value)
+
+
+@claim_kind
+class Applies(Claim):
+    """The equation of ``formula`` speaks of such arguments: whoever cites it for them can evaluate it. A determinant of
+    two vectors, say, is one of vectors in the plane.
+    """
+
+    kind: ClassVar[str] = "applies"
+    of_frames: ClassVar[bool] = True
+
+    formula: str = field(metadata=read(any_formula))
+
+    @property
+    def claims(self) -> str:
+        """It applies."""
+        return "it applies"
+
+    @property
+    def latex(self) -> str:
+        """The name and the kind of argument."""
+        return rf"{self.symbol(self.formula)} \;\text{{exists for arguments of the kind {self.curve}}}"
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """By the operands that the formula needs, and the dimension in which its products are defined."""
+        own, asked = self.find(self.formula).kind, kind_of(self.curve)
+        if asked.takes(own, dimension):
+            return Finding(PROVED, Fact.APPLIES)
+        witness = SpeaksOfAnother(Name(self.formula), Name(own.name), Name(asked.name))
+        return Finding(REFUTED, SpeaksOf(Name(own.name)), witness=witness)
+
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+        """The same for every curve."""
+        return self.prove()[1]
