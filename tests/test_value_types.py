@@ -55,7 +55,7 @@ def test_what_has_a_root_is_not_rational(key):
 def test_roots_that_cancel_leave_a_rational_function(key):
     assert verdict(key) == PROVED
     told = claim(key, claimed="not rational").prove()[1]
-    assert (told.verdict, told.computed) == (REFUTED, "rational")
+    assert (told.verdict, str(told.computed)) == (REFUTED, "rational")
 
 
 def test_a_denominator_that_divides_out_is_none():
@@ -93,7 +93,7 @@ def test_types_are_of_functions_of_curves():
 
 def test_an_equation_of_plane_curves_cannot_be_cited_for_space_curves():
     wrong = claim("C55a-signed_curvature").prove()[1]
-    assert (wrong.verdict, wrong.computed) == (REFUTED, "it speaks of 'framed plane'")
+    assert (wrong.verdict, str(wrong.computed)) == (REFUTED, "it speaks of 'framed plane'")
     assert verdict("C55a-curvature_in_space") == PROVED
     assert verdict("C55a-signed_curvature", curve="framed plane", assumes=()) == PROVED
     assert verdict("C55a-signed_curvature", formula="speed") == PROVED

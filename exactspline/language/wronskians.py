@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
+from functools import reduce
+from operator import add
 from typing import Any, Self, TypeVar, cast
 
 from exactspline.errors import FormulaError, as_integer
@@ -95,18 +97,18 @@ def logarithmic_numerator(*powers: tuple[R, int]) -> R:
     own: object = powers[0][0]
     if isinstance(own, OwnWronskians):
         return cast(R, own.logarithmic_numerator(cast(Any, powers)))
-    return cast(R, logarithmic_sum([(f, f.d(1), e) for f, e in powers]))
+    return logarithmic_sum([(f, f.d(1), e) for f, e in powers])
 
 
-def logarithmic_sum(parts: Sequence[tuple[Any, Any, int]]) -> Any:
+def logarithmic_sum(parts: Sequence[tuple[R, R, int]]) -> R:
     """``Σ e g Π (the other f)`` of triples (f, g, e)."""
-    total: Any = None
+    terms: list[Any] = []
     for k, (_, derivative, e) in enumerate(parts):
-        product = derivative
-        for j, (other, _, _) in enumerate(parts):
-            product = product * other if j != k else product
-        total = product * e if total is None else total + product * e
-    return total
+        product: Any = derivative
+        for other, _, _ in (*parts[:k], *parts[k + 1 :]):
+            product = product * other
+        terms.append(product * e)
+    return cast(R, reduce(add, terms))
 
 
 def _own(a: Vector[T]) -> OwnWronskians | None:
