@@ -1,0 +1,174 @@
+"""Every page that a reader is given, looked at in a browser; and that each look notices what it is there for.
+
+The pages of the site are looked at where it was built (`./run site`).
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.looking import CHECKS, CHROMIUM, Seen, broken_links, look, served, started
+
+ROOT = Path(__file__).parent.parent
+SITE = ROOT / "build" / "site" / "html"
+
+pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here")
+
+#: A good page, into which one defect at a time is put.
+GOOD = """<!doctype html><html lang="en"><meta name="viewport" content="width=device-width"><title>good</title>
+<style>:root{color-scheme:light dark}</style><p id="here">The curve costs 5 $, or <code>$HOME and $PATH</code>.
+<a href="#here">here</a><img alt="nothing" src="data:image/gif;base64,R0lGODlhAQABAAAAACwAAAAAAQABAAA=">%s</html>"""
+PICTURE = "data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='40' height='40'>%s</svg>"
+WHITE = PICTURE % "<rect width='40' height='40' fill='white'/>"
+#: What each look must notice, in several disguises.
+DEFECTS = {
+    "formulaErrors": [
+        '<span class="katex-error" title="double subscript">P_2_{[0]}</span>',
+        '<mjx-container><svg aria-hidden="true"><g data-mml-node="merror"></g></svg></mjx-container>',
+        '<mjx-container><svg aria-hidden="true"><g data-mml-node="mtext" fill="red"></g></svg></mjx-container>',
+    ],
+    "texAsText": [
+        "<table><td>$s = \\tfrac{1}{2}$</table>",
+        "<pre>$x$</pre>",
+        "<p>\\(x\\)",
+        "<p>\\frac{1}{2}",
+    ],
+    "machineReprs": [
+        "<pre>&lt;a.Analysis object at 0x7f00a1&gt;</pre>",
+        "<p>Proof(left='f1', right='f2')",
+        "<pre>&gt;&gt;&gt; proof\nProof(left='f1')</pre>",
+    ],
+    "tooWide": [
+        '<div style="overflow-x:auto"><div style="width:1700px">scrolled</div></div>',
+        '<div style="overflow:hidden"><div style="width:1700px">clipped</div></div>',
+        '<div style="width:300px"><table style="width:420px"><td>stands out</table></div>',
+        '<pre style="width:200px;overflow:auto">a line that is a good deal longer than its frame is wide</pre>',
+    ],
+    "horizontalScroll": ['<div style="width:1500px">wide</div>', '<div style="width:430px">wide on a telephone</div>'],
+    "poorContrast": [
+        '<p style="color:#999">pale by day',
+        '<p style="color:#555">dim by night',
+        '<p style="opacity:0.4">faded',
+        '<svg aria-label="a picture"><text y="20" fill="#bbb">pale</text></svg>',
+    ],
+    "smallText": [
+        '<p style="font-size:6px">a caption',
+        '<svg aria-label="a picture" viewBox="0 0 900 900" width="300" height="300" fill="currentColor">'
+        '<text y="90" font-size="18">a caption</text></svg>',
+    ],
+    "strangeGrounds": [f'<img alt="white by night" src="{WHITE}">'],
+    "withoutAlternative": [
+        f'<img src="{PICTURE}">',
+        f'<img alt="picture_1.png" src="{PICTURE}">',
+        '<svg><path d="M0 0h9"/></svg>',
+        "<canvas></canvas>",
+    ],
+    "links": ['<a href="#there">there</a>', '<a href="nowhere.html">nowhere</a>'],
+}
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    playwright = pytest.importorskip("playwright.sync_api")
+    with playwright.sync_playwright() as player, started(player) as found:
+        yield found
+
+
+def planted(folder: Path) -> dict[str, str]:
+    """The good page and the bad ones as files: the check that must notice each (none for the good one)."""
+    pages = {"good.html": ""}
+    (folder / "good.html").write_text(GOOD % "", encoding="utf-8")
+    for check, defects in DEFECTS.items():
+        for number, defect in enumerate(defects):
+            pages[f"{check}{number}.html"] = check
+            (folder / f"{check}{number}.html").write_text(GOOD % defect, encoding="utf-8")
+    return pages
+
+
+def test_every_look_notices_the_defect_it_is_there_for_and_no_other_does(browser, tmp_path):
+    pages = planted(tmp_path)
+    assert set(pages.values()) == {"", *CHECKS}
+    with served(tmp_path) as address:
+        seen = look(browser, address, pages)
+        seen.wrong["links"] = broken_links(seen, address, tmp_path)
+    # what is too wide for a telephone makes its window scroll, too
+    also = {page: {"tooWide"} for page in pages if page.startswith("horizontalScroll")}
+    also["tooWide2.html"] = {"horizontalScroll"}
+    noticed = {page: {name for name, told in seen.wrong.items() if page in told} - also.get(page, set()) for page in pages}
+    assert noticed == {page: {check} - {""} for page, check in pages.items()}
+
+
+# ---- the pages of the project
+
+
+def written(folder: Path) -> None:
+    """The pages that the commands write."""
+
+    def run(*arguments: str) -> str:
+        command = [sys.executable, "-m", "exactspline", *arguments, "--quiet"]
+        return subprocess.run(command, check=False, capture_output=True, text=True).stdout
+
+    folder.mkdir()
+    run("prove", "--section", "4", "--html", str(folder / "ledger.html"), "--report", str(folder / "report.html"))
+    for name, command in {
+        "triangle": ("triangle", "cubic_s", "--at", "1/3", "--html"),
+        "exercises": ("exercise", "all", "--html", "--solutions"),
+    }.items():
+        (folder / f"{name}.html").write_text(run(*command), encoding="utf-8")
+
+
+#: The pages that compute: what they keep of their first answer.
+ANSWERS = {
+    "curve": "degrees",
+    "reduce": "reduced",
+    "bisector": "pieces",
+    "de-boor": "product",
+    "surface": "surface",
+}
+
+
+def ready(tab: Any, page: str) -> None:
+    """Wait for the first answer of a page that computes, and open what is folded."""
+    name = Path(page).stem
+    if page.startswith("play/"):
+        tab.wait_for_selector("main")
+        if name in ANSWERS:
+            tab.wait_for_function(f"document.body.dataset.{ANSWERS[name]}")
+        if name == "claims":
+            tab.wait_for_selector("details")
+            tab.evaluate("document.querySelectorAll('details').forEach((each) => { each.open = true; })")
+            tab.wait_for_function("document.querySelectorAll('details:not(:has(.opened))').length === 0")
+    if page == "index.html":
+        tab.frame_locator("iframe").locator("body[data-degrees]").wait_for(state="attached")
+
+
+@pytest.fixture(scope="module")
+def seen(browser, tmp_path_factory) -> Seen:
+    if not (SITE / "index.html").exists():
+        pytest.skip("the site is not built: ./run site")
+    folder = tmp_path_factory.mktemp("pages") / "html"
+    folder.symlink_to(SITE)
+    commands = folder.parent / "commands"
+    written(commands)
+    root = folder.parent
+    pages = sorted(str(file.relative_to(root)) for file in commands.glob("*.html"))
+    with served(SITE) as address:
+        found = look(
+            browser, address, sorted(str(p.relative_to(SITE)) for p in SITE.rglob("*.html") if "vendor" not in p.parts), ready
+        )
+        found.wrong["links"] = broken_links(found, address, SITE, {"play/curve.html"})
+    with served(root) as address:
+        more = look(browser, address, pages)
+    for check, told in more.wrong.items():
+        found.wrong[check].update(told)
+    return found
+
+
+@pytest.mark.parametrize("check", CHECKS)
+def test_nothing_is_wrong_with_any_page(seen, check):
+    assert seen.wrong[check] == {}
