@@ -10,8 +10,8 @@ window.looking = (() => {
   };
   const isShown = (e) => e.checkVisibility({ opacityProperty: true, visibilityProperty: true });
 
-  // Copies of formulas for screen readers, one pixel wide: the formula itself stands next to them.
-  const SPOKEN = "mjx-assistive-mml, .katex-mathml";
+  // Read out, not shown: copies of formulas, one pixel wide, next to the formulas; words for icons.
+  const SPOKEN = "mjx-assistive-mml, .katex-mathml, .visually-hidden";
   // Programs are shown as they are typed, dollars and calls with named arguments included.
   const TYPED = "script, style, template, textarea, .cell_input, :not(pre) > code, dt.sig, .highlight .gp, .highlight-python:not(.notranslate)";
 

@@ -23,6 +23,8 @@ BY_COLOUR = ("poorContrast", "strangeGrounds")
 ONCE = ("formulaErrors", "texAsText", "machineReprs", "withoutAlternative")
 CHECKS = (*ONCE, *BY_WIDTH, *BY_COLOUR, "links")
 PATIENCE = 120_000
+#: What waits for a page (a tab, and the path of the page) and opens what is folded.
+Ready = Callable[[Any, str], None]
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -65,7 +67,7 @@ class Seen:
             del self.wrong[check][page]
 
 
-def look(browser: Any, address: str, pages: Iterable[str], ready: Callable[[Any, str], None] | None = None) -> Seen:
+def look(browser: Any, address: str, pages: Iterable[str], ready: Ready | None = None) -> Seen:
     """Visit each page once, wide and narrow, by day and by night; `ready` waits for what a page itself computes, and
     opens what is folded.
     """
@@ -111,7 +113,6 @@ def broken_links(seen: Seen, address: str, folder: Path, state: Iterable[str] = 
             path = unquote(urlsplit(whole).path).lstrip("/") or "index.html"
             if not (folder / path).exists():
                 broken.setdefault(page, []).append(f"no file: {path}")
-            elif fragment and path in seen.anchors and path not in state:
-                if unquote(fragment) not in seen.anchors[path] | {"top"}:
-                    broken.setdefault(page, []).append(f"no anchor: {path}#{fragment}")
+            elif fragment and path not in state and unquote(fragment) not in seen.anchors.get(path, {fragment}):
+                broken.setdefault(page, []).append(f"no anchor: {path}#{fragment}")
     return broken

@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.looking import CHECKS, CHROMIUM, Seen, broken_links, look, served, started
+
+from tests.looking import CHECKS, CHROMIUM, Ready, Seen, broken_links, look, served, started
 
 ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "site" / "html"
@@ -32,12 +33,7 @@ DEFECTS = {
         '<mjx-container><svg aria-hidden="true"><g data-mml-node="merror"></g></svg></mjx-container>',
         '<mjx-container><svg aria-hidden="true"><g data-mml-node="mtext" fill="red"></g></svg></mjx-container>',
     ],
-    "texAsText": [
-        "<table><td>$s = \\tfrac{1}{2}$</table>",
-        "<pre>$x$</pre>",
-        "<p>\\(x\\)",
-        "<p>\\frac{1}{2}",
-    ],
+    "texAsText": ["<table><td>$s = \\tfrac{1}{2}$</table>", "<pre>$x$</pre>", "<p>\\(x\\)", "<p>\\frac{1}{2}"],
     "machineReprs": [
         "<pre>&lt;a.Analysis object at 0x7f00a1&gt;</pre>",
         "<p>Proof(left='f1', right='f2')",
@@ -99,37 +95,38 @@ def test_every_look_notices_the_defect_it_is_there_for_and_no_other_does(browser
     # what is too wide for a telephone makes its window scroll, too
     also = {page: {"tooWide"} for page in pages if page.startswith("horizontalScroll")}
     also["tooWide2.html"] = {"horizontalScroll"}
-    noticed = {page: {name for name, told in seen.wrong.items() if page in told} - also.get(page, set()) for page in pages}
+    noticed = {page: {check for check in CHECKS if page in seen.wrong[check]} - also.get(page, set()) for page in pages}
     assert noticed == {page: {check} - {""} for page, check in pages.items()}
 
 
 # ---- the pages of the project
 
 
-def written(folder: Path) -> None:
+def write_by_commands(folder: Path) -> None:
     """The pages that the commands write."""
 
     def run(*arguments: str) -> str:
         command = [sys.executable, "-m", "exactspline", *arguments, "--quiet"]
-        return subprocess.run(command, check=False, capture_output=True, text=True).stdout
+        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
-    folder.mkdir()
-    run("prove", "--section", "4", "--html", str(folder / "ledger.html"), "--report", str(folder / "report.html"))
-    for name, command in {
-        "triangle": ("triangle", "cubic_s", "--at", "1/3", "--html"),
-        "exercises": ("exercise", "all", "--html", "--solutions"),
+    for name, chosen in {
+        "paper": ("--section", "4.2"),
+        "primer": ("--paper", "primer_on_bezier_curves", "--claim", "PB4"),
     }.items():
-        (folder / f"{name}.html").write_text(run(*command), encoding="utf-8")
+        pages = [f"{option}={folder / name}_{option.strip('-')}.html" for option in ("--html", "--report")]
+        run("prove", *chosen, "--curve", "cubic_s", *pages)
+    made = {
+        "triangle": run("triangle", "cubic_s", "--at", "1/3", "--html"),
+        "exercises": run("exercise", "all", "--html", "--solutions"),
+    }
+    for name, text in made.items():
+        (folder / f"{name}.html").write_text(text, encoding="utf-8")
 
 
+#: Pages whose fragment is what they show (a curve), not an anchor.
+STATEFUL = ("play/curve.html",)
 #: The pages that compute: what they keep of their first answer.
-ANSWERS = {
-    "curve": "degrees",
-    "reduce": "reduced",
-    "bisector": "pieces",
-    "de-boor": "product",
-    "surface": "surface",
-}
+ANSWERS = {"curve": "degrees", "reduce": "reduced", "bisector": "pieces", "de-boor": "product", "surface": "surface"}
 
 
 def ready(tab: Any, page: str) -> None:
@@ -149,26 +146,44 @@ def ready(tab: Any, page: str) -> None:
 
 @pytest.fixture(scope="module")
 def seen(browser, tmp_path_factory) -> Seen:
+    """The site and what the commands write, looked at once for all tests."""
     if not (SITE / "index.html").exists():
         pytest.skip("the site is not built: ./run site")
-    folder = tmp_path_factory.mktemp("pages") / "html"
-    folder.symlink_to(SITE)
-    commands = folder.parent / "commands"
-    written(commands)
-    root = folder.parent
-    pages = sorted(str(file.relative_to(root)) for file in commands.glob("*.html"))
-    with served(SITE) as address:
-        found = look(
-            browser, address, sorted(str(p.relative_to(SITE)) for p in SITE.rglob("*.html") if "vendor" not in p.parts), ready
-        )
-        found.wrong["links"] = broken_links(found, address, SITE, {"play/curve.html"})
-    with served(root) as address:
-        more = look(browser, address, pages)
-    for check, told in more.wrong.items():
+    commands = tmp_path_factory.mktemp("written")
+    write_by_commands(commands)
+    found = looked_at(browser, SITE, ready)
+    for check, told in looked_at(browser, commands).wrong.items():
         found.wrong[check].update(told)
+    return found
+
+
+def looked_at(browser: Any, folder: Path, prepare: Ready | None = None) -> Seen:
+    """All pages of a folder; those of other projects in it are theirs."""
+    pages = sorted(file.relative_to(folder).as_posix() for file in folder.rglob("*.html") if "vendor" not in file.parts)
+    with served(folder) as address:
+        found = look(browser, address, pages, prepare)
+        found.wrong["links"] = broken_links(found, address, folder, STATEFUL)
     return found
 
 
 @pytest.mark.parametrize("check", CHECKS)
 def test_nothing_is_wrong_with_any_page(seen, check):
     assert seen.wrong[check] == {}
+
+
+def test_every_formula_of_the_ledger_is_valid_tex(browser):
+    """The page of the ledger shows some of its formulas at a time: here are all."""
+    if not (SITE / "index.html").exists():
+        pytest.skip("the site is not built: ./run site")
+    with served(SITE) as address:
+        tab = browser.new_page()
+        tab.goto(f"{address}/play/claims.html")
+        assert tab.evaluate(INVALID, [{"latex": r"P_2_{[0]}", "sides": [], "quoted": []}]) == [r"P_2_{[0]}"]
+        assert tab.evaluate(f"fetch('data/claims.json').then((got) => got.json()).then({INVALID})") == []
+        tab.close()
+
+
+#: In a page with KaTeX: the formulas of claims that it refuses.
+INVALID = """(claims) => claims
+  .flatMap((c) => [c.latex, ...c.sides.map((s) => s.latex), ...c.quoted.filter((p) => p[0]).map((p) => p[1])])
+  .filter((latex) => { try { katex.renderToString(latex); return false; } catch { return true; } })"""

@@ -11,7 +11,7 @@ from typing import Any
 from sphinx.cmd.build import build_main
 
 from docs.site import benchmarks, page_data, pages
-from docs.site.vendor import vendor
+from docs.site.vendor import lay_out_mathjax, vendor
 
 HERE = Path(__file__).parent
 DOCS = HERE.parent
@@ -45,9 +45,9 @@ def main() -> int:
     for kind in ("js", "css"):
         shutil.copy(PROJECT / "exactspline" / "display" / "plot" / f"turning.{kind}", play / "js")
     vendor(PROJECT / ".site-cache", play / "vendor", PROJECT)
-    (source / "_static" / "mathjax").mkdir(parents=True)
-    shutil.move(play / "vendor" / "mathjax" / "tex-svg.js", source / "_static" / "mathjax")
-    shutil.rmtree(play / "vendor" / "mathjax")
+    lay_out_mathjax(play / "vendor", source / "_static" / "mathjax")
+    for name in ("pages.css", "pages.js"):
+        shutil.copy(HERE / name, source / "_static")
     claims = page_data.claims()
     page_data.write(play / "data", claims)
     _lay_out(source, claims)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from exactspline.display.plot.canvas import GREEN, ORANGE, SILVER, VERMILLION, legend_below, new_figure
@@ -29,8 +28,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.legend import Legend
 
-#: Characters of a caption per inch.
-DENSITY = 16
 #: A trimmed graph is shown up to so many times the median of its absolute values.
 TRIMMED = 8
 #: The forms that squaring and the direct approach solve, of the construction ``critical_curvature``.
@@ -46,10 +43,8 @@ class Drawn(NamedTuple):
 
 
 def captioned(figure: Figure, number: int, caption: str, scenes: tuple[Scene, ...] = ()) -> Drawn:
-    """The figure with its caption underneath."""
-    text = f"Fig. {number}. {caption}"
-    figure.supxlabel("\n".join(wrap(text, int(DENSITY * figure.get_figwidth()))), fontsize="small", x=0.02, ha="left")
-    return Drawn(figure, text, scenes)
+    """The figure and its caption, which is text of the page around it."""
+    return Drawn(figure, f"Fig. {number}. {caption}", scenes)
 
 
 def cost(value: BSpline | SplineVector) -> str:

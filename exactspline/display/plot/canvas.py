@@ -169,6 +169,30 @@ def shown_name(curve: Nurbs) -> str:
     return curve.name.replace("$", r"\$").lstrip("_") or "curve"
 
 
+def settle(figure: Figure) -> None:
+    """Lay out a figure with axes in space: only what was drawn once knows how much room they take."""
+    if any(ax.name == "3d" for ax in figure.axes):
+        figure.draw_without_rendering()
+
+
+def in_words(figure: Figure) -> str:
+    """What a figure shows, from its titles, the names of its axes and its legends.
+
+    >>> figure = new_figure()
+    >>> ax = figure.add_subplot(title="speed")
+    >>> draw(ax, [(mpq(0), mpq(0)), (mpq(1), mpq(1))], label="graph")
+    >>> in_words(figure)
+    'A plot: speed, showing graph.'
+    """
+    told = []
+    for ax in figure.axes:
+        title = " ".join(ax.get_title().split()).replace("$", "")
+        names = dict.fromkeys(name for name in ax.get_legend_handles_labels()[1] if not name.startswith("_"))
+        shown = f"showing {', '.join(names)}" if names else ""
+        told.append(", ".join(filter(None, (title, shown))) or "a picture without words")
+    return f"{'A plot' if len(told) == 1 else 'Plots'}: {'; '.join(told)}."
+
+
 def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
     """Write a figure, or the one that axes belong to, as SVG or PNG by the suffix of the path; the file is written
     whole or not at all.
@@ -182,9 +206,10 @@ def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
             "is neither SVG nor PNG", where=str(place), remedy=f"use a name that ends in {' or '.join(SUFFIXES)}"
         )
     figure: Any = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
-    metadata = {"Date": None} if suffix == ".svg" else {}
-    if any(ax.name == "3d" for ax in figure.axes):
-        figure.draw_without_rendering()  # only what was drawn once knows how much room its axes take
+    metadata = (
+        {"Date": None, "Description": in_words(figure)} if suffix == ".svg" else {"Description": in_words(figure)}
+    )
+    settle(figure)
     with library("matplotlib").rc_context({"svg.hashsalt": "exactspline"}):
         write_atomically(
             place, lambda stream: figure.savefig(stream, format=suffix[1:], dpi=150, metadata=metadata), PlotError
