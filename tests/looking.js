@@ -198,11 +198,15 @@ window.looking = (() => {
     return [...document.querySelectorAll("[id], a[name]")].map((e) => e.id || e.name);
   }
 
-  const settled = () => Promise.all([
-    window.MathJax?.startup?.promise,
-    document.fonts.ready,
-    ...[...document.images].map((image) => { image.loading = "eager"; return image.decode().catch(() => null); }),
-  ]);
+  const frame = () => new Promise((drawn) => requestAnimationFrame(drawn));
+  // What a page still does after it was opened, or after its window has another width.
+  async function settled() {
+    await frame().then(frame);
+    await document.fonts.ready;
+    await window.MathJax?.startup?.promise;
+    await Promise.all([...document.images].map((image) => { image.loading = "eager"; return image.decode().catch(() => null); }));
+    await frame().then(frame);
+  }
 
   return {
     settled, links, anchors,

@@ -87,6 +87,7 @@ def look(browser: Any, address: str, pages: Iterable[str], ready: Ready | None =
             for check, lines in _asked(tab, checks).items():
                 seen.note(check, page, lines, f"{scheme}: " if check in BY_COLOUR else "")
         tab.set_viewport_size({"width": NARROW, "height": HEIGHT})
+        tab.evaluate("looking.settled()")
         for check, lines in _asked(tab, BY_WIDTH).items():
             seen.note(check, page, lines, f"at {NARROW}: ")
         seen.links[page], seen.anchors[page] = tab.evaluate("[looking.links(), looking.anchors()]")

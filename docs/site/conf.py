@@ -55,8 +55,12 @@ exclude_patterns = ["_extra"]
 suppress_warnings = ["mystnb.unknown_mime_type"]
 
 
-def _tell(app, document):
-    """Give pictures of notebooks, which say in themselves what they show, that as their alternative text."""
+def _prepare(app, document):
+    """Give pictures of notebooks, which say in themselves what they show, that as their alternative text; and let
+    notebooks load MathJax, since formulas are in their tables, too.
+    """
+    if app.env.docname.startswith("notebooks/"):
+        app.env.domains["math"].data["has_equations"][app.env.docname] = True
     for picture in document.findall(nodes.image):
         file = Path(app.srcdir, picture["candidates"].get("*", picture["uri"]))
         if not picture.get("alt") and file.suffix == ".png":
@@ -66,4 +70,4 @@ def _tell(app, document):
 
 def setup(app):
     """Sphinx asks for this by its name."""
-    app.connect("doctree-read", _tell)
+    app.connect("doctree-read", _prepare)

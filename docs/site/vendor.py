@@ -16,7 +16,7 @@ NPM = (
     ("@mathjax/mathjax-newcm-font", "4.1.3", "package/svg/dynamic", "mathjax-font"),
 )
 #: What the written pages load of MathJax, and the signs beyond those that it brings along.
-MATHJAX = ("tex-svg.js", "a11y/assistive-mml.js")
+MATHJAX = ("tex-svg.js", "a11y/assistive-mml.js", "input/tex/extensions/boldsymbol.js")
 SIGNS = (
     "arrows",
     "calligraphic",
