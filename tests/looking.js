@@ -60,6 +60,27 @@ window.looking = (() => {
     return innermost.map((e) => `${e.scrollWidth} px in ${e.clientWidth}: ${named(e)}`);
   }
 
+  // In a column that is too narrow words are broken inside.
+  function brokenWords() {
+    const found = new Map();
+    const range = document.createRange();
+    for (const cell of document.querySelectorAll("td, th")) {
+      if (cell.clientWidth > 300 || !isShown(cell)) continue;
+      const walker = document.createTreeWalker(cell, NodeFilter.SHOW_TEXT);
+      while (walker.nextNode()) {
+        const node = walker.currentNode;
+        if (node.parentElement.closest(SPOKEN)) continue;
+        for (const word of node.data.matchAll(/[\p{L}\p{N}]{2,12}/gu)) {
+          range.setStart(node, word.index);
+          range.setEnd(node, word.index + word[0].length);
+          const lines = new Set([...range.getClientRects()].map((box) => Math.round(box.top)));
+          if (lines.size > 1) found.set(word[0], `${word[0]} in ${cell.clientWidth} px: ${named(cell)}`);
+        }
+      }
+    }
+    return [...found.values()];
+  }
+
   function horizontalScroll() {
     const { scrollWidth, clientWidth } = document.documentElement;
     return scrollWidth > clientWidth ? [`${scrollWidth} px in a window of ${clientWidth}`] : [];
@@ -210,6 +231,6 @@ window.looking = (() => {
 
   return {
     settled, links, anchors,
-    checks: { formulaErrors, texAsText, machineReprs, tooWide, horizontalScroll, poorContrast, smallText, strangeGrounds, withoutAlternative },
+    checks: { formulaErrors, texAsText, machineReprs, tooWide, brokenWords, horizontalScroll, poorContrast, smallText, strangeGrounds, withoutAlternative },
   };
 })();

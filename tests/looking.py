@@ -18,7 +18,7 @@ CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 SCRIPT = (Path(__file__).parent / "looking.js").read_text(encoding="utf-8")
 WIDE, NARROW, HEIGHT = 1280, 390, 900
 #: The checks that depend on the width of the window, and those that depend on the colours of the day.
-BY_WIDTH = ("tooWide", "horizontalScroll", "smallText")
+BY_WIDTH = ("tooWide", "brokenWords", "horizontalScroll", "smallText")
 BY_COLOUR = ("poorContrast", "strangeGrounds")
 ONCE = ("formulaErrors", "texAsText", "machineReprs", "withoutAlternative")
 CHECKS = (*ONCE, *BY_WIDTH, *BY_COLOUR, "links")

@@ -45,6 +45,7 @@ DEFECTS = {
         '<div style="width:300px"><table style="width:420px"><td>stands out</table></div>',
         '<pre style="width:200px;overflow:auto">a line that is a good deal longer than its frame is wide</pre>',
     ],
+    "brokenWords": ['<table style="width:50px;table-layout:fixed;overflow-wrap:anywhere"><td>PROVED</table>'],
     "horizontalScroll": ['<div style="width:1500px">wide</div>', '<div style="width:430px">wide on a telephone</div>'],
     "poorContrast": [
         '<p style="color:#999">pale by day',

@@ -8,6 +8,17 @@ addEventListener("DOMContentLoaded", () => {
   }
 });
 
+// Words of more letters than this may be broken in a table.
+const LONGEST = 24;
+addEventListener("DOMContentLoaded", () => {
+  for (const cell of document.querySelectorAll("article td :not(script), article td")) {
+    for (const node of [...cell.childNodes].filter((each) => each.nodeType === Node.TEXT_NODE)) {
+      const parts = node.data.split(new RegExp(`(\\S{${LONGEST}})(?=\\S)`)).filter(Boolean);
+      if (parts.length > 1 && !node.data.includes("$")) node.replaceWith(...parts.flatMap((part, i) => (i ? [document.createElement("wbr"), part] : [part])));
+    }
+  }
+});
+
 // Formulas are broken into lines anew when the page has another width.
 let width = innerWidth;
 addEventListener("resize", () => {

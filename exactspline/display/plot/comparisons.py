@@ -86,7 +86,9 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
         panel.set_title(f"{title}: degree {f.degree}, {len(f.control_points)} control points")
         single, jumps = marked(roots)
         size = 7 + 3 * (len(panels) - 1 - i)
-        plot_features(curve, [*single, *jumps], ax, marker=marker, color=color, label=f"zeros of {title}", size=size)
+        places = [*single, *jumps]
+        label = f"{title} ({len(places)})"
+        plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
     for name, marker, size, color, of in _MARKED:
         if name in ("corners", "cusps"):
             places = of(analysis)
