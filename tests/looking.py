@@ -117,3 +117,29 @@ def broken_links(seen: Seen, address: str, folder: Path, state: Iterable[str] = 
             elif fragment and path not in state and unquote(fragment) not in seen.anchors.get(path, {fragment}):
                 broken.setdefault(page, []).append(f"no anchor: {path}#{fragment}")
     return broken
+
+
+#: The column of the written pages, in pixels, and the least height of letters there.
+COLUMN, LEAST_TEXT = 736, 9
+
+
+def unreadable(figure: Any) -> list[str]:
+    """What cannot be read in a figure that was drawn, shown in the column of a page: words that are cut at its edge or
+    too small, titles that run into each other.
+    """
+    width, height = figure.get_window_extent().size
+    scale = min(80 / 72, COLUMN / 72 / figure.get_figwidth())
+    found, titles = [], []
+    texts = [ax.title for ax in figure.axes] + [
+        text for ax in figure.axes if ax.get_legend() for text in ax.get_legend().get_texts()
+    ]
+    for text in (each for each in texts if each.get_visible() and each.get_text()):
+        box, said = text.get_window_extent(), text.get_text()
+        if box.x0 < -1 or box.y0 < -1 or box.x1 > width + 1 or box.y1 > height + 1:
+            found.append(f"cut: {said}")
+        if text.get_fontsize() * scale < LEAST_TEXT:
+            found.append(f"{text.get_fontsize() * scale:.1f} px high: {said}")
+        if text in [ax.title for ax in figure.axes]:
+            found += [f"over each other: {other}; {said}" for other, taken in titles if box.overlaps(taken)]
+            titles.append((said, box))
+    return found

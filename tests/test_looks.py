@@ -8,17 +8,20 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Iterator
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.looking import CHECKS, CHROMIUM, Ready, Seen, broken_links, look, served, started
+from exactspline.display.figures import FIGURES
+from exactspline.display.plot.canvas import new_figure, settle
+from tests.looking import CHECKS, CHROMIUM, Ready, Seen, broken_links, look, served, started, unreadable
 
 ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "site" / "html"
 
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here")
+in_a_browser = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here")
 
 #: A good page, into which one defect at a time is put.
 GOOD = """<!doctype html><html lang="en"><meta name="viewport" content="width=device-width"><title>good</title>
@@ -87,6 +90,7 @@ def planted(folder: Path) -> dict[str, str]:
     return pages
 
 
+@in_a_browser
 def test_every_look_notices_the_defect_it_is_there_for_and_no_other_does(browser, tmp_path):
     pages = planted(tmp_path)
     assert set(pages.values()) == {"", *CHECKS}
@@ -167,11 +171,13 @@ def looked_at(browser: Any, folder: Path, prepare: Ready | None = None) -> Seen:
     return found
 
 
+@in_a_browser
 @pytest.mark.parametrize("check", CHECKS)
 def test_nothing_is_wrong_with_any_page(seen, check):
     assert seen.wrong[check] == {}
 
 
+@in_a_browser
 def test_every_formula_of_the_ledger_is_valid_tex(browser):
     """The page of the ledger shows some of its formulas at a time: here are all."""
     if not (SITE / "index.html").exists():
@@ -188,3 +194,38 @@ def test_every_formula_of_the_ledger_is_valid_tex(browser):
 INVALID = """(claims) => claims
   .flatMap((c) => [c.latex, ...c.sides.map((s) => s.latex), ...c.quoted.filter((p) => p[0]).map((p) => p[1])])
   .filter((latex) => { try { katex.renderToString(latex); return false; } catch { return true; } })"""
+
+
+# ---- pictures
+
+
+def drawn(figure: Any) -> Any:
+    """The figure, laid out and drawn as it is for a page."""
+    settle(figure)
+    figure.savefig(BytesIO(), format="png", dpi=80)
+    return figure
+
+
+def test_what_cannot_be_read_in_a_picture_is_noticed():
+    good = new_figure(9.2, 4)
+    for place in (1, 2):
+        good.add_subplot(1, 2, place).set_title("a title")
+    assert unreadable(drawn(good)) == []
+    assert any("cut" in line for line in unreadable(drawn(titled(9.2, "a title of a graph that is long " * 5))))
+    assert any(
+        "over each other" in line for line in unreadable(drawn(titled(9.2, "a title of a graph that is long enough")))
+    )
+    assert any("px high" in line for line in unreadable(drawn(titled(18, "a title"))))
+
+
+def titled(width: float, title: str) -> Any:
+    """Three small graphs side by side with one title each."""
+    figure = new_figure(width, 4)
+    for place in (1, 2, 3):
+        figure.add_subplot(1, 3, place).set_title(title)
+    return figure
+
+
+@pytest.mark.parametrize("number", FIGURES)
+def test_the_words_in_the_figures_can_be_read(number):
+    assert unreadable(drawn(FIGURES[number]().figure)) == []

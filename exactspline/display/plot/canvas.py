@@ -35,6 +35,11 @@ SAMPLES, ALL_SAMPLES = 128, 8192
 #: Beyond this, and below its reciprocal, matplotlib fails.
 LARGEST = mpq(10) ** 100
 
+#: The width of a page in inches: in wider figures letters would be too small to be read there.
+PAGE = 9.2
+#: The room of an entry of a legend, in inches.
+ENTRY = 1.9
+
 SUFFIXES = (".svg", ".png")
 Point = tuple[mpq, ...]
 Run = list[Point]
@@ -104,13 +109,21 @@ def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: obje
 
 
 def legend_below(ax: Axes, columns: int = 3) -> None:
-    """A legend under the axes, where it hides nothing."""
+    """A legend under the axes, where it hides nothing; in as many columns as there is room for, at most."""
     handles, labels = ax.get_legend_handles_labels()
+    columns = min(columns, max(1, int(_width(ax) / ENTRY)))
     below = library("matplotlib.transforms").offset_copy(
         ax.transAxes, fig=ax.figure, y=-36 if ax.get_xlabel() else -20, units="points"
     )
     place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": below}
     ax.legend(handles, labels, ncols=columns, fontsize="small", frameon=False, **place)
+
+
+def _width(ax: Axes) -> float:
+    """The share of the width of the figure that axes have, in inches."""
+    place: Any = ax.get_subplotspec()
+    share = len(place.colspan) / place.get_gridspec().ncols if place else 1.0
+    return share * float(ax.figure.get_figwidth())
 
 
 def sampled(f: Callable[..., V], breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, V]]]:
