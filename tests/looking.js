@@ -70,7 +70,8 @@ window.looking = (() => {
       while (walker.nextNode()) {
         const node = walker.currentNode;
         if (node.parentElement.closest(SPOKEN)) continue;
-        for (const word of node.data.matchAll(/[\p{L}\p{N}]{2,12}/gu)) {
+        for (const word of node.data.matchAll(/\p{L}{2,}/gu)) {
+          if (word[0].length > 12) continue; // those are broken in books, too
           range.setStart(node, word.index);
           range.setEnd(node, word.index + word[0].length);
           const lines = new Set([...range.getClientRects()].map((box) => Math.round(box.top)));

@@ -61,7 +61,10 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     for file in (HERE / "conf.py", HERE / "icon.svg", *DOCS.glob("*.md")):
         shutil.copy(file, source)
     shutil.copytree(DOCS / "pictures", source / "pictures")
-    shutil.copytree(PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"))
+    # with new times: outputs of a notebook depend on the library, which Sphinx does not watch
+    shutil.copytree(
+        PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"), copy_function=shutil.copy
+    )
     for page in source.glob("*.md"):
         page.write_text(_linked(page.read_text(encoding="utf-8")), encoding="utf-8")
     notebooks = sorted(f"notebooks/{file.stem}" for file in (source / "notebooks").glob("*.ipynb"))

@@ -55,12 +55,8 @@ exclude_patterns = ["_extra"]
 suppress_warnings = ["mystnb.unknown_mime_type"]
 
 
-def _prepare(app, document):
-    """Give pictures of notebooks, which say in themselves what they show, that as their alternative text; and let
-    notebooks load MathJax, since formulas are in their tables, too.
-    """
-    if app.env.docname.startswith("notebooks/"):
-        app.env.domains["math"].data["has_equations"][app.env.docname] = True
+def _tell(app, document):
+    """Give pictures of notebooks, which say in themselves what they show, that as their alternative text."""
     for picture in document.findall(nodes.image):
         file = Path(app.srcdir, picture["candidates"].get("*", picture["uri"]))
         if not picture.get("alt") and file.suffix == ".png":
@@ -68,6 +64,12 @@ def _prepare(app, document):
                 picture["alt"] = opened.text["Description"]
 
 
+def _load_mathjax(app, page, template, context, document):
+    """Let notebooks load MathJax, whatever Sphinx itself finds: formulas are in their tables, too."""
+    context["has_maths_elements"] = context.get("has_maths_elements") or page.startswith("notebooks/")
+
+
 def setup(app):
     """Sphinx asks for this by its name."""
-    app.connect("doctree-read", _prepare)
+    app.connect("doctree-read", _tell)
+    app.connect("html-page-context", _load_mathjax, priority=100)  # before Sphinx decides

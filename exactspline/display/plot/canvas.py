@@ -123,7 +123,8 @@ def _width(ax: Axes) -> float:
     """The share of the width of the figure that axes have, in inches."""
     place: Any = ax.get_subplotspec()
     share = len(place.colspan) / place.get_gridspec().ncols if place else 1.0
-    return share * float(ax.figure.get_figwidth())
+    figure: Any = ax.figure
+    return share * float(figure.get_figwidth())
 
 
 def sampled(f: Callable[..., V], breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, V]]]:
