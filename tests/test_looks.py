@@ -211,11 +211,9 @@ def test_what_cannot_be_read_in_a_picture_is_noticed():
     for place in (1, 2):
         good.add_subplot(1, 2, place).set_title("a title")
     assert unreadable(drawn(good)) == []
-    assert any("cut" in line for line in unreadable(drawn(titled(9.2, "a title of a graph that is long " * 5))))
-    assert any(
-        "over each other" in line for line in unreadable(drawn(titled(9.2, "a title of a graph that is long enough")))
-    )
-    assert any("px high" in line for line in unreadable(drawn(titled(18, "a title"))))
+    bad = {"cut": (9.2, "a long title " * 9), "over each other": (9.2, "a long title " * 5), "px high": (18, "a title")}
+    for what, (width, title) in bad.items():
+        assert any(what in line for line in unreadable(drawn(titled(width, title))))
 
 
 def titled(width: float, title: str) -> Any:
