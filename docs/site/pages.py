@@ -13,9 +13,10 @@ from pathlib import Path
 from typing import Any
 
 import exactspline as xs
+from exactspline.display.evidence import worded
 from exactspline.display.figures import FIGURES, make
 from exactspline.display.glossary import glossary
-from exactspline.display.numbers import decimals
+from exactspline.display.numbers import Numbers, decimals
 from exactspline.display.quotations import parts
 from exactspline.display.sheet import in_markdown
 from exactspline.papers import papers
@@ -117,7 +118,11 @@ def write_errata(file: Path) -> None:
             for each in error.statements:
                 words = f" “{typeset(each.words)}”" if each.words else ""
                 lines.append(f"> **{plain(each.place)}**{words}")
-                told = {"Decided": each.statement, "Found": each.found, "Witness": decimals(each.witness)}
+                told = {
+                    "Decided": each.statement,
+                    "Found": worded(each.found),
+                    "Witness": worded(each.witness, Numbers()),
+                }
                 lines.append("\n".join(f"- {name}: {plain(text)}" for name, text in told.items() if text))
             holds = [f"- Instead: {plain(line)}" for line in error.truth]
             lines.append("\n".join([*holds, *(f"- Why: {plain(line)}" for line in error.why)]))

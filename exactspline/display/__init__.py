@@ -9,12 +9,11 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from exactspline.display.latex import latex
-from exactspline.display.quotations import quoted
 
 if TYPE_CHECKING:
     from exactspline.display.notebook import html, load_ipython_extension, short
 
-__all__ = ["html", "latex", "load_ipython_extension", "quoted", "short"]
+__all__ = ["html", "latex", "load_ipython_extension", "short"]
 
 
 if not TYPE_CHECKING:

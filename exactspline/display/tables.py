@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 
 from exactspline.display import console
 from exactspline.display.evidence import worded
 from exactspline.display.numbers import Numbers as Written
+from exactspline.display.quotations import quoted
 from exactspline.display.sheet import Sheet
 from exactspline.errors import as_items, counted, written
 from exactspline.geometry.inspection import compare_approaches
@@ -40,6 +41,8 @@ COLOURS = dict.fromkeys(Verdict, "#666666") | {
 LONGEST = 160
 #: The characters of a word that are not broken in HTML.
 LONGEST_WORD = 24
+#: The columns that hold words of a source.
+QUOTATIONS = ("words", "printed")
 
 
 class Grid(Displayed):
@@ -85,10 +88,15 @@ class Grid(Displayed):
         style = "text-align:left;padding:2px 10px 2px 0;vertical-align:top;overflow-wrap:break-word"
         head = "".join(f'<th style="{style}">{escape(c)}</th>' for c in self.columns)
         body = "".join(
-            "<tr>" + "".join(f'<td style="{style}">{_marked(cell)}</td>' for cell in row) + "</tr>" for row in self.rows
+            "<tr>" + "".join(f'<td style="{style}">{_marked(cell)}</td>' for cell in self._typeset(row)) + "</tr>"
+            for row in self.rows
         )
         title = f'<caption style="{style};caption-side:top"><b>{escape(self.title)}</b></caption>' if self.title else ""
         return f"<table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+    def _typeset(self, row: Sequence[str]) -> Iterator[str]:
+        """The cells, words of a source with their formulas between dollars."""
+        return (quoted(cell) if column in QUOTATIONS else cell for column, cell in zip(self.columns, row, strict=True))
 
 
 def _cell(value: object) -> str:
