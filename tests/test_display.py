@@ -51,7 +51,7 @@ class Balanced(HTMLParser):
         assert not self.open
 
     def handle_starttag(self, tag, attrs):
-        if tag != "br":
+        if tag not in ("br", "wbr"):
             self.open.append(tag)
 
     def handle_startendtag(self, tag, attrs):
@@ -88,7 +88,7 @@ def test_every_example_curve_shows_a_picture_and_its_facts(name):
     assert f"degree {curve.degree}" in text
     picture = ElementTree.fromstring(curve_picture(curve))
     colours = [line.get("stroke") for line in picture.iter("{http://www.w3.org/2000/svg}polyline")]
-    assert sum(colour in ("#000000", "#7A7A7A") for colour in colours) == curve.segments
+    assert sum(colour in ("currentColor", "#7A7A7A") for colour in colours) == curve.segments
 
 
 def test_the_picture_of_a_curve_has_equal_scales_and_stays_inside():
@@ -123,8 +123,8 @@ def test_roots_jumps_and_stretches_are_all_listed():
     across = zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0]), periodic=True)
     assert "&lt;ZeroInterval [3, 4] and [0, 1]&gt;" in across._repr_html_()
     golden = zeros(BSpline.bezier([-1, "-1/2", 1]))
-    assert latex(golden[0]).startswith(r"$\displaystyle s = 0.618")
-    assert latex(zeros(BSpline.bezier([-1, 1]))[0]) == r"$\displaystyle s = \tfrac{1}{2}$"
+    assert latex(golden[0]).startswith("$$s = 0.618")
+    assert latex(zeros(BSpline.bezier([-1, 1]))[0]) == r"$$s = \tfrac{1}{2}$$"
 
 
 def test_pieces_and_what_is_missing_are_told():
@@ -156,7 +156,7 @@ def test_claims_statements_rows_and_errata_show_themselves():
 def test_every_formula_is_latex(formula):
     printed = latex(formula)
     assert is_latex(printed)
-    symbol, equals, body = printed.strip("$").removeprefix(r"\displaystyle ").partition(" = ")
+    symbol, equals, body = printed.strip("$").partition(" = ")
     assert symbol != body
     assert equals or symbol == formula.symbol
 
@@ -164,8 +164,8 @@ def test_every_formula_is_latex(formula):
 def test_numbers_degrees_jets_and_vectors_are_latex():
     assert (fraction(mpq(-3, 4)), fraction(mpq(5))) == (r"-\tfrac{3}{4}", "5")
     d = DegreeReading().argument(CURVE, 2)
-    assert latex(find("f2")(d)) == r"$\displaystyle 3d - 3$"
-    assert latex(Degree.named("d1").max(Degree.named("d2"))) == r"$\displaystyle \max(d_2, d_1)$"
+    assert latex(find("f2")(d)) == "$$3d - 3$$"
+    assert latex(Degree.named("d1").max(Degree.named("d2"))) == r"$$\max(d_2, d_1)$$"
     assert is_latex(latex(find("f2")(JetReading(2).argument(CURVE, 2))))
     assert is_latex(latex(Vector(BSpline.bezier([0, "1/2"]), BSpline.bezier([1, 2]))))
     assert unicode_latex("2·w¹⁶·(‖D1‖²)⁻⁴") == r"2\,w^{16}\,(\|D_1\|^{2})^{-4}"

@@ -185,7 +185,7 @@ def test_a_notebook_shows_what_the_printers_write():
     curve.w._repr_pretty_(SimpleNamespace(text=told.append), False)
     assert "B-spline function" in curve.w._repr_html_()
     assert told == [repr(curve.w)]
-    assert xs.find("D1")._repr_latex_() == "$\\displaystyle D_1 = p'\\,w - p\\,w'$"
+    assert xs.find("D1")._repr_latex_() == "$$D_1 = p'\\,w - p\\,w'$$"
 
 
 def test_without_printers_a_notebook_shows_the_text(monkeypatch):

@@ -38,9 +38,34 @@ def links(book):
     return re.findall(r"\]\((\w+\.ipynb)\)", text(book, "markdown"))
 
 
+#: Run by a kernel before the notebook: notes what cannot be read in a picture that is shown.
+LOOK = """
+import sys
+
+sys.path.append({root!r})
+from matplotlib.figure import Figure
+from tests.looking import unreadable
+
+plain = Figure.savefig
+
+
+def savefig(figure, *given, **options):
+    plain(figure, *given, **options)
+    with open({file!r}, "a", encoding="utf-8") as noted:
+        noted.writelines(f"{{line}}\\n" for line in unreadable(figure))
+
+
+Figure.savefig = savefig
+"""
+
+
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda p: p.stem)
-def test_a_notebook_runs_from_a_fresh_kernel(path, tmp_path, monkeypatch):
+def test_a_notebook_runs_from_a_fresh_kernel_and_its_pictures_can_be_read(path, tmp_path, monkeypatch):
     monkeypatch.setenv("IPYTHONDIR", str(tmp_path / "ipython"))
+    startup, noted = tmp_path / "ipython" / "profile_default" / "startup", tmp_path / "unreadable"
+    startup.mkdir(parents=True)
+    code = LOOK.format(root=str(FOLDER.parent), file=str(noted))
+    (startup / "look.py").write_text(code, encoding="utf-8")
     monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path / "runtime"))
     book = read(path)
     nbclient.NotebookClient(
@@ -58,6 +83,8 @@ def test_a_notebook_runs_from_a_fresh_kernel(path, tmp_path, monkeypatch):
         o.text for cell in book.cells if cell.cell_type == "code" for o in cell.outputs if o.get("name") == "stderr"
     ]
     assert not noise
+    assert noted.exists() == ("image/png" in shown)
+    assert not noted.exists() or noted.read_text(encoding="utf-8") == ""
 
 
 def test_every_notebook_links_to_its_neighbours():

@@ -11,7 +11,7 @@ from typing import Any
 from sphinx.cmd.build import build_main
 
 from docs.site import benchmarks, page_data, pages
-from docs.site.vendor import vendor
+from docs.site.vendor import lay_out_mathjax, vendor
 
 HERE = Path(__file__).parent
 DOCS = HERE.parent
@@ -45,9 +45,9 @@ def main() -> int:
     for kind in ("js", "css"):
         shutil.copy(PROJECT / "exactspline" / "display" / "plot" / f"turning.{kind}", play / "js")
     vendor(PROJECT / ".site-cache", play / "vendor", PROJECT)
-    (source / "_static" / "mathjax").mkdir(parents=True)
-    shutil.move(play / "vendor" / "mathjax" / "tex-svg.js", source / "_static" / "mathjax")
-    shutil.rmtree(play / "vendor" / "mathjax")
+    lay_out_mathjax(play / "vendor", source / "_static" / "mathjax")
+    for name in ("pages.css", "pages.js"):
+        shutil.copy(HERE / name, source / "_static")
     claims = page_data.claims()
     page_data.write(play / "data", claims)
     _lay_out(source, claims)
@@ -61,7 +61,10 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     for file in (HERE / "conf.py", HERE / "icon.svg", *DOCS.glob("*.md")):
         shutil.copy(file, source)
     shutil.copytree(DOCS / "pictures", source / "pictures")
-    shutil.copytree(PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"))
+    # with new times: outputs of a notebook depend on the library, which Sphinx does not watch
+    shutil.copytree(
+        PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"), copy_function=shutil.copy
+    )
     for page in source.glob("*.md"):
         page.write_text(_linked(page.read_text(encoding="utf-8")), encoding="utf-8")
     notebooks = sorted(f"notebooks/{file.stem}" for file in (source / "notebooks").glob("*.ipynb"))

@@ -14,6 +14,7 @@ from exactspline.display.plot.canvas import Run, sampled
 from exactspline.display.plot.html import Scene, scenes_data
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
 from exactspline.display.plot.turning_surface import inspected_scene
+from exactspline.display.quotations import parts
 from exactspline.display.statement import statement_data
 from exactspline.papers import papers
 from exactspline.readings.degree import parse
@@ -123,6 +124,7 @@ def claims() -> list[dict[str, Any]]:
     for s in map(statement, claims_in(papers())):
         told = statement_data(s)
         told |= {"paper": s.claim.paper, "title": titles[s.claim.paper], "verdict": str(told["verdict"])}
+        told["quoted"] = parts(s.claim.words)
         told["curve"] = _address(_witness(s.finding.witness))
         made.append(told)
     return made

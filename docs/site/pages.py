@@ -7,15 +7,22 @@ import re
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import groupby
 from pathlib import Path
 from typing import Any
 
 import exactspline as xs
+from exactspline.display.evidence import worded
+from exactspline.display.figures import FIGURES, make
 from exactspline.display.glossary import glossary
-from exactspline.display.sheet import Sheet
+from exactspline.display.numbers import Numbers, decimals
+from exactspline.display.quotations import parts
+from exactspline.display.sheet import in_markdown
+from exactspline.papers import papers
+from exactspline.verification.errata import errata
 
+COLUMNS = ("claim", "the source's words", "as it is decided", "verdict", "what is true")
 #: What stands in the place of words that the source does not have.
 STATUS = {"ours": "goes beyond the source", "meant": "as the printed statement must read"}
 
@@ -84,36 +91,87 @@ def write_ledgers(folder: Path, claims: Iterable[dict[str, Any]]) -> list[str]:
             'degrees and witnesses of each claim: <a href="../play/claims.html">the ledger that is searched</a>.'
         )
         for place, group in groupby(told, lambda claim: claim["source"]):
-            sheet = Sheet("claim", "the source's words", "as it is decided", "verdict", "what is true")
+            rows = []
             for c in group:
-                words = f"“{c['words']}” ({c['place']})" if c["words"] else STATUS.get(c["status"], "–")
+                place_of_words = f" ({plain(c['place'])})" if c["place"] else ""
+                words = f"“{typeset(c['words'])}”{place_of_words}" if c["words"] else STATUS.get(c["status"], "–")
                 found = "" if c["computed"] == c["claimed"] else c["computed"] or c["witness"]
                 decided = f"{c['statement']}: {c['claimed']}" if c["kind"] in ("degree", "count") else c["statement"]
-                sheet.add_row(c["id"], words, decided, c["verdict"], found)
-            lines += [f"## {place}", sheet.markdown()]
+                rows.append([c["id"], words, plain(decided), c["verdict"], plain(decimals(found))])
+            lines += [f"## {place}", _table(COLUMNS, rows)]
         (folder / f"{name}.md").write_text("\n\n".join(lines) + "\n", encoding="utf-8")
     return [f"{folder.name}/{name}" for name in by_source]
 
 
 def write_errata(file: Path) -> None:
-    """What the sources say that is not so, in the words of the command."""
-    told = _run("errata", "--paper", "all", "--markdown")
-    file.write_text(f"# Errata\n\n{told}\n", encoding="utf-8")
+    """What the sources say that is not so: an error a section, from the words to what holds instead."""
+    lines = [
+        "# Errata",
+        "Every statement of a source that is refuted: its words, how they are decided, what was found, and what holds "
+        "instead. `exactspline errata` prints the same, and Python to check it.",
+    ]
+    for source in papers():
+        found = list(errata([source]))
+        lines += [f"## {plain(source.title)}"] if found else []
+        for error in found:
+            lines.append(f"### {plain(error.title)}")
+            for each in error.statements:
+                words = f" “{typeset(each.words)}”" if each.words else ""
+                lines.append(f"> **{plain(each.place)}**{words}")
+                told = {
+                    "Decided": each.statement,
+                    "Found": worded(each.found),
+                    "Witness": worded(each.witness, Numbers()),
+                }
+                lines.append("\n".join(f"- {name}: {plain(text)}" for name, text in told.items() if text))
+            holds = [f"- Instead: {plain(line)}" for line in error.truth]
+            lines.append("\n".join([*holds, *(f"- Why: {plain(line)}" for line in error.why)]))
+    file.write_text("\n\n".join(filter(None, lines)) + "\n", encoding="utf-8")
+
+
+def _table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """A table of Markdown from cells of Markdown."""
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in (columns, ["---"] * len(columns), *rows))
+
+
+def plain(text: str) -> str:
+    r"""A text in Markdown, where it means nothing but itself.
+
+    >>> plain("2*x*y < z_1 | $5")
+    '2\\*x\\*y &lt; z\\_1 \\| \\$5'
+    """
+    return in_markdown(re.sub(r"[\\*_$`]", r"\\\g<0>", text))
+
+
+def typeset(words: str) -> str:
+    r"""Words of a source in Markdown, their formulas between dollars.
+
+    >>> typeset(r"\kappa = |x|")
+    '$\\kappa = \\vert x\\vert $'
+    """
+    without_bars = ((f"${_without_bars(text)}$" if is_formula else plain(text)) for is_formula, text in parts(words))
+    return "".join(without_bars)
+
+
+def _without_bars(tex: str) -> str:
+    """A bar would end the cell of a table."""
+    return tex.replace(r"\|", r"\Vert ").replace("|", r"\vert ")
 
 
 def draw_gallery(folder: Path, page: Path) -> None:
-    """The figures, and the page that shows them."""
-    _run("figures", "--out", str(folder))
+    """The figures with their captions, and the page that shows them."""
+    folder.mkdir(parents=True, exist_ok=True)
+    made = {f"figure{number}": make(number, folder) for number in FIGURES}
     for name, command in DRAWN.items():
         _run(*command, "--plot", str(folder / f"{name}.svg"))
     lines = ["# Gallery", "What `exactspline figures`, `inspect --plot` and `bisector --plot` draw."]
-    pictures = [*sorted(folder.glob("figure?.svg")), *(folder / f"{name}.svg" for name in DRAWN)]
-    for picture in pictures:
-        title = picture.stem.replace("_", " ").replace("figure", "figure ").capitalize()
-        lines += [f"## {title}", f'<img src="gallery/{picture.name}" alt="{title}" style="max-width:100%">']
-        turning = picture.with_suffix(".html")
-        if turning.exists():
-            lines.append(f'<a href="gallery/{turning.name}">The same, to be turned</a>')
+    for name in (*made, *DRAWN):
+        title = name.replace("_", " ").replace("figure", "figure ").capitalize()
+        lines += [f"## {title}", f'<img src="gallery/{name}.svg" alt="{title}" style="max-width:100%">']
+        if name in made:
+            lines.append(plain(made[name].caption))
+        if (folder / f"{name}.html").exists():
+            lines.append(f'<a href="gallery/{name}.html">The same, to be turned</a>')
     page.write_text("\n\n".join(lines) + "\n", encoding="utf-8")
 
 

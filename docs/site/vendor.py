@@ -12,7 +12,22 @@ from pathlib import Path
 NPM = (
     ("pyodide", "314.0.7", "package", "pyodide"),
     ("katex", "0.16.22", "package/dist", "katex"),
-    ("mathjax", "3.2.2", "package/es5", "mathjax"),
+    ("mathjax", "4.1.3", "package", "mathjax"),
+    ("@mathjax/mathjax-newcm-font", "4.1.3", "package/svg/dynamic", "mathjax-font"),
+)
+#: What the written pages load of MathJax, and the signs beyond those that it brings along.
+MATHJAX = ("tex-svg.js", "a11y/assistive-mml.js", "input/tex/extensions/boldsymbol.js")
+SIGNS = (
+    "arrows",
+    "calligraphic",
+    "double-struck",
+    "fraktur",
+    "marrows",
+    "mshapes",
+    "script",
+    "shapes",
+    "symbols",
+    "variants",
 )
 #: The platform of that Pyodide, as pip names it.
 PLATFORM = ("--platform", "pyemscripten_2026_0_wasm32", "--python-version", "314", "--implementation", "cp")
@@ -27,7 +42,9 @@ def vendor(cache: Path, target: Path, project: Path) -> None:
     shutil.rmtree(target, ignore_errors=True)
     target.mkdir(parents=True)
     for name, version, inside, folder in NPM:
-        _from_npm(f"{name}-{version}.tgz", f"{name}@{version}", inside, cache, target / folder)
+        _from_npm(
+            f"{name.lstrip('@').replace('/', '-')}-{version}.tgz", f"{name}@{version}", inside, cache, target / folder
+        )
     for pattern in SUPERFLUOUS:
         for file in target.rglob(pattern):
             file.unlink()
@@ -41,6 +58,19 @@ def vendor(cache: Path, target: Path, project: Path) -> None:
     subprocess.run(["node", str(script), str(target / "pyodide"), str(target), str(target / "library.zip")], check=True)
     for file in target.glob("*.whl"):
         file.unlink()
+
+
+def lay_out_mathjax(vendored: Path, target: Path) -> None:
+    """What of MathJax is used, from where `vendor` put it into the folder of the written pages."""
+    for name in MATHJAX:
+        (target / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(vendored / "mathjax" / name, target / name)
+    signs = target / "font" / "svg" / "dynamic"
+    signs.mkdir(parents=True)
+    for name in SIGNS:
+        shutil.copy(vendored / "mathjax-font" / f"{name}.js", signs)
+    for folder in ("mathjax", "mathjax-font"):
+        shutil.rmtree(vendored / folder)
 
 
 def _from_npm(file: str, package: str, inside: str, cache: Path, target: Path) -> None:

@@ -36,14 +36,14 @@ def mathematics(x: object) -> str | None:
 
 
 def latex(x: object) -> str | None:
-    r"""LaTeX for a notebook, None for other objects.
+    r"""LaTeX for a notebook, None for other objects: on a line of its own, which may be broken where it is too long.
 
     >>> from exactspline.papers import find
     >>> latex(find("D1"))
-    "$\\displaystyle D_1 = p'\\,w - p\\,w'$"
+    "$$D_1 = p'\\,w - p\\,w'$$"
     """
     inner = mathematics(x)
-    return None if inner is None else rf"$\displaystyle {inner}$"
+    return None if inner is None else f"$${inner}$$"
 
 
 def fraction(x: mpq) -> str:

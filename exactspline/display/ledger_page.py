@@ -18,7 +18,9 @@ td{border-bottom:1px solid #eee;overflow-wrap:anywhere}
 .PROVED{color:#00694d}.VERIFIED{color:#0060a0}.REFUTED{color:#b34700}.UNDECIDED,.VACUOUS,.INAPPLICABLE{color:#666}
 .CONTRADICTION{color:#b00020}
 td:first-child{font-weight:600}form{display:flex;flex-wrap:wrap;gap:1rem;margin:1rem 0}label{display:flex;gap:.4rem}
-input,select{font:inherit}dt{font-weight:600}
+input,select{font:inherit;max-width:100%}dt{font-weight:600}
+@media(max-width:800px){thead{display:none}tr:not([hidden]),td{display:block}
+td{border:0;padding:.1rem 0}tr{border-bottom:1px solid #eee;padding:.4rem 0}}
 """
 _SCRIPT = """
 const form=document.querySelector("form"),rows=[...document.querySelectorAll("tbody tr")];

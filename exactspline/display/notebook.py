@@ -13,8 +13,10 @@ from exactspline.display.evidence import worded
 from exactspline.display.exercises import task_html
 from exactspline.display.latex import fraction, latex, mathematics
 from exactspline.display.numbers import Numbers, decimals
+from exactspline.display.plot.canvas import in_words, settle
+from exactspline.display.quotations import quoted
 from exactspline.display.svg import curve_picture, graph_picture
-from exactspline.display.tables import Grid, Verdicts
+from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import counted
 from exactspline.geometry.derived import Derived
 from exactspline.language.rational import Rational
@@ -46,13 +48,11 @@ def html(x: object) -> str | None:
 def facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
     """Lines of HTML beside a picture."""
     rows = "".join(
-        f'<tr><td style="text-align:left">{escape(name)}</td><td style="text-align:left">{value}</td></tr>'
+        f'<tr><td style="text-align:left">{escape(name)}</td><td style="text-align:left;width:100%">{value}</td></tr>'
         for name, value in lines
     )
-    return (
-        f"<div "
-        f'style="display:flex;gap:1em;align-items:center">{picture}<div><b>{escape(title)}</b><table>{rows}</table></div></div>'
-    )
+    told = f'<div style="flex:1;min-width:15em"><b>{escape(title)}</b><table>{rows}</table></div>'
+    return f'<div style="display:flex;flex-wrap:wrap;gap:1em;align-items:center">{picture}{told}</div>'
 
 
 def numbers(values: Iterable[mpq]) -> str:
@@ -162,8 +162,7 @@ def _piece(value: Any) -> str:
 
 def _side_lines(found: tuple[Side, ...]) -> list[tuple[str, str]]:
     return [
-        (side.role, f"$\\displaystyle {escape(side.latex)}$<br>{escape(side.source)}, degree {escape(side.degrees)}")
-        for side in found
+        (side.role, f"$${escape(side.latex)}$${escape(side.source)}, degree {escape(side.degrees)}") for side in found
     ]
 
 
@@ -175,24 +174,19 @@ def _(c: Claim) -> str:
 
 
 def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:
-    return [
-        ("statement", escape(c.statement)),
-        ("", f"$\\displaystyle {escape(statement_latex)}$"),
-        ("assumes", escape(c.assumed)),
-    ]
+    return [("statement", escape(c.statement)), ("", f"$${escape(statement_latex)}$$"), ("assumes", escape(c.assumed))]
 
 
 @html.register
 def _(e: Erratum) -> str:
     lines: list[tuple[str, str]] = []
     for each in e.statements:
-        words = f"“{each.words}” " if each.words else ""
         lines += [
-            (each.place, escape(words)),
+            (each.place, f"“{escape(quoted(each.words))}”" if each.words else ""),
             ("which says", escape(each.statement)),
             ("found", escape(worded(each.found))),
-            ("witness", escape(worded(each.witness, Numbers()))),
-            ("check", f"<code>{'<br>'.join(map(escape, each.check))}</code>"),
+            ("witness", breakable(worded(each.witness, Numbers()))),
+            ("check", f"<code>{'<br>'.join(map(breakable, each.check))}</code>"),
         ]
     lines += [("true", escape(line)) for line in e.truth] + [("why", escape(line)) for line in e.why]
     return facts(f"{e.id}: {e.title}", [line for line in lines if line[1]])
@@ -211,7 +205,7 @@ def _(s: Statement) -> str:
     lines = [
         *_claim_lines(c, s.latex),
         *_side_lines(s.sides),
-        *[(name, escape(value)) for name, value in found if value],
+        *[(name, breakable(value)) for name, value in found if value],
     ]
     return facts(f"{c.id}, {c.source}", lines)
 
@@ -259,8 +253,11 @@ def load_ipython_extension(shell: object) -> None:
     )
 
 
-def _png(figure_or_axes: Any) -> bytes:
+def _png(figure_or_axes: Any) -> tuple[bytes, dict[str, str]]:
+    """The picture with what it shows in words, for those who do not see it: beside it and in it."""
     figure = getattr(figure_or_axes, "figure", figure_or_axes)
     stream = BytesIO()
-    figure.savefig(stream, format="png", dpi=RESOLUTION)
-    return stream.getvalue()
+    settle(figure)
+    alt = in_words(figure)
+    figure.savefig(stream, format="png", dpi=RESOLUTION, metadata={"Description": alt})
+    return stream.getvalue(), {"alt": alt}

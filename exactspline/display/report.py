@@ -10,6 +10,7 @@ from importlib.metadata import PackageNotFoundError, version
 from exactspline.atomic_write import write_atomically
 from exactspline.display.glossary import explained
 from exactspline.display.ledger import HOLDS, WORDS, closing, found, witness
+from exactspline.display.quotations import parts
 from exactspline.papers import Paper
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
@@ -22,9 +23,11 @@ body{font:16px/1.5 Georgia,serif;margin:2rem auto;max-width:52rem;padding:0 1rem
 h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.2rem;margin-top:2.2rem;border-bottom:1px solid #bbb}
 article{margin:1.4rem 0;padding-left:1rem;border-left:.3rem solid #bbb}article h3{font-size:1rem;margin:0}
 article.PROVED,article.VERIFIED{border-color:#00694d}article.REFUTED{border-color:#b34700}
-dl{display:grid;grid-template-columns:max-content 1fr;gap:.1rem 1rem;margin:.3rem 0}dt{color:#555}dd{margin:0}
+dl{display:grid;grid-template-columns:fit-content(12rem) minmax(0,1fr);gap:.1rem 1rem;margin:.3rem 0}
+dt{color:#555}dt,dd,td{overflow-wrap:anywhere}dd{margin:0}
 code,.mono{font:13px/1.4 ui-monospace,monospace;overflow-wrap:anywhere}table{border-collapse:collapse}
 td,th{text-align:left;vertical-align:top;padding:.1rem 1.2rem .1rem 0}.verdict{font-weight:700}
+@media(max-width:600px){dl{grid-template-columns:minmax(0,1fr)}dd{margin:0 0 .4rem}}
 .PROVED .verdict,.VERIFIED .verdict{color:#00694d}.REFUTED .verdict{color:#b34700}
 """
 #: The packages on which a verdict relies besides this one.
@@ -82,7 +85,6 @@ def _claim(claim: Claim, rows: Iterable[Row]) -> str:
     general = next((row for row in own if not row.curve), None)
     verdict = general.verdict if general else ""
     told = [
-        ("printed", f"“{claim.words}”" if claim.words else ""),
         ("claimed", claim.claims),
         ("assumes", claim.assumed),
         ("recorded", "" if general is None or general.as_recorded else f"{claim.expected}: it differs"),
@@ -90,12 +92,20 @@ def _claim(claim: Claim, rows: Iterable[Row]) -> str:
     if general:
         told += [("found", found(general)), ("witness", witness(general)), ("reading", str(general.reading))]
         told.append(("rests on", ", ".join(general.finding.assumptions)))
-    cells = "".join(f"<dt>{what}</dt><dd>{escape(text)}</dd>" for what, text in told if text)
+    lines = [("printed", _printed(claim.words)), *[(what, escape(text)) for what, text in told]]
+    cells = "".join(f"<dt>{what}</dt><dd>{shown}</dd>" for what, shown in lines if shown)
     shown = f'<span class="verdict">{verdict or "on curves"}</span>'
     head = f"<h3>{escape(claim.id)} · {escape(claim.place or claim.source)} · {shown}</h3>"
     return (
         f'<article class="{verdict}">{head}<p>{escape(claim.statement)}</p><dl>{cells}</dl>{_on_curves(own)}</article>'
     )
+
+
+def _printed(words: str) -> str:
+    """The words of the source: formulas, which stand there in TeX, as they are typed there."""
+    if any(is_formula for is_formula, _ in parts(words)):
+        return f"“<code>{escape(words)}</code>”"
+    return f"“{escape(words)}”" if words else ""
 
 
 def _on_curves(rows: Iterable[Row]) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 
-from exactspline.display.plot.canvas import BLACK, BLUE, GREY, SILVER, Point, polygons
+from exactspline.display.plot.canvas import BLUE, GREY, SILVER, Point, polygons
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.sides import Side
 from exactspline.splines.bspline import BSpline
@@ -20,6 +20,8 @@ from exactspline.splines.nurbs import Nurbs
 WIDTH, HEIGHT, MARGIN, SAMPLES, LEAST = 240, 150, 8, 160, 6
 #: A graph this many times lower than its control polygon is shown without the polygon.
 POLYGON_ABOVE_GRAPH = 20
+#: The colour of the letters around the picture: dark on a light page, light on a dark one.
+INK = "currentColor"
 #: The projection of a point of space: coordinates of the picture by x, y, z.
 VIEW = ((mpq(4, 5), mpq(-3, 5), mpq(0)), (mpq(-1, 4), mpq(-1, 3), mpq(9, 10)))
 
@@ -35,7 +37,7 @@ def curve_picture(curve: Nurbs) -> str:
         return ""
     runs = [[_seen(curve(t, side)) for t, side in part] for part in _parameters(curve.breakpoints)]
     control = [_seen(p) if w else None for p, w in zip(curve.control_points, curve.weights, strict=True)]
-    return _svg(runs, polygons(curve.knots.knots, curve.degree, control), equal=True)
+    return _svg(runs, polygons(curve.knots.knots, curve.degree, control), "a curve and its control polygon", equal=True)
 
 
 def graph_picture(f: BSpline) -> str:
@@ -53,7 +55,8 @@ def graph_picture(f: BSpline) -> str:
         else []
     )
     a, b = f.domain
-    return _svg(runs, legs, equal=False, axis=[(a, mpq(0)), (b, mpq(0))])
+    shown = "the graph of a function and its control polygon" if legs else "the graph of a function"
+    return _svg(runs, legs, shown, equal=False, axis=[(a, mpq(0)), (b, mpq(0))])
 
 
 def _there(points: Iterable[Point | None]) -> Iterator[Point]:
@@ -72,7 +75,9 @@ def _seen(point: Sequence[mpq]) -> Point:
     return tuple(sum((c * x for c, x in zip(row, point, strict=True)), mpq(0)) for row in VIEW)
 
 
-def _svg(runs: list[list[Point]], legs: list[list[Point]], *, equal: bool, axis: Sequence[Point] = ()) -> str:
+def _svg(
+    runs: list[list[Point]], legs: list[list[Point]], shown: str, *, equal: bool, axis: Sequence[Point] = ()
+) -> str:
     columns = list(zip(*[p for run in (*runs, *legs, axis) for p in run], strict=True))
     low, high = [min(c) for c in columns], [max(c) for c in columns]
     sizes = [b - a or mpq(1) for a, b in zip(low, high, strict=True)]
@@ -88,11 +93,12 @@ def _svg(runs: list[list[Point]], legs: list[list[Point]], *, equal: bool, axis:
     for run in legs:
         parts.append(_line([at(p) for p in run], SILVER, "1"))
     for i, run in enumerate(runs):
-        parts.append(_line([at(p) for p, _ in groupby(run)], GREY if i % 2 else BLACK, "1.8"))
+        parts.append(_line([at(p) for p, _ in groupby(run)], GREY if i % 2 else INK, "1.8"))
     for x, y in (at(p) for run in legs for p in run):
         parts.append(f'<circle cx="{x}" cy="{y}" r="2" fill="{BLUE}"/>')
     size = f'width="{WIDTH}" height="{HEIGHT}" viewBox="0 0 {WIDTH} {HEIGHT}"'
-    return f'<svg xmlns="http://www.w3.org/2000/svg" {size} style="background:white">{"".join(parts)}</svg>'
+    told = f'role="img" aria-label="{shown}"'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" {size} {told} style="max-width:100%">{"".join(parts)}</svg>'
 
 
 def _line(points: Sequence[tuple[str, str]], color: str, width: str) -> str:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 
 from exactspline.display import console
 from exactspline.display.evidence import worded
 from exactspline.display.numbers import Numbers as Written
+from exactspline.display.quotations import quoted
 from exactspline.display.sheet import Sheet
 from exactspline.errors import as_items, counted, written
 from exactspline.geometry.inspection import compare_approaches
@@ -27,15 +29,20 @@ from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, VERIFIED
 from exactspline.verification.vocabulary import Status, Verdict
 
-#: Colours of verdicts that colour-blind readers can distinguish too (they are also given in words).
-COLOURS = dict.fromkeys(Verdict, "#7A7A7A") | {
-    PROVED: "#009E73",
-    VERIFIED: "#0072B2",
-    REFUTED: "#D55E00",
+#: Colours behind verdicts, dark enough for white letters on any page; colour-blind readers can distinguish them too
+#: (they are also given in words).
+COLOURS = dict.fromkeys(Verdict, "#666666") | {
+    PROVED: "#00694D",
+    VERIFIED: "#0060A0",
+    REFUTED: "#B34700",
     CONTRADICTION: "#B00020",
 }
 #: A remark in a table is cut when it has more characters.
 LONGEST = 160
+#: The characters of a word that are not broken in HTML.
+LONGEST_WORD = 24
+#: The columns that hold words of a source.
+QUOTATIONS = ("words", "printed")
 
 
 class Grid(Displayed):
@@ -81,19 +88,37 @@ class Grid(Displayed):
         style = "text-align:left;padding:2px 10px 2px 0;vertical-align:top;overflow-wrap:break-word"
         head = "".join(f'<th style="{style}">{escape(c)}</th>' for c in self.columns)
         body = "".join(
-            "<tr>" + "".join(f'<td style="{style}{_coloured(cell)}">{escape(cell)}</td>' for cell in row) + "</tr>"
+            "<tr>" + "".join(f'<td style="{style}">{_marked(cell)}</td>' for cell in self._typeset(row)) + "</tr>"
             for row in self.rows
         )
         title = f'<caption style="{style};caption-side:top"><b>{escape(self.title)}</b></caption>' if self.title else ""
         return f"<table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+    def _typeset(self, row: Sequence[str]) -> Iterator[str]:
+        """The cells, words of a source with their formulas between dollars."""
+        return (quoted(cell) if column in QUOTATIONS else cell for column, cell in zip(self.columns, row, strict=True))
 
 
 def _cell(value: object) -> str:
     return "" if value is None else written(value)
 
 
-def _coloured(cell: str) -> str:
-    return f";color:{COLOURS[Verdict(cell)]};font-weight:bold" if cell in COLOURS else ""
+def _marked(cell: str) -> str:
+    """The text of a cell, a verdict on its colour."""
+    if cell not in COLOURS:
+        return escape(cell) if "$" in cell else breakable(cell)
+    style = f"background:{COLOURS[Verdict(cell)]};color:white;padding:0 5px;border-radius:3px;white-space:nowrap"
+    return f'<b style="{style}">{cell}</b>'
+
+
+def breakable(text: str) -> str:
+    """A text as HTML, a word that is too long for a column broken where a line ends.
+
+    >>> breakable("a < b"), breakable("1234567890" * 3)
+    ('a &lt; b', '123456789012345678901234<wbr>567890')
+    """
+    parts = re.split(rf"(\S{{{LONGEST_WORD}}})(?=\S)", text)
+    return "".join(escape(part) + "<wbr>" * (i % 2) for i, part in enumerate(parts))
 
 
 class Verdicts(Grid):

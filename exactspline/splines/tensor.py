@@ -46,8 +46,8 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
     and j along t.
 
     >>> f = TensorSpline((1, 2), [0, 0, 1, 1], [0, 0, 0, 1, 1, 1], [[0, 0, 0], [0, 0, 4]])
-    >>> f("1/2", "1/2"), (f * f).degree, f.partial(0, 1)(1, "1/2")
-    (mpq(1,2), Degrees(s=2, t=4), mpq(4,1))
+    >>> f("1/2", "1/2"), tuple((f * f).degree), f.partial(0, 1)(1, "1/2")
+    (mpq(1,2), (2, 4), mpq(4,1))
 
     Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
     """
@@ -476,8 +476,8 @@ def surface_pair(first: Curve[BSpline], second: Curve[BSpline]) -> Pair[TensorSp
 
     >>> from exactspline.splines.examples import example
     >>> c = surface_pair(example("twisted_cubic"), example("rational_space_cubic"))
-    >>> (c.first.p[0] * c.second.w).degree
-    Degrees(s=3, t=3)
+    >>> tuple((c.first.p[0] * c.second.w).degree)
+    (3, 3)
     """
     for each in (first, second):
         as_instance(each, Curve, "a curve", 'give a Nurbs, such as exactspline.example("cusp")')

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from exactspline.errors import as_integer
+from exactspline.errors import as_integer, counted
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE
 from exactspline.language.parts import joined
@@ -15,7 +15,7 @@ from exactspline.splines.lowest_terms import control_point_count, true_degree_or
 from exactspline.splines.nurbs import Nurbs
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Measure:
     """The cost of one formula on one curve.
 
@@ -29,6 +29,10 @@ class Measure:
     true: int | None
     control_points: int
 
+    def __repr__(self) -> str:
+        degrees = f"degree {self.nominal}, here {self.represented}, true degree {self.true}"
+        return f"<Measure {self.formula}: {degrees}, {counted(self.control_points, 'control point')}>"
+
 
 def measure(formula: Formula, curve: Nurbs) -> Measure:
     """The degrees and the number of control points of a formula on a curve.
@@ -36,7 +40,7 @@ def measure(formula: Formula, curve: Nurbs) -> Measure:
     >>> from exactspline.splines.examples import example
     >>> from exactspline.papers import find
     >>> measure(find("f2"), example("ellipse"))
-    Measure(formula='f2', nominal=3d − 3, represented=3, true=0, control_points=16)
+    <Measure f2: degree 3d − 3, here 3, true degree 0, 16 control points>
     """
     formula, curve = expect_formula(formula), curve_of(curve)
     value = joined(formula(curve))

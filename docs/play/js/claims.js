@@ -9,14 +9,18 @@ const plain = (text) => text.toLowerCase();
 const haystacks = claims.map((c) => plain([c.id, c.source, c.statement, c.words, c.key, ...c.sides.map((s) => `${s.name} ${s.text}`)].join(" ")));
 const SHOWN = 60;
 
-function formula(latex, text) {
+function formula(latex) {
   const made = html("div", { class: "formula" });
-  try {
-    katex.render(latex, made, { throwOnError: true, displayMode: true });
-  } catch {
-    made.textContent = text;
-  }
+  katex.render(latex, made, { throwOnError: false });
   return made;
+}
+
+function quoted(parts) {
+  return parts.map(([isFormula, text]) => {
+    const made = html("span", {}, isFormula ? "" : text);
+    if (isFormula) katex.render(text, made, { throwOnError: false });
+    return made;
+  });
 }
 
 function row(name, ...content) {
@@ -24,12 +28,12 @@ function row(name, ...content) {
 }
 
 function opened(c) {
-  const sides = c.sides.map((s) => html("div", {}, html("p", {}, html("b", {}, `${s.role}: `), s.source, s.rational ? ` · degree ${s.rational}` : "", s.polynomial && s.polynomial !== s.rational ? ` (polynomial: ${s.polynomial})` : ""), formula(s.latex, s.text)));
+  const sides = c.sides.map((s) => html("div", {}, html("p", {}, html("b", {}, `${s.role}: `), s.source, s.rational ? ` · degree ${s.rational}` : "", s.polynomial && s.polynomial !== s.rational ? ` (polynomial: ${s.polynomial})` : ""), formula(`\\displaystyle ${s.latex}`)));
   return html(
     "div",
     { class: "opened" },
-    c.latex ? formula(c.latex, c.statement) : "",
-    row("words", c.words ? `“${c.words}”` : "", c.place ? ` (${c.place})` : ""),
+    c.latex ? formula(`\\displaystyle ${c.latex}`) : "",
+    c.words ? row("words", "“", ...quoted(c.quoted), "”", c.place ? ` (${c.place})` : "") : "",
     ...sides,
     row("assumes", c.assumes),
     row("found", c.computed === c.claimed ? "" : c.computed),

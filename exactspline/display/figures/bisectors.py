@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.display.figures.plane import Drawn, captioned
-from exactspline.display.plot.canvas import GREEN, VERMILLION, PlotError, Point, Run, new_figure, sampled
+from exactspline.display.plot.canvas import GREEN, PAGE, VERMILLION, PlotError, Point, Run, new_figure, sampled
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.frames import three_ticks
 from exactspline.display.plot.html import Scene
@@ -93,7 +93,7 @@ def _scene(shown: Shown, mesh: SurfaceMesh, title: str, *more: tuple[str, list[R
 
 
 def _compared(number: int, what: str, shown: Shown) -> Drawn:
-    figure, scenes, counts, frames = new_figure(13, 7.2), [], [], []
+    figure, scenes, counts, frames = new_figure(PAGE, 5.6), [], [], []
     for i, (surface, mesh) in enumerate(_surfaces(shown)):
         title = f"{TITLES[i]} (degree = {surface.degree})"
         frames.append(_frame(figure, i, shown, mesh, title, net=True))
@@ -117,7 +117,7 @@ def _minus(text: str) -> str:
 def figure_6() -> Drawn:
     """The planar bisector inside both surfaces of Figure 5."""
     plane = find("plane_bisector_polynomial")(example("ellipse").with_point(ELLIPSE.point[:2]))
-    figure, scenes, frames = new_figure(13, 7.2), [], []
+    figure, scenes, frames = new_figure(PAGE, 5.6), [], []
     for i, (surface, mesh) in enumerate(_surfaces(ELLIPSE)):
         iso_curve = surface.directrix
         if any(iso_curve[k] != plane[k] for k in range(2)) or not iso_curve[2].is_zero:

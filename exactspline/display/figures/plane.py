@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
-from exactspline.display.plot.canvas import GREEN, ORANGE, SILVER, VERMILLION, legend_below, new_figure
+from exactspline.display.plot.canvas import GREEN, ORANGE, PAGE, SILVER, VERMILLION, legend_below, new_figure
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.display.plot.html import Scene
@@ -29,8 +28,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.legend import Legend
 
-#: Characters of a caption per inch.
-DENSITY = 16
 #: A trimmed graph is shown up to so many times the median of its absolute values.
 TRIMMED = 8
 #: The forms that squaring and the direct approach solve, of the construction ``critical_curvature``.
@@ -46,10 +43,8 @@ class Drawn(NamedTuple):
 
 
 def captioned(figure: Figure, number: int, caption: str, scenes: tuple[Scene, ...] = ()) -> Drawn:
-    """The figure with its caption underneath."""
-    text = f"Fig. {number}. {caption}"
-    figure.supxlabel("\n".join(wrap(text, int(DENSITY * figure.get_figwidth()))), fontsize="small", x=0.02, ha="left")
-    return Drawn(figure, text, scenes)
+    """The figure and its caption, which is text of the page around it."""
+    return Drawn(figure, f"Fig. {number}. {caption}", scenes)
 
 
 def cost(value: BSpline | SplineVector) -> str:
@@ -140,7 +135,7 @@ def _graph(f: BSpline, zeros: Any, ax: Axes, title: str, polygon: str = SILVER, 
 def figure_2() -> Drawn:
     """Critical points of the curvature of a rational curve, by squaring and by eq. (11)."""
     curve = example("ellipse")
-    figure = new_figure(13, 6)
+    figure = new_figure(PAGE, 5)
     grid = figure.add_gridspec(1, 2)
     left, right = (figure.add_subplot(grid[i]) for i in range(2))
     squared, squared_zeros = zero_form(curve, "critical_curvature", SQUARING)
@@ -177,7 +172,7 @@ def figure_2() -> Drawn:
 def figure_3() -> Drawn:
     """The evolute of an ellipse, naive and reduced."""
     curve = example("ellipse")
-    figure = new_figure(13, 7)
+    figure = new_figure(PAGE, 5.6)
     made, costs = construction("evolute"), []
     for i, variant in enumerate(made.unlifted):
         value = made.on(curve, variant)

@@ -23,7 +23,7 @@ from exactspline.display.plot.canvas import (
     sampled,
 )
 from exactspline.display.plot.curves import plot_curve
-from exactspline.display.plot.frames import Box, box_around, grown, kept
+from exactspline.display.plot.frames import Box, box_around, clipped, grown, kept
 from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh, show_box
 from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
@@ -122,7 +122,7 @@ def lines_mesh(rulings: Sequence[Ruling | None], box: Box) -> SurfaceMesh:
     patches: list[list[list[Point | None]]] = [[]]
     before: Point | None = None
     for ruling in rulings:
-        run = None if ruling is None else _clipped(*_turned(ruling, before), box)
+        run = None if ruling is None else clipped(*_turned(ruling, before), box)
         if ruling is None or run is None:
             before = None
             patches.append([])
@@ -139,23 +139,6 @@ def _turned(ruling: Ruling, before: Point | None) -> Ruling:
     point, direction = ruling
     against = before is not None and sum(x * y for x, y in zip(before, direction, strict=True)) < 0
     return point, tuple(-x for x in direction) if against else direction
-
-
-def _clipped(point: Point, direction: Point, box: Box) -> tuple[Point, Point] | None:
-    """The two ends of the part of a line inside a box; None where it misses the box."""
-    low, high = None, None
-    for x, d, a, b in zip(point, direction, *box, strict=True):
-        if d == 0:
-            if not a <= x <= b:
-                return None
-            continue
-        first, last = sorted(((a - x) / mpq(d), (b - x) / mpq(d)))
-        low = first if low is None else max(low, first)
-        high = last if high is None else min(high, last)
-    if low is None or high is None or low >= high:
-        return None
-    ends = [tuple(x + z * d for x, d in zip(point, direction, strict=True)) for z in (low, high)]
-    return ends[0], ends[1]
 
 
 def _rulings(line: LineComponent) -> list[list[Ruling | None]]:
@@ -211,7 +194,7 @@ def _plot_pair(ax: Axes, pair: SinglePair, box: Box) -> None:
     if ruling is None:
         return
     if pair.solutions is Solutions.LINE:
-        ends = _clipped(*ruling, box)
+        ends = clipped(*ruling, box)
         if ends is not None:
             draw(ax, ends, color=VERMILLION, linewidth=1.2, label="line of a single pair", zorder=4)
         return

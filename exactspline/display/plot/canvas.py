@@ -35,6 +35,11 @@ SAMPLES, ALL_SAMPLES = 128, 8192
 #: Beyond this, and below its reciprocal, matplotlib fails.
 LARGEST = mpq(10) ** 100
 
+#: The width of a page in inches: in wider figures letters would be too small to be read there.
+PAGE = 9.2
+#: The room of an entry of a legend, in inches.
+ENTRY = 1.9
+
 SUFFIXES = (".svg", ".png")
 Point = tuple[mpq, ...]
 Run = list[Point]
@@ -104,13 +109,22 @@ def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: obje
 
 
 def legend_below(ax: Axes, columns: int = 3) -> None:
-    """A legend under the axes, where it hides nothing."""
+    """A legend under the axes, where it hides nothing; in as many columns as there is room for, at most."""
     handles, labels = ax.get_legend_handles_labels()
+    columns = min(columns, max(1, int(_width(ax) / ENTRY)))
     below = library("matplotlib.transforms").offset_copy(
         ax.transAxes, fig=ax.figure, y=-36 if ax.get_xlabel() else -20, units="points"
     )
     place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": below}
     ax.legend(handles, labels, ncols=columns, fontsize="small", frameon=False, **place)
+
+
+def _width(ax: Axes) -> float:
+    """The share of the width of the figure that axes have, in inches."""
+    place: Any = ax.get_subplotspec()
+    share = len(place.colspan) / place.get_gridspec().ncols if place else 1.0
+    figure: Any = ax.figure
+    return share * float(figure.get_figwidth())
 
 
 def sampled(f: Callable[..., V], breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, V]]]:
@@ -169,6 +183,30 @@ def shown_name(curve: Nurbs) -> str:
     return curve.name.replace("$", r"\$").lstrip("_") or "curve"
 
 
+def settle(figure: Figure) -> None:
+    """Lay out a figure with axes in space: only what was drawn once knows how much room they take."""
+    if any(ax.name == "3d" for ax in figure.axes):
+        figure.draw_without_rendering()
+
+
+def in_words(figure: Figure) -> str:
+    """What a figure shows, from its titles, the names of its axes and its legends.
+
+    >>> figure = new_figure()
+    >>> ax = figure.add_subplot(title="speed")
+    >>> draw(ax, [(mpq(0), mpq(0)), (mpq(1), mpq(1))], label="graph")
+    >>> in_words(figure)
+    'A plot: speed, showing graph.'
+    """
+    told = []
+    for ax in figure.axes:
+        title = " ".join(ax.get_title().split()).replace("$", "")
+        names = dict.fromkeys(name for name in ax.get_legend_handles_labels()[1] if not name.startswith("_"))
+        shown = f"showing {', '.join(names)}" if names else ""
+        told.append(", ".join(filter(None, (title, shown))) or "a picture without words")
+    return f"{'A plot' if len(told) == 1 else 'Plots'}: {'; '.join(told)}."
+
+
 def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
     """Write a figure, or the one that axes belong to, as SVG or PNG by the suffix of the path; the file is written
     whole or not at all.
@@ -182,9 +220,10 @@ def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
             "is neither SVG nor PNG", where=str(place), remedy=f"use a name that ends in {' or '.join(SUFFIXES)}"
         )
     figure: Any = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
-    metadata = {"Date": None} if suffix == ".svg" else {}
-    if any(ax.name == "3d" for ax in figure.axes):
-        figure.draw_without_rendering()  # only what was drawn once knows how much room its axes take
+    metadata = (
+        {"Date": None, "Description": in_words(figure)} if suffix == ".svg" else {"Description": in_words(figure)}
+    )
+    settle(figure)
     with library("matplotlib").rc_context({"svg.hashsalt": "exactspline"}):
         write_atomically(
             place, lambda stream: figure.savefig(stream, format=suffix[1:], dpi=150, metadata=metadata), PlotError

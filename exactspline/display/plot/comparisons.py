@@ -12,6 +12,7 @@ from exactspline.display.plot.canvas import (
     GREEN,
     MARKS,
     ORANGE,
+    PAGE,
     PURPLE,
     SKY,
     VERMILLION,
@@ -79,7 +80,7 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
     >>> [ax.get_title() for ax in inspect_figure(example("cubic_s"), [("zero curvature", f, zeros(f))]).axes]
     ['cubic_s: degree 3, 4 control points', 'zero curvature: degree 3, 4 control points']
     """
-    figure = new_figure(13, max(5.5, 3.4 * len(panels)))
+    figure = new_figure(PAGE, max(4.6, 3 * len(panels)))
     grid = figure.add_gridspec(max(1, len(panels)), 2 if panels else 1)
     ax = plot_curve(curve, figure.add_subplot(grid[:, 0], projection="3d" if curve.dimension == 3 else None))
     if evolute:
@@ -93,7 +94,9 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
         panel.set_title(f"{title}: degree {f.degree}, {len(f.control_points)} control points")
         single, jumps = marked(roots)
         size = 7 + 3 * (len(panels) - 1 - i)
-        plot_features(curve, [*single, *jumps], ax, marker=marker, color=color, label=f"zeros of {title}", size=size)
+        places = [*single, *jumps]
+        label = f"{title} ({len(places)})"
+        plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
     for name, marker, size, color in _MARKED[:2]:
         places = _places(curve, name)
         plot_features(curve, places, ax, marker=marker, color=color, label=f"{name} ({len(places)})", size=size)
@@ -111,7 +114,7 @@ def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
 
     Raises `PlotError` for a space curve among plane ones, otherwise as `plot_curve`.
     """
-    figure = new_figure(9, 8)
+    figure = new_figure(PAGE, 8)
     ax = figure.add_subplot(projection="3d" if curves[0].dimension == 3 else None)
     for curve in curves:
         plot_curve(curve, ax, control_polygon=False, label="_curve")

@@ -82,6 +82,29 @@ def kept(point: Point | None, box: Box) -> Point | None:
     return point if point is not None and inside(point, box) else None
 
 
+def clipped(
+    point: Point, direction: Point, box: Box, low: mpq | None = None, high: mpq | None = None
+) -> tuple[Point, Point] | None:
+    """The two ends of the part of a line inside a box, between two of its parameters where they are given; None where
+    there is none.
+
+    >>> clipped((mpq(-2), mpq(0)), (mpq(1), mpq(0)), ((mpq(-1), mpq(-1)), (mpq(1), mpq(1))))
+    ((mpq(-1,1), mpq(0,1)), (mpq(1,1), mpq(0,1)))
+    """
+    for x, d, a, b in zip(point, direction, *box, strict=True):
+        if d == 0:
+            if not a <= x <= b:
+                return None
+            continue
+        first, last = sorted(((a - x) / mpq(d), (b - x) / mpq(d)))
+        low = first if low is None else max(low, first)
+        high = last if high is None else min(high, last)
+    if low is None or high is None or low >= high:
+        return None
+    ends = [tuple(x + z * d for x, d in zip(point, direction, strict=True)) for z in (low, high)]
+    return ends[0], ends[1]
+
+
 def homogeneous(value: SplineVector) -> tuple[list[tuple[mpq, ...]], Sequence[mpq], int]:
     """Homogeneous control points ``(w x, …, w)`` of a vector or quotient over the knots that carry all components, the
     knots, and the degree.

@@ -8,7 +8,7 @@ from itertools import count, pairwise
 from typing import Any
 
 from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
-from exactspline.display.plot.frames import Box, homogeneous, kept, usual_box
+from exactspline.display.plot.frames import Box, clipped, homogeneous, kept, usual_box
 from exactspline.errors import ShapeError, as_items
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
@@ -140,17 +140,29 @@ def ruled_mesh(
         start, end = low, high
         if levels is not None:
             if values[5] == 0:
-                return [None] * ALONG
+                return [None, None]
             start, end = ((h - values[2]) / values[5] for h in levels)
-        steps = [start + (end - start) * mpq(k, ALONG - 1) for k in range(ALONG)]
-        return [tuple(d + z * g for d, g in zip(values[:3], values[3:], strict=True)) for z in steps]
+        return [tuple(d + z * g for d, g in zip(values[:3], values[3:], strict=True)) for z in (start, end)]
 
     poles = [] if denominator is None else [parameter(t, denominator.domain) for t in zeros(denominator)]
     patches = _sampled_rows(row, components[0].breakpoints, poles)
     if box is None:
-        box = usual_box([p for rows in patches for r in rows for p in (r[0], r[-1]) if p is not None], bool(poles))
+        box = usual_box([p for rows in patches for r in rows for p in r if p is not None], bool(poles))
     net, points, hidden = _net(surface.joined, (low, high), box)
-    return SurfaceMesh([[[kept(p, box) for p in r] for r in rows] for rows in patches], net, points, hidden)
+    return SurfaceMesh([[_along(ends, box) for ends in rows] for rows in patches], net, points, hidden)
+
+
+def _along(ends: Sequence[Point | None], box: Box) -> list[Point | None]:
+    """The points of a ruling between two ends, as far as it is in the box."""
+    first, last = ends
+    inside = None
+    if first is not None and last is not None:
+        direction = tuple(y - x for x, y in zip(first, last, strict=True))
+        inside = clipped(first, direction, box, mpq(0), mpq(1))
+    if inside is None:
+        return [None] * ALONG
+    steps = [mpq(k, ALONG - 1) for k in range(ALONG)]
+    return [tuple(x + z * (y - x) for x, y in zip(*inside, strict=True)) for z in steps]
 
 
 def _of_splines(value: Any) -> bool:

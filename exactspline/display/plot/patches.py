@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from exactspline.display.plot.canvas import BLACK, GREEN, GREY, VERMILLION, draw, library, new_figure
+from exactspline.display.plot.canvas import BLACK, GREEN, GREY, PAGE, VERMILLION, draw, library, new_figure
 from exactspline.display.plot.curvature_lines import Samples, lines_of_curvature
 from exactspline.display.plot.surfaces import shaded
 from exactspline.display.plot.visibility import Visibility
@@ -46,7 +46,7 @@ def surface_figure(found: SurfaceInspection) -> Figure:
     """
     remedy = "give what exactspline.inspect_surface returns"
     found = as_instance(found, SurfaceInspection, "an inspection of a surface", remedy)
-    figure = new_figure(11, 5.2)
+    figure = new_figure(PAGE, 5)
     grid = figure.add_gridspec(1, 2, width_ratios=(1.35, 1))
     space, plane = figure.add_subplot(grid[0], projection="3d"), figure.add_subplot(grid[1])
     samples = Samples.of(found.surface, GRID, LEAST)

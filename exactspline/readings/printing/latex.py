@@ -33,11 +33,11 @@ class LatexPrinter(Printer):
 
     def power(self, base: str, exponent: int) -> str:
         """A power."""
-        return rf"{base}^{{{exponent}}}"
+        return rf"{_raisable(base)}^{{{exponent}}}"
 
     def derivative(self, base: str, order: int) -> str:
         """Primes."""
-        return base + ("'" * order if order < 4 else rf"^{{({order})}}")
+        return _raisable(base) + ("'" * order if order < 4 else rf"^{{({order})}}")
 
     def partial(self, base: str, order: int, by: str) -> str:
         """``∂ₛᵏ a``."""
@@ -46,12 +46,12 @@ class LatexPrinter(Printer):
 
     def subscripted(self, base: str, letters: str) -> str:
         """``a_{uv}``."""
-        return f"{base}_{{{letters}}}"
+        return f"{_indexable(base)}_{{{letters}}}"
 
     def component(self, base: str, index: str) -> str:
         """An index."""
         shown = index.replace("…", r" \ldots ")
-        return rf"{base}_{{[{shown}]}}"
+        return rf"{_indexable(base)}_{{[{shown}]}}"
 
     def parentheses(self, text: str) -> str:
         """Parentheses that grow."""
@@ -67,11 +67,40 @@ class LatexPrinter(Printer):
 
     def perp(self, text: str) -> str:
         """A vector rotated by a right angle."""
-        return rf"{text}^\perp"
+        return rf"{_raisable(text)}^\perp"
 
     def wedge(self, parts: list[str]) -> str:
         """A generalized cross product."""
         return rf"\textstyle\bigwedge({', '.join(parts)})"
+
+
+def _indexable(base: str) -> str:
+    r"""A symbol that can be given an index: in braces if it has one, since TeX refuses a second.
+
+    >>> _indexable("P"), _indexable("P_2"), _indexable(r"\left(P_2 - P_1\right)")
+    ('P', '{P_2}', '\\left(P_2 - P_1\\right)')
+    """
+    return f"{{{base}}}" if "_" in _outside(base) else base
+
+
+def _raisable(base: str) -> str:
+    r"""A symbol that can be given an exponent or a prime: in braces if it has one that is not the last of its signs.
+
+    >>> _raisable("p'"), _raisable("p'_{[0]}"), _raisable(r"p^\perp")
+    ("p'", "{p'_{[0]}}", '{p^\\perp}')
+    """
+    outside = _outside(base)
+    return f"{{{base}}}" if "^" in outside or "'" in outside.rstrip("'") else base
+
+
+def _outside(text: str) -> str:
+    """What of a formula is in no braces, brackets or parentheses."""
+    depth, kept = 0, ""
+    for sign in text:
+        depth -= sign in "}])"
+        kept += sign if not depth else ""
+        depth += sign in "{[("
+    return kept
 
 
 print_latex = LatexPrinter()

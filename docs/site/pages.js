@@ -1,0 +1,28 @@
+// Each cell of a table knows its heading: on a telephone it stands before the cell.
+addEventListener("DOMContentLoaded", () => {
+  for (const table of document.querySelectorAll("article table")) {
+    const names = [...table.querySelectorAll("thead th")].map((head) => head.textContent.trim());
+    if (names.length < 2) continue;
+    table.classList.add("labelled");
+    for (const row of table.tBodies[0]?.rows ?? []) [...row.cells].forEach((cell, i) => names[i] && (cell.dataset.name = names[i]));
+  }
+});
+
+// Words of more letters than this may be broken in a table.
+const LONGEST = 24;
+addEventListener("DOMContentLoaded", () => {
+  for (const cell of document.querySelectorAll("article td :not(script), article td")) {
+    for (const node of [...cell.childNodes].filter((each) => each.nodeType === Node.TEXT_NODE)) {
+      const parts = node.data.split(new RegExp(`(\\S{${LONGEST}})(?=\\S)`)).filter(Boolean);
+      if (parts.length > 1 && !node.data.includes("$")) node.replaceWith(...parts.flatMap((part, i) => (i ? [document.createElement("wbr"), part] : [part])));
+    }
+  }
+});
+
+// Formulas are broken into lines anew when the page has another width.
+let width = innerWidth;
+addEventListener("resize", () => {
+  if (innerWidth === width || !window.MathJax?.startup?.document) return;
+  width = innerWidth;
+  MathJax.startup.promise = MathJax.startup.promise.then(() => MathJax.startup.document.rerenderPromise(MathJax._.core.MathItem.STATE.COMPILED));
+});

@@ -1,0 +1,145 @@
+"""Pages as a careful reader sees them: in a browser, wide and narrow, by day and by night (see looking.js)."""
+
+from __future__ import annotations
+
+import shutil
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+from typing import Any
+from urllib.parse import unquote, urldefrag, urlsplit
+
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
+SCRIPT = (Path(__file__).parent / "looking.js").read_text(encoding="utf-8")
+WIDE, NARROW, HEIGHT = 1280, 390, 900
+#: The checks that depend on the width of the window, and those that depend on the colours of the day.
+BY_WIDTH = ("tooWide", "brokenWords", "horizontalScroll", "smallText")
+BY_COLOUR = ("poorContrast", "strangeGrounds")
+ONCE = ("formulaErrors", "texAsText", "machineReprs", "withoutAlternative")
+CHECKS = (*ONCE, *BY_WIDTH, *BY_COLOUR, "links")
+PATIENCE = 120_000
+#: What waits for a page (a tab, and the path of the page) and opens what is folded.
+Ready = Callable[[Any, str], None]
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """A server that does not print every request."""
+
+    def log_message(self, *_: object) -> None:
+        """Nothing."""
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """The address of a local server of a folder."""
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder))) as server:
+        Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+@contextmanager
+def started(player: Any) -> Iterator[Any]:
+    """A browser."""
+    browser = player.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-background-networking"])
+    yield browser
+    browser.close()
+
+
+@dataclass
+class Seen:
+    """What was noticed on each page, by check; where the pages lead; the anchors that they have."""
+
+    wrong: dict[str, dict[str, list[str]]] = field(default_factory=lambda: defaultdict(dict))
+    links: dict[str, list[str]] = field(default_factory=dict)
+    anchors: dict[str, set[str]] = field(default_factory=dict)
+
+    def note(self, check: str, page: str, lines: Iterable[str], when: str = "") -> None:
+        """Keep what a check says, each line once."""
+        told = self.wrong[check].setdefault(page, [])
+        told += [line for each in lines if (line := f"{when}{each}") not in told]
+        if not told:
+            del self.wrong[check][page]
+
+
+def look(browser: Any, address: str, pages: Iterable[str], ready: Ready | None = None) -> Seen:
+    """Visit each page once, wide and narrow, by day and by night; `ready` waits for what a page itself computes, and
+    opens what is folded.
+    """
+    seen = Seen()
+    tab = browser.new_page(viewport={"width": WIDE, "height": HEIGHT}, color_scheme="light", reduced_motion="reduce")
+    tab.set_default_timeout(PATIENCE)
+    for page in pages:
+        tab.set_viewport_size({"width": WIDE, "height": HEIGHT})
+        tab.emulate_media(color_scheme="light")
+        tab.goto(f"{address}/{page}")
+        if ready:
+            ready(tab, page)
+        tab.evaluate(SCRIPT)
+        tab.evaluate("looking.settled()")
+        for scheme, checks in (("light", (*ONCE, *BY_WIDTH, *BY_COLOUR)), ("dark", BY_COLOUR)):
+            tab.emulate_media(color_scheme=scheme)
+            for check, lines in _asked(tab, checks).items():
+                seen.note(check, page, lines, f"{scheme}: " if check in BY_COLOUR else "")
+        tab.set_viewport_size({"width": NARROW, "height": HEIGHT})
+        tab.evaluate("looking.settled()")
+        for check, lines in _asked(tab, BY_WIDTH).items():
+            seen.note(check, page, lines, f"at {NARROW}: ")
+        seen.links[page], seen.anchors[page] = tab.evaluate("[looking.links(), looking.anchors()]")
+        seen.anchors[page] = set(seen.anchors[page])
+    tab.close()
+    return seen
+
+
+def _asked(tab: Any, checks: Iterable[str]) -> dict[str, list[str]]:
+    return dict(tab.evaluate("names => names.map(name => [name, looking.checks[name]()])", list(checks)))
+
+
+def broken_links(seen: Seen, address: str, folder: Path, state: Iterable[str] = ()) -> dict[str, list[str]]:
+    """By page, the links into the folder that lead to no file or to no anchor; fragments of the pages in `state` are
+    data (a curve that is restored), not anchors.
+    """
+    state = set(state)
+    broken: dict[str, list[str]] = {}
+    for page, targets in seen.links.items():
+        for target in dict.fromkeys(targets):
+            whole, fragment = urldefrag(target)
+            if not whole.startswith(address):
+                continue
+            path = unquote(urlsplit(whole).path).lstrip("/") or "index.html"
+            if not (folder / path).exists():
+                broken.setdefault(page, []).append(f"no file: {path}")
+            elif fragment and path not in state and unquote(fragment) not in seen.anchors.get(path, {fragment}):
+                broken.setdefault(page, []).append(f"no anchor: {path}#{fragment}")
+    return broken
+
+
+#: The column of the written pages, in pixels, and the least height of letters there.
+COLUMN, LEAST_TEXT = 736, 9
+
+
+def unreadable(figure: Any) -> list[str]:
+    """What cannot be read in a figure that was drawn, shown in the column of a page: words that are cut at its edge or
+    too small, titles that run into each other.
+    """
+    width, height = figure.get_window_extent().size
+    scale = min(80 / 72, COLUMN / 72 / figure.get_figwidth())
+    found, titles = [], []
+    texts = [ax.title for ax in figure.axes] + [
+        text for ax in figure.axes if ax.get_legend() for text in ax.get_legend().get_texts()
+    ]
+    for text in (each for each in texts if each.get_visible() and each.get_text()):
+        box, said = text.get_window_extent(), text.get_text()
+        if box.x0 < -1 or box.y0 < -1 or box.x1 > width + 1 or box.y1 > height + 1:
+            found.append(f"cut: {said}")
+        if text.get_fontsize() * scale < LEAST_TEXT:
+            found.append(f"{text.get_fontsize() * scale:.1f} px high: {said}")
+        if text in [ax.title for ax in figure.axes]:
+            found += [f"over each other: {other}; {said}" for other, taken in titles if box.overlaps(taken)]
+            titles.append((said, box))
+    return found
