@@ -205,7 +205,7 @@ def reasons(claims: Iterable[Claim], curve: Nurbs | NurbsSurface) -> str:
     >>> from exactspline.verification.claims import select
     >>> from exactspline.splines.examples import example
     >>> reasons(select(["C4.1c", "T10"]), example("twisted_cubic"))
-    '2 of Table 1, 3 of plane curves'
+    '3 of Table 1, 6 of plane curves, 1 of rational curves'
     """
     counts: Counter[str] = Counter()
     own = () if isinstance(curve, NurbsSurface) else (ArgumentKind.CURVE, OF_DIMENSION.get(curve.dimension))
