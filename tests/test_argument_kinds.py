@@ -101,7 +101,7 @@ def test_a_curve_is_read_as_the_preimage_of_a_hodograph():
     c, told, _ = argument("hodograph", curve)
     assert c.p.d(1) == c.velocity
     assert c.p(curve.domain[0]) == (0, 0)
-    assert told == ", as u, v and h of a hodograph"
+    assert str(told) == "as u, v and h of a hodograph"
     point = TaylorReading(c, mpq(1, 3), 3).argument(HODOGRAPH, 2)
     assert point.p.d(1)[0].value == c.velocity[0](mpq(1, 3))
 
@@ -126,7 +126,7 @@ def test_constants_have_no_derivative_and_a_value_on_a_curve():
         assert ((c.p[0] * c.delta).d(1) - c.p[0].d(1) * c.delta).is_zero
     own, told, _ = argument("plane with r, delta", example("circle"))
     assert own.delta(0) == CONSTANTS[0]
-    assert told == ", with δ = 37/29, r = -53/41"
+    assert str(told) == "with δ = 37/29, r = -53/41"
     assert common_kind([kind_of("plane with r"), kind_of("plane point")]).name == "plane point with r"
 
 
