@@ -69,5 +69,5 @@ def test_what_cannot_be_assumed_is_refused() -> None:
 
 def assuming(claim: Claim, name: str) -> str:
     """The theorem of a claim in space that assumes of a formula that it is not zero."""
-    assumption = Assumption(name, name, name, find(name), ("space",), formula=name)
+    assumption = Assumption(name, name, name, name, find(name), ("space",), formula=name)
     return theorem(replace(claim, assumes=(assumption,)), 3, lambda formula: formula.name)

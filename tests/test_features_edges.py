@@ -77,6 +77,14 @@ def test_pieces_end_at_corners_and_where_the_curvature_jumps():
     assert not analyse(arcs).curvature_extrema.points
 
 
+#: Of what these claims speak exists on straight and planar curves, too: nothing is divided by κ or τ.
+EXIST_ALL_THE_SAME = {
+    "C43a-velocity_turned-velocity_turned_by_D1",
+    "C54a-darboux_development",
+    "E19-radius_vector",
+}
+
+
 @pytest.mark.parametrize(
     ("name", "ids"),
     [
@@ -87,7 +95,9 @@ def test_pieces_end_at_corners_and_where_the_curvature_jumps():
 )
 def test_what_does_not_exist_is_not_verified(name, ids):
     """x/0 = y/0 is not a success, however true after multiplication."""
-    rows = [row for row in audit(select(ids), [example(name)]) if row.status != "ours"]
+    rows = [
+        row for row in audit(select(ids), [example(name)]) if row.status != "ours" and row.key not in EXIST_ALL_THE_SAME
+    ]
     assert rows
     assert {row.verdict for row in rows if row.claim.kind != "degree"} <= {"VACUOUS", "INAPPLICABLE"}
     assert all(row.as_recorded for row in rows)
