@@ -78,11 +78,7 @@ def test_pieces_end_at_corners_and_where_the_curvature_jumps():
 
 
 #: Of what these claims speak exists on straight and planar curves, too: nothing is divided by κ or τ.
-EXIST_ALL_THE_SAME = {
-    "C43a-velocity_turned-velocity_turned_by_D1",
-    "C54a-darboux_development",
-    "E19-radius_vector",
-}
+EXIST_ALL_THE_SAME = {"C43a-velocity_turned-velocity_turned_by_D1", "C54a-darboux_development", "E19-radius_vector"}
 
 
 @pytest.mark.parametrize(
