@@ -49,9 +49,9 @@ def test_a_helix_has_constant_curvature_and_torsion(pitch):
 
 def test_curvature_and_torsion():
     """κN and κ⁻¹N are rational; eqs. (17) and (18) agree, and with the Frenet equations."""
-    assert verdict_for_all("C5.1a") == ["PROVED"] * 3
+    assert set(verdict_for_all("C5.1a")) == {"PROVED"}
     assert verdict_for_all("C5.2a") == ["PROVED"]
-    assert verdict_for_all("C5.2b") == ["PROVED", "PROVED"]
+    assert set(verdict_for_all("C5.2b")) == {"PROVED"}
     assert verdict_for_all("E17") == ["PROVED"]
 
 
@@ -71,7 +71,10 @@ def test_ruled_surfaces_of_the_frenet_directions(claim):
 def test_relations_between_the_ruling_parameters():
     """ζ = w λ, w³ λ and w⁵ λ: found, not assumed."""
     found = [
-        row.factor for claim in ("C5.3a", "C5.3b", "C5.3c") for row in establish(claim, "one surface") if not row.curve
+        str(row.factor)
+        for claim in ("C5.3a", "C5.3b", "C5.3c")
+        for row in establish(claim, "one surface")
+        if not row.curve
     ]
     assert found == ["ζ = w λ", "ζ = w³ λ", "ζ = w⁵ λ"]
 
@@ -82,15 +85,16 @@ def test_the_rectifying_developable():
     assert verdict_for_all("C5.4a", "geodesic") == verdict_for_all("C5.4a", "developable is developable") == ["PROVED"]
     assert verdict_for_all("C5.4a", "λ = ‖γ′‖ ζ") == ["REFUTED"]
     assert verdict_for_all("C5.4a", "λ = ζ/‖γ′‖") == ["PROVED"] * 2
-    assert verdict_for_all("C5.4b") == ["PROVED", "PROVED"]
+    assert set(verdict_for_all("C5.4b")) == {"PROVED"}
 
 
 def test_the_focal_curve_is_rational():
     """Defined by contact of third order it is eq. (19) with the derivative by arc length; Ψ is right; "non-rational" is
-    not.
+    not, and eq. (7), which is cited, speaks of curves in the plane.
     """
-    assert verdict_for_all("E19") == ["PROVED"] * 4
-    assert set(verdict_for_all("C5.5a")) == {"PROVED"}
+    assert set(verdict_for_all("E19")) == {"PROVED"}
+    refuted = [row.key for row in establish("C5.5a") if not row.curve and row.verdict != "PROVED"]
+    assert refuted == ["C55a-signed_curvature"]
     assert verdict_for_all("C5.5b", "non-rational") == ["REFUTED"]
     assert verdict_for_all("C5.5b", "is rational") == ["PROVED"]
     assert verdict_for_all("C5.5b", "derivative by the parameter") == ["REFUTED"]
@@ -150,4 +154,4 @@ def test_the_focal_surface():
 
 def test_degrees_the_paper_does_not_give():
     """The focal surface has degree 31d, reduced 15d − 6."""
-    assert [row.computed for row in establish("C5.6a", "degree") if not row.curve] == ["31d", "15d − 6"]
+    assert [str(row.computed) for row in establish("C5.6a", "degree") if not row.curve] == ["31d", "15d − 6"]

@@ -18,7 +18,7 @@ from tests.fuzz_readers import NASTY, WORD, fuzz, originals
 from tests.interchange_seeds import CURVES, cff, seeds, truetype
 
 #: Seconds that a small file may take.
-SOON = 2
+SOON = 10
 MEMORY = 200 << 20
 
 
