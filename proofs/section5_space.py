@@ -99,7 +99,7 @@ def test_the_focal_curve_is_rational():
     assert verdict_for_all("C5.5b", "is rational") == ["PROVED"]
     assert verdict_for_all("C5.5b", "derivative by the parameter") == ["REFUTED"]
     assert verdict_for_all("C5.5b", "with the derivative by arc length has") == ["PROVED"]
-    assert verdict_for_all("C5.5c") == ["PROVED"] * 3
+    assert set(verdict_for_all("C5.5c")) == {"PROVED"}
 
 
 def solve(rows, right):
