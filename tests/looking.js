@@ -72,6 +72,8 @@ window.looking = (() => {
         if (node.parentElement.closest(SPOKEN)) continue;
         for (const word of node.data.matchAll(/\p{L}{2,}/gu)) {
           if (word[0].length > 12) continue; // those are broken in books, too
+          const around = /\S*$/.exec(node.data.slice(0, word.index))[0] + /^\S*/.exec(node.data.slice(word.index))[0];
+          if (around.length > 12 && /[/_\d]/.test(around)) continue; // a digest, the path of a file: no word of prose
           range.setStart(node, word.index);
           range.setEnd(node, word.index + word[0].length);
           const lines = new Set([...range.getClientRects()].map((box) => Math.round(box.top)));
