@@ -7,7 +7,7 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ClaimError
-from exactspline.verification.claims import select
+from exactspline.verification.claims import all_claims, select
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.kinds import TypeClaim
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
@@ -97,3 +97,10 @@ def test_an_equation_of_plane_curves_cannot_be_cited_for_space_curves():
     assert verdict("C55a-curvature_in_space") == PROVED
     assert verdict("C55a-signed_curvature", curve="framed plane", assumes=()) == PROVED
     assert verdict("C55a-signed_curvature", formula="speed") == PROVED
+
+
+@pytest.mark.parametrize("one", [c for c in all_claims() if c.kind == "type"], ids=lambda c: c.key)
+def test_no_value_is_proved_to_be_of_two_types(one):
+    """A false statement near every claim: the same of another type."""
+    proved = [each for each in ("polynomial", "rational", "not rational") if verdict(one.key, claimed=each) == PROVED]
+    assert len(proved) <= 1
