@@ -1,6 +1,6 @@
 """Correctly rounded doubles: values, derivatives, κ, τ, roots, knots and control points against mpmath at 200 bits.
 
-``EXACTSPLINE_FLOATS=100000 pytest tests/test_floats.py`` holds so many values of every question against mpmath.
+``EXACTSPLINE_FLOATS=100000 pytest tests/test_floats.py`` holds this many values of every question against mpmath.
 """
 
 import math
