@@ -4,34 +4,20 @@ they are missing.
 
 import json
 from fractions import Fraction
+from pathlib import Path
 
 import jsonschema
 import pytest
-from typer.testing import CliRunner
 
 from docs.site import benchmarks
-from exactspline.batch.bench import (
-    alone,
-    features,
-    forms,
-    inline,
-    inputs,
-    memory,
-    peers,
-    picture,
-    row,
-    splines,
-    sweeps,
-    table,
-)
-from exactspline.batch.bench.row import OURS, Options, Row, bounded, compared
 from exactspline.batch.recorded import Where
-from exactspline.cli import app
-from exactspline.cli.schema import schema_of
 from exactspline.display.plot.canvas import PlotError
 from exactspline.errors import FormulaError
 from exactspline.papers import find
 from exactspline.splines.tensor import surface_pair
+from workshop.bench import alone, features, forms, inline, inputs, memory, peers, picture, row, splines, sweeps, table
+from workshop.bench.__main__ import main
+from workshop.bench.row import OURS, Options, Row, bounded, compared
 
 
 @pytest.mark.parametrize(("name", "segments"), [(name, n) for name in forms.BY_HAND for n in (1, 3)])
@@ -162,7 +148,7 @@ def test_memory_is_told_when_a_sweep_comes_to_no_end(monkeypatch):
     assert [(each.value, each.met) for each in grown] == [(4.0, True), (None, False)]
 
 
-def test_the_command_prints_table_json_and_picture(tmp_path, monkeypatch):
+def test_the_program_prints_table_json_and_picture(tmp_path, monkeypatch, capsys):
     made = [
         Row("forms", "g2", OURS, 0.15, "ms", target="≤ 1 ms", met=True),
         Row("forms", "g2", "PARI", 0.3, "ms", 0.5),
@@ -171,16 +157,17 @@ def test_the_command_prints_table_json_and_picture(tmp_path, monkeypatch):
     ]
     monkeypatch.setattr(table, "rows", lambda sections, options: iter(made))
     place = tmp_path / "bench.svg"
-    done = CliRunner().invoke(app, ["bench", "forms", "--plot", str(place)])
-    assert done.exit_code == 0, done.output
-    assert "1 of 1 targets met" in done.stdout
-    assert "0.00123 ms" in done.stdout
+    assert main(["forms", "--plot", str(place)]) == 0
+    printed = capsys.readouterr().out
+    assert "1 of 1 targets met" in printed
+    assert "0.00123 ms" in printed
     assert place.read_text().startswith("<?xml")
-    data = json.loads(CliRunner().invoke(app, ["bench", "--json"]).stdout)
-    jsonschema.validate(data, schema_of("bench"))
+    assert main(["--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    jsonschema.validate(data, json.loads((Path(row.__file__).parent / "schema.json").read_text(encoding="utf-8")))
     assert [each["value"] for each in data["rows"]] == [each.value for each in made]
     made[0] = bounded("forms", "g2", 2, "ms", 1)
-    assert CliRunner().invoke(app, ["bench"]).exit_code == 1
+    assert main([]) == 1
     with pytest.raises(PlotError):
         picture.draw(made, str(tmp_path / "bench.gif"))
     with pytest.raises(PlotError, match="no ratio"):

@@ -5,22 +5,25 @@ import json
 from collections import Counter
 from pathlib import Path
 
+import jsonschema
 import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.batch.grade.adapters import LIBRARIES
-from exactspline.batch.grade.adapters.common import Given, with_weights
-from exactspline.batch.grade.cases import FAMILIES, VERSION, Case, all_cases
-from exactspline.batch.grade.judge import CRASHED, DECLINED, INVENTED, MISSED, OFF, RIGHT, judged
-from exactspline.batch.grade.named_cases import NAMED
-from exactspline.batch.grade.questions import QUESTIONS
-from exactspline.batch.grade.recheck import recheck
-from exactspline.batch.grade.report import page, rows
-from exactspline.batch.grade.runner import Judged, Report, Truths, curve_data, request_data
-from exactspline.batch.grade.shrink import Defect, _size, _smaller
-from exactspline.batch.grade.truth import truth
+from exactspline.errors import FormulaError
 from exactspline.numbers.exact import text
+from exactspline.testing import FAMILIES, REPORTED, VERSION, Case, all_cases
+from workshop.grade import runner
+from workshop.grade.__main__ import main
+from workshop.grade.adapters import LIBRARIES
+from workshop.grade.adapters.common import Given, with_weights
+from workshop.grade.judge import CRASHED, DECLINED, INVENTED, MISSED, OFF, RIGHT, judged
+from workshop.grade.questions import QUESTIONS
+from workshop.grade.recheck import recheck
+from workshop.grade.report import page, rows
+from workshop.grade.runner import Judged, Report, Truths, curve_data, request_data
+from workshop.grade.shrink import Defect, _size, _smaller
+from workshop.grade.truth import truth
 
 CASES = {case.key: case for case in all_cases(7)}
 SAMPLE = [c for c in CASES.values() if c.curve.degree < 5]
@@ -42,8 +45,8 @@ def test_there_are_five_thousand_cases_of_doubles_each_once():
         numbers += [x for p in case.curve.control_points for x in p]
         assert all(xs.from_float(float(x)) == x for x in numbers)
         assert case.curve.domain[0] <= case.parameter <= case.curve.domain[1]
-    assert families["named"] == len(NAMED) >= 15
-    assert all(named.link.startswith("https://github.com/") and named.note for named in NAMED)
+    assert families["named"] == len(REPORTED) >= 15
+    assert all(named.link.startswith("https://github.com/") and named.note for named in REPORTED)
 
 
 def test_the_near_degenerate_ones_are_near_what_they_say():
@@ -112,7 +115,7 @@ def test_what_is_not_certified_is_not_judged(monkeypatch, tmp_path):
     assert set(kept.of(case, ["value", "roots"])) == {"roots"}
     assert kept.uncertified == [(case.key, "value", "another derivative")]
     again = Truths(tmp_path / "truths.jsonl.gz")
-    monkeypatch.setattr("exactspline.batch.grade.runner.truth", lambda *_: pytest.fail("it was kept"))
+    monkeypatch.setattr("workshop.grade.runner.truth", lambda *_: pytest.fail("it was kept"))
     assert set(again.of(case, ["value", "roots"])) == {"value", "roots"}
 
 
@@ -248,6 +251,16 @@ def test_the_page_tells_everything():
     assert found["value"]["example"]["note"] == "ValueError: no"
 
 
+def test_the_program_prints_rows_under_its_schema(capsys):
+    assert main(["scipy", "--cases", "1", "--no-examples", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    jsonschema.validate(data, json.loads((Path(runner.__file__).parent / "schema.json").read_text(encoding="utf-8")))
+    assert {row["library"] for row in data["rows"]} == {"scipy"}
+    assert len({row["key"] for row in data["rows"]}) == len(data["rows"]) > 5
+    with pytest.raises(FormulaError, match="no library called 'scipi'"):
+        main(["scipi"])
+
+
 SCOREBOARD = Path(__file__).resolve().parents[1] / "docs" / "scoreboard.md"
 
 
@@ -256,5 +269,5 @@ def test_the_scoreboard_says_what_is_asked_today():
     text = SCOREBOARD.read_text(encoding="utf-8")
     assert f"{sum(1 for _ in all_cases())} cases (version {VERSION}:" in text
     assert all(f"| {q.name} | {q.meaning} | {q.allowed} |" in text for q in QUESTIONS.values())
-    assert all(named.link in text for named in NAMED)
+    assert all(named.link in text for named in REPORTED)
     assert all(f"### {library} " in text for library in LIBRARIES)

@@ -14,7 +14,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.batch.grade.adapters.bezier_js import installed
+from workshop.grade.adapters.bezier_js import installed
 
 
 def needs(package, graded):
