@@ -138,7 +138,7 @@ def _stop(*_: object) -> None:
 
 @mock.patch.object(rhino, "_entries", entries_by_fork)
 def fuzz(name: str, runs: int, seed: int, keep: bool) -> tuple[int, int, float]:
-    """Failures in so many runs, how many were read, and the longest of them in seconds of processor time."""
+    """Failures in this many runs, how many were read, and the longest of them in seconds of processor time."""
     chance, files = random.Random(f"{name} {seed}"), originals()[name]
     whole = [data for data in files if said(data, name).startswith("read")]
     known = {said(data, name) for data in files}

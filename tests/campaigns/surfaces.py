@@ -253,7 +253,7 @@ def _fraction(x: object) -> Fraction:
 
 
 def run(count: int, seed: int = SEED, start: int = 0) -> dict[str, Counter[str]]:
-    """So many surfaces; what was found of each family, with differences and slow ones printed."""
+    """This many surfaces; what was found of each family, with differences and slow ones printed."""
     table: dict[str, Counter[str]] = {}
     for k in range(start, start + count):
         family, setting = FAMILIES[k % len(FAMILIES)], DIAL[k // len(FAMILIES) % len(DIAL)]

@@ -87,7 +87,7 @@ def test_a_zero_that_is_all_but_a_knot_stays_inside_its_interval():
     ("size", "shift"), [(mpq(1, 2**1040), 0), (mpq(1, 2**1022), 0), (mpq(2) ** 1022, -3), (mpq(1, 2**890), 1)]
 )
 def test_breakpoints_of_any_size(size, shift):
-    # a width that is no double, zeros nearer to each other than doubles are, knots that are one double
+    # a width that is not a double, zeros nearer to each other than doubles are, knots that are one double
     curve = example("six_segment_cubic")
     a, b = curve.domain
     knots = [((t - a) * 6 / (b - a) + shift) * size for t in curve.knots]

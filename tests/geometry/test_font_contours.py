@@ -18,7 +18,7 @@ pytest.importorskip("fontTools")
 matplotlib = pytest.importorskip("matplotlib")
 
 FONTS = ("cmr10.ttf", "cmss10.ttf")
-#: Every so many contours of a font are looked at; EXACTSPLINE_ALL_CONTOURS=1 takes all.
+#: Every this many contours of a font are looked at; EXACTSPLINE_ALL_CONTOURS=1 takes all.
 EVERY = 1 if os.environ.get("EXACTSPLINE_ALL_CONTOURS") else 12
 
 

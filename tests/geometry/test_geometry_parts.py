@@ -198,7 +198,7 @@ def test_kept_intervals_that_meet_are_one_but_for_a_pole_between_them():
 @pytest.mark.parametrize("root", range(-6, 7))
 @pytest.mark.parametrize("degree", [1, 2])
 def test_the_discriminant_of_a_quadratic_is_known_wherever_it_is_none(root, degree):
-    """b² − 4ac, also where a vanishes at a whole number."""
+    """b² − 4ac, also where a vanishes at an integer."""
     a, b, c = fmpz_poly([-root, 1]) ** degree, fmpz_poly([2, 0, 3][: degree + 1]), fmpz_poly([1, -1, 5])
     assert discriminant([c, b, a]) == b * b - 4 * a * c
 

@@ -25,7 +25,7 @@ BIQUADRATIC = [0] * 3 + [1] * 3
 
 
 def seeded(seed, degree=3, weights=False, size=128):
-    """A patch with a net of whole numbers of 8 bits, and weights from 1 to 9."""
+    """A patch with a net of integers of 8 bits, and weights from 1 to 9."""
     drawn = random.Random(seed)
     knots = [0] * (degree + 1) + [1] * (degree + 1)
     n = range(degree + 1)

@@ -103,7 +103,7 @@ def test_more_knots_change_nothing(name):
 
 
 def test_a_form_that_touches_zero_on_an_edge_is_cut_there():
-    """``(3y − 1)² + x²`` on the unit square: its zero is no point of a subdivision into halves."""
+    """``(3y − 1)² + x²`` on the unit square: its zero is not a point of a subdivision into halves."""
     form = PatchForm.of_net([[1, -2, 4], [1, -2, 4], [2, -1, 5]])
     found = sign_on_patch(form)
     assert (found.sign, found.zeros) == (Sign.NOT_NEGATIVE, ((0, mpq(1, 3)),))

@@ -303,7 +303,7 @@ def test_discriminants_by_values_are_those_by_elimination():
     numbers = Random(4)
     for m in (2, 3, 5):
         rows = [fmpz_poly([numbers.randint(-9, 9) for _ in range(4)]) for _ in range(m + 1)]
-        # a leading row with zeros among the small whole numbers
+        # a leading row with zeros among the small integers
         rows[-1] = fmpz_poly([0, 1]) * fmpz_poly([2, 1]) * fmpz_poly([-1, 1])
         p = sum(
             (x * z**i * u**j for j, row in enumerate(rows) for i, x in enumerate(row.coeffs())), context.constant(0)

@@ -144,7 +144,7 @@ def test_the_keyboard_moves_points_and_weights(browser, address):
         assert shown(tab, "features") == in_this_python("features", twice)["features"]
 
 
-#: In the page: move a point by its key, and how long the exact answer takes, so many times.
+#: In the page: move a point by its key, and how long the exact answer takes, this many times.
 MOVE = """async (times) => {
   const point = document.querySelectorAll("circle.handle")[1];
   const taken = [];

@@ -238,7 +238,7 @@ def test_numbers_of_other_libraries():
 
 @pytest.mark.parametrize("digits", [20, 50, 300, 1000])
 def test_numbers_that_agree_to_many_digits_are_told_apart(digits):
-    """Equal to so many digits and different: a number of correct digits would call them equal."""
+    """Equal to a given number of digits and different: a number of correct digits would call them equal."""
     tiny = mpq(1, 10**digits)
     for x in (ROOT_2, ROOT_2 + ROOT_3, square_root(1 + ROOT_2), xs.zeros(xs.BSpline.bezier([-1, -1, 1])).roots[0]):
         near = x + tiny

@@ -69,7 +69,7 @@ class NumericSeries(Series):
 
 
 def arithmetic(digits: int, *, intervals: bool = False) -> Arithmetic:
-    """A separate context of mpmath with so many decimal digits; with `intervals`, every result encloses the true
+    """A separate context of mpmath with this many decimal digits; with `intervals`, every result encloses the true
     value.
 
     >>> str(number(arithmetic(40), "1/3"))
@@ -93,7 +93,7 @@ def number(context: Arithmetic, value: Number) -> Coefficient:
 def numeric_curve(
     curve: Nurbs, t: Number, terms: int, digits: int, *, intervals: bool = False, side: Side | str = Side.RIGHT
 ) -> Curve[NumericSeries]:
-    """The expansion of a curve at a parameter (at a knot the one on the given side) to so many terms and digits.
+    """The expansion of a curve at a parameter (at a knot the one on the given side) to this many terms and digits.
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.papers import find

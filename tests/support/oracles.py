@@ -122,7 +122,7 @@ def blossomed(knots, f, g):
 
 
 def inner_parameters(f, count):
-    """So many parameters inside every segment."""
+    """This many parameters inside every segment."""
     pairs = zip(f.breakpoints, f.breakpoints[1:], strict=False)
     return [a + (b - a) * mpq(k, count + 1) for a, b in pairs for k in range(1, count + 1)]
 

@@ -104,7 +104,7 @@ ZERO_SET = {key: DEGREE[key] for key in ("id", "key", "status", "source", "state
         (DEGREE, {"claimed": "3e − 3"}, "speaks of 'e'"),
         (DEGREE, {"measure": "height"}, "a height is a number"),
         (DEGREE, {"least_d": 0}, "not a number ≥ 1"),
-        (DEGREE, {"assumes": ["γ′×γ″"]}, "says nothing of 'plane'"),
+        (DEGREE, {"assumes": ["γ′×γ″"]}, "does not apply to 'plane'"),
         (DEGREE, {"status": "printed"}, "neither words nor a place"),
         (DEGREE, {"status": "printed", "words": "a", "expected": "REFUTED"}, "belongs to an error"),
         (DEGREE, {"key": "X2-f2"}, "does not begin with the id"),
