@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     app: typer.Typer
 
-#: So many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
+#: This many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
 YOUNG = 100_000
 EXIT_STATUS = "Exit status: 0 success; 1 a verdict differs from the record; 2 bad input."
 #: What exit status 1 of a command means; the other commands do not use it.
@@ -131,7 +131,7 @@ def _version(wanted: bool) -> None:
 
 def options(
     version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
     ] = False,
 ) -> None:
     """B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'."""

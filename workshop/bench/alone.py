@@ -30,7 +30,7 @@ class Took:
 
 
 def run(name: str, count: int, limit: int, jobs: int = 1) -> Took:
-    """One case, ended after so many seconds of processor time."""
+    """One case, ended after this many seconds of processor time."""
     numbers = map(str, (count, limit, jobs))
     command = [sys.executable, "-m", "workshop.bench.alone", name, *numbers]
     try:

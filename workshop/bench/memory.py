@@ -12,7 +12,7 @@ MEMORY = "memory"
 COUNTS = (1_000, 10_000, 100_000)
 #: Seconds of processor time that the longest sweep may take at least.
 LONGEST = 600
-#: A sweep may grow by so many MB: the heap of Python and of the libraries settles in the first thousands of curves.
+#: A sweep may grow by this many MB: the heap of Python and of the libraries settles in the first thousands of curves.
 GROWTH = 5
 
 

@@ -1,4 +1,4 @@
-"""All zeros on [0, 1] of polynomials that the library solves, to so many digits; ours proved, in intervals."""
+"""All zeros on [0, 1] of polynomials that the library solves, to a given precision; ours proved, in intervals."""
 
 from __future__ import annotations
 

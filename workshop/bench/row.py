@@ -12,7 +12,7 @@ from time import process_time
 
 #: Ours, in the column of peers.
 OURS = "exactspline"
-#: A round of the stopwatch lasts so many milliseconds at least, and the best of so many rounds counts.
+#: A round of the stopwatch lasts this many milliseconds at least, and the best of this many rounds counts.
 ROUND, ROUNDS = 20, 5
 #: Peer → the distribution whose version is shown, and the module that it needs.
 PEERS = {

@@ -115,7 +115,7 @@ def _killed(corpus: Sequence[str], what: str, one: Swept, folder: Path) -> Itera
 
 def killed_at(corpus: Sequence[str], place: Path, lines: int) -> tuple[int, float]:
     """Start the command that sweeps a corpus in two processes into a file, and kill it, with all its processes, when
-    there are so many lines: how many there were, and in how many seconds since the first.
+    there are this many lines: how many there were, and in how many seconds since the first.
     """
     command = [sys.executable, "-m", "exactspline", "sweep", *corpus, "-o", str(place), "--jobs", "2", "-q"]
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)

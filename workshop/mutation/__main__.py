@@ -56,11 +56,13 @@ def arguments() -> argparse.Namespace:
     )
     parser.add_argument("--only", choices=("formulas", "engines"), help="only the mutants of one sort")
     parser.add_argument(
-        "--sample", type=int, default=0, help="so many mutants of each sort (0: all formulas, 500 engines)"
+        "--sample", type=int, default=0, help="this many mutants of each sort (0: all formulas, 500 engines)"
     )
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--minutes", type=float, default=40, help="stop after so many minutes; the next run goes on")
-    parser.add_argument("--budget", type=float, default=30, help="so many seconds of tests for one mutant of an engine")
+    parser.add_argument("--minutes", type=float, default=40, help="stop after this many minutes; the next run goes on")
+    parser.add_argument(
+        "--budget", type=float, default=30, help="this many seconds of tests for one mutant of an engine"
+    )
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument(
         "--file", default="", help="only mutants of files whose names contain one of these: roots/,symbolic/"

@@ -22,7 +22,7 @@ def forked(
     tasks: Iterable[Task], work: Callable[[Task], Result], seconds: float, jobs: int
 ) -> Iterator[tuple[Task, Result]]:
     """The result of `work` for every task, in the order in which they are done; ``{"verdict": "timeout"}`` where it
-    takes longer than so many seconds.
+    takes longer than this many seconds.
     """
     waiting = iter(tasks)
     running: dict[int, tuple[Task, Any, float]] = {}
@@ -63,7 +63,7 @@ def _silent(done: int, status: int) -> Result:
 
 
 def end_after(seconds: float) -> None:
-    """Let this process die when it is not told otherwise in so many seconds of processor time."""
+    """Let this process die when it is not told otherwise in this many seconds of processor time."""
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     signal.setitimer(signal.ITIMER_PROF, seconds)
 

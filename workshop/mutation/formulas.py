@@ -39,7 +39,7 @@ from workshop.mutation.mutants import Mutant, live, mutants
 
 #: What is checked beside the proof for all curves: polynomial ones first, whose splines stay small.
 CURVES = ("cubic_s", "twisted_cubic", "rational_cubic", "rational_space_cubic")
-#: So many derivatives of a surface are random numbers.
+#: This many derivatives of a surface are random numbers.
 TERMS = 6
 #: The place of a function: its module and its name.
 Place = tuple[str, str]

@@ -32,8 +32,8 @@ from exactspline.verification.kinds.identity import Identity
 from exactspline.verification.vocabulary import Verdict
 
 RECORD = Path(__file__).parent / "kernel.json"
-#: So many theorems may accept a change before it counts as unnoticed; so many changes are tried (twice what vanishes
-#: vanishes, too); so many seconds each of them has.
+#: This many theorems may accept a change before it counts as unnoticed; this many changes are tried (twice what
+#: vanishes vanishes, too); this many seconds each of them has.
 THEOREMS, CHANGES, SECONDS = 4, 6, 120
 #: What is doubled.
 SCALED = (

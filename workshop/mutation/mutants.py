@@ -327,7 +327,7 @@ _OF: dict[type, Callable[[Any], Iterator[tuple[str, ast.expr]]]] = {
 
 
 def drawn(all_mutants: list[Mutant], count: int, seed: int) -> list[Mutant]:
-    """So many mutants, as evenly as can be from every module, the same for the same seed.
+    """This many mutants, as evenly as can be from every module, the same for the same seed.
 
     What is drawn first stays when more are drawn, and when other functions are edited, so that a run can be continued.
     """

@@ -42,7 +42,7 @@ def bench_analysis(benchmark, segments, dimension):
 
 
 def main(most):
-    """Print the times up to so many segments; the worst growth decides the exit status."""
+    """Print the times up to this many segments; the worst growth decides the exit status."""
     worst = 0.0
     for dimension in (2, 3):
         times = {}

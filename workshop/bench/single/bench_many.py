@@ -1,7 +1,7 @@
 """Inflections and curvature extrema of many plane curves: one by one in exact arithmetic, and as a batch of arrays.
 
 ``python -m workshop.bench.single.bench_many [count]`` prints processor milliseconds per curve. The 400 curves of the
-first table have degrees 2 to 5 and one to four segments, half of them are rational; once with small whole numbers, once
+first table have degrees 2 to 5 and one to four segments, half of them are rational; once with small integers, once
 with doubles. The batches are random Bézier curves, each answer certified; the share that went to exact arithmetic is
 told.
 """
@@ -55,7 +55,7 @@ def main(count):
         data = list(curves(400, doubles=doubles))
         making = milliseconds(lambda data=data: [Nurbs(*each) for each in data], len(data))
         both = milliseconds(lambda data=data: [features(Nurbs(*each)) for each in data], len(data))
-        name = "doubles" if doubles else "whole numbers"
+        name = "doubles" if doubles else "integers"
         print(f"400 curves, {name}: {both - making:.3f} ms a curve, making them {making:.3f}", flush=True)
     numbers = np.random.default_rng(1)
     for degree in (2, 3, 4, 5):

@@ -25,7 +25,7 @@ BICUBICS = range(20)
 
 
 def patch(degree, seed, rational):
-    """A patch with a net of whole numbers of 8 bits."""
+    """A patch with a net of integers of 8 bits."""
     drawn, n = random.Random(seed), range(degree + 1)
     knots = [0] * (degree + 1) + [1] * (degree + 1)
     net = [[[drawn.randint(-128, 127) for _ in range(3)] for _ in n] for _ in n]
