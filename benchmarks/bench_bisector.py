@@ -29,9 +29,10 @@ import sympy
 from flint import Ordering, fmpz, fmpz_mpoly_ctx, fmpz_poly
 from sympy.polys.rings import ring
 
-from exactspline import Nurbs, Vector
+from exactspline import Nurbs
 from exactspline.batch.bench.inline import bisector_patch, cross, form_derivative, one_parameter
 from exactspline.batch.bench.peers import SympyOperand
+from exactspline.language import Vector
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.rational import Rational
 from exactspline.papers import find

@@ -262,13 +262,7 @@ def test_what_rounds_is_found(code):
 FOR_DEVELOPERS = ("bench", "grade")
 #: What they run is still in the wheel.
 IN_THE_WHEEL = ("batch.bench", "batch.grade", "cli.bench", "cli.grade")
-BY_NAME = {
-    "interchange.bridges.mpmath": "imported by those who use mpmath",
-    "interchange.bridges.numpy": "imported by those who use numpy",
-    "interchange.bridges.splinepy": "imported by those who use splinepy",
-    "interchange.bridges.sympy": "imported by those who use sympy",
-    "interchange.constructors": "imported by those who use it",
-}
+BY_NAME = {"interchange.constructors": "imported by those who use it"}
 GRAPH = import_graph.module_graph()
 #: Papers, and the formulas that they name in their tables.
 PAPERS = [name for name in GRAPH if name.startswith(("papers.", "formulas."))]
@@ -294,7 +288,6 @@ NOT_SHOWN = {
     "Side": "a word that may also be given as text",
     "TensorSpline": "a value that others have",
     "Variant": "a word that may also be given as text",
-    "Vector": "a value that others have",
     "ZeroSet": "a value that others have",
     "curvature_function": "the reference alone",
     "example_names": "the reference alone",
@@ -304,7 +297,6 @@ NOT_SHOWN = {
     "ruled_surface": "the reference alone",
     "save": "the reference alone",
     "save_surface": "the reference alone",
-    "surface_figure": "the reference alone",
     "surface_from_text": "the reference alone",
     "torsion_function": "the reference alone",
     "trimmed_bisector": "the reference alone",
