@@ -21,7 +21,7 @@ from exactspline.readings.jet import Jet, JetReading, JetRing, bounded_product
 
 #: Longer sums are tried for the factors that were met before, which are shorter.
 LONG = 100
-#: So many pairs of terms are multiplied at once where products are multiplied out for a sum.
+#: This many pairs of terms are multiplied at once where products are multiplied out for a sum.
 PAIRS_OF_SUMS = 3 * 10**7
 #: Monic polynomials with exponents.
 Powers = Factorization[fmpq_mpoly]

@@ -19,7 +19,7 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.roots.of_polynomials import roots_in
 from exactspline.roots.root import Root
 
-#: Bits of a box before it is given up to tell whether a zero is inside a patch.
+#: Refinement limit (bits) for deciding whether a zero is inside a patch.
 BITS = 4096
 
 
@@ -75,7 +75,9 @@ def vanishes_at(form: PatchForm, spot: tuple[Parameter, Parameter], sides: Box) 
 
 
 def is_inside(zero: Zero, sides: Box) -> bool | None:
-    """Whether a certified zero is inside its patch: False on the border and outside; None where it is given up."""
+    """Whether a certified zero is inside its patch: False on the border and outside; None where the refinement limit is
+    reached.
+    """
     bits = 16
     while bits <= BITS:
         box = zero.refine(bits)
