@@ -14,8 +14,8 @@ from exactspline.polynomials.bernstein import LONG, value
 from exactspline.polynomials.patch_forms import PatchForm, Sized
 from exactspline.polynomials.tensor_bernstein import evaluated
 from exactspline.programs.compiled import needed
+from exactspline.programs.given import operands_of
 from exactspline.programs.instructions import Instruction
-from exactspline.programs.program import operands_of
 from exactspline.reals.real import square_root
 from exactspline.splines.examples import example, load, load_surface
 from exactspline.splines.lowest_terms import primitive_part
