@@ -4,11 +4,12 @@ import random
 
 import pytest
 
-from exactspline import BSpline, Nurbs, Vector, rational
+from exactspline import BSpline, Nurbs, rational
 from exactspline.errors import FormulaError
 from exactspline.formulas.lifted import critical_curvature_lifted, tangent_lifted
 from exactspline.geometry.domain import part
 from exactspline.geometry.facts import TOGETHER
+from exactspline.language import Vector
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.formula import formula
 from exactspline.language.kinds import PAIR, PLANE, SPACE, CurveKind, PairKind, TableKind

@@ -22,7 +22,7 @@ from exactspline.splines.lowest_terms import primitive_part
 from exactspline.splines.surface_weight import DEPTH, _zero_at_corners
 from exactspline.splines.tensor import lifted
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
-from exactspline.verification.curve_check import spline_table
+from exactspline.verification.curve_check import table_1_splines
 
 T = BSpline.identity(0, 1)
 
@@ -114,7 +114,7 @@ def test_what_is_needed_are_instructions_and_their_arguments():
 
 
 def test_there_is_no_program_over_different_breakpoints():
-    assert operands_of(TABLE, spline_table()) is None
+    assert operands_of(TABLE, table_1_splines()) is None
 
 
 def test_bounds_grow_with_the_roundings():
