@@ -1,0 +1,339 @@
+"""The oracle: every question against something that does not share its arithmetic."""
+
+import json
+import random
+import time
+from contextlib import suppress
+from pathlib import Path
+
+import mpmath
+import pytest
+from flint import arb, ctx
+from gmpy2 import mpq
+from typer.testing import CliRunner
+
+import exactspline as xs
+from exactspline.batch.families import Family
+from exactspline.batch.oracle import oracle
+from exactspline.batch.oracle_answers import Item, QuestionError, answer_data, number_data
+from exactspline.batch.oracle_questions import QUESTIONS
+from exactspline.cli import app
+from exactspline.errors import ExactSplineError, OpenError
+from exactspline.geometry.analysis import QUESTIONS as QUESTIONS_ABOUT_CURVES
+from exactspline.geometry.balls import degrees, length
+from exactspline.geometry.extent import coordinate_range
+from exactspline.reals.ball import InBalls
+from exactspline.roots.checker import check_certificate
+
+SQUARE = xs.Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 1), (0, 1), (0, 0)], name="box")
+CURVES = ["cubic_s", "circle", "twisted_cubic", "cusp", "six_segment_cubic", "rational_space_cubic"]
+
+
+def items(curve, asked):
+    return oracle(curve, asked).items
+
+
+def value(curve, asked, name):
+    return items(curve, asked)[0].values[name]
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_values_frames_and_curvature_belong_together(name):
+    """In 60 digits: T is γ′ by its length, the frame is orthonormal, κ is as the frame turns."""
+    curve = xs.example(name)
+    t = curve.domain[0] + (curve.domain[1] - curve.domain[0]) / 3
+    frame = {k: _mpf(v) for k, v in items(curve, f"frame@{t}")[0].values.items()}
+    axes = "xy" if curve.dimension == 2 else "xyz"
+    vectors = {n: [frame[n + a] for a in axes] for n in ("TN" if curve.dimension == 2 else "TNB")}
+    first, second = ([_mpf(items(curve, f"derivative:{k}@{t}")[0].values[a]) for a in axes] for k in (1, 2))
+    kappa = _mpf(value(curve, f"curvature@{t}", "curvature"))
+    with mpmath.workdps(60):
+        speed = mpmath.sqrt(sum(x * x for x in first))
+        assert all(abs(x - y * speed) < 1e-40 for x, y in zip(first, vectors["T"], strict=True))
+        for a, u in vectors.items():
+            for b, v in vectors.items():
+                assert abs(sum(x * y for x, y in zip(u, v, strict=True)) - (a == b)) < 1e-40
+        assert abs(sum(x * y for x, y in zip(second, vectors["N"], strict=True)) - kappa * speed**2) < 1e-40
+
+
+def _mpf(x):
+    with mpmath.workdps(60):
+        low, high = x.enclosure(55)
+        middle = (low + high) / 2
+        return mpmath.mpf(int(middle.numerator)) / int(middle.denominator)
+
+
+@pytest.mark.parametrize("asked", ["insert:2@1/3", "elevate:2", "elevate", "insert@1/3"])
+@pytest.mark.parametrize("name", CURVES)
+def test_other_control_points_are_the_same_curve(name, asked):
+    curve = xs.example(name)
+    assert _rebuilt(items(curve, asked)) == curve
+
+
+def _rebuilt(found):
+    head, *points = found
+    rows = [
+        [v.exact for k, v in p.values.items() if k != "weight"]
+        if p.what == "control point"
+        else xs.Direction(*[v.exact for k, v in p.values.items() if k != "weight"])
+        for p in points
+    ]
+    weights = [p.values["weight"].exact for p in points]
+    return xs.Nurbs(head.facts["degree"], head.facts["knots"], rows, weights)
+
+
+def test_a_knot_goes_in_and_out():
+    curve = xs.example("six_segment_cubic")
+    t = curve.domain[0] + (curve.domain[1] - curve.domain[0]) / 7
+    finer = _rebuilt(items(curve, f"insert@{t}"))
+    assert len(finer.control_points) == len(curve.control_points) + 1
+    assert _rebuilt(items(finer, f"remove@{t}")).control_points == curve.control_points
+    with pytest.raises(ExactSplineError, match="jumps"):
+        oracle(SQUARE, "remove@1")
+
+
+def test_split_parts_are_the_parts():
+    curve = xs.example("circle")
+    found = items(curve, "split@1/3")
+    middle = next(i for i, item in enumerate(found) if item.facts.get("part") == "behind")
+    assert _rebuilt(found[:middle]) == curve.restrict(0, "1/3")
+    assert _rebuilt(found[middle:]) == curve.restrict("1/3", 4)
+
+
+def test_products():
+    curve = xs.example("circle")
+    head, *points = items(curve, "product:01")
+    knots = head.facts["knots"]
+    top, bottom = (
+        xs.BSpline(head.facts["degree"], knots, [p.values[n].exact for p in points]) for n in ("w*product", "w")
+    )
+    x, y = curve("1/3")
+    assert top("1/3") / bottom("1/3") == x * y
+    head, *points = items(xs.example("cubic_s"), "product:11")
+    square = xs.BSpline(head.facts["degree"], head.facts["knots"], [p.values["product"].exact for p in points])
+    assert square("1/3") == xs.example("cubic_s")("1/3")[1] ** 2
+    for asked in ("product", "product:02", "product:é1"):
+        with pytest.raises(QuestionError):
+            oracle(xs.example("cubic_s"), asked)
+
+
+def test_the_evolute_is_where_the_normals_meet():
+    curve = xs.example("ellipse")
+    head, *points = items(curve, "evolute")
+    knots, degree = head.facts["knots"], head.facts["degree"]
+    x, y, w = (xs.BSpline(degree, knots, [p.values[n].exact for p in points if p.what == "control point"])
+               for n in ("w*x", "w*y", "w"))  # fmt: skip
+    t = mpq(1, 3)
+    towards = [a - b for a, b in zip((x(t) / w(t), y(t) / w(t)), curve(t), strict=True)]
+    assert sum(a * b for a, b in zip(towards, curve.derivative(1, t), strict=True)) == 0
+    assert sum(a * a for a in towards) * xs.curvature(curve, t) ** 2 == 1
+    missing = [item for item in items(xs.example("straight_between_arcs"), "evolute") if item.what == "missing"]
+    assert "straight" in missing[0].facts["reason"]
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_the_box_holds_the_curve_and_is_touched(name):
+    curve = xs.example(name)
+    a, b = curve.domain
+    samples = [curve(a + (b - a) * mpq(k, 400)) for k in range(401)]
+    for i in range(curve.dimension):
+        low, high = coordinate_range(curve, i)
+        least, most = min(p[i] for p in samples), max(p[i] for p in samples)
+        assert low <= least
+        assert most <= high
+        size = max(most - least, mpq(1, 10))
+        assert least - size / 100 <= low
+        assert high <= most + size / 100
+        assert low.double("down") <= low.double("up") <= float(least)
+
+
+def test_the_box_of_two_equal_irrational_extrema():
+    """Two maxima of one irrational height: which is higher needs no answer."""
+    t = xs.BSpline.identity(-2, 2)
+    height = 4 * t * t - t * t * t * t + t.constant(0)
+    bent = xs.Nurbs.from_splines([t, height - (t * t).scaled("1/3")])
+    [low, high] = coordinate_range(bent, 1)
+    # s = t² has its maximum 11/6, at t = ±√(11/6): the height is rational there, at an irrational parameter
+    assert high.double() == float(mpq(121, 36))
+    assert high.closed_form is None
+    assert high == mpq(121, 36)
+    assert low.exact == mpq(-4, 3)
+
+
+def test_area_and_moments():
+    assert value(SQUARE, "area", "area").exact == 2
+    found = {(m.facts["x"], m.facts["y"]): m.values["moment"].exact for m in items(SQUARE, "moments:2")}
+    assert found == {(0, 0): 2, (1, 0): 2, (0, 1): 1, (2, 0): mpq(8, 3), (1, 1): 1, (0, 2): mpq(2, 3)}
+    assert value(SQUARE.reverse(), "area", "area").exact == -2
+    moved = SQUARE.transform([["3/5", "-4/5", 7], ["4/5", "3/5", 1]])
+    assert value(moved, "area", "area").exact == 2
+    centre = [items(moved, "moments:1")[k].values["moment"].exact / 2 for k in (1, 2)]
+    assert tuple(centre) == (mpq(3, 5) - mpq(2, 5) + 7, mpq(4, 5) + mpq(3, 10) + 1)
+    for curve in (xs.example("circle"), xs.example("cubic_s"), xs.example("twisted_cubic")):
+        with pytest.raises(ExactSplineError, match="closed"):
+            oracle(curve, "area")
+
+
+@pytest.mark.parametrize("name", ["cubic_s", "twisted_cubic", "cusp", "six_segment_cubic", "ellipse_skew"])
+def test_lengths_against_mpmath(name):
+    curve = xs.example(name)
+
+    def speed(i):
+        def at(u):
+            a, b = curve.breakpoints[i : i + 2]
+            t = a + (b - a) * mpq(*map(int, mpmath.libmp.to_rational(mpmath.mpf(u)._mpf_)))
+            return mpmath.sqrt(sum(mpmath.mpf(int(x.numerator)) ** 2 / int(x.denominator) ** 2
+                                   for x in curve.derivative(1, t))) * float(b - a)  # fmt: skip
+
+        return at
+
+    with mpmath.workdps(20):
+        stops = [0, mpmath.mpf(1) / 2, 1] if name == "cusp" else [0, 1]
+        total = sum(mpmath.quad(speed(i), stops) for i in range(curve.segments))
+    assert abs(length(curve).double() / float(total) - 1) < 1e-13
+    low, high = length(curve).enclosure(40)
+    assert 0 < high - low <= mpq(1, 10**40)
+
+
+def test_exact_lengths():
+    for p, q in ((3, 4), (1, 1), (5, 12), (2, 1)):
+        line = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (p, q)])
+        assert length(line) * length(line) == p * p + q * q
+    # a Pythagorean hodograph: γ′ = (u² − v², 2uv), u = 1 + t, v = 1
+    t = xs.BSpline.identity(0, 1)
+    u = t + 1
+    x = _antiderivative((u * u - 1).control_points)
+    y = _antiderivative((2 * u).elevate_degree().control_points)
+    assert length(xs.Nurbs.from_splines([x, y])).exact == mpq(7, 3) + 1
+    assert length(SQUARE).exact == 6
+    # a speed that changes its sign is not integrated as it stands
+    back = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 0), (0, 0)])
+    assert length(back).closed_form is None
+    assert length(back).double() == 1.0
+
+
+def _antiderivative(points):
+    sums, total = [mpq(0)], mpq(0)
+    for p in points:
+        total += p / len(points)
+        sums.append(total)
+    return xs.BSpline.bezier(sums)
+
+
+def test_a_ball_that_leaves_the_answer_open_says_so():
+    number = InBalls(lambda bits: arb(2).sqrt() ** 2 / 2 + arb("1"))
+    assert number.closed_form is None
+    with pytest.raises(OpenError):
+        number > mpq(2)  # noqa: B015
+    assert number_data(number)["double"] == 2.0
+    before = ctx.prec
+    length(xs.example("circle")).double()
+    assert ctx.prec == before
+
+
+@pytest.mark.parametrize(("cosine", "sine", "degree"), [(0, 1, 90), (-1, 0, 180), (1, 0, 0), (0, -1, -90)])
+def test_degrees_of_right_angles(cosine, sine, degree):
+    from exactspline.geometry.angles import Angle
+
+    assert degrees(Angle((mpq(1), mpq(0)), (mpq(cosine), mpq(sine)))).exact == degree
+
+
+def test_degrees_of_30_45_and_no_others():
+    from exactspline.geometry.angles import Angle
+
+    x = (mpq(1), mpq(0), mpq(0))
+    assert degrees(Angle(x, (mpq(1), mpq(1), mpq(1)))).closed_form is None
+    assert degrees(Angle((mpq(1), mpq(-1), mpq(0)), (mpq(0), mpq(1), mpq(-1)))).exact == 120
+    assert degrees(Angle((mpq(1), mpq(1), mpq(0)), (mpq(1), mpq(0), mpq(1)))).exact == 60
+
+
+def test_joints_and_corners():
+    found = items(SQUARE, "corners")
+    assert [(c.values["parameter"].exact, c.values["degrees"].exact) for c in found] == [(k, 90) for k in range(4)]
+    assert {c.facts["geometric_continuity"] for c in found} == {0}
+    assert [i.facts["geometric_continuity"] for i in items(xs.example("straight_between_arcs"), "joints")] == [1, 1]
+
+
+def test_zero_sets_carry_certificates_that_the_checker_accepts():
+    for name, asked in (("cubic_s", "inflections"), ("ellipse", "curvature_extrema"), ("cusp", "cusps"),
+                        ("cusp", "singular_points"),
+                        ("circle", "turning_points:1"), ("circle", "bounding_box"),
+                        ("twisted_cubic", "torsion_zeros")):  # fmt: skip
+        answer = oracle(xs.example(name), asked)
+        assert answer.certificates
+        for certificate in answer.certificates:
+            proved = check_certificate(json.loads(json.dumps(certificate)))
+            assert proved["roots"] >= (len(answer.items) if asked in ("inflections", "cusps") else 0)
+    assert [i.what for i in oracle(xs.example("cusp"), "cusps").items] == ["cusp"]
+
+
+def test_a_question_at_features():
+    points = items(xs.example("six_segment_cubic"), "value@inflections")
+    assert len(points) == 2
+    assert [i.values["curvature"].exact for i in items(xs.example("cubic_s"), "curvature@inflections")] == [0]
+    assert len(items(xs.example("six_segment_cubic"), "value@knots")) == 7
+
+
+@pytest.mark.parametrize("asked", [
+    "", "nothing", "value", "value@", "value@x", "derivative:-1@0", "derivative:x@0", "insert@0,1",
+    "turning_points:2", "torsion@0", "moments:99", "value@1/0", "elevate:99999", "split@7",
+])  # fmt: skip
+def test_what_cannot_be_answered_is_said(asked):
+    with pytest.raises(ExactSplineError):
+        oracle(xs.example("cubic_s"), asked)
+
+
+def test_random_enclosures_hold_their_doubles():
+    chance = random.Random(11)
+    for _ in range(20):
+        points = [(chance.randint(-9, 9), chance.randint(-9, 9)) for _ in range(4)]
+        curve = xs.Nurbs(3, [0] * 4 + [1] * 4, points)
+        for asked in ("inflections", "turning_points:0", "bounding_box"):
+            for item in answer_data(oracle(curve, asked))["items"]:
+                for number in item["values"].values():
+                    low, high = mpq(number["low"]), mpq(number["high"])
+                    near = xs.from_float(number["double"])
+                    assert low <= high
+                    assert abs(near - low) <= abs(near) / 2**52 + mpq(1, 10**29)
+                    if number["exact"] and "√" not in number["exact"]:
+                        assert low == high == mpq(number["exact"])
+
+
+def test_every_question_is_asked_here():
+    asked = Path(__file__).read_text(encoding="utf-8")
+    assert all(name in asked for name in QUESTIONS if name not in QUESTIONS_ABOUT_CURVES)
+    assert isinstance(items(SQUARE, "length")[0], Item)
+
+
+@pytest.mark.parametrize(("asked", "told"), [("derivative:1000000@1", "up to 999"), ("value@", "names no parameter")])
+def test_what_is_wrong_with_a_question_is_named(asked, told):
+    with pytest.raises(QuestionError, match=told):
+        oracle(xs.example("ellipse"), asked)
+
+
+def test_a_file_of_which_a_curve_could_not_be_read_ends_with_2(tmp_path):
+    """False before: exit status 0, as if the answers were those of the whole file; notes were not shown."""
+    place = tmp_path / "a.svg"
+    place.write_text('<svg><path d="M0 0L3 4" clip-path="url(#c)"/><path d="M0 0A3 2 30 0 1 1 1"/></svg>')
+    done = CliRunner().invoke(app, ["oracle", str(place), "--ask", "length"])
+    assert done.exit_code == 2
+    assert "clip-path" in done.stderr
+    assert "5.0" in done.output
+
+
+@pytest.mark.parametrize(("question", "curve"), [
+    ("length", "degree=3 segments=2000 count=1"), ("length", "degree=20 rational=yes count=1"),
+    ("length", "degree=60 count=1"), ("elevate:900", "degree=3 segments=30 count=1"),
+])  # fmt: skip
+def test_the_work_on_an_answer_has_a_bound(question, curve):
+    """False before: nothing; the arc length of a thousand segments took minutes, one of degree 90 half a minute."""
+    start = time.process_time()
+    with suppress(ExactSplineError):
+        answer_data(xs.oracle(Family.parsed(curve).curve(0), question))
+    assert time.process_time() - start < 60
+
+
+def test_too_much_work_is_said():
+    many = Family.parsed("degree=3 segments=2000 count=1").curve(0)
+    with pytest.raises(ExactSplineError, match="too much work"):
+        answer_data(xs.oracle(many, "length"))

@@ -1,0 +1,250 @@
+"""How objects show themselves: complete, well-formed, escaped, and no longer than one can read."""
+
+import subprocess
+import sys
+from html.parser import HTMLParser
+from xml.etree import ElementTree
+
+import pytest
+from gmpy2 import mpq
+
+pytest.importorskip("matplotlib")
+
+from exactspline import BSpline, Nurbs
+from exactspline.display.evidence import worded
+from exactspline.display.latex import fraction, latex, unicode_latex
+from exactspline.display.notebook import html, short
+from exactspline.display.svg import curve_picture, graph_picture
+from exactspline.display.tables import (
+    Grid,
+    approaches_table,
+    degree_table,
+    measured,
+    printed_numbers,
+    reduction_table,
+    symbolic_table,
+    verdicts,
+)
+from exactspline.geometry.constructions import construction
+from exactspline.geometry.derived import derive
+from exactspline.language import Vector
+from exactspline.language.kinds import CURVE
+from exactspline.papers import all_formulas, find, papers
+from exactspline.readings.degree import Degree, DegreeReading, parse_degree
+from exactspline.readings.jet import JetReading
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.examples import example, example_names
+from exactspline.splines.lowest_terms import control_point_count
+from exactspline.verification.claims import all_claims, claims_of, select
+from exactspline.verification.errata import errata
+from exactspline.verification.statement import latex_of, sides, statements
+from exactspline.verification.verdict import REFUTED
+
+
+class Balanced(HTMLParser):
+    """A parser that insists on every tag being closed."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.text = [], []
+        self.feed(text)
+        self.close()
+        assert not self.open
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in ("br", "wbr"):
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        pass
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.text.append(data)
+
+
+def text_of(x):
+    return " ".join(Balanced(html(x)).text)
+
+
+def is_latex(text):
+    """Whether it is plain LaTeX: no sign that only the text printer writes, and braces that match."""
+    depth = 0
+    for sign in text.replace(r"\{", "").replace(r"\}", ""):
+        depth += (sign == "{") - (sign == "}")
+        assert depth >= 0, text
+    return depth == 0 and text.isascii() and text.isprintable() and text.count(r"\left") == text.count(r"\right")
+
+
+# ---- HTML and pictures
+
+
+@pytest.mark.parametrize("name", example_names())
+def test_every_example_curve_shows_a_picture_and_its_facts(name):
+    curve = example(name)
+    text = text_of(curve)
+    assert name in text
+    assert f"degree {curve.degree}" in text
+    picture = ElementTree.fromstring(curve_picture(curve))
+    colours = [line.get("stroke") for line in picture.iter("{http://www.w3.org/2000/svg}polyline")]
+    assert sum(colour in ("currentColor", "#7A7A7A") for colour in colours) == curve.segments
+
+
+def test_the_picture_of_a_curve_has_equal_scales_and_stays_inside():
+    square = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (7, 0), (7, 7), (0, 7)])
+    picture = ElementTree.fromstring(curve_picture(square))
+    points = [
+        tuple(map(float, p.split(",")))
+        for line in picture.iter("{http://www.w3.org/2000/svg}polyline")
+        for p in line.get("points").split()
+    ]
+    (x0, x1), (y0, y1) = [(min(c), max(c)) for c in zip(*points, strict=True)]
+    assert x1 - x0 == y1 - y0
+    assert 0 <= x0 < x1 <= float(picture.get("width"))
+    assert 0 <= y0 < y1 <= float(picture.get("height"))
+    assert curve_picture(Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 1, 1, 1)])) == ""
+
+
+def test_a_function_shows_its_graph_unless_it_has_no_points():
+    f = find("g2")(example("ellipse"))
+    assert f"{len(f.control_points)}: " in text_of(f)
+    assert "<circle" in graph_picture(f)
+    assert graph_picture(f.d(f.degree + 1)) == ""
+    wild = BSpline.bezier([(-1) ** i * i * (40 - i) for i in range(41)])
+    assert "<circle" not in graph_picture(wild)
+
+
+def test_roots_jumps_and_stretches_are_all_listed():
+    f = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 3, 3, 3, 4, 4, 4], [1, -1, 2, -1, 0, 0, 0, 3, -1, "1/2"])
+    found = zeros(f)
+    text = text_of(found)
+    assert all(repr(x) in text for x in (*found.jumps, *found.intervals))
+    across = zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0]), periodic=True)
+    assert "&lt;ZeroInterval [3, 4] and [0, 1]&gt;" in across._repr_html_()
+    golden = zeros(BSpline.bezier([-1, "-1/2", 1]))
+    assert latex(golden[0]).startswith("$$s = 0.618")
+    assert latex(zeros(BSpline.bezier([-1, 1]))[0]) == r"$$s = \tfrac{1}{2}$$"
+
+
+def test_pieces_and_what_is_missing_are_told():
+    text = text_of(derive("evolute", example("straight_between_arcs")))
+    assert "straight" in text
+    assert "[1, 2]" in text
+
+
+def test_text_is_escaped():
+    curve = Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)], name="<b>&", note="</td>")
+    assert "<b>&" in text_of(curve)
+    assert Balanced(Grid(["<i>"], [["<script>"]], "a < b").html()).text == ["a < b", "<i>", "<script>"]
+
+
+def test_claims_statements_rows_and_errata_show_themselves():
+    for claim in all_claims():
+        assert claim.id in text_of(claim)
+        assert len(sides(claim)) == len(set(claim.named))
+    entry = next(errata())
+    assert entry.statements[0].statement in text_of(entry)
+    assert worded(next(statements("C4.2b")).finding.witness) in text_of(next(statements("C4.2b")))
+    assert REFUTED in text_of(verdicts("C4.2b").rows_of_ledger[0])
+
+
+# ---- LaTeX
+
+
+@pytest.mark.parametrize("formula", all_formulas().values(), ids=lambda f: f.name)
+def test_every_formula_is_latex(formula):
+    printed = latex(formula)
+    assert is_latex(printed)
+    symbol, equals, body = printed.strip("$").partition(" = ")
+    assert symbol != body
+    assert equals or symbol == formula.symbol
+
+
+def test_numbers_degrees_jets_and_vectors_are_latex():
+    assert (fraction(mpq(-3, 4)), fraction(mpq(5))) == (r"-\tfrac{3}{4}", "5")
+    d = DegreeReading().argument(CURVE, 2)
+    assert latex(find("f2")(d)) == "$$3d - 3$$"
+    assert latex(Degree.named("d1").max(Degree.named("d2"))) == r"$$\max(d_2, d_1)$$"
+    assert is_latex(latex(find("f2")(JetReading(2).argument(CURVE, 2))))
+    assert is_latex(latex(Vector(BSpline.bezier([0, "1/2"]), BSpline.bezier([1, 2]))))
+    assert unicode_latex("2·w¹⁶·(‖D1‖²)⁻⁴") == r"2\,w^{16}\,(\|D_1\|^{2})^{-4}"
+
+
+@pytest.mark.parametrize("section", ["T", "C3", "C4", "C5", "C6", "Fig", "E", "L"])
+def test_every_statement_is_latex_and_its_naive_side_has_the_higher_degree(section):
+    for claim in [claim for claim in all_claims() if claim.id.startswith(section)]:
+        assert is_latex(latex_of(claim).replace("−", "-").replace("…", "")), claim.statement
+        for side in sides(claim):
+            assert is_latex(side.latex)
+        roles = [side.role for side in sides(claim)]
+        assert roles[:1] != ["reduced"]
+        assert roles.count("naive") == roles.count("reduced") <= 1
+
+
+@pytest.mark.parametrize("source", papers(), ids=lambda source: source.name)
+def test_every_claim_of_every_paper_is_latex(source):
+    for claim in claims_of(source):
+        assert is_latex(claim.latex.replace("−", "-").replace("…", "").replace("δ", "").replace("ö", "o")), claim.key
+
+
+# ---- short texts and tables
+
+
+def test_what_would_be_long_is_described_in_one_line():
+    value = find("evolute")(example("ellipse"))
+    assert "108 control points" in short(value)
+    assert len(short(find("curvature_squared_derivative")(example("ellipse")))) < 200
+    assert short(BSpline.bezier([0, 1])) == repr(BSpline.bezier([0, 1]))
+    assert "ruled surface" in short(find("tangent_developable")(example("rational_space_cubic")))
+    assert "control points" in html(value)
+
+
+def test_tables_hold_what_was_computed():
+    curve = example("ellipse")
+    table = degree_table(curve)
+    evolutes = [row for row in table.rows if row[0] == "evolute"]
+    for row, form in zip(evolutes, construction("evolute").unlifted, strict=False):
+        assert row[table.columns.index("control points")] == str(
+            control_point_count(construction("evolute").on(curve, form))
+        )
+    assert measured(curve, "f2")["degree here"] == [str(find("f2")(curve).degree)]
+    assert len(measured(curve)) == len(measured(curve)["formula"]) > 20
+    assert approaches_table(curve)["roots"] == ["4"] * 5
+    assert all(parse_degree(cell).names == {"d"} for cell in symbolic_table()["minimal"])
+    assert "w" in reduction_table("g0")["cancelled"][0]
+    assert "degree" in repr(table)
+
+
+def test_the_numbers_of_the_paper_are_all_there_and_as_recorded():
+    numbers = [claim for claim in all_claims() if claim.kind in ("degree", "count") and claim.status != "ours"]
+    table = printed_numbers()
+    assert table.as_recorded
+    assert table["statement"] == [claim.statement for claim in numbers]
+    for claim, printed, computed, verdict in zip(
+        numbers, table["printed"], table["computed"], table["verdict"], strict=True
+    ):
+        assert claim.claimed in printed
+        if verdict == REFUTED:
+            assert claim.claimed != computed
+
+
+def test_verdicts_for_all_curves_and_on_one():
+    assert verdicts("C4.1").as_recorded
+    assert "on" not in verdicts("C4.1").columns
+    one = verdicts("C4.1", curves=[example("circle")])
+    assert set(one["on"]) == {"circle"}
+    assert {c.kind for c in select(["C4.2"])} - {"degree", "count"} == {
+        r.claim.kind for r in verdicts("C4.2", without=["degree", "count"]).rows_of_ledger
+    }
+
+
+def test_showing_loads_what_it_needs_only_when_asked():
+    code = (
+        "import sys; from exactspline import BSpline; f = BSpline.bezier([0, 1]); assert 'exactspline.display' "
+        "not in sys.modules;"
+        "assert f._repr_html_() and f._repr_latex_(); assert 'exactspline.display' in sys.modules; assert "
+        "'matplotlib' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)

@@ -1,0 +1,230 @@
+"""Surfaces, roots and approaches in pictures: what is drawn lies on what was computed, and nothing is joined across a
+pole.
+"""
+
+import pytest
+from gmpy2 import mpq
+
+pytest.importorskip("matplotlib")
+
+from exactspline import BSpline
+from exactspline.display.plot.canvas import PlotError, new_figure
+from exactspline.display.plot.comparisons import plot_approaches
+from exactspline.display.plot.curves import plot_curve, plot_quotient
+from exactspline.display.plot.frames import homogeneous
+from exactspline.display.plot.functions import plot_function, plot_roots
+from exactspline.display.plot.html import Scene, scenes_data, turning_page
+from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
+from exactspline.display.plot.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
+from exactspline.errors import FormulaError, ShapeError
+from exactspline.language import Rational, Vector, cross, dot
+from exactspline.language.ruled import RuledSurface
+from exactspline.papers import find
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.examples import example
+from exactspline.splines.tensor import TensorSpline, surface_pair
+
+SADDLE = Vector(
+    *[
+        TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], net)
+        for net in ([[0, 0], [1, 1]], [[0, 1], [0, 1]], [[0, 0], [0, 1]])
+    ]
+)
+
+
+def legend(ax):
+    return [text.get_text() for text in ax.get_legend().get_texts()]
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["tangent_developable_reduced", "binormal_scroll", "normal_scroll_reduced", "rectifying_developable_reduced"],
+)
+def test_the_points_of_a_ruled_surface_lie_on_its_rulings(name):
+    surface = find(name)(example("rational_space_cubic_spline"))
+    mesh = ruled_mesh(surface, ("-1/3", 1), box=((-(10**9),) * 3, (10**9,) * 3))
+    assert mesh.faces
+    parameters = [mpq(k, 7) for k in range(3)]
+    for s in parameters:
+        for z in ("-1/3", 1):
+            assert surface.at(mpq(z))(s) is not None
+    for rows in mesh.patches:
+        for row in rows[:: max(1, len(rows) // 5)]:
+            a, b = row[0], row[-1]
+            direction = [y - x for x, y in zip(a, b, strict=True)]
+            for p in row[1:-1]:
+                offset = [y - x for x, y in zip(a, p, strict=True)]
+                assert all(offset[i] * direction[i - 1] == offset[i - 1] * direction[i] for i in range(3))
+
+
+def test_the_net_of_a_ruled_surface_is_that_of_its_bounding_curves():
+    surface = find("binormal_scroll_reduced")(example("rational_space_cubic"))
+    mesh = ruled_mesh(surface, (0, 1), box=((-(10**9),) * 3, (10**9,) * 3))
+    drawn = {p for run in mesh.net for p in run}
+    for z in (0, 1):
+        rows, _, degree = homogeneous(surface.at(mpq(z)))
+        assert degree == surface.degree
+        assert {tuple(x / w for x in xs) for *xs, w in rows} <= drawn
+    assert mesh.points == len(drawn)
+
+
+def test_no_face_reaches_across_a_pole():
+    t, one = BSpline.identity(-1, 1), BSpline.identity(-1, 1) * 0 + 1
+    surface = RuledSurface(Rational(Vector(one, t, t * 0), t), Vector(t * 0, t * 0, one))
+    mesh = ruled_mesh(surface, (0, 1))
+    assert all(len({p[0] > 0 for p in face}) == 1 for face in mesh.faces)
+    assert {face[0][0] > 0 for face in mesh.faces} == {True, False}
+    saddle = Rational(SADDLE, SADDLE[0] - SADDLE[1] * 2 + mpq(1, 3))
+    poles = tensor_mesh(saddle)
+    assert poles.faces
+    assert all(len({(p[0] - 2 * p[1]) < 1 for p in face}) == 1 for face in poles.faces)
+
+
+def test_a_tensor_surface_is_drawn_through_its_exact_points_with_its_net():
+    mesh = tensor_mesh(SADDLE)
+    assert all(z == x * y for rows in mesh.patches for row in rows for x, y, z in row)
+    assert {p for run in mesh.net for p in run} == {(x, y, mpq(x * y)) for x in (0, 1) for y in (0, 1)}
+    ax = plot_surface(SADDLE)
+    assert legend(ax)[-1] == "control net (4 points)"
+    assert legend(plot_surface(SADDLE, control_net=False)) == ["surface"]
+
+
+@pytest.mark.parametrize(
+    "variant", ["point_bisector_polynomial", "point_bisector_direct_z", "point_bisector_direct_naive"]
+)
+def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(variant):
+    curve, q = example("helix_like"), (mpq(1, 3), mpq(1, 4), mpq(1))
+    surface = find(variant)(curve.with_point(q))
+    mesh = ruled_mesh(surface, (0, 1))
+    start, end = mesh.patches[0][0][0], mesh.patches[0][0][-1]
+    foot = curve(curve.domain[0])
+    for p in (start, end):
+        assert sum((a - b) ** 2 for a, b in zip(p, foot, strict=True)) == sum(
+            (a - b) ** 2 for a, b in zip(p, q, strict=True)
+        )
+    ax = plot_bisector(curve, q, formula=variant)
+    assert f"bisector: degree {surface.degree}" in legend(ax)
+
+
+def test_bisectors_of_curves_and_in_the_plane():
+    lines = [example("space_line"), example("twisted_cubic")]
+    ax = plot_bisector(*lines)
+    degree = find("bisector_symmetric")(surface_pair(*lines)).degree
+    assert f"bisector: degree {degree.s} × {degree.t}" in legend(ax)
+    flat = plot_bisector(example("ellipse"), (0, 0))
+    value = find("plane_bisector_polynomial")(example("ellipse").with_point((0, 0)))
+    assert flat.name == "rectilinear"
+    assert legend(flat)[-1] == f"bisector: degree {value.degree}"
+
+
+def test_a_derived_curve_has_the_polygon_of_its_representation():
+    value = find("evolute")(example("ellipse"))
+    ax = plot_quotient(value)
+    assert legend(ax)[0] == "control polygon (108 points)"
+    drawn = sum(len(line.get_xdata()) for line in ax.lines if line.get_label() == "_control points")
+    assert drawn == 108
+    parabola = plot_quotient(find("D1")(example("parabola")))
+    assert legend(parabola)[0].startswith("control polygon (")
+
+
+def test_roots_are_inside_their_bars():
+    f = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 3, 3, 3, 4, 4, 4], [1, -1, 2, -1, 0, 0, 0, 3, -1, "1/2"])
+    found = zeros(f)
+    intervals = [(float(r.low), float(r.high)) for r in found]
+    ax = plot_roots(found)
+    bars = [line for line in ax.lines if line.get_label() in ("isolating interval", "_interval")]
+    dots = [line.get_xdata()[0] for line in ax.lines if line.get_label() == "_root"]
+    assert [tuple(line.get_xdata()) for line in bars] == intervals
+    assert all(low <= x <= high for (low, high), x in zip(intervals, dots, strict=True))
+    assert "zero throughout" in legend(ax)
+
+
+def test_a_stretch_across_the_seam_is_drawn_in_the_domain_in_two_parts():
+    f = BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])
+    found = zeros(f, periodic=True)
+    for ax in (plot_roots(found), plot_function(f, roots=found)):
+        stretches = [line for line in ax.lines if line.get_label() in ("zero throughout", "_stretch")]
+        assert [tuple(line.get_xdata()) for line in stretches] == [(3, 4), (0, 1)]
+
+
+def test_approaches_are_compared_by_what_they_cost():
+    ax = plot_approaches(example("ellipse"))
+    entries = legend(ax)
+    assert "squaring: degree 96, 388 control points" in entries
+    assert "paper: degree 12, 52 control points" in entries
+    graphs = [line for line in ax.lines if not line.get_label().startswith(("_form", "_child", "4 roots"))]
+    assert all(-1 <= y <= 1 for line in graphs for y in line.get_ydata())
+    assert legend(plot_approaches(example("cubic_s"), name="zero_curvature", forms=["naive", "paper"]))[:2] == [
+        "naive: degree 3, 4 control points",
+        "paper: degree 3, 4 control points",
+    ]
+
+
+def test_pages_need_no_network_and_show_scenes_in_one_box():
+    mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))
+    curve = [[(mpq(0),) * 3, (mpq(9),) * 3]]
+    scenes = [Scene("a", mesh, [("</script>", curve)], [("Q", (mpq(0),) * 3)]), Scene("b", mesh)]
+    page = turning_page(scenes, "title")
+    assert "<script src=" not in page
+    assert page.count("</script>") == 1
+    assert page == turning_page(scenes, "title")
+    first, second = scenes_data(scenes)
+    assert first["box"] == second["box"]
+    assert first["box"][1][0] > 9
+    (shown,) = second["surfaces"]
+    assert [[shown["points"][k] for k in face] for face in shown["faces"]] == [
+        [[pytest.approx(float(x), rel=1e-4) for x in p] for p in face] for face in mesh.faces
+    ]
+
+
+def test_a_surface_between_two_heights_is_the_same_part_by_either_approach():
+    argument = example("helix_like").with_point(("1/3", "1/4", 1))
+    for name, rulings in (("point_bisector_polynomial", ("-1/4", "1/4")), ("point_bisector_direct_z", ("-1/2", "5/2"))):
+        mesh = ruled_mesh(find(name)(argument), rulings, heights=("-1/2", "5/2"))
+        rows = [row for rows in mesh.patches for row in rows]
+        assert {(row[0][2], row[-1][2]) for row in rows} == {(mpq(-1, 2), mpq(5, 2))}
+        if name == "point_bisector_polynomial":
+            before = rows
+    assert rows == before
+
+
+def test_a_level_ruling_has_no_part_between_two_heights():
+    line, level = BSpline(1, [0, 0, 1, 1], [0, 1]), BSpline(1, [0, 0, 1, 1], [1, 1])
+    rising = BSpline(1, [0, 0, 1, 1], [0, 1])
+    surface = RuledSurface(Vector(line, 0 * line, 0 * line), Vector(0 * line, level, rising))
+    rows = ruled_mesh(surface, (0, 1), heights=(1, 2)).patches[0]
+    assert rows[0] == [None] * len(rows[0])
+    assert all(p is None or 1 <= p[2] <= 2 for row in rows for p in row)
+
+
+def test_errors_say_what_would_be_right():
+    surface = find("tangent_developable")(example("twisted_cubic"))
+    with pytest.raises(ShapeError, match="smaller one"):
+        ruled_mesh(surface, (1, 0))
+    with pytest.raises(ShapeError, match="ruled surface of splines"):
+        ruled_mesh(RuledSurface(Vector(1, 2, 3), Vector(0, 0, 1)))
+    with pytest.raises(ShapeError, match="two parameters"):
+        tensor_mesh(example("twisted_cubic").p)
+    with pytest.raises(PlotError, match="fit"):
+        plot_ruled_surface(surface, ax=new_figure().add_subplot())
+    with pytest.raises(PlotError, match="larger box"):
+        plot_mesh(ruled_mesh(surface, box=((5, 5, 5), (6, 6, 6))))
+    with pytest.raises(PlotError, match="nothing to draw"):
+        plot_quotient(find("focal_curve_reduced")(example("helix_like")))
+    with pytest.raises(ShapeError, match="segment"):
+        ruled_mesh(find("focal_surface")(example("space_line")))
+    with pytest.raises(ShapeError, match="both in the plane"):
+        plot_bisector(example("ellipse"), (0, 0, 0))
+    with pytest.raises(ShapeError, match="two curves in space"):
+        plot_bisector(example("ellipse"), example("circle"))
+    with pytest.raises(FormulaError, match="'point'"):
+        plot_bisector(example("helix_like"), (0, 0, 0), formula="plane_bisector")
+
+
+def test_a_surface_goes_with_the_curve_on_one_pair_of_axes():
+    curve = example("rational_space_cubic")
+    ax = plot_curve(curve, control_polygon=False)
+    surface = find("binormal_scroll_reduced")(curve)
+    assert plot_ruled_surface(surface, (0, "1/40"), ax) is ax
+    assert legend(ax)[0] == curve.name
+    assert dot(cross(find("D1")(curve), find("D2")(curve)), find("D1")(curve)).is_zero

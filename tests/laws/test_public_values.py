@@ -1,0 +1,200 @@
+"""Everything that the front door returns survives pickle, copies and a process pool, and stays equal."""
+
+import copy
+import pickle
+from concurrent.futures import ProcessPoolExecutor
+from functools import cache
+from multiprocessing import get_context
+from types import ModuleType
+
+import pytest
+from gmpy2 import mpq
+
+import exactspline as xs
+from exactspline.batch.oracle_answers import Answer, answer_data
+from exactspline.language.argument import Argument
+from exactspline.language.kinds import PLANE
+from exactspline.language.reading import Reading
+from exactspline.language.vector import Vector
+from exactspline.readings.taylor import Series
+from exactspline.readings.tree import Node
+
+PLANE_CURVE, SPLINE, CUSP = xs.example("ellipse_skew"), xs.example("rational_cubic_spline"), xs.example("cusp")
+SPACE, RATIONAL = xs.example("twisted_cubic"), xs.example("rational_space_cubic")
+SURFACE = xs.example_surface("torus")
+LINE = xs.Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
+T = xs.BSpline.identity(0, 2)
+ROOT = xs.zeros(T * T - 2).roots[0]
+TEXT = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]]}'
+POINTS = b"100 1 0 0\n2 0\n2 2\n0 0 1 1\n0 0\n0.1 2\n"
+
+
+@xs.language.formula("a test", on="plane")
+def own_formula(c):
+    """[p′ p″]."""
+    return xs.language.det(c.p.d(1), c.p.d(2))
+
+
+#: What each name of the front door is or returns.
+RETURNED = {
+    "Approach": lambda: list(xs.Approach),
+    "BSpline": lambda: T,
+    "DegreeReading": lambda: xs.readings.DegreeReading("d"),
+    "Direction": lambda: xs.Direction(0, 1),
+    "ExactSplineError": lambda: xs.ExactSplineError("a", where="b", remedy="c", data=1),
+    "Family": lambda: xs.Family.parsed(["degree=3", "count=2", "seed=1"]),
+    "Grid": lambda: xs.tables.Grid(["a"], [["b"]]),
+    "JetReading": lambda: xs.readings.JetReading(2),
+    "KnotVector": lambda: xs.KnotVector([0, 0, 1, 1]),
+    "Nurbs": lambda: SPLINE,
+    "NurbsSurface": lambda: SURFACE,
+    "Real": lambda: [xs.Real("1/3"), xs.at(LINE, xs.zeros(xs.BSpline.identity(0, 1) ** 2 - mpq(1, 2)).roots[0])[0]],
+    "Rational": lambda: SPLINE.gamma,
+    "Root": lambda: ROOT,
+    "Side": lambda: list(xs.Side),
+    "TensorSpline": lambda: xs.TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, 1], [2, 3]]),
+    "Verdict": lambda: list(xs.Verdict),
+    "Variant": lambda: list(xs.Variant),
+    "Vector": lambda: SPLINE.p,
+    "ZeroSet": lambda: xs.zeros(T * T - 2),
+    "claims": lambda: [*xs.claims()[:40], *xs.claims(paper="lifted")[:40]],
+    "approaches_table": lambda: xs.tables.approaches_table(SPLINE),
+    "bisector": lambda: [xs.bisector(SPACE, RATIONAL), xs.bisector(SPACE, (0, 1, 2)), xs.bisector(LINE, (0, 2))],
+    "complex_product": lambda: xs.language.complex_product(xs.language.Vector(1, 2), xs.language.Vector(3, 4)),
+    "construction": lambda: xs.construction("evolute"),
+    "curvature": lambda: [xs.curvature(PLANE_CURVE, "1/3"), xs.curvature(PLANE_CURVE, ROOT)],
+    "curvature_function": lambda: xs.curvature_function(PLANE_CURVE),
+    "curve_from_text": lambda: xs.curve_from_text(
+        '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]]}'
+    ),
+    "de_boor_triangle": lambda: xs.classroom.de_boor_triangle(SPLINE, "1/2"),
+    "degree": lambda: xs.degree("g2"),
+    "degree_table": lambda: xs.tables.degree_table(LINE),
+    "derive": lambda: xs.derive("evolute", PLANE_CURVE),
+    "elevation_triangles": lambda: xs.classroom.elevation_triangles(LINE),
+    "errata": lambda: next(xs.errata()),
+    "evolute": lambda: xs.evolute(PLANE_CURVE),
+    "exercise": lambda: [
+        xs.classroom.exercise("evaluation", 1),
+        xs.classroom.exercise("evaluation", 1).answer.check("0, 0"),
+    ],
+    "factor_of": lambda: xs.factor_of("f1", "f2", 2),
+    "analyse": lambda: [
+        xs.analyse(SPLINE).inflections,
+        xs.analyse(CUSP).singular_points,
+        xs.analyse(SPLINE).joints,
+        xs.analyse(RATIONAL).torsion_zeros,
+    ],
+    "find": lambda: xs.find("f2"),
+    "focal_curve": lambda: xs.focal_curve(SPACE),
+    "formula": lambda: own_formula,
+    "insertion_triangle": lambda: xs.classroom.insertion_triangle(SPLINE, "1/3"),
+    "inspect_curve": lambda: xs.inspect_curve(PLANE_CURVE),
+    "inspect_surface": lambda: xs.inspect_surface(xs.example_surface("sphere")),
+    "jets_for": lambda: xs.jets_for(("f2",), 2),
+    "measure": lambda: xs.tables.measure(xs.find("f2"), SPLINE),
+    "numerical_claims": lambda: xs.tables.numerical_claims("C4.2"),
+    "oracle": lambda: xs.oracle(SPLINE, "inflections"),
+    "oracle length": lambda: xs.oracle(xs.example("parabola"), "length"),
+    "oracle box": lambda: xs.oracle(xs.example("circle"), "bounding_box"),
+    "paper": lambda: xs.paper("lifted"),
+    "parse_degree": lambda: xs.readings.parse_degree("max(9d - 6, 12d)"),
+    "product_tables": lambda: xs.classroom.product_tables(T, T),
+    "patch_table": lambda: [row() for row in xs.tables.patch_table([xs.paper("surfaces").find("parabolic")], (2, 2))],
+    "prove": lambda: xs.prove("f1", "f2", "w"),
+    "proved": lambda: xs.proved(xs.claims("C4.1a")[0]),
+    "read": lambda: xs.read(POINTS),
+    "reduction": lambda: xs.reduction("g0"),
+    "ruled": lambda: xs.language.ruled(xs.language.Vector(1, 2, 3), xs.language.Vector(1, 0, 0)),
+    "ruled_surface": lambda: xs.ruled_surface("tangent_developable", RATIONAL),
+    "series_curve": lambda: xs.readings.series_curve(SPLINE, "1/2", 3),
+    "statements": lambda: list(xs.statements("C4.1a")),
+    "surface_pair": lambda: xs.surface_pair(SPACE, RATIONAL),
+    "sweep": lambda: list(xs.sweep([PLANE_CURVE])),
+    "table_1_degrees": xs.tables.table_1_degrees,
+    "table_1_splines": xs.tables.table_1_splines,
+    "square_root": lambda: xs.square_root(2) + xs.square_root(3),
+    "torsion": lambda: xs.torsion(RATIONAL, "1/3"),
+    "torsion_function": lambda: xs.torsion_function(RATIONAL),
+    "trace": lambda: xs.readings.trace(xs.find("f2")),
+    "trimmed_bisector": lambda: xs.trimmed_bisector(LINE, (0, 2)),
+    "verify": lambda: xs.verify("f1", "f2", SPLINE, "w"),
+    "variants_table": lambda: xs.tables.variants_table(xs.paper("lifted")),
+    # values of a formula in each reading
+    "in jets": lambda: own_formula(xs.readings.JetReading(2).argument(PLANE, 2)),
+    "in fractions": lambda: own_formula(xs.jets_for((own_formula,), 2)),
+    "in degrees": lambda: own_formula(xs.readings.DegreeReading("d").argument(PLANE, 2)),
+}
+#: Names that return what one of those above returns, plain data, numbers, text, pictures or nothing.
+COVERED = {
+    *("at", "at_floats"),
+    *("zero_form",),  # an analysis stays with its curve; its answers are values
+    *("complex_quotient", "conjugate", "cross", "det", "dot", "generalized_cross", "join", "norm2", "perp", "triple"),
+    *("wronskian", "numerator", "control_point_count", "greville_abscissae", "zeros", "rational", "from_float"),
+    *("from_floats", "floats", "features_of_many", "features_of_curves", "check_certificate"),
+    *("derived_data", "inspection_data"),
+    *("example", "example_names", "example_surface", "example_surface_names", "load", "load_surface", "save"),
+    *("save_surface", "surface_from_text", "write", "from_geomdl", "from_scipy", "to_geomdl", "to_scipy"),
+    *("from_splinepy", "to_splinepy", "to_sympy", "to_mpmath", "to_arrays", "points_at", "Limits", "NamedCurve"),
+    *("Reading", "Skipped"),
+    *("load_paper", "measurable", "mathematics", "measured", "printed_numbers", "reduction_table"),
+    *("symbolic_table", "verdicts", "jacobian_sign"),
+}
+
+
+@cache
+def returned(name):
+    return RETURNED[name]()
+
+
+def kept(value):
+    """What must stay: the value, or where it has no equality of its own what it shows."""
+    if isinstance(value, list):
+        return [kept(each) for each in value]
+    if isinstance(value, BaseException | Node):
+        return repr(value)
+    if isinstance(value, Argument):
+        return {name: kept(x) for name, x in value.operands().items()} if hasattr(value, "operands") else None
+    if isinstance(value, Vector):
+        return [kept(each) for each in value]
+    if isinstance(value, Series):
+        return value.coefficients
+    if isinstance(value, Reading):
+        return {name: x for name, x in vars(value).items() if isinstance(x, (int, str))}
+    return answer_data(value, 10)["items"] if isinstance(value, Answer) else value
+
+
+def same(a, b):
+    return type(a) is type(b) and kept(a) == kept(b)
+
+
+def test_every_public_name_is_looked_at():
+    rooms = (xs, xs.classroom, xs.interchange, xs.language, xs.readings, xs.tables)
+    names = {name for room in rooms for name in room.__all__ if not name.startswith(("plot", "__"))}
+    names -= {name for name in xs.__all__ if isinstance(getattr(xs, name), ModuleType)}
+    assert names - RETURNED.keys() - COVERED == set()
+    assert names >= COVERED
+
+
+@pytest.mark.parametrize("name", RETURNED)
+def test_it_survives_pickle_and_copies_and_stays_equal(name):
+    value = returned(name)
+    for other in (pickle.loads(pickle.dumps(value)), copy.deepcopy(value), copy.copy(value)):
+        assert same(other, value)
+        try:
+            own = hash(value)
+        except TypeError:
+            continue
+        if other == value:
+            assert hash(other) == own
+
+
+def there_and_back(value):
+    return value
+
+
+def test_it_comes_back_from_a_process_pool():
+    names = [name for name in RETURNED if name != "formula"]  # of this file, which no other process imports
+    with ProcessPoolExecutor(1, mp_context=get_context("fork")) as pool:
+        for name, other in zip(names, pool.map(there_and_back, map(returned, names)), strict=True):
+            assert same(other, returned(name)), name

@@ -1,0 +1,232 @@
+"""The parts of splines and programs, each held against what it means, with known answers."""
+
+import pytest
+from flint import fmpz, fmpz_poly
+from gmpy2 import mpq
+
+from exactspline import BSpline
+from exactspline.errors import KnotError, ReductionError
+from exactspline.language.kinds import TABLE
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
+from exactspline.numbers.intervals import UNIT
+from exactspline.polynomials.bernstein import LONG, value
+from exactspline.polynomials.patch_forms import PatchForm, Sized
+from exactspline.polynomials.tensor_bernstein import evaluated
+from exactspline.programs.compiled import needed
+from exactspline.programs.given import operands_of
+from exactspline.programs.instructions import Instruction
+from exactspline.reals.real import square_root
+from exactspline.splines.examples import example, load, load_surface
+from exactspline.splines.lowest_terms import primitive_part
+from exactspline.splines.surface_weight import DEPTH, _zero_at_corners
+from exactspline.splines.tensor import lifted
+from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
+from exactspline.verification.curve_check import table_1_splines
+
+T = BSpline.identity(0, 1)
+
+
+@pytest.mark.parametrize("a", [2, -2, 3, -12, mpq(1, 2)])
+@pytest.mark.parametrize("b", [2, -3, 8, -8, mpq(-2, 9)])
+def test_products_of_roots_have_the_signs_of_both(a, b):
+    """±√|a| · ±√|b| = ±√|ab|."""
+    first, second = (square_root(abs(mpq(x))) * (1 if x > 0 else -1) for x in (a, b))
+    told = first * second
+    assert told == square_root(abs(mpq(a) * b)) * (1 if a * b > 0 else -1)
+    assert (told > 0) == (a * b > 0)
+
+
+def test_polynomials_and_forms_are_equal_piece_by_piece():
+    f, g = BSpline(1, [0, 0, 1, 2, 2], [1, 2, 5]), BSpline(1, [0, 0, 1, 2, 2], [1, 2, 4])
+    for own, same, other in ((f.polynomials, f.polynomials, g.polynomials), (f.forms, f.forms, g.forms)):
+        assert own == same
+        assert own == tuple(same)
+        assert own != other
+        assert own != tuple(own)[:1]
+        assert own != (*own, own[0])
+        assert own != 2
+
+
+def test_knots_are_removed_where_they_are():
+    f = BSpline(3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [0, 2, -1, 5, 1, 3])
+    twice = f.insert_knot(2)
+    assert twice.continuity == (2, 1)
+    assert twice.remove_knot(2) == f
+    with pytest.raises(KnotError, match="2 of 1 knots at 1"):
+        twice.remove_knot(1, 2)
+    with pytest.raises(KnotError, match="3 of 2 knots at 2"):
+        twice.remove_knot(2, 3)
+    with pytest.raises(KnotError, match="1 of 0 knots at 1/2"):
+        twice.remove_knot(mpq(1, 2))
+    assert f.insert_knot(1, 2).remove_knot(1, 2) == f
+
+
+def test_a_primitive_part_points_where_the_vector_does():
+    """(t, t²) on [0, 1] and (2, 2 t) on [1, 2]: parts of degree 1 and unequal content."""
+    x = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, "1/2", 1, 2, 2, 2])
+    y = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 1, 2, 3, 4])
+    z = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 2, 1, 3, 9])
+    for vector in (Vector(x, y), Vector(x, y, z), Vector(x, x, x * 3)):
+        part = primitive_part(vector)
+        for i in range(9):
+            t = mpq(2 * i + 1, 10) if i != 4 else mpq(19, 10)
+            own, told = [f(t) for f in vector], [f(t) for f in part]
+            k = next(i for i, a in enumerate(own) if a)
+            assert [told[k] * a for a in own] == [own[k] * b for b in told]
+            assert (told[k] > 0) == (own[k] > 0)
+    assert primitive_part(Vector(x, x, x * 3)).degree == 0
+
+
+def test_edges_of_a_patch_are_those_of_its_net():
+    form = PatchForm.of_net([[1, 2, 3], [4, 5, 7]])
+    assert form.edge(0, 0) == [1, 2, 3]
+    assert form.edge(0, 1) == [4, 5, 7]
+    assert form.edge(1, 0) == [1, 4]
+    assert form.edge(1, 1) == [3, 7]
+
+
+def test_packed_patches_are_polynomials_in_two_variables():
+    c = fmpz_poly([5, 0, 7, 0, -3, 1, 0, 0, 9])
+    assert as_packed(as_mpoly(c, 3), 3) == c
+    z, y = CONTEXT.gens()
+    assert as_mpoly(fmpz_poly([5, 0, 7, 0, -3]), 3) == 5 + 7 * z**2 - 3 * z * y
+    assert as_packed(2 * z * y**2 + y, 4) == fmpz_poly([0, 0, 0, 0, 1, 0, 0, 0, 0, 2])
+    assert as_packed(z * 0, 4) == 0
+
+
+# ---- programs
+
+
+def test_what_is_needed_are_instructions_and_their_arguments():
+    listed = [
+        Instruction("load", (), (0,)),
+        Instruction("load", (), (1,)),
+        Instruction("mul", (0, -1)),
+        Instruction("mul", (0, 1)),
+        Instruction("mul", (2, 0)),
+        Instruction("mul", (4, 3)),
+    ]
+    assert needed(listed, [4]) == {0, 2, 4}
+    assert needed(listed, [5]) == {0, 1, 2, 3, 4, 5}
+    assert needed(listed, [-1, 1]) == {1}
+    assert needed(listed, [-2]) == set()
+
+
+def test_there_is_no_program_over_different_breakpoints():
+    assert operands_of(TABLE, table_1_splines()) is None
+
+
+def test_bounds_grow_with_the_roundings():
+    np = pytest.importorskip("numpy")
+    from exactspline.programs.doubles import ROUNDING, SLACK, UNDERFLOW, Known, _bounded
+
+    masses = np.array([[1.0, 4.0]])
+    for roundings in (1, 8, 64):
+        told = _bounded(masses, masses, Known(roundings, 5, 0))
+        assert told.values.tolist() == masses.tolist()
+        assert told.errors.tolist() == (masses * (SLACK * roundings * ROUNDING)).tolist()
+    assert _bounded(masses, masses * 0, Known(1, 5, 3)).errors.tolist() == [[SLACK * 3 * UNDERFLOW] * 2]
+
+
+def test_a_root_times_nothing_is_nothing():
+    assert square_root(mpq(2)) * 0 == 0
+    assert 0 * square_root(mpq(3)) == 0
+    assert square_root(mpq(2)) * 3 == square_root(mpq(18))
+
+
+def test_parameters_are_located_in_the_segment_on_the_side_asked_for():
+    mesh = BSpline(1, [0, 0, 1, 2, 4, 4], [0, 1, 2, 3]).mesh
+    inside = [(mpq(1, 2), 0), (mpq(3, 2), 1), (mpq(3), 2)]
+    for t, i in inside:
+        assert mesh.locate(t) == mesh.locate(t, left=True) == i
+    assert [mesh.locate(mpq(t)) for t in (0, 1, 2, 4)] == [0, 1, 2, 2]
+    assert [mesh.locate(mpq(t), left=True) for t in (0, 1, 2, 4)] == [0, 0, 1, 2]
+
+
+def test_examples_come_before_files_of_their_names(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("circle", "enneper"):
+        (tmp_path / name).write_text("no curve", encoding="utf-8")
+    assert load("circle") == example("circle")
+    assert load_surface("enneper").degree == (3, 3)
+
+
+def test_a_knot_is_not_removed_where_a_derivative_jumps():
+    with pytest.raises(ReductionError, match="the derivative of order 1 jumps at 1 by -2"):
+        BSpline(1, [0, 0, 1, 2, 2], [0, 1, 0]).remove_knot(1)
+    kept = BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 1, 2, 3, 9])
+    with pytest.raises(ReductionError, match="the derivative of order 2 jumps"):
+        kept.remove_knot(1, 2)
+    assert kept.remove_knot(1).continuity == (1,)
+
+
+def test_a_primitive_part_vanishes_nowhere():
+    """(t, 2t²) on [0, 1] is t (1, 2t), of lower degree than what follows: it stays (1, 2) at the end."""
+    x = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, "1/2", 1, 2, 2, 2])
+    z = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 2, 1, 3, 9])
+    part = primitive_part(Vector(x, z))
+    assert part.degree == 2
+    a, b = (f(1, "left") for f in part)
+    assert b == 2 * a > 0
+    a, b = (f(0) for f in part)
+    assert (a > 0, b) == (True, 0)
+
+
+def test_the_zero_patch_has_the_value_zero_and_a_constant_its_own():
+    """Degree −1 in either parameter is the zero of that degree."""
+    half = mpq(1, 2)
+    assert evaluated(fmpz_poly([3]), fmpz(2), (0, 0), 1, half, half) == mpq(3, 2)
+    assert evaluated(fmpz_poly([1, 2]), fmpz(1), (1, 0), 2, half, mpq(1, 3)) == mpq(3, 2)
+    assert evaluated(fmpz_poly([1, 2]), fmpz(1), (0, 1), 1, half, mpq(1, 3)) == mpq(4, 3)
+    for degrees in ((-1, -1), (-1, 2), (2, -1)):
+        assert evaluated(fmpz_poly([]), fmpz(1), degrees, 4, half, half) == 0
+
+
+def test_a_zero_of_a_weight_lies_in_the_box_that_is_told():
+    """Of −1 + 2x, of (2x − 1)(2y − 1) + ε with a corner at 0, and where no corner is negative none is told."""
+    for net in ([[-1], [1]], [[1, 1], [-1, 1]], [[3, -1], [1, 1]], [[-1, -1], [-1, 2]]):
+        form = PatchForm.of_net(net)
+        (a, b), (c, d) = found = _zero_at_corners(Sized(UNIT, [form], 0))
+        values = [form.value(x, y) for x in (a, b) for y in (c, d)]
+        assert min(values) <= 0 <= max(values), net
+        assert found == ((a, a), (c, c)) or (b - a) * (d - c) == mpq(1, 2**DEPTH)
+    for net in ([[1, 2], [3, 4]], [[1, -1, 1], [1, -1, 1]]):
+        assert _zero_at_corners(Sized(UNIT, [PatchForm.of_net(net)], 0)) is None
+    for corner in range(4):
+        values = [5, 1, 2, 3]
+        values[corner] = 0
+        place = mpq(corner // 2), mpq(corner % 2)
+        box = (mpq(1), mpq(2)), (mpq(3), mpq(5))
+        (x, _), (y, _) = _zero_at_corners(Sized(box, [PatchForm.of_net([values[:2], values[2:]])], 0))
+        assert (x, y) == (box[0][int(place[0])], box[1][int(place[1])])
+
+
+def test_quotients_in_lowest_terms_are_the_same_functions():
+    """Over patches with unequal denominators, and refused where the denominator vanishes on one."""
+    first, second = BSpline(1, [0, 0, 1, 2, 2], ["1/2", "2/3", 3]), BSpline(2, [0, 0, 0, 1, 1, 1], ["1/5", 2, "3/7"])
+    meshes = first.mesh, second.mesh
+    s, t = lifted(first, meshes, 0), lifted(second, meshes, 1)
+    common, w = s * t + s, s + 2
+    value = in_lowest_terms(Rational(Vector(common * t, common * s * s), common * w))
+    assert value.denominator.degree == (2, 2)
+    single = in_lowest_terms(Rational(common * t, common * w))
+    assert (single.is_vector, single.denominator.degree) == (False, (1, 2))
+    for a in (mpq(1, 3), mpq(5, 4)):
+        for b in (mpq(1, 7), mpq(3, 5)):
+            x, y, below = t(a, b), s(a, b) ** 2, w(a, b)
+            told = [f(a, b) / value.denominator(a, b) for f in value.vector]
+            assert told == [x / below, y / below]
+            assert single.scalar(a, b) / single.denominator(a, b) == x / below
+    gone = lifted(BSpline(1, [0, 0, 1, 1, 2, 2], [1, 2, 0, 0]), meshes, 0)
+    with pytest.raises(ReductionError, match=r"all of \[1, 2\] × \[0, 1\]"):
+        in_lowest_terms(Rational(s, gone))
+
+
+@pytest.mark.parametrize("n", [LONG - 1, LONG, LONG + 1, 3 * LONG])
+@pytest.mark.parametrize("t", [mpq(0), mpq(1), mpq(1, 3), mpq(5, 2**40), mpq(-2, 7), mpq(9, 4)])
+def test_values_of_long_forms_are_those_of_the_powers(n, t):
+    c = fmpz_poly([(-1) ** i * (i * i % 11) for i in range(n - 1)])  # the last two coefficients vanish
+    powers = [int(c[i]) * t**i * (1 - t) ** (n - i) for i in range(n + 1)]
+    assert value((c, fmpz(6)), n, t) == sum(powers) / 6
+    assert value((fmpz_poly([]), fmpz(6)), n, t) == 0

@@ -1,0 +1,200 @@
+"""The degree theorem: symbolic, against the reading at infinity, and on curves run through projectively."""
+
+import random
+
+import pytest
+from gmpy2 import mpq
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactspline import BSpline, Nurbs
+from exactspline.errors import FormulaError
+from exactspline.language import Vector
+from exactspline.language.arguments import Curve
+from exactspline.language.kinds import CURVE
+from exactspline.papers import all_formulas, find, known_as
+from exactspline.readings.differential_order import is_polynomial, order_of
+from exactspline.readings.jet import JetReading
+from exactspline.readings.leading_terms import LeadingTermsReading, drop_of
+from exactspline.symbolic.covariants import generic_degree, graded, true_degree
+from exactspline.symbolic.substitution import substitute
+
+DIMENSIONS = {"plane": (2,), "space": (3,), "curve": (2, 3)}
+POLYNOMIAL = [
+    (known_as(f), n) for f in all_formulas().values() for n in DIMENSIONS.get(f.curve, ()) if is_polynomial(f, n)
+]
+
+
+def jets(name, dimension, *, polynomial=False):
+    value = find(name)(JetReading(order_of(find(name), dimension)).argument(CURVE, dimension, polynomial=polynomial))
+    return list(value) if isinstance(value, Vector) else [value]
+
+
+@pytest.mark.parametrize("polynomial", [False, True], ids=["rational", "polynomial"])
+@pytest.mark.parametrize(("name", "dimension"), POLYNOMIAL)
+def test_two_readings_agree_on_every_polynomial_formula(name, dimension, polynomial):
+    """The height against the number of leading terms that vanish at infinity: two algorithms without a line in
+    common.
+    """
+    for i, jet in enumerate(jets(name, dimension, polynomial=polynomial)):
+        if jet.is_zero or len(graded(jet)) > 1 or jet.grading[0] == 0:
+            continue
+
+        def component(c, i=i):
+            value = find(name)(c)
+            return value[i] if isinstance(value, Vector) else value
+
+        found = true_degree(jet)
+        k, m, drop, _ = drop_of(
+            component, lambda terms: LeadingTermsReading(terms).argument(CURVE, dimension, polynomial=polynomial), name
+        )
+        assert (k, m, m - drop) == (found.k, found.m, found.j)
+
+
+def bezier(points, weights):
+    n = len(points) - 1
+    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points, weights)
+
+
+def random_curve(draw_numbers, d, dimension):
+    rows = [[draw_numbers() for _ in range(dimension)] for _ in range(d + 1)]
+    return Curve(
+        Vector(*[BSpline.bezier([row[i] for row in rows]) for i in range(dimension)]),
+        BSpline.bezier([draw_numbers() for _ in rows]),
+    )
+
+
+@pytest.mark.parametrize(("name", "dimension"), [(name, n) for name, n in POLYNOMIAL if name not in ("D1_D2_D21",)])
+@pytest.mark.parametrize("d", [1, 2, 3, 4])
+def test_the_true_degree_is_attained_for_every_small_d_too(name, dimension, d):
+    """Exceptions included: where the theorem says −1 the form vanishes, elsewhere a fixed random curve has the degree
+    exactly.
+    """
+    numbers = random.Random(101 * d + dimension)
+    curve = random_curve(lambda: numbers.randint(-99, 99), d, dimension)
+    value = find(name)(curve)
+    components = list(value) if isinstance(value, Vector) else [value]
+    generic = jets(name, dimension)
+    expected = -1 if all(jet.is_zero for jet in generic) else true_degree(generic).at(d)
+    assert max(c.true_degree for c in components) == expected
+
+
+MOBIUS = st.tuples(*[st.integers(1, 5)] * 2)
+COVARIANT = [
+    ("D1", 2),
+    ("f2", 2),
+    ("vertices_lifted", 2),
+    ("osculating_circle", 2),
+    ("torsion_zeros_lifted", 3),
+    ("osculating_sphere", 3),
+]
+COVARIANT += [("space_critical_curvature_lifted", 3), ("rectifying_generator_lifted", 3), ("circle_sphere", 3)]
+
+
+@pytest.mark.parametrize(("name", "dimension"), COVARIANT)
+@settings(max_examples=8, deadline=None)
+@given(data=st.data())
+def test_covariants_follow_a_projective_change_of_parameter(name, dimension, data):
+    """The change of parameter u ↦ au, v ↦ bv of [0, 1]: the form of the new curve is (ab)^m times that of the old one,
+    moved likewise.
+    """
+    d = data.draw(st.integers(2, 4))
+    a, b = data.draw(MOBIUS)
+    numbers = st.integers(-9, 9)
+    rows = [data.draw(st.lists(numbers, min_size=d + 1, max_size=d + 1)) for _ in range(dimension + 1)]
+
+    def moved(row):
+        return [x * a ** (len(row) - 1 - i) * b**i for i, x in enumerate(row)]
+
+    def lowest(points):
+        *p, w = [BSpline.bezier(row) for row in points]
+        value = find(name)(Curve(Vector(*p), w))
+        return list(value) if isinstance(value, Vector) else [value]
+
+    k, m = true_degree(jets(name, dimension)).k, true_degree(jets(name, dimension)).m
+    surplus = min(m, k * d - m)
+    if k * d - 2 * m < 0:
+        assert all(c.is_zero for c in lowest(rows))
+        return
+    for old, new in zip(lowest(rows), lowest([moved(row) for row in rows]), strict=True):
+        before, after = old.reduce_degree(surplus).segments[0], new.reduce_degree(surplus).segments[0]
+        assert tuple(x * (a * b) ** m for x in moved(before)) == after
+
+
+def test_what_is_no_covariant_does_not():
+    d, a, b = 3, 2, 1
+    row, w = [1, 4, -2, 5], [1, 2, 3, 7]
+    D2 = find("D2")
+
+    def lowest(x, w):
+        return D2(Curve(Vector(BSpline.bezier(x), BSpline.bezier(x)), BSpline.bezier(w)))[0].reduce_degree(1)
+
+    def moved(row):
+        return [x * a ** (len(row) - 1 - i) * b**i for i, x in enumerate(row)]
+
+    before, after = moved(lowest(row, w).segments[0]), lowest(moved(row), moved(w)).segments[0]
+    assert len(before) == 2 * d - 2
+    assert len({x / y for x, y in zip(before, after, strict=True)}) > 1
+
+
+def test_the_formula_behind_the_proof():
+    """(∗) of docs/degree-theorem.md, on polynomials over ℚ: F[f](t) from the LⁿF at 1/t of the reversed curve."""
+    from math import factorial
+
+    from exactspline.symbolic.covariants import _lowered_at
+
+    d, t = 4, mpq(3, 7)
+    F = jets("D2", 2)[0]
+    x, w = [2, -1, 5, 3, 8], [1, 4, -2, 6, 5]
+
+    def taylor(coefficients, at):
+        """The derivatives at a parameter of a polynomial by its coefficients."""
+        return [
+            sum(c * factorial(i) // factorial(i - n) * at ** (i - n) for i, c in enumerate(coefficients) if i >= n)
+            for n in range(d + 1)
+        ]
+
+    def value(polynomial, x, w, at):
+        xs, ws = taylor(x, at), taylor(w, at)
+        known = {("x", (i,)): xs[i] for i in range(d + 1)} | {("w", (i,)): ws[i] for i in range(d + 1)}
+        total = mpq(0)
+        for exponents, c in polynomial.terms():
+            term = mpq(int(c.p), int(c.q))
+            for variable, e in zip(F.ring.variables, exponents, strict=True):
+                term *= known.get(variable, 0) ** int(e) if e else 1
+            total += term
+        return total
+
+    k, m = F.grading
+    image, total = F.polynomial, mpq(0)
+    for n in range(m + 1):
+        total += (-t) ** n / factorial(n) * value(image, x[::-1], w[::-1], 1 / t) if image else 0
+        image = _lowered_at(F.ring, image, d)
+    assert value(F.polynomial, x, w, t) == (-1) ** m * t ** (k * d - 2 * m) * total
+
+
+def test_heights_add():
+    c = JetReading(3).argument(CURVE, 2)
+    D2, D3 = find("D2")(c)[0], find("D3")(c)[0]
+    assert true_degree(D2 * D3).j == true_degree(D2).j + true_degree(D3).j == 3
+    assert true_degree(D2 * find("f2")(c)).j == 1
+
+
+def test_mixed_gradings_take_the_maximum():
+    """x′² + y: true degree max(2d − 2, d), on a curve of each degree."""
+    c = JetReading(1).argument(CURVE, 2, polynomial=True)
+    mixed = c.p[0].d() ** 2 + c.p[1]
+    with pytest.raises(FormulaError, match="gradings"):
+        true_degree(mixed)
+    assert str(generic_degree([mixed])) == "max(2d − 2, d)"
+    numbers = random.Random(7)
+    for d in (1, 2, 3, 4):
+        points = [(numbers.randint(-99, 99), numbers.randint(-99, 99)) for _ in range(d + 1)]
+        value = substitute(mixed, bezier(points, None))
+        assert value.true_degree == generic_degree([mixed]).at({"d": d})
+
+
+def test_zero_has_no_degree():
+    c = JetReading(1).argument(CURVE, 2)
+    with pytest.raises(FormulaError, match="zero polynomial"):
+        true_degree(c.w - c.w)

@@ -1,0 +1,218 @@
+"""Every kind of claim on curves made for it, where what it must say is known."""
+
+from dataclasses import replace
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import BSpline, Nurbs
+from exactspline.display.evidence import worded
+from exactspline.errors import ClaimError
+from exactspline.papers import find
+from exactspline.readings.degree import DegreeReading, parse_degree
+from exactspline.splines.examples import example
+from exactspline.verification.claims import all_claims, select
+from exactspline.verification.errata import check
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evidence import DegreeFound
+from exactspline.verification.kinds.degree_proof import _held, lower_degrees
+from exactspline.verification.ledger import audit, proved
+from exactspline.verification.statement import _dimension, _size, sides
+from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
+
+T = BSpline.identity(0, 1)
+
+
+def claim(key):
+    (found,) = select([key])
+    return found
+
+
+def on(one, curve):
+    return one.check(Evaluation(curve))
+
+
+def curve(x, y, *more):
+    """The curve with these coordinates over [0, 1]."""
+    degree = max(x.degree, y.degree, *[z.degree for z in more])
+    points = [f.elevate_degree(degree - f.degree).control_points for f in (x, y, *more)]
+    return Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), list(zip(*points, strict=True)))
+
+
+PARABOLA = curve(T, T * T)
+#: γ′ = (t² − 1, 2t), of length t² + 1.
+PYTHAGOREAN = curve(T * T * T * mpq(1, 3) - T, T * T)
+LINE = curve(T, 2 * T)
+
+
+def two_pieces():
+    """A Pythagorean cubic, and from its end a parabola."""
+    first = PYTHAGOREAN.control_points
+    x, y = first[-1]
+    second = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 3)]
+    return Nurbs(3, [0] * 4 + [1] * 3 + [2] * 4, [*first, *second[1:]])
+
+
+# ---- squares
+
+
+def test_squares_are_counted_segment_by_segment():
+    one = claim("C41d-curvature_squared-speed_squared")
+    told = "speed_squared is a square up to a constant on {} segments"
+    assert worded(on(one, PYTHAGOREAN).computed) == told.format("1 of 1")
+    assert worded(on(one, PARABOLA).computed) == told.format("0 of 1")
+    assert worded(on(one, two_pieces()).computed) == told.format("1 of 2")
+    assert on(one, LINE).verdict == VACUOUS
+    assert on(one, PARABOLA).verdict == VERIFIED
+
+
+def test_what_is_a_square_where_the_other_is_not_is_named():
+    """On a parabola [γ′ γ″] = 2 is a square up to a constant, ‖γ′‖² = 1 + 4t² is not."""
+    wrong = claim("N3-f2-speed_squared")
+    found = on(wrong, PARABOLA)
+    assert (found.verdict, worded(found.witness)) == (REFUTED, "on segment 0 one is a square and the other is not")
+    assert on(replace(wrong, formula="speed_squared", right="f2"), PARABOLA).verdict == REFUTED
+    assert on(replace(wrong, formula="f2", right="f0"), PARABOLA).verdict == VERIFIED
+    (_, proof) = wrong.prove()
+    assert proof.verdict == REFUTED
+    assert worded(proof.witness)
+    for pair in (("f2", "f2"),):
+        with pytest.raises(ClaimError, match="compared with itself"):
+            replace(wrong, formula=pair[0], right=pair[1])
+
+
+# ---- coefficients, numbers
+
+
+def test_the_first_coefficient_that_vanishes_is_named():
+    """D1 of (t, t²) is (1, 2t), with the coefficients (1, 0), (1, 2); of a curve that stands first it is 0."""
+    one = claim("C3f-D1")
+    assert on(one, PARABOLA).verdict == VERIFIED
+    still = curve(T * T, T * T * T)
+    found = on(one, still)
+    assert (found.verdict, worded(found.witness)) == (REFUTED, "coefficient 0 of D1 is 0")
+    assert on(one, Nurbs(1, [0, 0, 1, 1], [(1, 1), (1, 1)])).verdict == VACUOUS
+    generic = claim("C3f-D1-generic").prove()[1]
+    assert worded(generic.computed).startswith("none vanishes for any d ≥ 1")
+
+
+@pytest.mark.parametrize(
+    ("key", "computed"),
+    [
+        ("Fig2-g2", "degree 12, 52 control points"),
+        ("Fig3-evolute", "degree 26, 108 control points"),
+        ("Fig1-g0", "degree 6, 42 control points"),
+    ],
+)
+def test_numbers_are_told_with_what_they_count(key, computed):
+    row = proved(claim(key))
+    assert worded(row.computed) == computed
+    assert (worded(row.witness) == "") == (row.verdict == VERIFIED)
+
+
+@pytest.mark.parametrize(
+    "one", [c for c in all_claims() if c.kind in ("count", "condition") and "point" not in c.curve], ids=lambda c: c.key
+)
+def test_examples_must_be_curves_of_which_the_claim_speaks(one):
+    other = "twisted_cubic" if one.dimensions == (2,) else "circle"
+    with pytest.raises(ClaimError, match="not a curve of which the claim speaks"):
+        replace(one, example=other, curve="plane" if other == "twisted_cubic" else "space")
+    rational = not example(one.example).polynomial
+    with pytest.raises(ClaimError, match="not a curve of which the claim speaks"):
+        replace(one, of="polynomial" if rational else "rational")
+    replace(one, of="rational" if rational else "polynomial")
+
+
+# ---- existence
+
+
+def test_what_is_rational_is_told_with_its_degree():
+    one = claim("N9-torsion")
+    cubic = example("twisted_cubic")
+    found = on(one, cubic)
+    value = find("torsion")(cubic)
+    assert found.verdict == REFUTED
+    assert worded(found.computed) == f"rational of degree {value.degree}"
+    assert worded(found.witness) == "torsion is a quotient of polynomials in the curve, and is torsion_by_frenet"
+
+
+def test_any_formula_does_not_refute_that_something_is_not_rational():
+    """Passed before: "the torsion is not rational" was refuted by D1, by f2, by whatever formula was named."""
+    one = claim("N9-torsion")
+    for other in ("D1", "velocity_acceleration_jerk", "binormal_squared"):
+        wrong = replace(one, formula=other)
+        assert wrong.prove()[1].verdict == UNDECIDED
+        assert on(wrong, example("twisted_cubic")).verdict == UNDECIDED
+    with pytest.raises(ClaimError, match="said to be what it is"):
+        replace(one, definition="torsion")
+
+
+def test_what_is_rational_is_nothing_on_a_line():
+    one = claim("N9-torsion")
+    line = curve(T, T, T)
+    assert on(one, line).verdict == INAPPLICABLE
+
+
+# ---- degrees
+
+
+def test_sizes_are_degrees_at_three_and_sides_are_read_in_the_dimension_of_the_claim():
+    one = claim("C42c-g2-g1")
+    assert _size("g2", one) == 9 * 3 - 6
+    assert _size("g1", one) == DegreeReading().of(find("g1"), 2).degree.at({"d": 3})
+    assert _dimension(find("g2"), one) == 2
+    assert _dimension(find("D1"), claim("C52a-torsion-torsion_reduced")) == 3
+    assert [side.role for side in sides(claim("C41a-f1-f2"))] == ["naive", "reduced"]
+    assert [side.role for side in sides(claim("C41b-f0-f1-f2"))] == ["naive", "formula", "reduced"]
+    assert [side.name for side in sides(claim("C41b-f0-f1-f2"))] == ["f0", "f1", "f2"]
+    polynomial = replace(one, of="polynomial")
+    assert _size("g2", polynomial) == DegreeReading().of(find("g2"), 2, polynomial=True).degree.at({"d": 3})
+
+
+def test_there_are_no_lower_degrees_of_nothing():
+    assert lower_degrees([]) == {}
+
+
+@pytest.mark.parametrize(
+    ("computed", "claimed", "verdict"), [("max(d1 + d2, d2 + 2)", "d1 + d2", REFUTED), ("d1 + d2", "d1 + d2", PROVED)]
+)
+def test_an_exception_for_equal_degrees_says_nothing_about_unequal_ones(computed, claimed, verdict):
+    # at d1 = d2 = 1 the degree is lower than computed; at d1 = 1, d2 = 5 the first one is 7, not 6
+    one = replace(claim("T7-degree"), claimed=claimed)
+    assert one.least_d == 1
+    assert _held(one, DegreeFound(parse_degree(computed)), {1: 2}).verdict == verdict
+
+
+def test_checks_are_python_that_runs(capsys):
+    """Three lines each, of every kind; what they print is what is told."""
+    printed = {}
+    for one in all_claims():
+        if one.status == "printed" and one.expected == REFUTED and one.kind not in printed:
+            lines = check(one)
+            assert len(lines) == 3
+            exec("\n".join(lines), {})
+            printed[one.kind] = capsys.readouterr().out.strip()
+    assert all(printed.values())
+    assert "identity" in printed
+
+
+# ---- rows
+
+
+def test_rows_tell_what_was_asked_of_whom():
+    (row,) = audit([claim("C41a-f1-f2")], [PARABOLA])
+    assert (row.reading, row.curve, row.verdict) == ("spline", "(unnamed curve)", VERIFIED)
+    assert worded(row.factor) == "w = 1 (polynomial: w = 1)"
+    assert row.expected == (VERIFIED,)
+    assert row.as_recorded
+    (flat,) = audit([claim("C41a-f1-f2")], [LINE])
+    assert flat.verdict == VACUOUS
+    assert flat.as_recorded
+    meant = next(c for c in all_claims() if c.status == "meant")
+    assert proved(meant).statement == f"{meant.statement} (as it must read)"
+    printed = claim("C41a-f1-f2")
+    assert proved(printed).statement == printed.statement
+    assert proved(printed).expected == ("PROVED",)
+    refuted = claim("N3-f2-speed_squared")
+    (row,) = audit([refuted], [PARABOLA])
+    assert row.expected == (REFUTED, VERIFIED)

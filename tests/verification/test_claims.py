@@ -1,0 +1,123 @@
+"""The ledger: claims are data, verdicts are computed, and a wrong claim is caught."""
+
+from dataclasses import replace
+
+import pytest
+import sympy
+
+from exactspline.display.evidence import worded
+from exactspline.errors import ClaimError
+from exactspline.papers import find
+from exactspline.readings.degree import Degree, equal_from, parse_degree
+from exactspline.splines.examples import example
+from exactspline.symbolic.factorization import find_factor, jets_for
+from exactspline.verification.claim_factor import factor_of_text
+from exactspline.verification.claims import all_claims, select
+from exactspline.verification.ledger import audit
+from exactspline.verification.verdict import VACUOUS
+
+
+def claim(claim_id, index=0):
+    return select([claim_id])[index]
+
+
+def test_every_verdict_is_as_recorded():
+    rows = list(audit(all_claims()))
+    assert [(row.id, row.statement, row.curve, row.verdict) for row in rows if not row.as_recorded] == []
+    assert {row.verdict for row in rows if not row.curve} >= {"PROVED", "REFUTED"}
+
+
+def test_ids_select_what_they_begin():
+    assert {c.id for c in select(["C4.1"])} == {"C4.1a", "C4.1b", "C4.1c", "C4.1d", "C4.1e"}
+    assert [c.key for c in select(["T2"])] == ["T2-degree", "T2-T2-polynomial"]
+    with pytest.raises(ClaimError, match="no claim has the id 'C9'"):
+        select(["C9"])
+
+
+@pytest.mark.parametrize(
+    ("field", "wrong"),
+    [("factor", "w^2"), ("factor", "2 w"), ("factor", "1"), ("right", "f1_expanded"), ("left", "velocity_jerk")],
+)
+def test_a_wrong_identity_is_refuted_with_the_exact_quotient(field, wrong):
+    false = replace(claim("C4.1a"), **{field: wrong})
+    reading, finding = (false).prove()
+    assert (reading, finding.verdict) == ("jet", "REFUTED")
+    assert worded(finding.witness)
+    assert false.check(example("rational_cubic")).verdict == "REFUTED"
+
+
+def test_a_factor_changes_no_zero_set_only_where_the_claim_assumes_that_it_has_no_zero():
+    for claim_id in ("C4.1b", "C4.2c", "C5.2c"):
+        chosen = next(c for c in select([claim_id]) if c.kind == "zero set" and c.expected == "PROVED")
+        assert (chosen).prove()[1].verdict == "PROVED"
+        assert (replace(chosen, assumes=())).prove()[1].verdict != "PROVED"
+
+
+def test_a_wrong_degree_is_refuted():
+    """One that agrees from some d on is wrong too: a claim for all d fails if it fails for one."""
+    degree = next(c for c in select(["C4.1c"]) if c.formula == "f2")
+    for wrong in ("3d − 2", "3d", "max(3d − 3, 9)", "max(3d − 3, 2000)"):
+        _, finding = replace(degree, claimed=wrong).prove()
+        assert finding.verdict == "REFUTED"
+        assert worded(finding.computed).startswith("3d − 3")
+    assert replace(degree, claimed="max(3d − 3, 9)", least_d=4).prove()[1].verdict == "PROVED"
+
+
+def test_a_wrong_vanishing_is_refuted_at_a_parameter_where_it_does_not_vanish():
+    finding = replace(claim("C3c"), left="D1_D2_D3").check(example("rational_space_cubic"))
+    assert finding.verdict == "REFUTED"
+    assert "at the parameter" in worded(finding.witness)
+
+
+def test_zero_equals_zero_is_vacuous_not_a_success():
+    rows = list(audit(select(["C4.1a"]), [example("straight_line")]))
+    assert [(row.verdict, row.as_recorded) for row in rows] == [(VACUOUS, True)] * 2
+
+
+def test_a_zero_set_that_differs_is_seen_on_the_curve():
+    false = replace(claim("C4.1b"), formulas=("f2", "velocity_jerk"))
+    assert false.check(example("rational_cubic_s")).verdict == "REFUTED"
+    assert claim("C4.1b").check(example("rational_cubic_s")).verdict == "VERIFIED"
+
+
+def sympy_naive_derivative(p, w, t, order):
+    """The quotient rule by sympy, in undetermined functions: an independent hand for the jet proofs."""
+    value = p / w
+    for _ in range(order):
+        value = sympy.diff(value, t)
+    return value
+
+
+def test_the_jet_proofs_agree_with_sympy():
+    t = sympy.Symbol("t")
+    x, y, w = (sympy.Function(name)(t) for name in "xyw")
+    first = [sympy_naive_derivative(p, w, t, 1) for p in (x, y)]
+    second = [sympy_naive_derivative(p, w, t, 2) for p in (x, y)]
+    naive = first[0] * second[1] - first[1] * second[0]
+    xs, ys, ws = ([f, f.diff(t), f.diff(t, 2)] for f in (x, y, w))
+    reduced = (
+        (xs[1] * ys[2] - ys[1] * xs[2]) * ws[0]
+        - (xs[0] * ys[2] - ys[0] * xs[2]) * ws[1]
+        - (xs[1] * ys[0] - ys[1] * xs[0]) * ws[2]
+    )
+    assert sympy.expand(sympy.numer(sympy.together(naive * w**3 - reduced))) == 0
+    assert str(find_factor(find("f0")(jets_for(("f0",), 2)), find("f2")(jets_for(("f0",), 2)))) == "w⁻³"
+
+
+def test_factors_are_read_as_they_are_written():
+    c = jets_for(("f1",), 2)
+    top, bottom = factor_of_text("2 w^3 f2^-1", c)
+    assert top == 2 * c.w**3
+    assert bottom == find("f2")(c)
+    with pytest.raises(ClaimError, match="cannot be read"):
+        factor_of_text("w^", c)
+
+
+def test_degrees_are_equal_from_some_degree_on():
+    d = Degree.named("d")
+    assert equal_from(parse_degree("max(2d - 1, d)"), parse_degree("2d − 1")) == 1
+    assert equal_from(parse_degree("max(d, 7)"), d) == 7
+    assert equal_from(parse_degree("2d"), parse_degree("2d - 1")) is None
+    assert equal_from(parse_degree("max(d1, d2)") * parse_degree("max(d1, d2)"), parse_degree("max(2d1, 2d2)")) == 1
+    assert equal_from(parse_degree("max(2d1, 2d2)"), parse_degree("d1 + d2")) is None
+    assert str(parse_degree("d1 + d2") * parse_degree("max(d1, 4)")) == "max(2d1 + d2, d1 + d2 + 4)"
