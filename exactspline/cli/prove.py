@@ -341,7 +341,8 @@ class _Ledger:
             if not listed:
                 told = "exactspline prove --rows prints every row; exactspline errata the errors, each with its witness"
                 console.lines(shown, f"{told} and a check; exactspline show CLAIM one claim.")
-            console.legend(shown, self._words())
+            counted = [] if listed or self.curves is not None else ["statement", "error", "row"]
+            console.legend(shown, [*self._words(), *counted])
 
     def _words(self) -> list[str]:
         from exactspline.display.ledger import WORDS
