@@ -1,1 +1,1 @@
-"""What formulas are written in: operands, vectors, quotients, arguments, formulas, ruled surfaces."""
+"""The language of formulas: operands, vectors, quotients, arguments, formulas, ruled surfaces."""

@@ -233,7 +233,9 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         """
         if by is not None:
             if by not in DIRECTION:
-                raise FormulaError(f"a derivative by {by!r}", remedy=f"the parameters are {', '.join(DIRECTION)}")
+                raise FormulaError(
+                    f"a derivative with respect to {by!r}", remedy=f"the parameters are {', '.join(DIRECTION)}"
+                )
             return self.partial(order, 0) if DIRECTION[Parameter(by)] == 0 else self.partial(0, order)
         if self.profile is None:
             raise FormulaError(
