@@ -208,7 +208,7 @@ def test_digits_show_decimals_beside_exact_numbers():
 def test_reduce_on_a_formula_of_the_library():
     (part,) = json.loads(CliRunner().invoke(app, ["reduce", "curvature_squared_derivative", "--json"]).stdout)["rows"]
     assert (part["naive"], part["reduced"], part["true"]) == ("48d", "[X X′ X″ X‴]·f2", "11d − 18")
-    assert part["meaning"]["f2"] == "may have roots of its own"
+    assert part["meaning"]["f2"] == "may have zeros"
     table = run("reduce", "rectifying_developable").stdout
     assert "10d − 18" in table
     assert "positive where the curve is regular" in table

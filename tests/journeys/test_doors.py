@@ -180,7 +180,7 @@ def test_what_an_error_says():
         (lambda: (T / (T + 1)).d(-1), "a derivative of order -1; orders are 0, 1, 2, …, 1000"),
         (lambda: CUSP.p.d(10**9), "a derivative of order 1000000000; orders are 0, 1, 2, …, 1000"),
         (lambda: xs.wronskian(xs.Vector(1, 2)), "the derivative of a vector of numbers"),
-        (lambda: xs.from_floats(DEEP), "lists in lists, more than 8 deep; give a list of floats, or of rows of them"),
+        (lambda: xs.from_floats(DEEP), "lists nested more than 8 levels deep; give a list of floats, or of rows of floats"),
     ):
         with pytest.raises(xs.ExactSplineError) as error:
             call()

@@ -223,5 +223,5 @@ def test_a_degree_of_what_has_roots_is_refused():
     known = {f.name for f in fields(DegreeClaim)}
     with pytest.raises(ClaimError, match="not decided where roots are adjoined"):
         DegreeClaim(**{name: value for name, value in told.items() if name in known})
-    with pytest.raises(FormulaError, match="has roots in it"):
+    with pytest.raises(FormulaError, match="contains square roots"):
         reduction("unit_normal")
