@@ -40,7 +40,8 @@ def wronskian(a: Vector[R], order: int | None = None) -> R:
     It vanishes identically if the components are linearly dependent. `order` is the number of components, required if
     `a` does not know it (a node of a tree).
 
-    >>> from exactspline import BSpline, Vector
+    >>> from exactspline import BSpline
+    >>> from exactspline.language import Vector
     >>> t = BSpline.identity(0, 1)
     >>> wronskian(Vector(t, t * t)) == t * t
     True
@@ -56,7 +57,8 @@ def wronskians(w: R, p: Vector[R]) -> Vector[R]:
     """``w p′ − w′ p``, the Wronskians of a function and each component of a vector: ``w²`` times the derivative of the
     quotient.
 
-    >>> from exactspline import BSpline, Vector
+    >>> from exactspline import BSpline
+    >>> from exactspline.language import Vector
     >>> t = BSpline.identity(0, 1)
     >>> wronskians(t, Vector(t * t, t))[0] == t * t
     True
@@ -71,7 +73,8 @@ def osculating(a: Vector[R], order: int) -> Vector[R]:
     line, plane or sphere through `order` consecutive points. Each component is, up to sign, the Wronskian of all other
     components of `a`.
 
-    >>> from exactspline import BSpline, Vector
+    >>> from exactspline import BSpline
+    >>> from exactspline.language import Vector
     >>> t = BSpline.identity(0, 1)
     >>> [x(0) for x in osculating(Vector(t.constant(1), t, t * t), 2)]
     [mpq(0,1), mpq(0,1), mpq(1,1)]

@@ -121,11 +121,12 @@ _SHARED: ContextVar[SharedJets | None] = ContextVar("shared jets", default=None)
 
 
 @contextmanager
-def sharing(jets: SharedJets) -> Iterator[None]:
-    """A context in which `jets_for` reuses and extends these arguments, so that a formula is computed once for many
-    proofs.
+def sharing(jets: SharedJets | None = None) -> Iterator[None]:
+    """A context in which `jets_for` reuses and extends these arguments (by default those of the enclosing context), so
+    that a formula is computed once for many proofs.
     """
-    token = _SHARED.set(jets)
+    shared = _SHARED.get() if jets is None else jets
+    token = _SHARED.set({} if shared is None else shared)
     try:
         yield
     finally:

@@ -9,6 +9,7 @@ from gmpy2 import mpq
 from mpmath import mp, pi
 from typer.testing import CliRunner
 
+from exactspline.classroom.triangles import de_boor_triangle, insertion_triangle
 from exactspline.cli import COMMANDS, app
 from exactspline.cli.common import load_curve
 from exactspline.display.evidence import worded
@@ -20,7 +21,6 @@ from exactspline.papers import named_papers
 from exactspline.readings.tree import trace
 from exactspline.splines.curve_files import curve_data, curve_from_text
 from exactspline.splines.examples import example
-from exactspline.splines.triangles import de_boor_triangle, insertion_triangle
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.combined import combined
 
@@ -102,7 +102,6 @@ def test_help_names_arguments_without_the_types_of_python():
     ("command", "said"),
     [
         ("sweep", "130 interrupted"),
-        ("bench", "1 a target is missed"),
         ("check-answer", "1 the answer is not right"),
         ("inspect", "0 success; 2 bad input"),
     ],

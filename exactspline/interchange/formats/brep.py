@@ -3,7 +3,8 @@
 B-spline and Bézier curves are read. Circles and ellipses are read as full curves, exact for the axes as written. Lines,
 parabolas and hyperbolas are unbounded in this section (edges bound them) and are skipped, as are trimmed and offset
 curves. For a periodic curve the first poles are repeated and the knots extended by the period. Edges, which may use a
-part of a curve, and placements are ignored; a note states this."""
+part of a curve, and placements are ignored; a note states this.
+"""
 
 from __future__ import annotations
 

@@ -4,7 +4,8 @@ Circles are rational and read exactly; so are the arcs of a polyline, because th
 the angle. An ARC or ELLIPSE is exact if it begins and ends at multiples of a right angle; any other is skipped, because
 its ends are irrational in general. A curve at z = 0 is read as a plane curve. INSERT (a placed copy of a block) is not
 expanded: curves in a block are read as the block defines them. Notes state the unit, and which curves are invisible, in
-paper space, or have a thickness."""
+paper space, or have a thickness.
+"""
 
 from __future__ import annotations
 

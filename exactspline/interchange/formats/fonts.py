@@ -1,11 +1,12 @@
-"""TrueType and CFF outlines, read with fontTools (the extra `fonts`): one curve per contour, in font units.
+"""TrueType and CFF outlines, read with fontTools (the extra `formats`): one curve per contour, in font units.
 
 fontTools returns the numbers of the file without rounding: integers and, for components and CFF fractions, dyadic
 rationals that are exact as doubles. A TrueType contour becomes one quadratic B-spline: simple knots within a run of
 off-curve points, double knots at on-curve points. A CFF contour becomes one cubic with triple knots. For a variable
 font the default instance is read. Components are placed exactly; a glyph with a component placed by matching points is
 skipped. All fonts of a collection (``.ttc``) are read; the names of curves from the second font begin with ``2/``, and
-``fonts.ttc:2/A`` is a glyph of the second font."""
+``fonts.ttc:2/A`` is a glyph of the second font.
+"""
 
 from __future__ import annotations
 
@@ -49,7 +50,7 @@ def pieces(source: Source) -> Iterator[Piece]:
     try:
         from fontTools.ttLib import TTFont
     except ImportError:
-        raise CurveFileError("fontTools is not installed", remedy="pip install 'exactspline[fonts]'") from None
+        raise CurveFileError("fontTools is not installed", remedy="pip install fonttools") from None
     opened = [_opened(TTFont, source, number) for number in range(_count(source))]
     requested = _requested(opened, source.part)
     for number, (font, name) in enumerate(requested, 1):

@@ -1,4 +1,4 @@
-"""``.3dm`` files, read with rhino3dm (the extra `3dm`) in a separate process; it returns the doubles of the file
+"""``.3dm`` files, read with rhino3dm (the extra `formats`) in a separate process; it returns the doubles of the file
 unchanged.
 
 NURBS curves, lines, polylines and every segment of a polycurve are read. Of arcs only full circles are read, exact for
@@ -44,7 +44,7 @@ def _rhino() -> Any:
     try:
         import rhino3dm
     except ImportError:
-        raise CurveFileError("rhino3dm is not installed", remedy="pip install 'exactspline[3dm]'") from None
+        raise CurveFileError("rhino3dm is not installed", remedy="pip install rhino3dm") from None
     return rhino3dm
 
 
