@@ -252,15 +252,15 @@ def test_knots_coefficients_and_degree_of_scipy():
     assert float(curve(curve.domain[1])[1]) == pytest.approx(3)
     surface = si.NdBSpline((np.array([0.0, 0, 1, 1]),) * 2, np.eye(2), 1)
     for other in (si.RectBivariateSpline(x, x, np.outer(y, y)), surface, (1, 2, 3), "tck", None):
-        with pytest.raises(xs.ExactSplineError, match="not a spline of scipy in one parameter"):
+        with pytest.raises(xs.ExactSplineError, match="not a scipy spline in one parameter"):
             xs.interchange.from_scipy(other)
 
 
 def test_surfaces_and_texts_for_curves_of_geomdl():
     """Before: "[0.0, 0.0, 1.0, 1.0] is not a finite number", and an AttributeError, before."""
-    with pytest.raises(xs.ExactSplineError, match="a Surface, where a curve of geomdl is expected"):
+    with pytest.raises(xs.ExactSplineError, match="a Surface, where a geomdl curve is expected"):
         xs.interchange.from_geomdl(of_geomdl())
-    with pytest.raises(xs.ExactSplineError, match="a str, where a curve of geomdl is expected"):
+    with pytest.raises(xs.ExactSplineError, match="a str, where a geomdl curve is expected"):
         xs.interchange.from_geomdl("a")
 
 
