@@ -88,13 +88,7 @@ OutputFile = Annotated[
 ]
 Jobs = Annotated[int, Option("--jobs", "-j", metavar="N", min=1, max=4096, help="Processes.")]
 Backend = Annotated[
-    str,
-    Option(
-        "--backend",
-        metavar="NAME",
-        help="serial, processes, dask or ray (extras of these names).",
-        completion=_backends,
-    ),
+    str, Option("--backend", metavar="NAME", help="serial, processes, dask or ray.", completion=_backends)
 ]
 Scheduler = Annotated[
     str, Option("--scheduler", metavar="ADDRESS", help="The Dask or Ray cluster to use. [default: one made here]")
