@@ -154,7 +154,7 @@ def leaves(commands: dict[str, Entry] = COMMANDS, above: str = "") -> dict[str, 
     >>> [name for name in leaves() if name.startswith("teach")]
     ['teach triangle', 'teach exercise', 'teach check']
     """
-    found = {}
+    found: dict[str, Entry] = {}
     for name, entry in commands.items():
         found |= leaves(entry.commands, f"{above}{name} ") if entry.commands else {f"{above}{name}": entry}
     return found
