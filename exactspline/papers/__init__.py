@@ -219,7 +219,7 @@ def find(name: str) -> Formula:
         options = " or ".join(f"{each.name}:{name}" for each in owners)
         raise FormulaError(f"{len(owners)} papers have a formula called {name!r}", remedy=f"write {options}")
     if name not in known:
-        remedy = nearest(name, known, listed_by="exactspline derive")
+        remedy = nearest(name, known, listed_by="list formulas")
         raise FormulaError(f"there is no formula called {name!r}", remedy=remedy)
     return known[name]
 
