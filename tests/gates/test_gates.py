@@ -15,7 +15,6 @@ from exactspline.geometry.registry import ASKED, REGISTRY
 from exactspline.questions.entry import Answered, questions_of
 from tests.support import gates, import_graph
 
-FILES = gates.trees()
 CHECKOUT = Path(__file__).parents[2]
 
 
@@ -55,7 +54,7 @@ SENTENCES = {
 
 
 def test_no_sentence_decides():
-    assert gates.found_in(FILES, gates.decisions_by_sentences) == BY_SENTENCES.keys()
+    assert gates.found_in(gates.trees(), gates.decisions_by_sentences) == BY_SENTENCES.keys()
 
 
 @pytest.mark.parametrize("code", SENTENCES.values(), ids=SENTENCES)
@@ -65,7 +64,7 @@ def test_a_sentence_that_decides_is_found(code):
 
 def test_no_part_of_a_name_decides():
     """Passed before: an object whose name begins with "evolute" does not exist where the curve is straight."""
-    assert gates.found_in(FILES, gates.names_taken_apart, DECIDING) == NAMES_TAKEN_APART.keys()
+    assert gates.found_in(gates.trees(), gates.names_taken_apart, DECIDING) == NAMES_TAKEN_APART.keys()
     assert planted("def f(name):\n    return name.startswith('evolute')", gates.names_taken_apart)
     assert planted("def f(row):\n    return re.match('D1', row.name)", gates.names_taken_apart)
 
@@ -85,7 +84,7 @@ QUESTION = "class A(Facts):\n    @{}\n    def loops(self) -> Places[Feature]:\n 
 
 
 def test_an_answer_about_places_is_that_of_an_entry():
-    assert gates.found_in(FILES, gates.unregistered, ("geometry/", "questions/")) == UNREGISTERED.keys()
+    assert gates.found_in(gates.trees(), gates.unregistered, ("geometry/", "questions/")) == UNREGISTERED.keys()
     assert planted(QUESTION.format("property"), gates.unregistered) == ["A.loops"]
     assert planted(QUESTION.format("question(Of.PLANE_CURVE)"), gates.unregistered) == []
 
@@ -93,7 +92,7 @@ def test_an_answer_about_places_is_that_of_an_entry():
 def test_every_class_with_questions_is_in_the_registry():
     """Passed before: a class of surfaces whose questions no schema, glossary or command has."""
     known = {each.__name__ for owner in ASKED for each in owner.__mro__}
-    assert {place.rpartition(": ")[2] for place in gates.found_in(FILES, gates.asked_classes)} <= known
+    assert {place.rpartition(": ")[2] for place in gates.found_in(gates.trees(), gates.asked_classes)} <= known
     assert planted(QUESTION.format("question(Of.SURFACE)"), gates.asked_classes) == ["A"]
     assert "A" not in known
     for owner in ASKED:
@@ -124,7 +123,7 @@ def test_no_second_list_of_questions():
     def finder(tree):
         return gates.lists_of_questions(tree, NAMED)
 
-    assert gates.found_in(FILES, finder) == LISTS_OF_QUESTIONS.keys()
+    assert gates.found_in(gates.trees(), finder) == LISTS_OF_QUESTIONS.keys()
     for code in SPELLED.values():
         assert planted(code, finder), code
     assert planted("ASKED = ['inflections', 'corners']", finder) == []
@@ -165,7 +164,7 @@ ENCLOSURE = "class Enclosure:\n    def __lt__(self, other): ...\n    def refine(
 
 
 def test_there_is_one_real_type():
-    assert gates.found_in(FILES, gates.numbers) == SECOND_NUMBERS.keys()
+    assert gates.found_in(gates.trees(), gates.numbers) == SECOND_NUMBERS.keys()
     assert planted(SURD, gates.numbers) == ["Surd"]
     assert planted(ENCLOSURE, gates.numbers) == ["Enclosure"]
     assert planted(VIEW, gates.numbers) == []
@@ -174,7 +173,7 @@ def test_there_is_one_real_type():
 def test_there_is_one_way_to_a_curvature():
     rooms = ("geometry", "splines", "roots", "programs", "display", "classroom", "reals", "verification")
     oracle = "batch/oracle", "batch/inspections"
-    assert gates.found_in(FILES, gates.ways_to_a_curvature, (*rooms, *oracle)) == WAYS.keys()
+    assert gates.found_in(gates.trees(), gates.ways_to_a_curvature, (*rooms, *oracle)) == WAYS.keys()
     assert planted("class Curve:\n    def curvature_at(self, t): ...", gates.ways_to_a_curvature) == [
         "Curve.curvature_at"
     ]
@@ -197,7 +196,7 @@ BARE_LISTS = {
 
 def test_no_answer_is_a_bare_list_of_points():
     """Passed before: the umbilics of a sphere, the zeros of a map that vanishes on a patch."""
-    assert gates.found_in(FILES, gates.lists_of_places, ("geometry/", "questions/")) == BARE_LISTS.keys()
+    assert gates.found_in(gates.trees(), gates.lists_of_places, ("geometry/", "questions/")) == BARE_LISTS.keys()
     code = "@question(Of.SURFACE)\ndef umbilics(self) -> {}: ..."
     for bad in ("tuple[Umbilic, ...]", "list[Feature]", "Sequence[Place]", "tuple[Feature, ...] | None"):
         assert planted(code.format(bad), gates.lists_of_places)
@@ -247,7 +246,7 @@ ROUNDS = {
 
 
 def test_exact_rooms_round_nothing():
-    assert gates.found_in(FILES, gates.rounding, gates.EXACT) == ROUNDED.keys()
+    assert gates.found_in(gates.trees(), gates.rounding, gates.EXACT) == ROUNDED.keys()
 
 
 @pytest.mark.parametrize("code", ROUNDS.values(), ids=ROUNDS)
@@ -269,14 +268,13 @@ BY_NAME = {
     "interchange.bridges.sympy": "imported by those who use sympy",
     "interchange.constructors": "imported by those who use it",
 }
-GRAPH = import_graph.module_graph()
-#: Papers, and the formulas that they name in their tables.
-PAPERS = [name for name in GRAPH if name.startswith(("papers.", "formulas."))]
-ENTRANCES = ["", "__main__", *PAPERS, *(f"cli.{name}" for name in COMMANDS if name not in FOR_DEVELOPERS)]
 
 
 def test_what_only_developers_run_is_not_in_the_wheel():
-    left = GRAPH.keys() - gates.reached(GRAPH, ENTRANCES)
+    graph = import_graph.module_graph()
+    papers = [name for name in graph if name.startswith(("papers.", "formulas."))]  # with formulas of their tables
+    commands = [f"cli.{name}" for name in COMMANDS if name not in FOR_DEVELOPERS]
+    left = graph.keys() - gates.reached(graph, ["", "__main__", *papers, *commands])
     assert all(any(name.startswith(room) for name in left) for room in IN_THE_WHEEL)
     assert {name for name in left if not name.startswith(IN_THE_WHEEL)} == BY_NAME.keys()
 
