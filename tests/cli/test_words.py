@@ -50,7 +50,6 @@ DOCUMENTS = {
     "glossary": ["glossary", "--json"],
     "oracle": ["oracle", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
     "questions": ["oracle", "--list", "--json"],
-    "grade": ["grade", "fontTools", "--cases", "2", "--no-examples", "--json"],
     "topics": ["exercise", "--json"],
     "exercise": ["exercise", "all", "--solutions", "--json"],
     "check-answer": ["check-answer", "cubic_s", "--reference", "cubic_s", "--json"],
@@ -84,7 +83,7 @@ def test_json_follows_its_schema_and_every_row_has_a_key_of_its_own(name):
 
 def test_every_schema_is_published():
     listed = json.loads(run("schema").stdout)["schemas"]
-    assert set(DOCUMENTS) | {"figures", "bench", "convert"} == set(schemas())
+    assert set(DOCUMENTS) | {"figures", "convert"} == set(schemas())
     assert set(schemas()) | {"sweep_line"} == set(listed)
     assert json.loads(run("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 2"
     assert json.loads(run("schema", "prove").stdout)["title"] == "exactspline/prove, version 2"

@@ -3,9 +3,9 @@
 import tomllib
 from pathlib import Path
 
-from mutation.mutants import mutants
+from workshop.mutation.mutants import mutants
 
-SURVIVORS = Path(__file__).resolve().parents[2] / "mutation" / "survivors.toml"
+SURVIVORS = Path(__file__).resolve().parents[2] / "workshop" / "mutation" / "survivors.toml"
 
 
 def test_what_is_explained_exists():

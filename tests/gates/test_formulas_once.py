@@ -27,8 +27,8 @@ from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor import Series
 from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.verification.claims import claims_in
-from mutation.formulas import every_formula, home, reached, spoken_of
 from tests.support.import_graph import imported, trees
+from workshop.mutation.formulas import every_formula, home, reached, spoken_of
 
 
 @cache
@@ -330,7 +330,7 @@ def test_a_function_that_asks_is_found(code):
 REPOSITORY = Path(exactspline.__file__).parent.parent
 #: Files that share no formula with what is held against them; those marked, nothing of the library.
 INDEPENDENT = {
-    "exactspline/batch/bench/inline.py": True,
+    "workshop/bench/inline.py": True,
     "exactspline/roots/checker.py": True,
     "tests/support/oracles.py": False,
     "tests/support/numeric_reading.py": False,

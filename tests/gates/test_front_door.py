@@ -200,7 +200,6 @@ def test_without_printers_a_notebook_shows_the_text(monkeypatch):
 #: drawing libraries, what a user names on the command line, and what only notebooks need.
 IMPORT_BY_STRING = {
     "__init__.py",
-    "batch/grade/adapters/__init__.py",
     "cli/__init__.py",
     "papers/loading.py",
     "display/__init__.py",

@@ -28,7 +28,6 @@ def planted(code, finder):
 #: Rooms that decide.
 DECIDING = ("geometry/", "symbolic/", "classroom/", "questions/", "roots/", "polynomials/", "reals/", "programs/")
 BY_SENTENCES = {
-    "batch/bench/row.py: version_of": "the name of a library",
     "cli/prove.py: _Ledger._listed": "a sheet is found by its name, which is shown too",
     "display/triangles.py: _result_html": "the name of an algorithm",
     "display/triangles.py: _result_sheets": "the name of an algorithm",
@@ -107,7 +106,6 @@ NAMED = {
     if entry.about.answered in (Answered.PLACES, Answered.PIECES, Answered.JOINTS, Answered.CURVES)
 }
 LISTS_OF_QUESTIONS = {
-    "batch/grade/questions.py: ": "what libraries are asked, by entries",
     "batch/inspections.py: ": "what a sweep asks where nothing is said",
     "display/plot/comparisons.py: ": "markers and colours",
 }
@@ -257,26 +255,23 @@ def test_what_rounds_is_found(code):
 
 # ---- law 7: what only developers run is not in the wheel
 
-#: Commands for maintainers of libraries.
-FOR_DEVELOPERS = ("bench", "grade")
-#: What they run is still in the wheel.
-IN_THE_WHEEL = ("batch.bench", "batch.grade", "cli.bench", "cli.grade")
 BY_NAME = {
     "interchange.bridges.mpmath": "imported by those who use mpmath",
     "interchange.bridges.numpy": "imported by those who use numpy",
     "interchange.bridges.splinepy": "imported by those who use splinepy",
     "interchange.bridges.sympy": "imported by those who use sympy",
     "interchange.constructors": "imported by those who use it",
+    "testing": "imported by those who test programs",
+    "testing.families": "the same",
+    "testing.reported": "the same",
 }
 
 
 def test_what_only_developers_run_is_not_in_the_wheel():
     graph = import_graph.module_graph()
     papers = [name for name in graph if name.startswith(("papers.", "formulas."))]  # with formulas of their tables
-    commands = [f"cli.{name}" for name in COMMANDS if name not in FOR_DEVELOPERS]
-    left = graph.keys() - gates.reached(graph, ["", "__main__", *papers, *commands])
-    assert all(any(name.startswith(room) for name in left) for room in IN_THE_WHEEL)
-    assert {name for name in left if not name.startswith(IN_THE_WHEEL)} == BY_NAME.keys()
+    entrances = ["", "__main__", *papers, *(f"cli.{name}" for name in COMMANDS)]
+    assert graph.keys() - gates.reached(graph, entrances) == BY_NAME.keys()
 
 
 def test_a_module_that_only_tests_import_is_found():

@@ -94,7 +94,7 @@ class F:
     assert loose(tree.body, loose_names(tree)) == ["a", "b", "c", "F.g", "F.__add__"]
 
 
-@pytest.mark.parametrize("folder", ["exactspline", "stubs", "tests", "mutation", "benchmarks"])
+@pytest.mark.parametrize("folder", ["exactspline", "stubs", "tests", "workshop"])
 def test_types_are_ignored_for_a_reason(folder):
     ignored = re.compile(r"# type: ignore(?!\[[\w, -]+\]  # \w)")
     found = [

@@ -102,7 +102,6 @@ def test_help_names_arguments_without_the_types_of_python():
     ("command", "said"),
     [
         ("sweep", "130 interrupted"),
-        ("bench", "1 a target is missed"),
         ("check-answer", "1 the answer is not right"),
         ("inspect", "0 success; 2 bad input"),
     ],

@@ -5,7 +5,6 @@ import random
 import pytest
 
 from exactspline import BSpline, Nurbs, Vector, rational
-from exactspline.batch.bench.inputs import curve as bench_curve
 from exactspline.errors import FormulaError
 from exactspline.formulas.lifted import critical_curvature_lifted, tangent_lifted
 from exactspline.geometry.domain import part
@@ -23,6 +22,7 @@ from exactspline.programs.pairs import operands_of_pair, program_of_pair
 from exactspline.programs.program import operands_of
 from exactspline.splines.examples import example
 from exactspline.splines.tensor import surface_pair
+from workshop.bench.inputs import curve as bench_curve
 
 FORMULAS = [f for source in papers() for f in source.formulas.values()]
 ON_CURVES = [f for f in FORMULAS if type(f.kind) is CurveKind and not f.kind.constants]

@@ -119,7 +119,7 @@ def test_a_reading_that_does_not_apply_decides_nothing():
 
 
 def test_coefficients_of_the_generic_polynomial_curve_are_computed():
-    """p is linear in p alone: what is proved for w of degree d says nothing of w = 1."""
+    """p is linear in p alone: what is proved for w of degree d does not hold for w = 1."""
     one = next(c for c in all_claims() if isinstance(c, Coefficients) and c.curves != "every curve")
     told = one.decide(2, polynomial=True)
     assert (told.verdict, told.reason) == (UNDECIDED, Reason.SAMPLED)

@@ -29,7 +29,7 @@ from exactspline.verification.coq.answers import answers, theorem_of
 from exactspline.verification.coq.emission import BY_HAND, ROOT, library
 from exactspline.verification.coq.formulas import Formulas
 from exactspline.verification.vocabulary import Verdict
-from mutation import kernel
+from workshop.mutation import kernel
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
 

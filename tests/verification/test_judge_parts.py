@@ -105,7 +105,7 @@ def test_a_derivative_by_a_variable_is_that_of_the_quotient():
 
 
 def test_zeros_on_a_whole_segment_are_no_extrema():
-    """A straight segment: κ′ vanishes on all of it, and what is counted elsewhere says nothing of it."""
+    """A straight segment: κ′ vanishes on all of it, and what is counted elsewhere does not apply to it."""
     s = example("cubic_s")
     line = [s.control_points[-1], *[tuple(x + k for x in s.control_points[-1]) for k in (1, 2, 3)]]
     curve = Nurbs(3, [0] * 4 + [1] * 4 + [2] * 4, [*s.control_points, *line])
