@@ -14,7 +14,7 @@ from exactspline.cli.common import described
 from exactspline.geometry.analysis import QUESTIONS
 from exactspline.geometry.floats import place_of
 from exactspline.numbers.exact import from_float
-from tests.cli.test_cli import run
+from tests.support.command import run
 
 T = xs.BSpline.identity(0, 2)
 ROOT = xs.zeros(T * T - 2)[0]
