@@ -66,7 +66,7 @@ MAKERS = {
 
 def test_every_formula_belongs_to_a_paper():
     """Passed before: eight formulas of `programs.invariants`, which no claim knew."""
-    loaded = [f for f in alive() if home(f)[1] != "<lambda>" and "<locals>" not in f.function.__qualname__]
+    loaded = [f for f in alive() if "<l" not in getattr(f.function, "__qualname__", "<lambda>")]
     assert strays(loaded) == []
     assert len(loaded) >= 680
 

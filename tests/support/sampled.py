@@ -9,7 +9,7 @@ T = TypeVar("T")
 FULL = bool(os.environ.get("EXACTSPLINE_FULL"))
 
 
-def sample(cases: Sequence[T], count: int, seed: int = 1) -> list[T]:
+def sample(cases: Sequence[T], count: int, seed: int | str = 1) -> list[T]:
     """This many of the cases in their order, the same every time."""
     if FULL or count >= len(cases):
         return list(cases)
