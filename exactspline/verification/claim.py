@@ -25,6 +25,7 @@ from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
+from exactspline.symbolic.factorization import sharing
 from exactspline.verification.check_arguments import free_operands
 from exactspline.verification.claim_factor import WEIGHTS
 from exactspline.verification.claim_fields import claim_kind, declared
@@ -59,7 +60,7 @@ from exactspline.verification.verdict import (
     vacuous,
     worst,
 )
-from exactspline.verification.vocabulary import ArgumentKind, Name, Relation, Scope, Status, Verdict, word
+from exactspline.verification.vocabulary import ArgumentKind, Name, Scope, Status, Verdict, word
 
 E = TypeVar("E", bound=StrEnum)
 V = TypeVar("V")
@@ -329,11 +330,6 @@ class Claim(Immutable, Displayed):
         return "; ".join([*([self.context] if self.context else []), *[each.words for each in self.assumes]])
 
     @property
-    def relation_claimed(self) -> Relation:
-        """The relation that is claimed, of all curves."""
-        return Relation.EQUAL
-
-    @property
     def dimensions(self) -> tuple[int, ...]:
         """The dimensions of which it speaks."""
         return kind_of(self.curve).dimensions
@@ -359,7 +355,8 @@ class Claim(Immutable, Displayed):
         """The reading in which it is decided for all curves, and the finding: the worst of all cases, the
         rational and the polynomial curves of every dimension of which it speaks.
         """
-        found = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
+        with sharing():
+            found = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
         return self.reading, worst(found)
 
     @property

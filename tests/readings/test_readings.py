@@ -1,26 +1,29 @@
 """One conformance suite over all readings: every formula means the same whichever way it is read."""
 
 import re
+from collections import Counter
 from itertools import product
 from types import SimpleNamespace
 
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs, Rational, Vector
+from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError
+from exactspline.language import Rational, Vector
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE, DIMENSIONS, TABLE
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
-from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
+from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse_degree
 from exactspline.readings.differential_order import Order, order_of
+from exactspline.readings.expression import ATOMS
 from exactspline.readings.jet import Jet, JetReading
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
-from exactspline.readings.tree import TreeReading, evaluate, operation_counts, trace
+from exactspline.readings.tree import TreeReading, evaluate, trace
 from exactspline.splines.examples import example
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.
@@ -185,7 +188,9 @@ POLYNOMIAL_DEGREES = {
 def test_naive_degrees_of_rational_curves(name):
     for dimension in DIMENSIONS[FORMULAS[name].curve]:
         assert (
-            equal_from(FORMULAS[name](DegreeReading().argument(CURVE, dimension)).degree, parse(RATIONAL_DEGREES[name]))
+            equal_from(
+                FORMULAS[name](DegreeReading().argument(CURVE, dimension)).degree, parse_degree(RATIONAL_DEGREES[name])
+            )
             == 1
         )
 
@@ -194,8 +199,8 @@ def test_naive_degrees_of_rational_curves(name):
 def test_naive_degrees_of_polynomial_curves(name):
     for dimension in DIMENSIONS[FORMULAS[name].curve]:
         found = FORMULAS[name](DegreeReading().argument(CURVE, dimension, polynomial=True)).degree
-        assert equal_from(found, parse(POLYNOMIAL_DEGREES[name])) is not None
-        assert all(found.at({"d": d}) == parse(POLYNOMIAL_DEGREES[name]).at({"d": d}) for d in range(2, 12))
+        assert equal_from(found, parse_degree(POLYNOMIAL_DEGREES[name])) is not None
+        assert all(found.at({"d": d}) == parse_degree(POLYNOMIAL_DEGREES[name]).at({"d": d}) for d in range(2, 12))
 
 
 def test_two_terms_of_g0_have_the_degrees_of_the_paper():
@@ -333,6 +338,19 @@ def test_series_at_a_knot_take_the_side_asked_for():
 
 
 # ---- trees and printers
+
+
+def operation_counts(node):
+    """How often each operation is carried out, shared nodes counted once."""
+    seen, counts, todo = set(), Counter(), [node]
+    while todo:
+        n = todo.pop()
+        if id(n) not in seen:
+            seen.add(id(n))
+            todo += n.args
+            if n.op not in ATOMS:
+                counts[n.op] += 1
+    return counts
 
 
 def test_a_tree_keeps_what_is_written():
