@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import cache
 
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 from exactspline import example_surface, paper, save_surface
 from exactspline.cli import app
