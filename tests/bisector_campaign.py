@@ -131,6 +131,8 @@ def said_of(found, sides, s):
         for t in line.partners(s):
             on_root = line.over_root is not None and line.over_root.other == (s, t)[1 - line.over_root.of]
             on_piece = any(one.low <= (s, t)[one.of] <= one.high for one in line.pieces)
+            if any((s, t)[one.of] in one.poles for one in line.pieces):
+                continue  # said to be at infinity: this pair has no line
             if on_root or on_piece or (line.over_root is None and not line.pieces):
                 said.append((t, "line"))
     for plane in (x for x in found.planes if x.sides == sides):
