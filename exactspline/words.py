@@ -9,7 +9,7 @@ from exactspline.errors import ExactSplineError, FormulaError, nearest, shown
 
 E = TypeVar("E", bound=StrEnum)
 
-#: Up to so many words, an error lists all of them.
+#: Up to this many words, an error lists all of them.
 FEW = 7
 
 

@@ -18,8 +18,8 @@ from pathlib import Path
 from typing import Any
 
 import exactspline
-from exactspline.batch.bench.row import OURS, Row
-from exactspline.batch.bench.table import SECTIONS, chosen_sections, sheet
+from workshop.bench.row import OURS, Row
+from workshop.bench.table import SECTIONS, chosen_sections, sheet
 
 RECORD = Path(__file__).parent.parent / "benchmarks.json"
 LIBRARIES = ("python-flint", "gmpy2", "sympy", "mpmath")
@@ -27,14 +27,14 @@ LIBRARIES = ("python-flint", "gmpy2", "sympy", "mpmath")
 
 def measure(sections: Iterable[str], *, full: bool) -> None:
     """Measure sections one after the other and keep each when it is done, in the place of what was kept of it before:
-    rows of ``exactspline bench``, where and when, with which versions, beside what load.
+    rows of ``./run bench``, where and when, with which versions, beside what load.
     """
     for name in sections:
-        command = [sys.executable, "-m", "exactspline", "bench", name, *["--full"] * full, "--json", "--quiet"]
+        command = [sys.executable, "-m", "workshop.bench", name, *["--full"] * full, "--json", "--quiet"]
         told = subprocess.run(command, stdout=subprocess.PIPE, check=False, text=True).stdout
         measured = {
             "section": name,
-            "command": f"exactspline bench {name}{' --full' * full}",
+            "command": f"./run bench {name}{' --full' * full}",
             "date": datetime.now(UTC).date().isoformat(),
             "exactspline": exactspline.__version__,
             "commit": _commit(),

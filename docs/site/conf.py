@@ -19,7 +19,7 @@ nb_merge_streams = True
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 default_role = "code"
-smartquotes = False  # a prime is no quotation mark
+smartquotes = False  # a prime is not a quotation mark
 
 # fonts, styles and scripts come with the site: no page asks another host
 mathjax_path = "mathjax/tex-svg.js"

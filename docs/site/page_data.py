@@ -25,7 +25,7 @@ from exactspline.verification.statement import statement
 
 CURVES = ("six_segment_cubic", "cubic_s", "rational_cubic", "ellipse", "cusp")
 DEGREES = range(2, 13)
-#: Inspected surfaces that turn, with their titles.
+#: Inspected interactive 3-D surfaces, with their titles.
 TITLES = {
     "torus": "Torus: its two parabolic circles",
     "bicubic": "Bicubic patch: parabolic curves and umbilics",

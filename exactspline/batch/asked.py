@@ -15,7 +15,7 @@ from exactspline.splines.nurbs import Nurbs
 if TYPE_CHECKING:
     from exactspline.geometry.many_roots import Settled
 
-#: The filter is asked about curves that have so many segments of one degree together: with fewer it takes longer than
+#: The filter is asked about curves that have this many segments of one degree together: with fewer it takes longer than
 #: exact arithmetic.
 TOGETHER = 24
 

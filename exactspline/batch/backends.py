@@ -27,11 +27,11 @@ V = TypeVar("V")
 #: Name → the package that it needs besides joblib; the extra of the same name installs it.
 BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
 #: How many curves are computed together: a few at first, so that the first results come soon and all processes have
-#: work, then so many times what each process has had before, at most so many and of so much weight.
+#: work, then this many times what each process has had before, at most this many and of so much weight.
 FIRST, GROWTH, MOST, HEAVY = 16, 3, 512, 1 << 18
 #: What has so much weight is sent few at a time, and computed alone in this process: an interruption waits for one.
 ALONE = HEAVY // FIRST
-#: Curves of a process that may be on their way or waiting to be fetched; after so many the results are fetched first.
+#: Curves of a process that may be on their way or waiting to be fetched; after this many the results are fetched first.
 WINDOW = 4096
 #: Groups of a process that are sent before a result is awaited.
 PENDING = 3
@@ -120,7 +120,7 @@ def _groups(
 
 
 def _window(first: list[T], groups: Iterator[list[T]], most: int) -> Iterator[list[T]]:
-    """A group and those that follow it, until they hold so many."""
+    """A group and those that follow it, until they hold this many."""
     count = len(first)
     yield first
     while count < most and (group := next(groups, None)) is not None:

@@ -104,7 +104,7 @@ def _value(name: str, text: str) -> Range | int | str:
         return text
     ends = text.split("-") if name in ("degree", "segments") else [text]
     if not 1 <= len(ends) <= 2 or not all(end.isascii() and end.isdigit() for end in ends):
-        raise CurveFileError(f"--random {name}={text}", remedy="write a whole number, for degree and segments also 2-5")
+        raise CurveFileError(f"--random {name}={text}", remedy="write an integer, for degree and segments also 2-5")
     low, high = int(ends[0]), int(ends[-1])
     least: Mapping[str, int] = {"seed": 0, "dimension": 2}
     most = MOST.get(name, {"dimension": 3}.get(name, high))

@@ -15,7 +15,7 @@ from exactspline.batch.results import Results, ResultsError, Settings, locked
 if TYPE_CHECKING:
     import pyarrow
 
-#: A part has at most so many rows, and is written after so many seconds: which bounds the loss by a kill.
+#: A part has at most this many rows, and is written after this many seconds: which bounds the loss by a kill.
 ROWS, SECONDS = 10_000, 60
 
 

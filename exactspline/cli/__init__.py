@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     app: typer.Typer
 
-#: So many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
+#: This many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
 YOUNG = 100_000
 EXIT_STATUS = "Exit status: 0 success; 1 a verdict differs from the record; 2 bad input."
 #: What exit status 1 of a command means; the other commands do not use it.
@@ -29,7 +29,6 @@ STATUS_1 = {
     "degrees": "a degree differs from the printed one",
     "check_answer": "the answer is not right",
     "sweep": "a verdict differs from the record, or the program failed on a curve",
-    "bench": "a target is missed",
 }
 #: Further meanings of status 2.
 STATUS_2 = {"sweep": "bad input, or a curve that cannot be read; 130 interrupted"}
@@ -59,11 +58,6 @@ COMMANDS: dict[str, tuple[str, ...]] = {
         "oracle circle --ask value@1/3 --ask length",
         "oracle drawing.svg --ask inflections --ask bounding_box --json",
         "oracle --list",
-    ),
-    "grade": (
-        "Libraries compared with exact answers.",
-        "grade scipy geomdl --cases 20",
-        "grade --cache truths.jsonl.gz --page scoreboard.md",
     ),
     "bisector": (
         "Bisectors of curves and points.",
@@ -97,7 +91,6 @@ COMMANDS: dict[str, tuple[str, ...]] = {
         "sweep --random degree=2-5 count=1000 seed=1 --find inflections",
         "sweep curves/ --claim C4.1 -o verdicts.parquet",
     ),
-    "bench": ("Times, compared with other libraries.", "bench", "bench forms roots --plot bench.svg", "bench --json"),
     "convert": (
         "Convert files of curves.",
         "convert drawing.dxf curves.json",
@@ -138,7 +131,7 @@ def _version(wanted: bool) -> None:
 
 def options(
     version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
     ] = False,
 ) -> None:
     """B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'."""

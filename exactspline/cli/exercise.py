@@ -19,7 +19,7 @@ def exercise(
     topic: Annotated[str, typer.Argument(help="A topic, or all; without it the topics are listed.")] = "",
     seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="The first exercise's number.")] = 0,
     count: Annotated[
-        int, typer.Option("--count", metavar="K", min=1, max=500, help="So many exercises per topic.")
+        int, typer.Option("--count", metavar="K", min=1, max=500, help="This many exercises per topic.")
     ] = 1,
     solutions: Annotated[bool, typer.Option("--solutions", help="With a sheet of solutions.")] = False,
     latex: Annotated[bool, typer.Option("--latex", help="Print a LaTeX document.")] = False,

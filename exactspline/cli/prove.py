@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from exactspline.verification.questions import Proof
     from exactspline.verification.rows import Row
 
-#: Up to so many claims are listed one by one; more are summarized.
+#: Up to this many claims are listed one by one; more are summarized.
 FEW = 12
 
 Claims = Annotated[

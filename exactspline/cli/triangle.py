@@ -26,7 +26,7 @@ def triangle(
     insert: Annotated[
         list[str] | None, typer.Option("--insert", metavar="T", help="Insert a knot. May be repeated.")
     ] = None,
-    times: Annotated[int, typer.Option("--times", metavar="N", min=1, help="Insert it so many times.")] = 1,
+    times: Annotated[int, typer.Option("--times", metavar="N", min=1, help="Insert it this many times.")] = 1,
     elevate: Annotated[
         int, typer.Option("--elevate", metavar="N", min=0, max=100, help="Raise the degree by N, segment by segment.")
     ] = 0,

@@ -62,7 +62,7 @@ def curve_bisector_data(found: CurveBisector, digits: int) -> Data:
 @singledispatch
 def _solution_data(part: object, digits: int) -> Data:
     """A part of the answer, as data."""
-    raise AssertionError(f"{type(part).__name__} is no part of a bisector")
+    raise AssertionError(f"{type(part).__name__} is not a part of a bisector")
 
 
 def _sides(sides: Box) -> list[list[str]]:
@@ -263,7 +263,7 @@ def _trimmed_piece_data(piece: TrimmedPiece, digits: int) -> Data:
 
 def parameter_data(t: Parameter, digits: int) -> Data:
     """A parameter: exact text where it is rational, otherwise its minimal polynomial (constant term first; where
-    factoring is out of reach a multiple of it); an interval that isolates it, and so many digits.
+    factoring is out of reach a multiple of it); an interval that isolates it, and its leading digits.
     """
     root = t if isinstance(t, Root) else knot_root(t)
     low, high = root.refine(digits)
@@ -298,7 +298,7 @@ def counted(value: Rational[TensorSpline]) -> int:
 
 
 def shown(t: Parameter, digits: int) -> str:
-    """A parameter as text: exact where it is short, otherwise so many digits."""
+    """A parameter as text: exact where it is short, otherwise to a given number of digits."""
     exact = t if not isinstance(t, Root) else t.exact
     if exact is not None and len(text(exact)) <= digits + 2:
         return text(exact)

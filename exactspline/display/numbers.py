@@ -65,7 +65,7 @@ def decimals(formula: str, digits: int = 0, *, exact: bool = False) -> str:
 
 
 def decimal(value: mpq, digits: int) -> str:
-    """An exact number rounded to so many significant digits.
+    """An exact number rounded to a given number of significant digits.
 
     >>> decimal(mpq(1, 3), 5)
     '0.33333'

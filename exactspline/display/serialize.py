@@ -29,7 +29,7 @@ from exactspline.splines.values import SplineVector
 
 
 def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, object]:
-    """A feature as data: the parameter exactly, as an interval and to so many digits; κ there where
+    """A feature as data: the parameter exactly, as an interval and to a given number of digits; κ there where
     γ′ ≠ 0, in space also τ; and the angle of a corner.
     """
     low, high = f.root.refine(digits)
@@ -52,7 +52,7 @@ def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, object]:
 
 
 def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
-    """An angle: its cosine and sine exactly, and degrees to so many digits."""
+    """An angle: its cosine and sine exactly, and degrees to a given number of digits."""
     from mpmath import nstr
 
     if angle is None:
@@ -63,7 +63,7 @@ def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
 
 def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
     """A joint as data: its kind and order of geometric continuity, the angle of a corner, the width of a
-    gap, and the curvatures of both sides where they differ, exactly and to so many digits.
+    gap, and the curvatures of both sides where they differ, exactly and to a given number of digits.
     """
     from mpmath import nstr
 
@@ -86,7 +86,7 @@ def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
 
 
 def decimal_of(root: Root, digits: int) -> str:
-    """A root to so many digits behind the point."""
+    """A root to a given number of digits behind the point."""
     from mpmath import mp, nstr
 
     with mp.workdps(digits + 10):
@@ -97,8 +97,8 @@ def decimal_of(root: Root, digits: int) -> str:
 
 
 def value_of(quantity: Callable[[Nurbs, Root, Side | str], Real], curve: Nurbs, root: Root, digits: int) -> str:
-    """κ or τ at a root to so many significant digits, 0 where it is exactly 0; at a joint the limits from both sides
-    where they differ; the reason where there is none.
+    """κ or τ at a root to a given number of significant digits, 0 where it is exactly 0; at a joint the limits from
+    both sides where they differ; the reason where there is none.
     """
     from mpmath import mp, nstr
 

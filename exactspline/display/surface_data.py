@@ -74,7 +74,9 @@ def described_surface(surface: NurbsSurface) -> str:
 
 
 def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, object]:
-    """The whole inspection as data: numbers as exact text, irrational ones as intervals and to so many digits."""
+    """The whole inspection as data: numbers as exact text, irrational ones as intervals and to a given number of
+    digits.
+    """
     surface = found.surface
     return {
         "surface": surface.name,
@@ -206,7 +208,7 @@ def _joint_data(joint: SurfaceJoint, digits: int) -> dict[str, object]:
 
 
 def _parameter_data(t: Parameter, digits: int) -> dict[str, str | None]:
-    """A parameter exactly, if it is rational, and to so many digits."""
+    """A parameter exactly, if it is rational, and to a given number of digits."""
     return {"value": None if isinstance(t, Root) else text(t), "decimal": shown(*enclosing(t, digits + 2), digits)}
 
 
@@ -219,7 +221,7 @@ def _ends(side: Interval) -> list[str]:
 
 
 def shown(low: mpq, high: mpq, digits: int) -> str:
-    """A number between two to so many digits behind the point.
+    """A number between two to a given number of digits behind the point.
 
     >>> shown(mpq(1, 3), mpq(1, 3), 4), shown(mpq(-1, 2), mpq(-1, 2), 3)
     ('0.3333', '-0.5')

@@ -16,7 +16,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import greville_abscissae
 from exactspline.splines.nurbs import Nurbs
 
-#: Size in pixels, margin, samples in all and at least so many per segment.
+#: Size in pixels, margin, samples in all and at least this many per segment.
 WIDTH, HEIGHT, MARGIN, SAMPLES, LEAST = 240, 150, 8, 160, 6
 #: A graph this many times lower than its control polygon is shown without the polygon.
 POLYGON_ABOVE_GRAPH = 20

@@ -113,7 +113,7 @@ class _Budget:
         self._words = 1 + bits // 100
 
     def take(self, terms: int) -> None:
-        """Count an evaluation of so many terms; raises `OpenError` where none is left."""
+        """Count an evaluation of this many terms; raises `OpenError` where none is left."""
         self.left -= terms * self._words
         if self.left < 0:
             raise OpenError("the arc length takes too much work", remedy=TOO_MUCH)

@@ -26,9 +26,9 @@ from exactspline.splines.nurbs import Nurbs
 
 #: The numbers of the kinds in an array.
 KINDS = (FeatureKind.INFLECTION, FeatureKind.MAXIMUM, FeatureKind.MINIMUM)
-#: Whole numbers up to here are doubles.
+#: Integers up to here are doubles.
 WHOLE = 2**53
-#: The bits of a double without its sign, and those of the least that is not subnormal, read as a whole number.
+#: The bits of a double without its sign, and those of the least that is not subnormal, read as an integer.
 SIZE, LEAST = 2**63 - 1, 2**52
 TINY = mpq(1, 2**1022)
 #: The rows of one curve or of many: the number of the curve, kinds, both bounds, and which form vanishes.
@@ -74,7 +74,7 @@ def features_of_many(points: ArrayLike, weights: ArrayLike | None = None) -> Man
     >>> list(features_of_many([[(0, 0), (1, float("nan"))], [(0, 0), (1, 1)]]).refused.values())
     [NumberError('points[0]: is not a finite number; write finite numbers')]
 
-    Raises `ShapeError` for arrays of another shape, `NumberError` for arrays of what are no numbers.
+    Raises `ShapeError` for arrays of another shape, `NumberError` for arrays of what are not numbers.
     """
     return joined(list(features_in_parts(points, weights)))
 
@@ -111,7 +111,7 @@ def _checked(points: ArrayLike, weights: ArrayLike | None) -> tuple[Floats, Floa
     if weights is not None:
         w, inexact = _doubles(weights, "weights")
         if w.shape != p.shape[:2]:
-            raise ShapeError(f"weights of the shape {w.shape}", where="weights", remedy=f"{p.shape[:2]}, one a point")
+            raise ShapeError(f"weights of the shape {w.shape}", where="weights", remedy=f"{p.shape[:2]}, one per point")
         wrong = _wrong(w, inexact, "weights") | wrong
     if wrong:
         p = p.copy()
@@ -120,11 +120,11 @@ def _checked(points: ArrayLike, weights: ArrayLike | None) -> tuple[Floats, Floa
 
 
 def _doubles(given: ArrayLike, name: str) -> tuple[Floats, Flags]:
-    """Numbers as doubles, and which of them are other numbers then. What a masked array hides is no number."""
+    """Numbers as doubles, and which of them are other numbers then. What a masked array hides is not a number."""
     try:
         a = np.ma.filled(given, np.nan) if isinstance(given, np.ma.MaskedArray) else np.asarray(given)
     except (ValueError, TypeError) as error:
-        raise ShapeError(f"{name} are no array: {error}", where=name, remedy="rows of one length") from None
+        raise ShapeError(f"{name} are not an array: {error}", where=name, remedy="rows of one length") from None
     if a.dtype.kind not in "fiuO":
         raise NumberError(f"{name} of the type {a.dtype}", where=name, remedy="an array of doubles")
     if a.dtype.kind == "O":
@@ -147,7 +147,7 @@ def _double(number: object, name: str) -> tuple[float, bool]:
     """An exact number or a float as a double, and whether that is the same number."""
     if is_float(number):
         return float(number), True
-    value = rational(number)  # type: ignore[arg-type]  # the gate refuses what is no number
+    value = rational(number)  # type: ignore[arg-type]  # the gate refuses what is not a number
     try:
         near = float(value)
     except OverflowError:
@@ -159,7 +159,7 @@ def _wrong(a: Floats, inexact: Flags, name: str) -> dict[int, ExactSplineError]:
     """What is wrong with the numbers of each curve."""
     wrong: dict[int, ExactSplineError] = {}
     for bad, told, remedy in (
-        (inexact, "is no double", "write doubles, or take `analyse`"),
+        (inexact, "is not a double", "write doubles, or take `analyse`"),
         (~np.isfinite(a), "is not a finite number", "write finite numbers"),
     ):
         for row in np.unique(np.nonzero(bad)[0]).tolist():

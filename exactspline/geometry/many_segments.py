@@ -181,6 +181,6 @@ def _doubles(curve: Nurbs) -> Iterator[list[list[float]]]:
 
 
 def rounded(row: Sequence[int], m: int, size: int) -> list[float]:
-    """Whole numbers over ``2^size · m`` as doubles, each rounded once."""
+    """Integers over ``2^size · m`` as doubles, each rounded once."""
     below, above = m << max(size, 0), max(-size, 0)
     return [(x << above) / below for x in row]

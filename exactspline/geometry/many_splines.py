@@ -23,8 +23,8 @@ from exactspline.splines.nurbs import Nurbs
 
 
 def features_of_curves(curves: Iterable[Nurbs]) -> ManyFeatures:
-    """Inflections and curvature extrema of plane curves, of any degrees, polynomial or rational. What is no plane curve
-    is refused; the others are computed.
+    """Inflections and curvature extrema of plane curves, of any degrees, polynomial or rational. What is not a plane
+    curve is refused; the others are computed.
 
     >>> from exactspline import example
     >>> found = features_of_curves([example("six_segment_cubic"), example("cubic_s")] * 2)
@@ -36,7 +36,7 @@ def features_of_curves(curves: Iterable[Nurbs]) -> ManyFeatures:
 
 
 def curve_features_in_parts(curves: Iterable[Nurbs], *, at_once: int = AT_ONCE) -> Iterator[ManyFeatures]:
-    """The same, for so many curves at a time, so that partial results are available."""
+    """The same, for this many curves at a time, so that partial results are available."""
     source, start = iter(as_items(curves, "curves")), 0
     while some := list(islice(source, at_once)):
         found = _features(some)

@@ -130,7 +130,7 @@ def _planar_runs(rows: list[Rows]) -> list[tuple[int, int, Rows]]:
 
 
 def _rows(curve: Nurbs) -> list[Rows]:
-    """Multiples of the homogeneous Bézier points (p, w) in whole numbers, segment by segment."""
+    """Multiples of the homogeneous Bézier points (p, w) in integers, segment by segment."""
     n = curve.degree
     columns = [s.elevated_to(curve.p[0]).forms for s in (*curve.p, curve.w)]
     return [_whole(n, parts) for parts in zip(*columns, strict=True)]
@@ -146,7 +146,7 @@ def _whole(n: int, forms: Sequence[Form]) -> Rows:
 
 
 def _span(rows: Rows) -> Rows:
-    """A basis of the span of the rows, in echelon form: whole numbers without a common divisor, the columns of the
+    """A basis of the span of the rows, in echelon form: integers without a common divisor, the columns of the
     pivots empty but for these.
     """
     matrix, _, rank = fmpz_mat(rows).rref()

@@ -19,7 +19,7 @@ def quarter_turns_of_degrees(degrees: mpq) -> int:
     >>> quarter_turns_of_degrees(mpq(270))
     3
 
-    Raises `NumberError` where it is not a whole number of them.
+    Raises `NumberError` where it is not an integer of them.
     """
     turns = degrees / 90
     if turns.denominator != 1:
@@ -34,7 +34,7 @@ def quarter_turns_of_radians(text: str) -> int:
     >>> quarter_turns_of_radians("6.283185307179586"), quarter_turns_of_radians("3.14159")
     (4, 2)
 
-    Raises `NumberError` where it is no such number.
+    Raises `NumberError` where it is not such a number.
     """
     value = decimal(text, Limits())
     if not value:

@@ -43,7 +43,7 @@ class Collector:
         self._notes[text] = None
 
     def room(self, objects: int) -> None:
-        """Raise `ShapeError` where so many more objects would be too many: before they are built."""
+        """Raise `ShapeError` where this many more objects would be too many: before they are built."""
         if self._objects + objects > self.limits.objects:
             self.count(objects)
 

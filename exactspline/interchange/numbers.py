@@ -39,7 +39,7 @@ def whole(text: str) -> int:
     12
     """
     if not _WHOLE.fullmatch(text):
-        raise NumberError(f"{shown(text)} is not a small whole number", remedy='whole numbers look like "12"')
+        raise NumberError(f"{shown(text)} is not a small integer", remedy='integers look like "12"')
     return int(text)
 
 

@@ -62,11 +62,11 @@ class Tokens:
         return decimal(self.word(), self.limits)
 
     def numbers(self, count: int) -> list[mpq]:
-        """So many decimals."""
+        """This many decimals."""
         return [self.number() for _ in range(self._checked(count))]
 
     def rows(self, count: int, length: int) -> list[list[mpq]]:
-        """So many rows of decimals."""
+        """This many rows of decimals."""
         self._checked(count * length)
         return [self.numbers(length) for _ in range(count)]
 

@@ -44,7 +44,7 @@ def freely_differentiable(
     """
     if kind.rules(dimension) or kind.composed:
         raise InapplicableError(
-            f"the reading {reading.name!r} says nothing of the kind {kind.name!r}",
+            f"the reading {reading.name!r} does not apply to the kind {kind.name!r}",
             remedy="its operands depend on each other: ask for an identity, or check one curve",
         )
     return kind.symbols(dimension, polynomial=polynomial)

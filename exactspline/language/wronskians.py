@@ -68,7 +68,7 @@ def wronskians(w: R, p: Vector[R]) -> Vector[R]:
 
 def osculating(a: Vector[R], order: int) -> Vector[R]:
     """The vector orthogonal to `a` and its derivatives, `order` vectors in all and one component more: the line, plane
-    or sphere through so many consecutive points. Up to signs its components are the Wronskians of all others.
+    or sphere through this many consecutive points. Up to signs its components are the Wronskians of all others.
 
     >>> from exactspline import BSpline, Vector
     >>> t = BSpline.identity(0, 1)

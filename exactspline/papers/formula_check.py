@@ -397,7 +397,7 @@ class _Body:
         if isinstance(node.op, ast.Pow):
             n = node.right.value if isinstance(node.right, ast.Constant) else None
             if type(n) is not int or not 1 <= n <= POWER:
-                raise self.read.refuse(node, "the exponent of a power", f"write a whole number from 1 to {POWER}")
+                raise self.read.refuse(node, "the exponent of a power", f"write an integer from 1 to {POWER}")
             return m + n, a * n
         (n_, b) = self.expression(node.right)
         if isinstance(node.op, ast.Div) and _is_number(node.left) and _is_number(node.right):
@@ -430,7 +430,7 @@ class _Body:
         if node.keywords and not (name == "wronskian" and [k.arg for k in node.keywords] == ["order"]):
             raise self.read.refuse(node, f"named arguments of {name}", "write the arguments separately")
         if name == "wronskian" and node.keywords and not _is_small(node.keywords[0].value):
-            raise self.read.refuse(node, "the order of a Wronskian", "write a small whole number")
+            raise self.read.refuse(node, "the order of a Wronskian", "write a small integer")
         found = [self.expression(arg) for arg in node.args]
         size, degree = self.read.functions[name]
         products = sum(d for _, d in found) or 1

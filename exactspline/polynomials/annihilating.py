@@ -134,7 +134,7 @@ def _factors(*coefficients: fmpz) -> tuple[fmpz_poly, ...]:
 
 def without_rational_zero(p: fmpz_poly) -> bool:
     """Whether it is certain that no zero is rational: a rational one is a zero modulo every prime that does not divide
-    the leading coefficient. False says nothing.
+    the leading coefficient. False decides nothing.
 
     >>> [without_rational_zero(fmpz_poly(c)) for c in ([-2, 0, 1], [-4, 0, 1])]
     [True, False]

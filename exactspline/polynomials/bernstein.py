@@ -103,7 +103,7 @@ def value(form: Form, n: int, t: mpq) -> mpq:
     return from_flint(c(to_fmpq(t / u))) * u**n / int(m)
 
 
-#: From this degree on, whole numbers are cheaper than fractions in lowest terms on the way.
+#: From this degree on, integers are cheaper than fractions in lowest terms on the way.
 LONG = 24
 
 
@@ -195,7 +195,7 @@ def reverse(form: Form, n: int) -> Form:
 
 
 def divide_u_plus_v(c: fmpz_poly, at_most: int) -> tuple[fmpz_poly, int]:
-    """Divide by ``u + v`` as long as the division is exact, at most so many times; the quotient and the number of
+    """Divide by ``u + v`` as long as the division is exact, at most this many times; the quotient and the number of
     divisions.
     """
     times = 0

@@ -47,7 +47,7 @@ def _rounded_down(t: mpq, bits: int) -> mpq:
 
 
 def _values(c: fmpz_poly, n: int, low: mpq, high: mpq, bits: int) -> tuple[mpq, mpq]:
-    """Bounds of ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` over [low, high], by Horner's rule; every product is rounded outwards to so
+    """Bounds of ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` over [low, high], by Horner's rule; every product is rounded outwards to that
     many binary places of the greatest coefficient.
     """
     one = mpz(1) << bits

@@ -31,7 +31,7 @@ DEPTH, BOXES = 48, 5000
 SIMPLE_BITS, SIMPLE = 60, 4096
 #: What part of a side Krawczyk's operator keeps of a box in which a zero is certified, at most.
 KEPT = 3, 4
-#: Bits to which two zeros are refined before it is given up to tell them apart.
+#: Refinement limit (bits) for separating two zeros.
 EQUAL_BITS = 200
 
 
@@ -243,7 +243,9 @@ def same(one: Zero, other: Zero) -> bool:
 
 
 def are_one(one: Zero, other: Zero) -> bool | None:
-    """Whether two certified points, each a zero of forms of its own, are one; None where that is given up."""
+    """Whether two certified points, each a zero of forms of its own, are one; None where the refinement limit is
+    reached.
+    """
     if one.exact is not None and other.exact is not None:
         return one.exact == other.exact
     return None if one.refine(EQUAL_BITS).meets(other.refine(EQUAL_BITS)) else False

@@ -57,7 +57,7 @@ def _degree(rows: Sequence[fmpz_poly]) -> int:
 
 
 def _bits(rows: Sequence[fmpz_poly], count: int) -> int:
-    """Bits of the values of the rows at so many successive integers around 0."""
+    """Bits of the values of the rows at this many successive integers around 0."""
     return max(height_bits(row.coeffs()) + (row.degree() + 1) * count.bit_length() for row in rows)
 
 
@@ -76,7 +76,7 @@ def _through_whole(values: Sequence[fmpz], start: int) -> fmpz_poly:
 
 
 def _start(leading: fmpz_poly, count: int) -> int:
-    """The first of so many successive integers at which a polynomial does not vanish, not far from 0."""
+    """The first of this many successive integers at which a polynomial does not vanish, not far from 0."""
     start = k = -(count // 2)
     while k < start + count:
         if leading(k) == 0:

@@ -61,7 +61,7 @@ class LocalPolynomial:
 
     @cached_property
     def without_rational_zero(self) -> bool:
-        """Whether it is certain that no zero is rational; False says nothing.
+        """Whether it is certain that no zero is rational; False decides nothing.
 
         >>> [LocalPolynomial(fmpz_poly(c)).without_rational_zero for c in ([-2, 0, 1], [-4, 0, 1])]
         [True, False]

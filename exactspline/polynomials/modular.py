@@ -22,7 +22,7 @@ BITS, PRODUCT = 62, prod(PRIMES)
 
 def without_rational_zero(forms: Sequence[Sequence[int]]) -> Flags:
     """For which forms of one degree, rows of integer coefficients of ``uⁿ⁻ⁱvⁱ``, it is certain that they have no
-    rational zero; False says nothing.
+    rational zero; False decides nothing.
 
     >>> without_rational_zero([[-2, 0, 1], [-4, 0, 1], [0, 0, 0], [-2 * 10**40, 0, 10**40]]).tolist()
     [True, False, False, True]
@@ -52,7 +52,7 @@ def _short(form: Sequence[int]) -> Sequence[int]:
 @cache
 def _monomials(p: int, degree: int) -> Floats:
     """The monomials of a degree at all points of a projective line, (1 : t) and (0 : 1). Products with residues are
-    whole numbers below ``p² (degree + 1)``, which doubles hold.
+    integers below ``p² (degree + 1)``, which doubles hold.
     """
     rows = [[pow(t, i, p) for t in range(p)] + [int(i == degree)] for i in range(degree + 1)]
     return np.array(rows, dtype=float)

@@ -92,7 +92,7 @@ def _name(a: int) -> str:
 
 
 def _text(instruction: Instruction, constants: dict[str, Any]) -> str:
-    """One operation as Python writes it; whole numbers are made once and bound by name."""
+    """One operation as Python writes it; integers are made once and bound by name."""
     name, arguments, numbers = instruction
     a = _name(arguments[0])
     if name == "mul":

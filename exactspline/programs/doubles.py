@@ -62,7 +62,7 @@ class Known:
 
 
 def operands_known(degree: int, roundings: int) -> Known:
-    """An operand of at most 1, whose coefficients in the scaled basis went through so many roundings."""
+    """An operand of at most 1, whose coefficients in the scaled basis went through this many roundings."""
     largest = comb(degree, degree // 2)
     return Known(roundings, largest, 4 * largest)
 
@@ -80,7 +80,7 @@ def foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: Se
             known.append(operands[numbers[0]])
             continue
         if any(abs(number) >> 53 for number in numbers):
-            raise FormulaError(f"the whole number {max(map(abs, numbers))} in doubles", remedy="use exact arithmetic")
+            raise FormulaError(f"the integer {max(map(abs, numbers))} in doubles", remedy="use exact arithmetic")
         first = Known(0, 1, 0) if arguments[0] == UNIT else known[arguments[0]]
         degree = 0 if arguments[0] == UNIT else degrees[arguments[0]]
         if name == "mul":
@@ -113,7 +113,7 @@ def foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: Se
 
 def in_doubles(program: Program, operands: Sequence[Floats], roundings: int) -> list[Bounded]:
     """The outputs of a program on many segments of width 1, from the scaled coefficients of its operands, one row per
-    segment; each went through so many roundings, and no Bézier ordinate is larger than 1.
+    segment; each went through this many roundings, and no Bézier ordinate is larger than 1.
 
     Raises `FormulaError` where numbers could exceed the range of doubles, and for programs with multipliers.
     """

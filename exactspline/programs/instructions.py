@@ -15,7 +15,7 @@ UNIT, ZERO = -1, -2
 
 
 class Instruction(NamedTuple):
-    """One operation, its arguments (numbers of earlier instructions), and its whole numbers.
+    """One operation, its arguments (numbers of earlier instructions), and its integers.
 
     ======== ============ ===================================================
     load     (k)          operand k

@@ -106,7 +106,7 @@ class Given(NamedTuple):
         return program.on(self)
 
 
-#: Making a program takes about as long as reading its formula on so many segments.
+#: Making a program takes about as long as reading its formula on this many segments.
 WORTH_IT = 12
 
 

@@ -62,7 +62,7 @@ class Term(RingOperand):
 
     @classmethod
     def operand(cls, recorder: Recorder, k: int, count: int, degree: int, group: int, provenance: Provenance) -> Self:
-        """The k-th of so many operands, with the denominators of a group of them."""
+        """The k-th of this many operands, with the denominators of a group of them."""
         orders = tuple(0 if i == k else -1 for i in range(count + 1))
         below = Denominator.of(OfOperand(group))
         node = recorder.instructions.load(k, degree) if degree >= 0 else ZERO
@@ -146,7 +146,7 @@ class Term(RingOperand):
         return self._with(node=node, number=number, below=below, degree=degree, raised=raised)
 
     def _down_to(self, raised: int, widths: int) -> Self:
-        """With so many powers of ``u + v`` and of the width's denominator kept apart and the others multiplied in."""
+        """With this many powers of ``u + v`` and of the width's denominator kept apart and the others multiplied in."""
         code = self.recorder.instructions
         node = code.raised(self.node, self.raised - raised)
         if self.widths > widths:
@@ -239,7 +239,7 @@ class Term(RingOperand):
         return term._with(node=node, degree=self.degree - 1)
 
     def per_width(self, weight: int, dropped: int) -> Self:
-        """The term over so many powers of the segment's width, its continuity lowered by as many."""
+        """The term over this many powers of the segment's width, its continuity lowered by as many."""
         orders = tuple(k + dropped if k >= 0 else k for k in self.orders)
         if self.recorder.unit_widths:
             return self._with(orders=orders)
@@ -265,7 +265,7 @@ class Term(RingOperand):
 
 
 def continuity_from(orders: Orders, operands: Sequence[tuple[int, ...]], inner: int) -> tuple[int, ...]:
-    """The continuity at so many inner breakpoints of what was made from derivatives of operands of these orders."""
+    """The continuity at this many inner breakpoints of what was made from derivatives of operands of these orders."""
     if not inner:
         return ()
     known = [*operands, (SMOOTH,) * inner]

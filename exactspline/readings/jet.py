@@ -151,7 +151,7 @@ class JetRing:
 
 
 def orders_up_to(order: int, parameters: int) -> list[tuple[int, ...]]:
-    """The orders of the derivatives in so many parameters, up to a total order.
+    """The orders of the derivatives in this many parameters, up to a total order.
 
     >>> orders_up_to(2, 1), orders_up_to(1, 2)
     ([(0,), (1,), (2,)], [(0, 0), (1, 0), (0, 1)])

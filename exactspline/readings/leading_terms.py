@@ -198,7 +198,7 @@ class StillExpansion(Expansion):
 
 
 class LeadingTermsReading(Reading):
-    """Leading coefficients at infinity of a parameter, to so many terms, with derivatives up to an order of what does
+    """Leading coefficients at infinity of a parameter, to this many terms, with derivatives up to an order of what does
     not depend on it: the second curve and the point stay constant, and the coefficients of a surface are functions of
     its other parameter.
     """

@@ -132,7 +132,7 @@ def taylor(spline: Function, t: Number, terms: int, side: Side | str = Side.RIGH
 
 
 class TaylorReading(Reading):
-    """An argument of splines in one parameter, expanded at that parameter to so many terms.
+    """An argument of splines in one parameter, expanded at that parameter to this many terms.
 
     >>> from exactspline.splines.examples import load
     >>> from exactspline.language.kinds import PLANE

@@ -80,7 +80,7 @@ class DoubleSeries(FieldOperand):
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> DoubleSeries:
-        """The derivative by one of the two parameters, known to so many terms less.
+        """The derivative by one of the two parameters, known to this many terms less.
 
         Raises `FormulaError` where none is named, and for more derivatives than are known.
         """
@@ -135,7 +135,7 @@ def double_taylor(spline: Function, u: Number, v: Number, terms: int) -> DoubleS
 
 
 class DoubleTaylorReading(Reading):
-    """A surface of splines, expanded at a point to so many terms.
+    """A surface of splines, expanded at a point to this many terms.
 
     >>> from exactspline import example_surface
     >>> from exactspline.language.kinds import SURFACE

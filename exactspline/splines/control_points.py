@@ -61,7 +61,7 @@ def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
 
 
 def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Point, ...]:
-    """Points and directions of one dimension, with at least so many coordinates each; `ShapeError` names the one at
+    """Points and directions of one dimension, with at least this many coordinates each; `ShapeError` names the one at
     fault.
     """
     points: list[Point] = []

@@ -95,7 +95,7 @@ class KnotVector(Immutable):
         return KnotVector(t for t in both for _ in range(max(self.multiplicity(t), other.multiplicity(t))))
 
     def insert(self, t: Number, times: int = 1) -> KnotVector:
-        """The vector with t inserted so many more times."""
+        """The vector with t inserted this many more times."""
         return KnotVector(sorted([*self.knots, *[rational(t)] * times]))
 
     def domain(self, degree: int) -> Interval:

@@ -99,7 +99,7 @@ def insert_knot(f: S, t: mpq, times: int) -> S:
     """One more knot (or several) at t; the function does not change."""
     _inner(f, t)
     if type(times) is not int or times < 1:
-        raise KnotError(f"{shown(times)} knots to insert", remedy="insert a whole number of them, at least one")
+        raise KnotError(f"{shown(times)} knots to insert", remedy="insert an integer of them, at least one")
     g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
     position = g.mesh.breaks.index(t) - 1
     lowered = min(g.continuity[position], f.degree) - times

@@ -16,7 +16,7 @@ from exactspline.splines.blossom import forms_of
 
 #: The knots that count on a span, from 0 at its left end to 1 at its right end.
 Pattern = tuple[mpq, ...]
-#: A matrix is made for a pattern that was met so many times as its degree, and for so many patterns.
+#: A matrix is made for a pattern that was met this many times as its degree, and for this many patterns.
 PATTERNS = 4096
 #: Above this degree there are no matrices.
 MOST = 12

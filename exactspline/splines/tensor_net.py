@@ -44,7 +44,7 @@ def checked_knots(knots: Iterable[Number], degree: int, name: str) -> KnotVector
 
 
 def checked_net(net: object, rows: int, columns: int) -> list[tuple[mpq, ...]]:
-    """Control points as given by a user: so many rows along s of so many points along t."""
+    """Control points as given by a user: this many rows along s of this many points along t."""
     if not isinstance(net, Iterable):
         raise ShapeError(f"{shown(net)} is not a net", where="control_points", remedy="give the control points in rows")
     found = [_checked_row(row, f"control_points[{i}]", columns) for i, row in enumerate(net)]

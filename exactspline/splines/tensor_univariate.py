@@ -18,7 +18,7 @@ T = TypeVar("T")
 
 
 def packed_segments(profile: Profile, stride: int) -> tuple[fmpz_poly, ...]:
-    """The packed polynomials, one a segment."""
+    """The packed polynomials, one per segment."""
     direction, spline = profile
     return tuple([c.inflate(stride) for c in spline._polynomials]) if direction else spline._polynomials
 

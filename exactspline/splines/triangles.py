@@ -123,7 +123,7 @@ def de_boor_triangle(curve: Nurbs | BSpline, t: Number) -> Triangle:
 
 
 def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Triangle:
-    """Boehm's insertion of a knot: so many columns of de Boor's triangle. Their edges are the new control points
+    """Boehm's insertion of a knot: this many columns of de Boor's triangle. Their edges are the new control points
     (`Triangle.made`, over `Triangle.knots`), those that are not between them stay.
 
     >>> triangle = insertion_triangle(BSpline.bezier([0, 2, 4, 0]), "1/2")

@@ -205,7 +205,7 @@ def irreducible_on_a_line(p: fmpq_mpoly) -> bool:
     """Whether a polynomial is shown to be irreducible by its values on a line: there it keeps its total degree, and so
     do its factors, so that it would be a product there, too.
 
-    By Hilbert's irreducibility theorem most lines show that of an irreducible polynomial; false says nothing.
+    By Hilbert's irreducibility theorem most lines show that of an irreducible polynomial; false decides nothing.
     """
     line = fmpq_mpoly_ctx.get(["t"], Ordering.lex)
     (t,) = line.gens()

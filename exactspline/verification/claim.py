@@ -139,7 +139,7 @@ def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) 
     for each in found:
         if claim.curve != ArgumentKind.TABLE and not each.speaks_of(kind_of(claim.curve)):
             raise ClaimError(
-                f"the assumption {each.name!r} says nothing of {str(claim.curve)!r}",
+                f"the assumption {each.name!r} does not apply to {str(claim.curve)!r}",
                 where=name,
                 remedy=f"it speaks of {', '.join(map(repr, each.kinds))}",
             )
@@ -165,13 +165,11 @@ LARGEST = 1000
 
 
 def count_from(least: int) -> Callable[[Claim, str, object], int]:
-    """A whole number with a lower bound."""
+    """An integer with a lower bound."""
 
     def check(claim: Claim, name: str, value: object) -> int:
         if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= LARGEST:
-            raise ClaimError(
-                f"{value!r} is not a number ≥ {least} and ≤ {LARGEST}", where=name, remedy="a whole number"
-            )
+            raise ClaimError(f"{value!r} is not a number ≥ {least} and ≤ {LARGEST}", where=name, remedy="an integer")
         return value
 
     return check

@@ -104,7 +104,7 @@ def _shape(declared: str, value: object) -> str:
         good = isinstance(value, list) and all(isinstance(each, str) and len(each) <= LONGEST for each in value)
         return "" if good else "not a list of texts"
     if declared == "int":
-        return "" if type(value) is int else "not a whole number"
+        return "" if type(value) is int else "not an integer"
     return "" if isinstance(value, str) and len(value) <= LONGEST else f"not a text of at most {LONGEST} letters"
 
 

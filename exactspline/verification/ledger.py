@@ -47,7 +47,7 @@ def audit(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None
 
 
 def settled(rows: Sequence[Row]) -> list[Row]:
-    """The rows of a run; a proof for all curves that one of them contradicts is no proof."""
+    """The rows of a run; a proof for all curves that one of them contradicts is not a proof."""
     contradicted = {(row.paper, row.key): row.witness for row in rows if row.verdict == CONTRADICTION}
     return [
         replace(row, finding=replace(row.finding, verdict=CONTRADICTION, witness=contradicted[row.paper, row.key]))

@@ -49,7 +49,7 @@ class Proof(Worded):
 
     @property
     def verdict(self) -> Verdict:
-        """PROVED, REFUTED, or VACUOUS where both sides vanish for every curve: 0 = 0 is no success."""
+        """PROVED, REFUTED, or VACUOUS where both sides vanish for every curve: 0 = 0 is not a success."""
         return self.finding.verdict
 
     @property

@@ -4,7 +4,7 @@ import { svg, path } from "./svg.js";
 import { values } from "./preview.js";
 
 const [WIDTH, HEIGHT, PAD] = [420, 120, 8];
-// The picture ends at so many times the median of the absolute values.
+// The picture ends at this many times the median of the absolute values.
 const TRIMMED = 6;
 
 export function chart(form) {

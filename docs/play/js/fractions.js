@@ -17,7 +17,7 @@ function number(text) {
   return [minus, size];
 }
 
-// One number, or a point between parentheses; what is longer than so many characters is cut to decimals.
+// One number, or a point between parentheses; what is longer than this many characters is cut to decimals.
 export function formula(numbers, longest = 40) {
   const long = numbers.join("").length > longest;
   const shown = numbers.map((text) => (long && text.includes("/") ? rounded(text) : text));

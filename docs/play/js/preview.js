@@ -37,7 +37,7 @@ const minus = (a, b) => [a[0] - b[0], a[1] - b[1]];
 const times = (c, a) => [c * a[0], c * a[1]];
 const det = (a, b) => a[0] * b[1] - a[1] * b[0];
 
-// The values of a spline function at so many parameters of its domain.
+// The values of a spline function at this many parameters of its domain.
 export function values({ knots, degree, ordinates }, count = 240) {
   const points = ordinates.map((y) => [y]);
   const [low, high] = [knots[degree], knots[knots.length - 1 - degree]];
@@ -67,7 +67,7 @@ export function preview(curve) {
   };
 }
 
-// Samples over the domain, so many in every segment, ends included.
+// Samples over the domain, this many in every segment, ends included.
 export function samples(curve, count = 96) {
   const at = preview(curve);
   const knots = curve.knots.map(double);

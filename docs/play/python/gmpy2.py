@@ -1,6 +1,7 @@
 """What exactspline uses of gmpy2, over the standard library: for the page, where no gmpy2 is built for WebAssembly.
 
-Numbers are those of Python, so results are the same; only the speed differs (`tests/test_play_stand_in.py` runs both).
+Numbers are those of Python, so results are the same; only the speed differs (`tests/journeys/test_play_stand_in.py`
+runs both).
 """
 
 from fractions import Fraction

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.legend import Legend
 
-#: A trimmed graph is shown up to so many times the median of its absolute values.
+#: A trimmed graph is shown up to this many times the median of its absolute values.
 TRIMMED = 8
 #: The forms that squaring and the direct approach solve, of the construction ``critical_curvature``.
 SQUARING = "squaring"

@@ -59,7 +59,7 @@ class PlotError(ExactSplineError):
 
 
 def new_figure(width: float = 7, height: float = 5) -> Figure:
-    """An empty ``matplotlib.figure.Figure`` of so many inches, without a window; `PlotError` without
+    """An empty ``matplotlib.figure.Figure`` of the given size in inches, without a window; `PlotError` without
     matplotlib.
     """
     for inches in (width, height):

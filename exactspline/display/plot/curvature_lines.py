@@ -50,7 +50,7 @@ class Samples:
 
     @classmethod
     def of(cls, surface: NurbsSurface, grid: int, least: int) -> Samples:
-        """The samples of a surface: about so many in each direction, at least so many per patch."""
+        """The samples of a surface: about this many in each direction, at least this many per patch."""
         np: Any = library("numpy")
         counts = [max(least, -(-grid // n)) for n in surface.patches]
         ts = [

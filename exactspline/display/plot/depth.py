@@ -40,7 +40,7 @@ OPACITY, RESOLUTION = 0.7, 240
 #: The positions of the two lights, seen from the eye, and their intensities.
 LIGHTS = (((-0.5, 0.8, 1.0), 0.9), ((0.9, -0.3, 0.5), 0.35))
 MATERIAL = {"ambient": 0.35, "diffuse": 0.8, "specular": 0.08, "specular_power": 15}
-#: Isolines along and across the rows of a patch, about so many, and their width in points.
+#: Isolines along and across the rows of a patch, about this many, and their width in points.
 ISOLINES, FINE = (7, 24), 0.5
 #: How far towards the eye lines lie, as a fraction of the picture's size, so that they are not half inside their
 #: surface.

@@ -1,4 +1,4 @@
-"""Surfaces that turn: a page of HTML with everything in it, for any browser, without a network.
+"""Interactive 3-D surfaces: a page of HTML with everything in it, for any browser, without a network.
 
 The page is data and ``turning.js``, which draws it by WebGL; the pages of the site use the same two.
 """

@@ -22,9 +22,9 @@ from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.values import SplineSurface
 
-#: Samples along the curve, in all and at least so many per segment; samples along a ruling.
+#: Samples along the curve, in all and at least this many per segment; samples along a ruling.
 SAMPLES, LEAST, ALONG = 192, 12, 21
-#: Samples of a surface in two parameters in each direction, in all and at least so many per segment.
+#: Samples of a surface in two parameters in each direction, in all and at least this many per segment.
 GRID, LEAST_OF_GRID = 48, 8
 #: A pole is approached up to this fraction of the distance between samples.
 BESIDE = mpq(1, 8)
@@ -70,7 +70,7 @@ class SurfaceMesh:
         return points, faces
 
     def isolines(self, along: int, across: int) -> list[Run]:
-        """So many lines along each patch (its edges among them) and across all patches together, where points are.
+        """This many lines along each patch (its edges among them) and across all patches together, where points are.
 
         >>> rows = [[(mpq(i), mpq(j), mpq(0)) for j in range(5)] for i in range(9)]
         >>> lines = SurfaceMesh([rows], [], 0, 0).isolines(2, 3)
@@ -88,7 +88,7 @@ class SurfaceMesh:
 
 
 def _spread(length: int, wanted: int) -> list[int]:
-    """About so many indices of a list, both ends included."""
+    """About this many indices of a list, both ends included."""
     steps = max(1, min(wanted, length) - 1)
     return sorted({(length - 1) * k // steps for k in range(steps + 1)})
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 #: Colours of elliptic, hyperbolic and flat points.
 ELLIPTIC, HYPERBOLIC, FLAT = "#F3C46B", "#7FBFE6", "#D9D9D9"
-#: Rows and columns of faces, in all and at least so many per patch.
+#: Rows and columns of faces, in all and at least this many per patch.
 GRID, LEAST = 72, 6
 #: How much of the axes a surface fills, beside the norm of its extents, by which matplotlib scales.
 FILLED = 0.93

@@ -1,4 +1,4 @@
-// Surfaces that turn, with light: WebGL, nothing else. One camera for all scenes that stand side by side.
+// Interactive 3-D surfaces, with light: WebGL, nothing else. One camera for all scenes that stand side by side.
 //
 // A scene is plain data: {title, box: [low, high], ticks: [[…], […], […]],
 //   surfaces: [{label, color, points: [[x, y, z], …], faces: [[i, j, k, …], …]}],
@@ -18,7 +18,7 @@ const SURFACE = [
      float light = 0.38 + 0.5 * max(0.0, dot(m, normalize(vec3(-0.5, 0.8, 1.0)))) + 0.2 * max(0.0, dot(m, normalize(vec3(0.9, -0.3, 0.5))));
      gl_FragColor = vec4(color.rgb * light * color.a, color.a); }`,
 ];
-// a segment is a rectangle of so many pixels, a little nearer than it is so that its surface does not hide half of it
+// a segment is a rectangle of this many pixels, a little nearer than it is so that its surface does not hide half of it
 const LINE = [
   `attribute vec3 place, other; attribute float side; uniform mat3 turned; uniform vec3 middle;
    uniform vec2 scale, pixel; uniform float depth, width;

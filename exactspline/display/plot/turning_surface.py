@@ -1,5 +1,5 @@
-"""An inspected surface for pages that turn: coloured by the sign of its curvature, with parabolic curves, lines of
-curvature and umbilics.
+"""An inspected surface for interactive 3-D pages: coloured by the sign of its curvature, with parabolic curves, lines
+of curvature and umbilics.
 """
 
 from __future__ import annotations

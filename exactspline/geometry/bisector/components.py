@@ -293,7 +293,7 @@ class SinglePair:
         return flat_at(self.system, self.s, self.t, _conditions(self.cause), plane=self.solutions == Solutions.PLANE)
 
     def enclosed(self, digits: int = 20) -> Flat[arb]:
-        """The line or the plane in balls, the parameters taken to so many digits."""
+        """The line or the plane in balls, the parameters taken to a given number of digits."""
         return enclosed_flat(
             self.system, self.s, self.t, _conditions(self.cause), digits, plane=self.solutions == Solutions.PLANE
         )

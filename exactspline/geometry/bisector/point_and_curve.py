@@ -118,7 +118,7 @@ def point_bisector(
 
 
 def refuse_point(curve: Nurbs) -> None:
-    """Of a curve that is one point there is a bisector, but a plane (a line), which is no surface over the curve."""
+    """Of a curve that is one point there is a bisector, but a plane (a line), which is not a surface over the curve."""
     if all(x.is_zero for x in find("D1")(curve)):
         where = ", ".join(map(short_text, curve(curve.domain[0])))
         raise ShapeError(

@@ -32,7 +32,7 @@ SHORTEST, LONGEST = 512, 1 << 19
 
 
 class Euclidean(Scalar, Protocol):
-    """A polynomial in one parameter over the whole numbers or a field."""
+    """A polynomial in one parameter over the integers or a field."""
 
     def __mul__(self, other: Self | int, /) -> Self: ...
     def __floordiv__(self, other: Self, /) -> Self: ...

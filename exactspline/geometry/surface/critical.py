@@ -11,7 +11,7 @@ from exactspline.numbers.intervals import UNIT, Box, Interval, joined
 from exactspline.polynomials.common_zeros import Zero, isolate, same
 from exactspline.polynomials.patch_forms import PatchForm
 
-#: Bits to which a critical point is refined before it is given up to tell whether the form vanishes there.
+#: Refinement limit (bits) for deciding whether the form vanishes at a critical point.
 BITS = 256
 #: Bits of the cells that are tried.
 CELL_BITS = (6, 8, 10, 14, 20, 30, 44)
@@ -90,7 +90,7 @@ def _vanishes(form: PatchForm, zero: Zero, known: Sequence[Zero]) -> bool:
 
 
 def _cells(form: PatchForm, singular: Sequence[Zero], bits: int) -> tuple[list[Cell], list[Zero]]:
-    """Cells of about so many bits around the singular points, and the points for which these do not do."""
+    """Cells of about this many bits around the singular points, and the points for which these do not do."""
     margin = mpq(1, 1 << bits)
     sides: list[list[Interval]] = []
     for k in (0, 1):

@@ -16,7 +16,7 @@ from exactspline.polynomials.common_zeros import Zero, are_one, is_known, isolat
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.roots.root import Root
 
-#: Bits to which a zero is refined before it is given up to tell what it is.
+#: Refinement limit (bits) for deciding what a zero is.
 BITS = 400
 
 

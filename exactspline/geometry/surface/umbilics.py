@@ -22,7 +22,7 @@ from exactspline.numbers.intervals import Box
 from exactspline.polynomials.common_zeros import Zero, are_one, isolate, same
 from exactspline.polynomials.patch_forms import PatchForm
 
-#: Bits to which a zero is refined before it is given up to tell whether it is an umbilic.
+#: Refinement limit (bits) for deciding whether a zero is an umbilic.
 BITS = 400
 #: Bits to which a point is refined to show that it is not on a curve.
 FAR = 64
@@ -175,7 +175,7 @@ class _Search:
         return found, left
 
     def _is_at(self, zero: Zero, place: Place) -> bool | None:
-        """Whether a zero is at the place of an umbilic; None where that is given up."""
+        """Whether a zero is at the place of an umbilic; None where the refinement limit is reached."""
         if place.inner is not None:
             return are_one(zero, place.inner.zero)
         if place.exact is None or zero.exact is None:

@@ -277,7 +277,7 @@ class ZeroCurve:
         return clusters(self.undecided)
 
     def points(self, arc: Arc, count: int = 4) -> list[tuple[mpq, mpq]]:
-        """Points near an arc, for pictures: so many steps, each found to `DRAWN_BITS` bits."""
+        """Points near an arc, for pictures: this many steps, each found to `DRAWN_BITS` bits."""
         low = arc.low.refine(8)[1] if isinstance(arc.low, Root) else arc.low
         high = arc.high.refine(8)[0] if isinstance(arc.high, Root) else arc.high
         found = []

@@ -132,7 +132,7 @@ def _name(arguments: list[Value], where: str) -> str:
 def _listed(file: StepFile, own: list[Value]) -> list[mpq]:
     counts, values = [whole(text) for text in file.texts(own[0])], file.numbers(own[1])
     if len(counts) != len(values) or any(count < 0 for count in counts):
-        raise CurveFileError(f"{len(counts)} multiplicities for {len(values)} knots", remedy="give one a knot")
+        raise CurveFileError(f"{len(counts)} multiplicities for {len(values)} knots", remedy="give one per knot")
     file.found.count(sum(counts))
     return [knot for knot, times in zip(values, counts, strict=True) for _ in range(times)]
 

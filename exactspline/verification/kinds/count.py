@@ -113,7 +113,7 @@ CONTINUITIES = {Counter.NOMINAL_CONTINUITY, Counter.TRUE_CONTINUITY}
 
 def _extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
     """The number of extrema of the curvature, if a formula with these zeros changes its sign there and nowhere else;
-    else None: it says nothing of them.
+    else None: the formula does not determine them.
     """
     from exactspline.geometry.analysis import analyse
 

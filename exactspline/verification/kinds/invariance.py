@@ -77,7 +77,7 @@ GENERATED = {Group.MOEBIUS: ("similarity", "inversion")}
 def whole_number(claim: Claim, name: str, value: object) -> int:
     """A weight: it may be negative."""
     if isinstance(value, bool) or not isinstance(value, int) or abs(value) > LARGEST_WEIGHT:
-        raise ClaimError(f"{value!r} is not a weight", where=name, remedy=f"a whole number, at most {LARGEST_WEIGHT}")
+        raise ClaimError(f"{value!r} is not a weight", where=name, remedy=f"an integer, at most {LARGEST_WEIGHT}")
     return value
 
 

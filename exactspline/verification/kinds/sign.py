@@ -115,7 +115,7 @@ class SignClaim(Claim):
         for i, c in enumerate(value.polynomials):
             if not is_nonnegative(c, value.degree):
                 return Finding(REFUTED, Fact.OTHER_SIGN, witness=At(_negative(value, i)))
-        zero = zero_of(p) if below is None else extra_zero(p, below)  # 0/0 is no value
+        zero = zero_of(p) if below is None else extra_zero(p, below)  # 0/0 is not a value
         if self.sign.strict and zero:
             return Finding(REFUTED, Fact.HAS_ZERO, witness=ZeroAt(zero))
         return Finding(VERIFIED, HasSign(self.sign))

@@ -33,8 +33,8 @@ class TypeClaim(Claim):
 
     A formula whose roots cancel is a quotient of polynomials on every curve. That it is no more, is shown by a witness:
     on one curve the denominator in lowest terms is not constant, or what stands at a root does not vanish, and the
-    square of the root is no square of a rational function (an irreducible factor occurs an odd number of times). What
-    is a polynomial, or rational, on the generic curve of a degree is so on each of them: one witness decides.
+    square of the root is not a square of a rational function (an irreducible factor occurs an odd number of times).
+    What is a polynomial, or rational, on the generic curve of a degree is so on each of them: one witness decides.
     """
 
     kind: ClassVar[str] = "type"
@@ -162,7 +162,7 @@ def _type_of(value: Any) -> ValueType | None:
 
 
 def _independent(value: Adjoined) -> bool:
-    """Whether the squares of the roots, and their product, are no squares: then 1 and the roots are independent over
+    """Whether the squares of the roots, and their product, are not squares: then 1 and the roots are independent over
     the rational functions.
     """
     if not isinstance(value.plain, Adjoined):

@@ -1,6 +1,0 @@
-"""The benchmarks import their common ground by name."""
-
-import sys
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).parent))

@@ -1,1 +1,0 @@
-"""`exactspline bench`: times of this library and of others, in one run on the same input."""

@@ -1,0 +1,358 @@
+"""A sweep through the certified filter: the lines are those of exact arithmetic, curve by curve, however the curves are
+grouped; what is rational is never told irrational; and the summary says what the filter could decide.
+"""
+
+import json
+import os
+import random
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import exactspline as xs
+from exactspline import Nurbs
+from exactspline.batch import asked, backends, inspections
+from exactspline.batch.corpus import items
+from exactspline.batch.families import Family
+from exactspline.batch.lines import Way
+from exactspline.batch.recorded import Where, recorded
+from exactspline.batch.results import JsonLines
+from exactspline.batch.summary import Summary
+from exactspline.batch.work import FILTERED_DIGITS, Work
+from exactspline.numbers.exact import mpq
+
+np = pytest.importorskip("numpy")
+
+from exactspline.geometry import many_roots  # noqa: E402  # needs numpy
+from exactspline.polynomials.modular import PRIMES, PRODUCT, without_rational_zero  # noqa: E402
+from tests.geometry.test_filtered_splines import troubled  # noqa: E402
+
+SHARED = Path(os.environ.get("EXACTSPLINE_CURVES", Path(__file__).resolve().parents[3] / "shared" / "curves")).parent
+
+
+@pytest.fixture(autouse=True)
+def _always_asked(monkeypatch):
+    """The filter is asked of any number of curves."""
+    monkeypatch.setattr(asked, "TOGETHER", 1)
+
+
+def same_lines(curves, **how):
+    """Hold the lines of all curves together against those of each alone, in exact arithmetic: the filter's answers."""
+    work = Work.of(**how)
+    together = list(work.lines(list(items(curves))))
+    assert together == [work.line(item) for item in items(curves)]
+    return Counter(line.way for line in together)
+
+
+# ---- the same lines
+
+
+def test_random_families():
+    family = Family.parsed("degree=2-5 segments=1-4 rational=half count=160 seed=11")
+    ways = same_lines([family])
+    assert ways[Way.DECIDED] >= 155
+    assert ways[None] == 0
+
+
+@pytest.mark.parametrize("digits", [0, 3, FILTERED_DIGITS, FILTERED_DIGITS + 1, 40])
+def test_any_number_of_digits(digits):
+    family = Family.parsed("degree=3-5 segments=1-2 rational=half count=40 seed=12")
+    ways = same_lines([family], digits=digits)
+    assert (ways[None] == 40) == (digits > FILTERED_DIGITS)
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_troubled_curves_and_everything_that_can_be_looked_for(seed):
+    chance = random.Random(seed)
+    ways = same_lines([troubled(chance) for _ in range(120)], find=["all"])
+    assert ways[Way.DECIDED] > 15
+    assert ways[Way.EXACT] > 20
+
+
+#: Curves with rational zeros (at 1/2, 1/3, at a knot by a jump), cusps, zeros that nearly coincide, straight pieces,
+#: weights of any sign and zero, numbers and breakpoints of any size.
+HOSTILE = {
+    "inflection at 1/2": ([(0, 0), (1, 2), (2, -2), (3, 0)], None),
+    "extremum at 1/2": ([(0, 0), (1, 3), (4, 3), (5, 0)], None),
+    "inflection at 1/3": ([(0, 0), (1, 0), (2, -1), (3, 0)], None),
+    "rational, symmetric": ([(0, 0), (1, 2), (2, 2), (3, 0)], [1, 3, 3, 1]),
+    "vertex of a parabola": ([(0, 0), (1, 5), (7, 1)], None),
+    "cusp": ([(0, 0), (1, 1), (0, 1), (1, 0)], None),
+    "all but a cusp": ([(0, 0), (10**9, 10**9), (1, 10**9), (10**9, 0)], None),
+    "straight": ([(0, 0), (1, 1), (2, 2), (5, 5)], None),
+    "all but straight": ([(0, 0), (1, 1), (2, 2), (5, mpq(5 * 10**12 + 1, 10**12))], None),
+    "circle": ([(1, 0), (1, 1), (0, 1)], [1, 1, 2]),
+    "negative weights": ([(0, 0), (1, 2), (2, -2), (3, 1)], [-1, -2, -3, -1]),
+    "a weight of 0": ([(0, 0), (1, 2), (2, -2), (3, 1)], [1, 0, 3, 1]),
+    "huge": ([(0, 0), (mpq(10) ** 400, 2), (2 * mpq(10) ** 400, -3), (3, mpq(10) ** 401)], None),
+    "tiny": ([(0, 0), (mpq(1, 10**400), 2), (mpq(2, 10**400), -3), (3, mpq(1, 10**401))], None),
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+@pytest.mark.parametrize("ends", [(0, 1), (mpq(-1, 3), mpq(1, 7)), (10**30, 10**30 + 1), (0, mpq(1, 10**30))])
+def test_hostile_curves_of_one_segment(name, ends):
+    points, weights = HOSTILE[name]
+    knots = [t for t in ends for _ in points]
+    same_lines([Nurbs(len(points) - 1, knots, points, weights)], find=["all"])
+
+
+def test_parameters_that_are_rational_are_exact():
+    curves = [Nurbs(3, [0] * 4 + [1] * 4, HOSTILE[f"inflection at {t}"][0]) for t in ("1/2", "1/3")]
+    lines = list(Work.of(["inflections"]).lines(list(items(curves))))
+    assert [[each.parameter for each in line.found["inflections"]] for line in lines] == [["1/2"], ["1/3"]]
+    assert {line.way for line in lines} == {Way.DECIDED}
+
+
+def test_a_jump_at_a_knot_is_at_the_knot():
+    # κ of the quadratic changes its sign where two arcs meet
+    curve = Nurbs(2, [0, 0, 0, mpq(1, 3), 1, 1, 1], [(0, 0), (1, 2), (2, 0), (3, 3)])
+    (line,) = Work.of(["inflections"]).lines(list(items([curve])))
+    assert [each.parameter for each in line.found["inflections"]] == ["1/3"]
+    assert line.way is Way.DECIDED
+    same_lines([curve])
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_polygons_have_no_curvature(dimension):
+    chance = random.Random(dimension)
+    for k in range(40):
+        inner = [t for t in range(1, 6) for _ in range(chance.choice([1, 1, 2]))]
+        steps = [tuple(chance.randint(-1, 1) for _ in range(dimension)) for _ in range(len(inner) + 2)]
+        points = steps[:-1] + steps[:1] if k % 2 else steps
+        weights = chance.choice([None, [chance.randint(1, 3) for _ in points]])
+        curve = Nurbs(1, [0, 0, *inner, 6, 6], points, weights)
+        for name in ("inflections", "curvature_extrema", "critical_points"):
+            found = inspections.inspected(curve, [name], 3)[name]
+            pieces = [(str(piece.start), str(piece.end)) for piece in xs.analyse(curve).straight_pieces]
+            assert [(each.kind, each.low, each.high) for each in found] == [("everywhere", *ends) for ends in pieces]
+
+
+def test_examples_and_curves_in_space():
+    ways = same_lines(xs.example_names(), find=["all"])
+    assert ways[Way.DECIDED] > 2
+    assert ways[None] >= sum(xs.example(name).dimension == 3 for name in xs.example_names()) > 0
+
+
+@pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real curves at hand")
+@pytest.mark.parametrize("folder", ["curves", "files"])
+def test_curves_of_others(folder):
+    given = [item.given for item in items([str(SHARED / folder)]) if isinstance(item.given, Nurbs)]
+    small = [curve for curve in given if curve.segments * curve.degree**3 < 1000]
+    bent = [curve for curve in small if curve.dimension == 2 and curve.degree > 2]
+    assert len(bent) > 10
+    ways = same_lines([*bent[:200], *small[:200]])
+    assert ways[Way.DECIDED] + ways[Way.EXACT] >= min(len(bent), 200)
+
+
+# ---- what the tests here would see
+
+
+def test_a_filter_that_calls_a_rational_parameter_irrational_would_be_seen(monkeypatch):
+    monkeypatch.setattr(many_roots, "without_rational_zero", lambda forms: np.ones(len(forms), dtype=bool))
+    points, _ = HOSTILE["inflection at 1/3"]
+    with pytest.raises(AssertionError):
+        same_lines([Nurbs(3, [0] * 4 + [1] * 4, points)])
+
+
+def test_a_filter_that_narrows_to_a_wrong_place_would_be_seen(monkeypatch):
+    narrowed = many_roots.narrowed
+
+    def beside(rows, found):
+        near = narrowed(rows, found)
+        return near._replace(low=near.low + 1e-6, high=near.high + 1e-6)
+
+    monkeypatch.setattr(many_roots, "narrowed", beside)
+    with pytest.raises(AssertionError):
+        same_lines([Family.parsed("degree=3 count=3")])
+
+
+# ---- forms without a rational zero
+
+
+def times(*factors):
+    """The product of polynomials, constant terms first."""
+    product = [1]
+    for factor in factors:
+        made = [0] * (len(product) + len(factor) - 1)
+        for i, a in enumerate(product):
+            for j, b in enumerate(factor):
+                made[i + j] += a * b
+        product = made
+    return product
+
+
+@settings(max_examples=200, deadline=None)
+@given(
+    st.lists(st.integers(-(10**30), 10**30), min_size=1, max_size=8),
+    st.integers(-(10**20), 10**20),
+    st.integers(1, 10**20),
+)
+def test_a_form_with_a_rational_zero_is_never_told_to_have_none(others, r, s):
+    form = times(others, [-r, s])
+    assert not without_rational_zero([form])[0]
+    # and the same zero, the form read from the other end, among others of that degree
+    assert not without_rational_zero([form[::-1], [1] + [0] * (len(form) - 2) + [1]])[0]
+
+
+def test_zeros_modulo_every_prime_say_nothing():
+    both = times([-2, 0, 1], [-3, 0, 1], [-6, 0, 1])
+    assert without_rational_zero([both]).tolist() == [False]
+    assert without_rational_zero([[PRODUCT * x for x in [-2, 0, 1]]]).tolist() == [False]
+    # zero at infinity, where the leading coefficient vanishes
+    assert without_rational_zero([[-2, 0, 1, 0]]).tolist() == [False]
+
+
+def test_long_numbers_count_by_their_residues():
+    form = [x + PRODUCT * 10**50 * k for k, x in enumerate([-2, 0, 1])]
+    assert without_rational_zero([form, [-2, 0, 1]]).tolist() == [True, True]
+    assert PRODUCT.bit_length() <= 62
+    assert all(p * p * 10**6 < 2**53 for p in PRIMES)
+
+
+def test_a_curve_whose_form_has_zeros_modulo_every_prime_is_computed_exactly(monkeypatch):
+    told = []
+
+    def spy(forms):
+        found = without_rational_zero(forms)
+        told.extend(zip(map(list, forms), found.tolist(), strict=True))
+        return found
+
+    monkeypatch.setattr(many_roots, "without_rational_zero", spy)
+    # κ vanishes where ∫∫ of the form does: the curve (t, F) with F″ = (t² − 2)(t² − 3)(t² − 6), over [1, 2]
+    second = times([-2, 0, 1], [-3, 0, 1], [-6, 0, 1])
+    height = [0, 0, *(mpq(c, (k + 1) * (k + 2)) for k, c in enumerate(second))]
+    t = xs.BSpline.identity(1, 2)
+    one = t.constant(1)
+    value = one * 0
+    for c in reversed(height):
+        value = value * t + one * c
+    curve = Nurbs.from_splines([t, value])
+    (line,) = Work.of(["inflections"]).lines(list(items([curve])))
+    assert [(each.parameter, each.low) for each in line.found["inflections"]] == [
+        (None, "1.4142135623"),
+        (None, "1.7320508075"),
+    ]
+    assert line.way is Way.DECIDED
+    assert {found for _, found in told} == {False}
+    same_lines([curve], find=["inflections"])
+
+
+# ---- groups, kills, counts
+
+
+@pytest.mark.parametrize("size", [1, 7, 50])
+def test_groups_of_any_size_give_the_same_lines(size):
+    family = Family.parsed("degree=2-4 segments=1-3 rational=half count=50 seed=13")
+    work, given = Work.of(), list(items([family]))
+    together = list(work.lines(list(given)))
+    apart = [line for i in range(0, 50, size) for line in work.lines(given[i : i + size])]
+    assert apart == together
+    assert [line.way for line in apart] == [line.way for line in together]
+
+
+def test_groups_grow_and_are_bounded_by_the_work_in_them():
+    def sizes(count, each, jobs=1):
+        seen = []
+        list(backends.mapped(lambda group: seen.append(len(group)) or group, range(count), "serial", jobs, "", each))
+        return seen
+
+    assert sizes(2000, lambda _: 1) == [16, 48, 192, 512, 512, 512, 208]
+    assert sizes(40, lambda _: backends.HEAVY) == [1] * 40
+    assert sizes(40, lambda _: backends.ALONE) == [1] * 40
+    assert sizes(200, lambda _: backends.ALONE - 1) == [16, *[17] * 10, 14]
+    assert sizes(10, lambda i: backends.ALONE * (i == 3)) == [4, 6]
+
+
+def test_curves_of_which_the_filter_is_not_asked_are_sent_few_at_a_time():
+    def weights(*words, **how):
+        return [Work.of(**how).weight(item) for item in items([Family.parsed(each) for each in words])]
+
+    heavy, light, space = weights("degree=60 segments=9 count=1", "degree=3 count=1", "degree=3 dimension=3 count=1")
+    few = backends.ALONE
+    assert heavy > backends.HEAVY > 512 * light
+    assert space == few
+    for how in ({"digits": 40}, {"find": ["corners"]}, {"claims": ["C4.1a"]}):
+        assert weights("degree=3 count=1", **how) == [few]
+    contour = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (1, 1), (2, 0), (3, 1), (4, 0)])
+    assert Work.of().weight(next(items([contour]))) == Work.of().weight(next(items(["nothing"]))) == few
+
+
+def test_a_bad_curve_in_a_group_is_a_line_and_the_others_are_whole():
+    jumping = Nurbs(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [(0, 0), (1, 1), (2, 0), (5, 5), (6, 6), (7, 5)])
+    lines = list(xs.sweep([xs.example("cubic_s"), "no_such_file", jumping, Nurbs(1, [0, 0, 1, 1], [(0,) * 4] * 2)]))
+    assert [line.error and line.error.kind for line in lines] == [None, "CurveFileError", None, "ShapeError"]
+    assert len(lines[0].found["curvature_extrema"]) == 2
+    assert [line.index for line in lines] == [0, 1, 2, 3]
+
+
+def counts(summary):
+    return {entry.name: entry.count for entry in summary.entries() if entry.what == "filter"}
+
+
+def test_a_sweep_continued_anywhere_has_the_same_lines_and_counts_what_it_computed(tmp_path):
+    family, place = Family.parsed("degree=2-4 rational=half count=150 seed=14"), tmp_path / "lines.jsonl"
+
+    def record(path):
+        summary = Summary()
+        recorded([family, "no_such_file"], Work.of(), Where("serial"), str(path), summary)
+        return counts(summary)
+
+    whole = record(place)
+    assert sum(whole.values()) == 150
+    assert whole["decided in doubles"] > 140
+    expected = [json.loads(text) | {"seconds": 0} for text in place.read_text().splitlines()]
+    text = place.read_bytes()
+    ends = [i + 1 for i, byte in enumerate(text) if byte == ord("\n")]
+    for done in (1, 16, 77, 150, 151):
+        place.write_bytes(text[: ends[done - 1]])
+        found = record(place)
+        assert found["computed before"] == done
+        assert sum(found.values()) == max(150, done)
+        assert [json.loads(text) | {"seconds": 0} for text in place.read_text().splitlines()] == expected
+    with JsonLines(place, json.loads(Path(f"{place}.settings.json").read_text())) as results:
+        assert {line.way for line in results.existing()} == {None}
+
+
+def test_what_the_filter_said_comes_back_from_other_processes():
+    given = [Family.parsed("degree=3 count=300 seed=15"), "rational_space_cubic"]
+    here, there = (list(xs.sweep(given, backend="processes", jobs=jobs)) for jobs in (1, 2))
+    assert here == there
+    assert Counter(line.way for line in there)[Way.DECIDED] > 200
+
+
+def test_without_numpy_all_is_exact_and_the_summary_says_so(monkeypatch):
+    family = Family.parsed("degree=3 count=20 seed=16")
+    expected = list(xs.sweep(family))
+    monkeypatch.setattr(asked, "find_spec", lambda name: None)
+    summary, lines = Summary(), list(xs.sweep(family))
+    for line in lines:
+        summary.add(line)
+    assert lines == expected
+    assert counts(summary) == {"numpy is not installed": 20}
+
+
+def test_a_filter_that_fails_is_counted_and_loses_nothing(monkeypatch):
+    family = Family.parsed("degree=3 count=20 seed=16")
+    expected = list(xs.sweep(family))
+
+    def failing(curves):
+        raise ZeroDivisionError
+        yield
+
+    monkeypatch.setattr(many_roots, "settled", failing)
+    lines = list(xs.sweep(family))
+    assert lines == expected
+    assert {line.way for line in lines} == {Way.FAILED}
+
+
+def test_processor_time_is_shared_among_the_curves_of_a_group():
+    family = Family.parsed("degree=4 segments=2 rational=yes count=64 seed=17")
+    lines = list(Work.of().lines(list(items([family]))))
+    assert {line.way for line in lines} == {Way.DECIDED}
+    seconds = sorted(line.seconds for line in lines)
+    assert seconds[0] > 0
+    assert seconds[-1] < sum(seconds) / 4

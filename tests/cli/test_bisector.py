@@ -1,0 +1,234 @@
+"""The command `bisector` as a user meets it."""
+
+import json
+
+import pytest
+from gmpy2 import mpq
+from typer.testing import CliRunner
+
+from exactspline import Nurbs
+from exactspline.cli import app
+from exactspline.display.plot.depth import REMARK, knows_depth
+from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.splines.curve_files import curve_data, curve_from_text, read_curve, write_json
+from exactspline.splines.examples import example
+from tests.cli.test_cli import run
+from tests.support.bisector_oracle import FAMILIES
+
+
+def test_two_curves():
+    done = run("bisector", "rational_space_cubic", "twisted_cubic")
+    assert done.returncode == 0
+    assert "10 × 8" in done.stdout
+
+
+def test_the_control_net_is_the_surface():
+    data = json.loads(
+        run("bisector", "rational_space_cubic", "twisted_cubic", "--variant", "symmetric", "--json").stdout
+    )["rows"][0]
+    patch = data["patches"][0]
+    assert patch["degree"] == [11, 8]
+    net = patch["homogeneous_control_net"]
+    assert (len(net), len(net[0]), len(net[0][0])) == (12, 9, 4)
+    corner = [mpq(x) for x in net[-1][-1]]
+    value = curve_bisector(example("rational_space_cubic"), example("twisted_cubic"))(1, 1)
+    assert value == tuple(x / corner[3] for x in corner[:3])
+
+
+def test_a_point_and_a_space_curve(tmp_path):
+    file = tmp_path / "out.json"
+    done = run("bisector", "ellipse_in_space", "--point", "1,1,2", "-o", file)
+    assert done.returncode == 0
+    data = json.loads(file.read_text())
+    assert [piece["moved"] for piece in data["pieces"]] == ["x", "y", "z"]
+    assert run("bisector", "ellipse_in_space", "--point", "1,1,2").stdout.count("ruled surface") == 3
+
+
+def test_a_point_and_a_plane_curve_is_trimmed():
+    done = run("bisector", "ellipse", "--point", "-1,1/3", "--digits", "8")
+    assert done.returncode == 0
+    assert done.stdout.count("arc") == 2
+    data = json.loads(run("bisector", "parabola", "--point", "0,1", "--json").stdout)["rows"][0]
+    assert [piece["piece"] for piece in data["pieces"]] == ["arc", "end point", "end point"]
+    low = data["pieces"][1]["high"]
+    assert mpq(low["interval"][0]) <= mpq(-1, 5) <= mpq(low["interval"][1])
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("circle",),
+        ("circle", "circle"),
+        ("circle", "--point", "1,x"),
+        ("circle", "--point", "1,0"),
+        ("circle", "--point", "1,2,3"),
+        ("helix_like", "--point", "1,2"),
+        ("helix_like", "--point", "1,2,3", "--variant", "best"),
+        ("circle", "--point", "5,5", "--variant", "naive"),
+        ("no_such_curve", "--point", "1,2"),
+        ("helix_like", "twisted_cubic", "--point", "0,0,0"),
+    ],
+)
+def test_bad_input_ends_in_one_line_and_status_2(arguments):
+    done = run("bisector", *arguments)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert done.stderr.count("\n") == 1
+    assert "Traceback" not in done.stderr
+
+
+def test_gaps_are_told_with_their_place(tmp_path):
+    file = tmp_path / "stands.json"
+    points = [["0", "0", "0"], ["1", "0", "0"], ["1", "0", "0"], ["1", "2", "3"]]
+    file.write_text(json.dumps({"degree": 1, "knots": ["0", "0", "1", "2", "3", "3"], "control_points": points}))
+    assert "missing: [1, 2]: the curve stands still" in run("bisector", file, "--point=-1,5,0").stdout
+    assert "no surface: [1, 2] × [0, 1]: the curve stands still" in run("bisector", file, "twisted_cubic").stdout
+
+
+def test_a_derived_net_can_be_read_back():
+    """The directrix of a ruled piece as a curve file."""
+    data = json.loads(run("bisector", "helix_like", "--point", "0,0,1", "--json").stdout)["rows"][0]
+    directrix = data["pieces"][0]["directrix"]
+    points = [[mpq(x) for x in row] for row in directrix["homogeneous_control_points"]]
+    curve = curve_from_text(
+        json.dumps(
+            {
+                "degree": directrix["degree"],
+                "knots": directrix["knots"],
+                "control_points": [[str(x / row[3]) for x in row[:3]] for row in points],
+                "weights": [str(row[3]) for row in points],
+            }
+        )
+    )
+    assert curve("1/2")[2] == 0
+
+
+# ---- two curves: everything beside the surface
+
+
+def files(folder, name):
+    paths = []
+    for i, curve in enumerate(FAMILIES[name]):
+        paths.append(folder / f"curve_{i}.json")
+        write_json(paths[-1], curve_data(curve))
+    return paths
+
+
+def shown_at(width, *arguments):
+    done = CliRunner().invoke(app, ["bisector", *map(str, arguments)], env={"COLUMNS": str(width)})
+    assert done.exit_code == 0
+    return done.stdout
+
+
+def words(text):
+    return " ".join(text.split())
+
+
+def test_coaxial_circles_at_80_columns(tmp_path):
+    shown = shown_at(80, *files(tmp_path, "coaxial circles of one radius"))
+    assert max(map(len, shown.splitlines())) <= 80
+    assert "one point: (0, 0, 1/2)" in words(shown)
+    assert "s - t = 0: s in" in shown
+    assert "s - t = 0: s in [0, 1]; s in [1, 2]" in shown_at(200, *files(tmp_path, "coaxial circles of one radius"))
+    assert shown.endswith("complete: nothing is left out\n")
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_the_table_at_80_columns_loses_nothing(name, tmp_path):
+    paths = files(tmp_path, name)
+    wide, shown = shown_at(300, *paths), shown_at(80, *paths)
+    assert max(map(len, shown.splitlines())) <= 80
+    assert sorted("".join(wide.split())) == sorted("".join(shown.split()))
+
+
+def test_json_has_all_components(tmp_path):
+    data = json.loads(run("bisector", *files(tmp_path, "a cusp and a curve through it"), "--json").stdout)["rows"][0]
+    assert data["complete"]
+    assert data["left_out"] == []
+    (line,) = [x for x in data["lines"] if x["cause"] == "the first curve has no tangent"]
+    assert line["equation"]["text"] == "s = 0"
+    assert line["pieces"][0]["parameter"] == "t"
+    (plane,) = [x for x in data["pairs"] if x["solutions"] == "plane"]
+    assert plane["s"]["parameter"] == "0"
+    # the normal plane of the second curve where it runs through the cusp
+    t, second = mpq(plane["t"]["parameter"]), FAMILIES["a cusp and a curve through it"][1]
+    assert second(t) == tuple(mpq(x) for x in plane["point"])
+
+
+def test_lines_in_json_are_the_lines(tmp_path):
+    """Directrix and generator of the plane between two circles, from their control points."""
+    data = json.loads(run("bisector", *files(tmp_path, "coaxial circles of one radius"), "--json").stdout)["rows"][0]
+    pieces = [piece for line in data["lines"] if line["equation"]["text"] == "s - t = 0" for piece in line["pieces"]]
+    assert len(pieces) == 2
+    for piece in pieces:
+        assert all(mpq(z) * 2 == mpq(w) for *_, z, w in piece["directrix"]["homogeneous_control_points"])
+        assert all(mpq(z) == 0 for *_, z in piece["generator"]["control_points"])
+
+
+def test_irrational_pairs_have_their_polynomials():
+    data = json.loads(run("bisector", "rational_space_cubic", "twisted_cubic", "--json").stdout)["rows"][0]
+    (irrational, *_) = [pair["s"] for pair in data["pairs"] if pair["s"]["parameter"] is None]
+    p, (low, high) = list(map(mpq, irrational["polynomial"])), map(mpq, irrational["interval"])
+    values = [sum(c * t**k for k, c in enumerate(p)) for t in (low, high)]
+    assert values[0] * values[1] < 0
+
+
+# ---- what is written is read back as what it is
+
+
+def test_an_arc_is_written_trimmed(tmp_path):
+    """A line so long that only a part of its parabola is kept; its ends are rational."""
+    line, file = tmp_path / "line.json", tmp_path / "arc.json"
+    write_json(line, curve_data(Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])))
+    data = json.loads(run("bisector", line, "--point", "0,2", "--json").stdout)["rows"][0]
+    for piece in data["pieces"]:
+        low, high = mpq(piece["low"]["parameter"]), mpq(piece["high"]["parameter"])
+        assert [mpq(piece["knots"][0]), mpq(piece["knots"][-1])] == [low, high]
+        assert [mpq(x) for x in piece["interval"]] == [low, high]
+        assert "cut" not in piece
+    file.write_text(json.dumps(data | {"pieces": [data["pieces"][0]]}))
+    arc = read_curve(file)
+    assert arc.domain == (0, 1)
+    assert all(x * x + 4 == 4 * y for x, y in (arc(mpq(k, 5)) for k in range(6)))
+
+
+def test_an_arc_with_an_irrational_end_is_refused_by_the_reader(tmp_path):
+    file = tmp_path / "arc.json"
+    data = json.loads(run("bisector", "circle", "--point", "3,0", "--json").stdout)["rows"][0]
+    piece = next(x for x in data["pieces"] if x["piece"] == "arc")
+    assert piece["cut"]
+    irrational = [end["polynomial"] for end in (piece["low"], piece["high"]) if end["parameter"] is None]
+    assert irrational
+    assert set(map(tuple, irrational)) <= {("-1", "0", "2"), ("31", "-16", "2")}
+    file.write_text(json.dumps(data | {"pieces": [piece]}))
+    done = run("inspect", file)
+    assert done.returncode == 2
+    assert "irrational parameter" in done.stderr
+
+
+# ---- pictures
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("rational_space_cubic", "twisted_cubic"),
+        ("ellipse_in_space", "ellipse_in_space"),
+        ("ellipse", "--point", "-1,1/3"),
+        ("helix_like", "--point", "1,1,2"),
+    ],
+)
+def test_a_picture_is_written(arguments, tmp_path):
+    file = tmp_path / "picture.svg"
+    done = run("bisector", *arguments, "--plot", file)
+    assert (done.returncode, done.stdout) == (0, "")
+    # where nothing knows depth, a picture with a surface says how it was drawn
+    assert done.stderr in ("", f"{REMARK}\n")
+    assert (done.stderr == "") or not knows_depth()
+    assert file.read_text().rstrip().endswith("</svg>")
+
+
+def test_a_picture_of_another_kind_is_refused(tmp_path):
+    done = run("bisector", "circle", "--point", "3,0", "--plot", tmp_path / "picture.gif")
+    assert done.returncode == 2
+    assert "neither SVG nor PNG" in done.stderr

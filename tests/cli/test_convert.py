@@ -1,0 +1,77 @@
+"""`exactspline convert` as a user meets it."""
+
+import io
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+from exactspline.cli import app
+from exactspline.errors import CurveFileError, NumberError
+from exactspline.interchange import read
+from tests.support.interchange_seeds import G2, SVG, truetype
+
+
+def run(*arguments, **options):
+    return CliRunner().invoke(app, ["convert", *map(str, arguments)], **options)
+
+
+def test_from_one_format_to_another(tmp_path):
+    source, target = tmp_path / "a.g2", tmp_path / "a.igs"
+    source.write_bytes(G2)
+    done = run(source, target)
+    assert done.exit_code == 2  # 0 before, although a curve is left out
+    assert "skipped: circle: no curve or no spline" in done.stderr
+    assert "2 curves from g2 to" in done.stderr
+    assert [named.curve.degree for named in read(target).curves] == [1, 2]
+
+
+def test_from_standard_input_to_standard_output():
+    done = run("-", "-", "--to", "json", input=SVG)
+    assert done.exit_code == 0
+    assert len(read(io.BytesIO(done.stdout_bytes).read()).curves) == 4
+
+
+def test_one_glyph_only(tmp_path):
+    pytest.importorskip("fontTools")
+    source, target = tmp_path / "f.ttf", tmp_path / "a.svg"
+    source.write_bytes(truetype())
+    assert run(f"{source}:both", target, "--only", "both.2").exit_code == 0
+    assert len(read(target).curves) == 1
+
+
+def test_what_cannot_be_exact_is_refused_unless_asked_for(tmp_path):
+    source, target = tmp_path / "a.json", tmp_path / "a.g2"
+    source.write_text('{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], ["1/3", 1]]}')
+    refused = run(source, target)
+    assert isinstance(refused.exception, NumberError)
+    assert not target.exists()
+    rounded = run(source, target, "--round")
+    assert rounded.exit_code == 0
+    assert "1 numbers were rounded" in rounded.stderr
+
+
+def test_nothing_to_convert_and_no_overwriting_of_the_source(tmp_path):
+    source = tmp_path / "a.cptw"
+    source.write_text("0,0,1\n1,1,1\n")
+    assert isinstance(run(source, tmp_path / "b.g2").exception, CurveFileError)
+    assert run(source, tmp_path / "b.g2", "--degree", "1").exit_code == 0
+    assert isinstance(run(tmp_path / "b.g2", tmp_path / "b.g2").exception, CurveFileError)
+
+
+def test_what_was_converted_is_told_as_json_under_its_schema(tmp_path):
+    jsonschema = pytest.importorskip("jsonschema")
+    from exactspline.cli.schema import schema_of
+
+    source, target = tmp_path / "drawing.svg", tmp_path / "curves.json"
+    source.write_bytes(SVG if isinstance(SVG, bytes) else SVG.encode())
+    done = run(source, target, "--json")
+    assert done.exit_code == 0
+    data = json.loads(done.stdout)
+    jsonschema.validate(data, schema_of("convert"))
+    assert [row["format"] for row in data["rows"]] == ["svg"] * len(data["rows"])
+    # thirds among them: *.json is the format that holds everything
+    assert read(target).format == "json"
+    assert "name a file" in str(run(source, "-", "--json").exception)
+    # what is skipped is said however quiet it is
+    assert {line.split(":")[0] for line in run(source, target, "--quiet").stderr.splitlines()} == {"skipped"}

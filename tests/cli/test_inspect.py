@@ -1,0 +1,129 @@
+"""``inspect`` as a user sees it: corners, gaps and jumps each in a row, orders of continuity, pieces across the
+seam.
+"""
+
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+from exactspline.cli import app
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.inspection import Approach
+from exactspline.geometry.kinds import JointKind
+from tests.geometry.test_shared_curves import FILES, read_curve
+
+SQUARE = {"degree": 1, "knots": [0, 0, 1, 2, 3, 4, 4], "control_points": [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]}
+#: Through (1, 0) in the middle of a side, with a gap of √2 after the first corner.
+TURNED = {
+    "degree": 1,
+    "knots": [0, 0, 1, 1, 2, 3, 4, 4],
+    "control_points": [[1, 0], [2, 0], [3, 1], [0, 5], [0, 0], [1, 0]],
+}
+
+
+def run(*arguments):
+    return CliRunner().invoke(app, [str(a) for a in arguments])
+
+
+@pytest.fixture
+def inspected(tmp_path, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "200")
+
+    def inspect(curve):
+        file = tmp_path / "curve.json"
+        file.write_text(json.dumps(curve))
+        return run("inspect", file).output, json.loads(run("inspect", file, "--json").output)["rows"][0]
+
+    return inspect
+
+
+def test_a_square_has_four_corners_with_their_angles(inspected):
+    output, data = inspected(SQUARE)
+    rows = [line for line in output.splitlines() if line.startswith("corner")]
+    assert len(rows) == 4
+    assert all("turns by 90° (cos = 0, sin = 1), G0" in row for row in rows)
+    assert "at the seam" in rows[0]
+    assert "joints: 4 G0" in output
+    assert [joint["angle"] for joint in data["joints"]] == [{"cosine": "0", "sine": "1", "degrees": "90"}] * 4
+    assert [joint["geometric_continuity"] for joint in data["joints"]] == [0] * 4
+
+
+def test_gaps_corners_and_a_smooth_seam_are_told(inspected):
+    output, data = inspected(TURNED)
+    assert [(joint["kind"], joint["geometric_continuity"]) for joint in data["joints"]] == [
+        ("continuous curvature", 3),
+        ("gap", -1),
+        ("corner", 0),
+        ("corner", 0),
+    ]
+    assert data["joints"][1]["gap"] == "√2"
+    assert "√2 wide" in output
+    assert "[3, 4] ∪ [0, 1]" in output
+    assert data["straight_pieces"] == [[["1", "2"]], [["2", "3"]], [["3", "4"], ["0", "1"]]]
+    assert "joints: 1 with a gap, 2 G0, 1 G3 or higher" in output
+
+
+def test_jumps_of_the_curvature_are_told_with_both_values(inspected):
+    curve = {"degree": 2, "knots": [0, 0, 0, 1, 2, 2, 2], "control_points": [[0, 0], [1, 1], [3, -1], [4, 0]]}
+    output, data = inspected(curve)
+    (joint,) = data["joints"]
+    assert joint["kind"] == "jump of the curvature"
+    assert joint["curvatures"] == ["-√2/4", "√2/4"]
+    assert joint["curvature"] == "-0.3535533905932737622 | 0.3535533905932737622"
+    assert "exactly −√2/4 | √2/4, G1" in output
+    (inflection,) = data["inflections"]["points"]
+    assert inflection["curvature"] == joint["curvature"]
+
+
+def test_a_corner_at_rest_has_its_angle_too(inspected):
+    curve = {"degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 2], "control_points": [[0, 0], [1, 0], [1, 0], [1, 3], [1, 3]]}
+    _, data = inspected(curve)
+    corner = next(f for f in data["singular_points"]["points"] if f["kind"] == "corner")
+    assert (corner["parameter"], corner["angle"]["degrees"]) == ("1", "90")
+
+
+@pytest.mark.parametrize("file", [f for f in FILES if "font" in f.stem], ids=lambda f: f.stem)
+def test_every_corner_of_a_glyph_has_a_row(file, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "200")
+    curve = read_curve(file)
+    rows = [line.split()[0] for line in run("inspect", file, "--digits", 5).output.splitlines() if line]
+    told = [joint for joint in analyse(curve).joints if joint.kind is JointKind.CORNER]
+    assert rows.count("corner") >= len(told)
+    a, b = curve.domain
+    for joint in analyse(curve).joints:
+        # the definition: the tangent of the chords on both sides, a millionth of the domain away
+        t, h = joint.parameter, (b - a) / 10**9
+        left = b if joint.at_seam else t
+        before = [x - y for x, y in zip(curve(left, "left"), curve(left - h), strict=True)]
+        behind = [x - y for x, y in zip(curve(t + h), curve(t), strict=True)]
+        cosine = sum(x * y for x, y in zip(before, behind, strict=True))
+        squares = sum(x * x for x in before) * sum(x * x for x in behind)
+        turns = cosine < 0 or cosine**2 * 10**10 < squares * (10**10 - 1)
+        if turns or (joint.angle is not None and joint.angle.sine**2 * 10**8 > 1):
+            assert (joint.angle is not None) == turns
+
+
+def test_a_drawing_of_several_curves_is_one_picture(tmp_path):
+    pytest.importorskip("matplotlib")
+    drawing, picture = tmp_path / "drawing.svg", tmp_path / "features.svg"
+    drawing.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg"><path id="s" d="M0 0C1 2 2 -2 3 0"/><path id="v" d="M0 1L1 2L2 1"/>'
+        "<text>skipped</text></svg>"
+    )
+    done = CliRunner().invoke(app, ["inspect", str(drawing), "--coordinates", "--plot", str(picture), "--json"])
+    assert done.exit_code == 0
+    assert "skipped: text" in done.stderr
+    rows = json.loads(done.stdout)["rows"]
+    assert [row["curve"] for row in rows] == ["s", "v"]
+    assert [f["parameter"] for f in rows[0]["inflections"]["points"]] == ["1/2"]
+    turns = [(f["coordinate"], f["kind"]) for row in rows for f in row["coordinate_extrema"]]
+    assert turns == [(1, "maximum"), (1, "minimum"), (1, "maximum")]
+    assert picture.read_text(encoding="utf-8").count("inflections (1)") >= 1
+
+
+def test_an_unknown_approach_is_told_all_that_there_are():
+    found = run("inspect", "circle", "--approach", "sqaring")
+    words = str(found.exception).rpartition("there are")[2].replace(",", " ").split()
+    assert words == [*Approach, "all"]
+    assert [run("inspect", "circle", "--approach", word).exit_code for word in words] == [0] * len(words)

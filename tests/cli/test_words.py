@@ -1,0 +1,232 @@
+"""What the command line says around its tables: schemas, glossary, nearest names, pages, numbers, habits."""
+
+import json
+import re
+from importlib.metadata import version
+
+import jsonschema
+import pytest
+from typer.testing import CliRunner
+
+from exactspline.cli import COMMANDS, app
+from exactspline.cli.schema import schema_of, schemas
+from exactspline.display.code import code_lines
+from exactspline.display.evidence import worded
+from exactspline.display.glossary import meaning, terms
+from exactspline.display.ledger import WORDS
+from exactspline.display.ledger_page import page
+from exactspline.display.numbers import Numbers, decimals
+from exactspline.numbers.exact import mpq
+from exactspline.splines.curve_files import curve_data
+from exactspline.splines.examples import example
+from exactspline.verification.claims import select
+from exactspline.verification.evidence import Between
+from exactspline.verification.ledger import audit
+
+
+def run(*arguments, **options):
+    return CliRunner().invoke(app, [str(a) for a in arguments], **options)
+
+
+DOCUMENTS = {
+    "prove": ["prove", "--claim", "C4.1", "--json"],
+    "show": ["show", "C4.2b", "--json"],
+    "claims": ["show", "--json"],
+    "errata": ["errata", "--json"],
+    "degrees": ["degrees", "--curve", "straight_between_arcs", "--json"],
+    "generic": ["degrees", "--generic", "--json"],
+    "patch degrees": ["degrees", "--paper", "surfaces", "--patch", "1,2", "parabolic", "L", "--json"],
+    "formula degrees": ["degrees", "--paper", "lifted", "--generic", "evolute_lifted", "--json"],
+    "identity": ["prove", "--identity", "f1 = w f2", "--json"],
+    "certificates": ["degrees", "--certify", "--curve", "circle"],
+    "reduce": ["reduce", "rectifying_developable", "--json"],
+    "derivable": ["derive", "--json"],
+    "inspect": ["inspect", "six_segment_cubic", "planar_in_space", "--json"],
+    "inspect surface": ["inspect", "monkey_saddle", "folded_map", "--json"],
+    "bisector": ["bisector", "ellipse", "--point=-1,1/3", "--json"],
+    "conditioning": ["conditioning", "ellipse_skew", "--json"],
+    "curves": ["curves", "--json"],
+    "surfaces": ["curves", "--surfaces", "--json"],
+    "glossary": ["glossary", "--json"],
+    "oracle": ["oracle", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
+    "questions": ["oracle", "--list", "--json"],
+    "topics": ["exercise", "--json"],
+    "exercise": ["exercise", "all", "--solutions", "--json"],
+    "check-answer": ["check-answer", "cubic_s", "--reference", "cubic_s", "--json"],
+    "triangle": [
+        "triangle",
+        "rational_cubic",
+        "--at",
+        "1/3",
+        "--insert",
+        "1/2",
+        "--elevate",
+        "2",
+        "--product",
+        "x,w",
+        "--json",
+    ],
+    "sweep": ["sweep", "six_segment_cubic", "planar_in_space", "--json"],
+}
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_json_follows_its_schema_and_every_row_has_a_key_of_its_own(name):
+    result = run(*DOCUMENTS[name])
+    assert result.exit_code == 0
+    data = json.loads(result.stdout)
+    jsonschema.validate(data, schema_of(name))
+    keys = [row["key"] for row in data["rows"]]
+    assert keys
+    assert len(keys) == len(set(keys))
+
+
+def test_every_schema_is_published():
+    listed = json.loads(run("schema").stdout)["schemas"]
+    assert set(DOCUMENTS) | {"figures", "convert"} == set(schemas())
+    assert set(schemas()) | {"sweep_line"} == set(listed)
+    assert json.loads(run("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 2"
+    assert json.loads(run("schema", "prove").stdout)["title"] == "exactspline/prove, version 2"
+
+
+def test_keys_of_the_whole_ledger_on_one_curve_are_unique():
+    rows = json.loads(run("prove", "--curve", "planar_in_space", "--json").stdout)["rows"]
+    assert len({row["key"] for row in rows}) == len(rows) > 50
+    assert {row["verdict"] for row in rows} <= set(WORDS)
+
+
+@pytest.mark.parametrize("term", [*WORDS, "nominal", "true", "minimal", "lifted", "k", "m", "j", "X", "P", "γ"])
+def test_the_glossary_has_every_word_of_the_tables(term):
+    assert meaning(term) in terms().values()
+    assert run("glossary", term).stdout.startswith(f"{term}: ")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "near"),
+    [
+        (["show", "C4.2z"], "C4.2"),
+        (["prove", "--claim", "C4.2z"], "C4.2"),
+        (["errata", "spann"], "span"),
+        (["derive", "evolut", "circle"], "evolute"),
+        (["reduce", "g22"], "g2"),
+        (["inspect", "elipse"], "ellipse"),
+        (["conditioning", "circle", "--construction", "zero_curvatur"], "zero_curvature"),
+        (["prove", "--verdict", "vacous"], "VACUOUS"),
+        (["glossary", "nominl"], "nominal"),
+        (["schema", "proof"], "prove"),
+    ],
+)
+def test_an_unknown_name_gets_the_nearest_ones(arguments, near):
+    result = run(*arguments)
+    told = str(result.exception) + result.stderr
+    assert "the nearest are" in told
+    assert near in told
+    assert len(told) < 250
+
+
+def test_help_shows_examples_and_exit_statuses():
+    for command in COMMANDS:
+        name = command.replace("_", "-")
+        told = run(name, "--help").stdout
+        assert "Exit status: 0 success" in told
+        assert f"  exactspline {name}" in told
+    assert "..." not in run("--help").stdout.split("Commands:")[1]
+    assert "[default: 20" in run("inspect", "--help").stdout
+
+
+def test_version():
+    assert run("--version").stdout == f"exactspline {version('exactspline')}\n"
+
+
+def test_a_curve_on_standard_input():
+    text = json.dumps(curve_data(example("ellipse_skew")))
+    rows = json.loads(run("inspect", "-", "--json", input=text).stdout)["rows"]
+    assert len(rows[0]["critical_points"]["points"]) == 4
+    assert "standard input" in str(run("derive", "evolute", "-", input="{}").exception)
+
+
+def test_quiet_leaves_the_legend_out():
+    loud, quiet = run("degrees", "--generic").stdout, run("degrees", "--generic", "--quiet").stdout
+    assert loud.startswith(quiet)
+    assert "nominal" not in quiet
+
+
+def test_an_equation_is_found_by_its_number():
+    told = run("show", "eq. (12)").stdout
+    assert "1/κ = ‖γ′‖³ / [γ′ γ″]" in told
+    assert "REFUTED" in told
+    assert "(8)" not in told
+
+
+def test_a_researcher_finds_an_answer_by_its_words():
+    assert "the rectifying developable" in run("show", "rectifying developable").stdout
+    table = run("degrees", "rectifying_developable", "--generic", "--csv").stdout.splitlines()
+    assert len(table) == 3
+    assert all("rectifying developable" in line for line in table[1:])
+    assert "10d − 18" in table[1]
+    own = json.loads(run("degrees", "evolute", "--curve", "ellipse_skew", "--json").stdout)["rows"]
+    assert {row["formula"] for row in own} == {"evolute"}
+    assert {row["variant"]: row["true"] for row in own}["minimal"] == 6
+    assert "the nearest are" in str(run("degrees", "evolvent", "--curve", "circle").exception)
+
+
+def test_options_that_contradict_each_other_are_bad_input():
+    assert "--json and --csv" in str(run("curves", "--json", "--csv").exception)
+    assert "--judge and --curve" in str(run("prove", "--judge", "sympy", "--curve", "circle").exception)
+
+
+def test_nothing_that_vanishes_or_does_not_exist_has_a_degree():
+    rows = run("degrees", "--curve", "straight_line", "--csv").stdout.splitlines()[1:]
+    assert not any(re.search(r",-\d", row) for row in rows)
+    assert sum("zero" in row for row in rows) > 5
+    evolutes = [row for row in rows if row.startswith("straight_line,evolute,")]
+    assert all(row.split(",")[-2] != "0" for row in evolutes)
+    assert any("straight" in row.split(",", 3)[3] for row in evolutes)
+
+
+def test_identities_are_printed_as_equations():
+    told = run("prove", "--claim", "C4.2b").stdout
+    assert told.count("g1 = w⁸ · g0") == 2
+    assert "computed" not in told
+
+
+def test_prove_answers_first():
+    first = run("prove", "--section", "4.2", "--verdict", "refuted").stdout
+    assert "REFUTED  C4.2b" in first
+    assert "PROVED" not in first.split("\n\n")[0]
+    whole = run("prove").stdout
+    assert re.match(r"\d+ statements of the paper refuted on \d+ rows; \d+ hold", whole)
+    assert "true: g1 = w⁸ g0" in whole
+    assert len(whole.splitlines()) < 250
+
+
+def test_long_fractions_are_decimals_and_stand_in_full_on_demand():
+    long = "-37571202085457847/1220703125000000000"
+    assert decimals(f"differs by {long}") == "differs by ≈ -0.0307783"
+    assert decimals(f"differs by {long}", exact=True) == f"differs by {long}"
+    assert decimals("at 1/3") == "at 1/3"
+    assert decimals("g1 = w⁸·1/2·f") == "g1 = w⁸·1/2·f"
+    between = Between(mpq("3333333333333333/10000000000000000"), mpq("3333333333333334/10000000000000000"))
+    assert worded(between, Numbers()) == "near the parameter 0.333333"
+    assert worded(Between(mpq(1, 3), mpq(1, 2)), Numbers()) == "between the parameters 1/3 and 1/2"
+
+
+def test_the_page_has_every_row_and_asks_nothing_of_the_network(tmp_path):
+    rows = list(audit(select(["C4.1", "C4.2b"]), [example("circle")]))
+    text = page(rows)
+    assert text.count("<tr data-verdict=") == len(rows)
+    assert not re.search(r"https?:|src=|@import|<link", text)
+    assert {"verdict", "section", "curve"} <= set(re.findall(r'<select name="(\w+)"', text))
+    file = tmp_path / "ledger.html"
+    assert run("prove", "--claim", "C4.1a", "--html", file).exit_code == 0
+    assert "f1 = w · f2" in file.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("width", [24, 40, 60])
+def test_code_is_broken_where_it_stays_code(width):
+    line = 'found = [x for x in ("a long text that is broken too", 2 + 3, {"k": max(4, 5)}["k"])]'
+    parts = code_lines(line, width)
+    assert all(len(part) <= width for part in parts)
+    names = {}
+    exec("\n".join(parts), names)
+    assert names["found"] == ["a long text that is broken too", 5, 5]

@@ -1,0 +1,236 @@
+"""The house: which room may import which, what a formula may contain, and how heavy an import is."""
+
+import ast
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import exactspline
+from tests.support import import_graph
+
+ROOT = Path(exactspline.__file__).parent
+ARCHITECTURE = Path(__file__).parents[2] / "docs" / "architecture.md"
+
+MODULES = sorted(ROOT.rglob("*.py"))
+GRAPH = import_graph.module_graph()
+#: Above every floor: the front door and the two ways to start the command line.
+FRONT = {"", "__main__"}
+
+
+def test_a_package_imports_only_from_those_below_it():
+    packages = import_graph.package_graph(GRAPH)
+    assert set(packages) == {name.split(".")[0] for name in GRAPH} - FRONT
+    for package, targets in packages.items():
+        for other in targets:
+            assert import_graph.FLOOR[other] < import_graph.FLOOR[package], f"{package} imports {other}"
+
+
+def test_no_circle_of_modules_lazy_imports_and_types_included():
+    """Passed before: 38 modules in one circle, tied by services and by imports for types alone."""
+    assert import_graph.circles(GRAPH) == []
+
+
+def test_nothing_imports_the_front_door():
+    assert [name for name, targets in GRAPH.items() if "" in targets and name not in FRONT] == []
+
+
+PLANTED = {
+    "at the top": "from exactspline.cli import prove",
+    "lazily": "def f():\n    from exactspline.cli.prove import prove",
+    "for types alone": "if TYPE_CHECKING:\n    from exactspline.cli import prove",
+    "by import_module": "prove = import_module('exactspline.cli.prove')",
+    "by a place in a text": "HOMES = {'prove': 'cli.prove:prove'}",
+}
+
+
+@pytest.mark.parametrize("code", PLANTED.values(), ids=PLANTED)
+def test_an_import_is_seen(code):
+    """Passed before: an import for types alone, or by a name in a text, points up unseen."""
+    found = import_graph.imported(ast.parse(code), {"cli", "cli.prove"}, "language.kind")
+    assert found == {"cli.prove"}
+    packages = import_graph.package_graph({"language.kind": found})
+    assert not import_graph.FLOOR["cli"] < import_graph.FLOOR["language"]
+    assert packages == {"language": {"cli"}}
+
+
+def test_a_formula_that_is_looked_up_by_its_name_is_an_import():
+    """Passed before: a room below the papers looks up one of their formulas by its name."""
+    assert import_graph.imported(ast.parse("find('f2')"), set(GRAPH), "language.kind") == {"papers"}
+    assert import_graph.imported(ast.parse("'a text about x.y: f2'; text.find('f2')"), set(GRAPH)) == set()
+
+
+def test_a_circle_is_seen():
+    """Passed before: a circle of modules one of whose imports is for types alone."""
+    assert import_graph.circles({"a": {"b"}, "b": {"c"}, "c": {"a"}, "d": {"a"}}) == [["a", "b", "c"]]
+    code = "if TYPE_CHECKING:\n    from exactspline.a import A", "from exactspline.b import B"
+    graph = {name: import_graph.imported(ast.parse(c), {"a", "b"}) for name, c in zip("ba", code, strict=True)}
+    assert import_graph.circles(graph) == [["a", "b"]]
+
+
+def test_only_the_front_door_names_modules_of_other_rooms_in_texts():
+    """What a user's formulas may import are texts of the check of such files; the command line asks whether a module
+    below it was loaded.
+    """
+    trees = import_graph.trees()
+    named = {name: import_graph.named(tree, set(trees)) - {"papers"} for name, tree in trees.items()}
+    found = {name for name, targets in named.items() if {t.split(".")[0] for t in targets} - {name.split(".")[0]}}
+    assert found == {"", "cli.output", "papers.formula_check"}
+
+
+def linted(folder: Path) -> subprocess.CompletedProcess[str]:
+    """The contracts of import-linter, checked on the package in a folder."""
+    code = (
+        "from importlinter.cli import lint_imports\n"
+        f"raise SystemExit(lint_imports(config_filename={str(import_graph.CONTRACTS_FILE)!r}, no_cache=True))"
+    )
+    environment = os.environ | {"PYTHONPATH": str(folder)}
+    command = [sys.executable, "-c", code]
+    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder, env=environment)
+
+
+def test_the_contracts_of_the_imports_are_kept():
+    """Passed before: `language` imports the types of `splines`, `roots` and `papers`."""
+    done = linted(ROOT.parent)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+PLANTED_FILES = {
+    "nothing": ({}, ""),
+    "a type from above": (
+        {"language": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from exactspline.splines import x"},
+        "exactspline.language is not allowed to import exactspline.splines",
+    ),
+    "a room beside": ({"roots": "from exactspline.symbolic import x"}, "not allowed to import exactspline.symbolic"),
+    "a room that nobody named": ({"services": ""}, "exactspline.services"),
+    "a circle of types": (
+        {
+            "splines": "",
+            "splines/a": "from exactspline.splines.b import x",
+            "splines/b": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from exactspline.splines.a import x",
+        },
+        "No cycles are allowed in exactspline.splines",
+    ),
+}
+
+
+@pytest.mark.parametrize(("files", "told"), PLANTED_FILES.values(), ids=PLANTED_FILES)
+def test_what_breaks_a_contract_is_found(files, told, tmp_path):
+    """Passed before: each of these but "a room beside"."""
+    rooms = {room: "" for row in import_graph.ORDER for room in row} | {"__main__": ""}
+    for name, text in (rooms | files).items():
+        inside = any(other.startswith(f"{name}/") for other in files)
+        file = tmp_path / "exactspline" / (f"{name}/__init__.py" if inside else f"{name}.py")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text + "\n", encoding="utf-8")
+    (tmp_path / "exactspline" / "__init__.py").write_text("", encoding="utf-8")
+    done = linted(tmp_path)
+    assert done.returncode == (1 if files else 0), done.stdout + done.stderr
+    assert told in " ".join(done.stdout.split())
+
+
+@pytest.mark.skipif(not ARCHITECTURE.exists(), reason="the documents are in the checkout only")
+def test_the_picture_in_the_documents_is_that_of_the_code():
+    assert import_graph.text_picture(import_graph.package_graph(GRAPH)) in ARCHITECTURE.read_text(encoding="utf-8")
+
+
+def in_a_paper(path: Path) -> bool:
+    return path.relative_to(ROOT).parts[0] == "papers" and len(path.relative_to(ROOT).parts) > 2
+
+
+#: The files of formulas.
+PAPERS = [p for p in MODULES if in_a_paper(p) and p.name != "__init__.py"]
+FORMULAS = [p for p in MODULES if p.relative_to(ROOT).parts[0] == "formulas" and p.name != "__init__.py"]
+
+
+def test_formulas_import_the_language_and_formulas_alone():
+    for path in (*PAPERS, *FORMULAS):
+        names = import_graph.imported(ast.parse(path.read_text(encoding="utf-8")), set(GRAPH))
+        own = {"papers"} if path in PAPERS else set()
+        assert {name.split(".")[0] for name in names} <= {"language", "formulas"} | own
+
+
+def test_nothing_outside_papers_names_one():
+    names = {path.parent.name for path in PAPERS}
+    for path in MODULES:
+        if path.relative_to(ROOT).parts[0] != "papers":
+            code = ast.unparse(without_docstrings(ast.parse(path.read_text(encoding="utf-8"))))
+            assert not [name for name in names if re.search(rf"papers\.{name}\b|paper\(['\"]{name}['\"]", code)], path
+
+
+def without_docstrings(tree: ast.Module) -> ast.Module:
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node) is not None:
+            node.body = node.body[1:] or [ast.Pass()]
+    return tree
+
+
+FORBIDDEN = (ast.If, ast.IfExp, ast.Compare, ast.While, ast.For, ast.BoolOp, ast.Try, ast.Match, ast.Assert, ast.Lambda)
+
+
+@pytest.mark.parametrize("path", [*PAPERS, *FORMULAS], ids=lambda p: p.stem)
+def test_formulas_contain_no_branch_no_comparison_no_float(path):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        assert not isinstance(node, FORBIDDEN), f"line {node.lineno}: {type(node).__name__}"
+        assert not (isinstance(node, ast.Constant) and isinstance(node.value, (float, complex, bool))), (
+            f"line {node.lineno}: {node.value}"
+        )
+
+
+#: `testing` has curves whose numbers are doubles, for libraries that compute in them.
+ROOMS_WITH_FLOATS = "display", "verification", "testing"
+#: The certified filter, which proves what rounding does to its doubles.
+PROVED_FLOATS = [ROOT / "programs" / "doubles.py", ROOT / "polynomials" / "doubles.py"]
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(ROOT)))
+def test_rooms_are_without_floats(path):
+    text = path.read_text(encoding="utf-8")
+    if path.relative_to(ROOT).parts[0] not in ROOMS_WITH_FLOATS and path not in PROVED_FLOATS:
+        assert not [
+            n.value for n in ast.walk(ast.parse(text)) if isinstance(n, ast.Constant) and isinstance(n.value, float)
+        ]
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(ROOT)))
+def test_public_things_have_docstrings(path):
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    assert ast.get_docstring(tree)
+    for node in tree.body:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not node.name.startswith("_"):
+            if any(ast.unparse(mark) == "overload" for mark in node.decorator_list):
+                continue  # the docstring is at the definition that follows
+            assert ast.get_docstring(node), node.name
+
+
+def loaded_after(code: str) -> set[str]:
+    done = subprocess.run(
+        [sys.executable, "-c", f"{code}\nimport sys; print(*sys.modules)"], capture_output=True, text=True, check=True
+    )
+    return {name.split(".")[0] for name in done.stdout.split()}
+
+
+HEAVY = {"sympy", "matplotlib", "numpy", "mpmath"}
+
+
+def test_importing_is_light():
+    assert not HEAVY & loaded_after("import exactspline; exactspline.BSpline; exactspline.Nurbs")
+
+
+def test_help_is_light():
+    code = (
+        "from typer.testing import CliRunner; from exactspline.cli import app; assert "
+        "CliRunner().invoke(app, ['--help']).exit_code == 0"
+    )
+    assert not HEAVY & loaded_after(code)
+
+
+def test_proving_needs_no_sympy():
+    code = (
+        "from exactspline.verification.ledger import audit; from exactspline.verification.claims import "
+        "select; assert all(r.as_recorded for r in audit(select(['C4.1'])))"
+    )
+    assert "sympy" not in loaded_after(code)

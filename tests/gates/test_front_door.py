@@ -1,0 +1,241 @@
+"""The front door: every name a user looks for, the same whatever is imported, typed, lazily loaded; what it lends."""
+
+import ast
+import pkgutil
+import re
+import subprocess
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+import exactspline as xs
+from exactspline import hooks
+
+ROOT = Path(xs.__file__).parent
+#: What the design promises at top level.
+PROMISED = [
+    "BSpline",
+    "Nurbs",
+    "TensorSpline",
+    "KnotVector",
+    "Vector",
+    "Direction",
+    "Rational",
+    "Root",
+    "ZeroSet",
+    "rational",
+    "from_float",
+    "from_floats",
+    "load",
+    "save",
+    "example",
+    "analyse",
+    "zeros",
+    "evolute",
+    "focal_curve",
+    "torsion",
+    "curvature",
+    "derive",
+    "ruled_surface",
+    "bisector",
+    "trimmed_bisector",
+    "formula",
+    "dot",
+    "cross",
+    "det",
+    "perp",
+    "norm2",
+    "triple",
+    "generalized_cross",
+    "wronskian",
+    "prove",
+    "verify",
+    "reduction",
+    "degree_table",
+    "errata",
+    "plot",
+]
+
+
+def test_every_promised_name_is_there():
+    assert set(PROMISED) <= set(xs.__all__) == set(dir(xs))
+    for name in xs.__all__:
+        assert getattr(xs, name) is not None
+
+
+def test_a_name_that_is_not_there():
+    with pytest.raises(AttributeError, match="no attribute 'nurbs'"):
+        xs.nurbs  # noqa: B018
+    with pytest.raises(ImportError):
+        exec("from exactspline import nothing_of_the_kind")
+
+
+def test_importing_every_submodule_hides_no_name():
+    code = """
+import pkgutil, importlib, types
+import exactspline as xs
+before = {name: getattr(xs, name) for name in xs.__all__}
+for module in pkgutil.walk_packages(xs.__path__, "exactspline."):
+    if not module.name.endswith("__main__"):
+        importlib.import_module(module.name)
+assert all(getattr(xs, name) is thing for name, thing in before.items())
+assert not any(isinstance(thing, types.ModuleType) for thing in before.values())
+"""
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_no_submodule_is_called_like_a_name():
+    own = {module.name for module in pkgutil.iter_modules(xs.__path__)}
+    assert not own & set(xs.__all__)
+
+
+def test_importing_the_package_loads_nothing_of_it_but_the_hooks():
+    code = (
+        "import sys, exactspline; print(*[m for m in sys.modules if m.startswith(('exactspline.', 'flint', 'gmpy2'))])"
+    )
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert set(loaded) == {"exactspline.hooks"}
+
+
+def typed_names() -> dict[str, str]:
+    """What checkers read: name → ``module:attribute``, from the imports under TYPE_CHECKING."""
+    tree = ast.parse((ROOT / "__init__.py").read_text(encoding="utf-8"))
+    block = next(node for node in tree.body if isinstance(node, ast.If))
+    return {
+        alias.asname: f"{node.module.removeprefix('exactspline.')}:{alias.name}"
+        for node in block.body
+        for alias in node.names
+    }
+
+
+def test_checkers_and_the_interpreter_see_the_same_names():
+    assert typed_names() == xs._HOMES
+
+
+def test_checkers_know_the_types(tmp_path):
+    asked = {
+        "xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])": "exactspline.splines.nurbs.Nurbs",
+        "xs.zeros(xs.BSpline.bezier([1, -1]))": "exactspline.roots.zero_set.ZeroSet",
+        'xs.example("circle").insert_knot("1/2")': "exactspline.splines.nurbs.Nurbs",
+        'xs.prove("f1", "f2").holds': "bool",
+    }
+    done = checked(tmp_path, "".join(f"reveal_type({code})\n" for code in asked))
+    told = [kind.removeprefix("builtins.") for kind in re.findall(r'Revealed type is "(.*?)"', done.stdout)]
+    assert told == list(asked.values()), done.stdout + done.stderr
+
+
+def test_checkers_refuse_a_method_that_is_a_function(tmp_path):
+    """Passed before: `curve.plot()`."""
+    done = checked(tmp_path, 'xs.example("circle").plot()\nxs.example_surface("sphere").plot\n')
+    assert re.findall(r"error: (.*?)  \[attr-defined\]", done.stdout) == [
+        '"Nurbs" has no attribute "plot"',
+        '"NurbsSurface" has no attribute "plot"',
+    ]
+
+
+def checked(folder: Path, code: str) -> subprocess.CompletedProcess[str]:
+    """What a type checker says of code that uses the package."""
+    pytest.importorskip("mypy")
+    file = folder / "asks.py"
+    file.write_text(f"import exactspline as xs\n{code}", encoding="utf-8")
+    command = [sys.executable, "-m", "mypy", "--cache-dir", str(folder / "cache"), "--follow-imports=silent", str(file)]
+    installed = ROOT.parent.name == "site-packages"  # a folder in which a checker takes every library for the user's
+    return subprocess.run(
+        command, capture_output=True, text=True, check=False, cwd=folder if installed else ROOT.parent
+    )
+
+
+# ---- functions, not methods of lower rooms
+
+SOURCES = sorted(ROOT.rglob("*.py"))
+
+
+@pytest.mark.parametrize("name", ["plot", "curvature", "torsion", "at_floats", "analyse"])
+@pytest.mark.parametrize(
+    "thing",
+    [xs.example("circle"), xs.example_surface("sphere"), xs.BSpline.identity(0, 1)],
+    ids=["curve", "surface", "spline"],
+)
+def test_the_error_of_a_missing_method_names_the_function(thing, name):
+    """Passed before: the curve has the method, the surface only no such attribute."""
+    with pytest.raises(AttributeError, match=f"has no attribute '{name}'; use the function exactspline.{name}$"):
+        getattr(thing, name)
+    assert not hasattr(thing, name)
+    assert callable(getattr(xs, name))
+
+
+def test_at_is_a_function_for_curves_and_splines():
+    """Passed before: each has the method."""
+    for thing in (xs.example("circle"), xs.BSpline.identity(0, 1)):
+        with pytest.raises(AttributeError, match=r"has no attribute 'at'; use the function exactspline\.at$"):
+            thing.at(0)
+
+
+def test_other_missing_attributes_name_nothing():
+    for name in ("nothing_of_the_kind", "Vector", "__version__", "_repr_svg_"):
+        with pytest.raises(AttributeError, match=f"'Nurbs' object has no attribute '{name}'$"):
+            getattr(xs.example("circle"), name)
+
+
+def test_a_notebook_shows_what_the_printers_write():
+    curve = xs.example("circle")
+    told = []
+    curve.w._repr_pretty_(SimpleNamespace(text=told.append), False)
+    assert "B-spline function" in curve.w._repr_html_()
+    assert told == [repr(curve.w)]
+    assert xs.find("D1")._repr_latex_() == "$$D_1 = p'\\,w - p\\,w'$$"
+
+
+def test_without_printers_a_notebook_shows_the_text(monkeypatch):
+    monkeypatch.setattr(hooks, "_printers", [hooks._plain])
+    told = []
+    xs.example("circle").w._repr_pretty_(SimpleNamespace(text=told.append), False)
+    assert told == [repr(xs.example("circle").w)]
+    assert xs.example("circle").w._repr_html_() is None
+
+
+#: Modules that import by a name in a string: the front door, papers (folders of data), the optional
+#: drawing libraries, what a user names on the command line, and what only notebooks need.
+IMPORT_BY_STRING = {
+    "__init__.py",
+    "cli/__init__.py",
+    "papers/loading.py",
+    "display/__init__.py",
+    "display/plot/canvas.py",
+    "display/plot/html.py",
+    "papers/folder.py",
+}
+
+
+def test_nothing_else_imports_by_string():
+    for path in SOURCES:
+        text = path.read_text(encoding="utf-8")
+        own = str(path.relative_to(ROOT))
+        if "import_module" in text or "__import__" in text:
+            assert own in IMPORT_BY_STRING, own
+
+
+# ---- README and notebooks
+
+CHECKOUT = ROOT.parent
+IMPORT = re.compile(r"^\s*(?:from\s+(exactspline[\w.]*)\s+import|import\s+(exactspline[\w.]*))", re.MULTILINE)
+
+
+@pytest.mark.skipif(not (CHECKOUT / "README.md").exists(), reason="the README is in the checkout only")
+def test_the_readme_imports_from_the_front_door_alone():
+    text = (CHECKOUT / "README.md").read_text(encoding="utf-8")
+    blocks = "\n".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
+    found = [a or b for a, b in IMPORT.findall(blocks)]
+    assert found
+    assert set(found) == {"exactspline"}
+
+
+@pytest.mark.parametrize("path", sorted((CHECKOUT / "notebooks").glob("*.ipynb")), ids=lambda p: p.stem)
+def test_a_notebook_imports_from_the_front_door_alone(path):
+    nbformat = pytest.importorskip("nbformat")
+    cells = [cell.source for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == "code"]
+    found = [a or b for cell in cells for a, b in IMPORT.findall(cell)]
+    assert found
+    assert set(found) == {"exactspline"}

@@ -1,0 +1,366 @@
+"""The laws of the house, each with a gate: what it forbids is not in the code, and is found where it is planted.
+
+Where the code still breaks a law it is named with the reason; a name that is no longer needed fails.
+(Law 1, imports, and formulas without branches: `test_architecture`. Law 2, a formula stands once: with the formulas.)
+"""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import exactspline as xs
+from exactspline.cli import COMMANDS
+from exactspline.geometry.registry import ASKED, REGISTRY
+from exactspline.questions.entry import Answered, questions_of
+from tests.support import gates, import_graph
+
+FILES = gates.trees()
+CHECKOUT = Path(__file__).parents[2]
+
+
+def planted(code, finder):
+    """What a finder finds in a text."""
+    return list(finder(ast.parse(code)))
+
+
+# ---- law 3: a decision is data
+
+#: Rooms that decide.
+DECIDING = ("geometry/", "symbolic/", "classroom/", "questions/", "roots/", "polynomials/", "reals/", "programs/")
+BY_SENTENCES = {
+    "cli/prove.py: _Ledger._listed": "a sheet is found by its name, which is shown too",
+    "display/triangles.py: _result_html": "the name of an algorithm",
+    "display/triangles.py: _result_sheets": "the name of an algorithm",
+    "display/triangles.py: scheme_data": "the name of an algorithm",
+    "papers/__init__.py: find": "the name of a paper, written before that of its formula",
+    "roots/checker.py: _checked": "the name of a format, first in a certificate",
+    "verification/coq/refutations.py: _Attempt.text": "a type of Coq",
+    "verification/minimality/checker.py: _checked": "the name of a format, first in a certificate",
+}
+SENTENCES = {
+    "its beginning": "def f(row):\n    return row.computed.startswith('no zero')",
+    "a word in it": "def f(row):\n    return 'straight' in row.reason",
+    "all of it": "def f(row):\n    return row.text == 'the curve is straight'",
+    "a slice of it": "def f(row):\n    return row.reason[:3] == 'the'",
+    "a pattern": "def f(error):\n    return re.fullmatch(r'-?\\d+', str(error))",
+    "what stands before a colon": "def f(row):\n    return row.remark.partition(': ')[0]",
+    "a table of sentences": "def f(row):\n    return VERDICTS[row.reason]",
+    "a case": "def f(row):\n    match row.text:\n        case 'holds everywhere':\n            return True",
+    "what is cut off": "def f(row):\n    return row.statement.removesuffix(' ≡ 0')",
+    "the number of its words": "def f(row):\n    return row.note.count(' ')",
+    "its place in a message": "def f(error):\n    return 'no single value' in str(error)",
+}
+
+
+def test_no_sentence_decides():
+    assert gates.found_in(FILES, gates.decisions_by_sentences) == BY_SENTENCES.keys()
+
+
+@pytest.mark.parametrize("code", SENTENCES.values(), ids=SENTENCES)
+def test_a_sentence_that_decides_is_found(code):
+    assert planted(code, gates.decisions_by_sentences)
+
+
+def test_no_part_of_a_name_decides():
+    """Passed before: an object whose name begins with "evolute" does not exist where the curve is straight."""
+    assert gates.found_in(FILES, gates.names_taken_apart, DECIDING) == NAMES_TAKEN_APART.keys()
+    assert planted("def f(name):\n    return name.startswith('evolute')", gates.names_taken_apart)
+    assert planted("def f(row):\n    return re.match('D1', row.name)", gates.names_taken_apart)
+
+
+NAMES_TAKEN_APART: dict[str, str] = {}
+
+
+# ---- law 4: a question is an entry
+
+UNREGISTERED = {
+    "geometry/analysis.py: Analysis.critical_points_by": "the question critical_points by another approach, compared",
+    "geometry/analysis.py: Analysis.critical_points_by.compute": "the same",
+    "geometry/extent.py: turning_points": "the answer of the question turning_points, beside what it shares with boxes",
+    "geometry/inspection.py: Inspection.critical_points": "the question critical_points by the approach of a command",
+}
+QUESTION = "class A(Facts):\n    @{}\n    def loops(self) -> Places[Feature]:\n        return Places(())"
+
+
+def test_an_answer_about_places_is_that_of_an_entry():
+    assert gates.found_in(FILES, gates.unregistered, ("geometry/", "questions/")) == UNREGISTERED.keys()
+    assert planted(QUESTION.format("property"), gates.unregistered) == ["A.loops"]
+    assert planted(QUESTION.format("question(Of.PLANE_CURVE)"), gates.unregistered) == []
+
+
+def test_every_class_with_questions_is_in_the_registry():
+    """Passed before: a class of surfaces whose questions no schema, glossary or command has."""
+    known = {each.__name__ for owner in ASKED for each in owner.__mro__}
+    assert {place.rpartition(": ")[2] for place in gates.found_in(FILES, gates.asked_classes)} <= known
+    assert planted(QUESTION.format("question(Of.SURFACE)"), gates.asked_classes) == ["A"]
+    assert "A" not in known
+    for owner in ASKED:
+        for name, entry in questions_of(owner).items():
+            assert all(REGISTRY[of][name] is entry for of in entry.about.of)
+
+
+NAMED = {
+    name
+    for entries in REGISTRY.values()
+    for name, entry in entries.items()
+    if entry.about.answered in (Answered.PLACES, Answered.PIECES, Answered.JOINTS, Answered.CURVES)
+}
+LISTS_OF_QUESTIONS = {
+    "batch/inspections.py: ": "what a sweep asks where nothing is said",
+    "display/plot/comparisons.py: ": "markers and colours",
+}
+SPELLED = {
+    "texts": "ASKED = ['inflections', 'corners', 'cusps']",
+    "attributes": "def f(found):\n    return found.inflections, found.corners, found.singular_points",
+    "keys": "WORDS = {'inflections': 1, 'cusps': 2, 'straight_pieces': 3}",
+    "a call": "check('umbilics', 'poles', 'parabolic_points')",
+}
+
+
+def test_no_second_list_of_questions():
+    def finder(tree):
+        return gates.lists_of_questions(tree, NAMED)
+
+    assert gates.found_in(FILES, finder) == LISTS_OF_QUESTIONS.keys()
+    for code in SPELLED.values():
+        assert planted(code, finder), code
+    assert planted("ASKED = ['inflections', 'corners']", finder) == []
+
+
+# ---- law 5: a number is a number
+
+SECOND_NUMBERS = {
+    "reals/algebraic.py: Algebraic": "inside the one real type: FLINT's algebraic numbers, wrapped",
+    "reals/digits.py: Digits": "a view: digits as they are shown",
+}
+WAYS = {
+    "batch/oracle_values.py: curvature": "asks curvature(curve, t) for the oracle",
+    "batch/oracle_values.py: torsion": "asks torsion(curve, t) for the oracle",
+    "classroom/shapes.py: curvature": "an exercise",
+    "display/plot/curvature_lines.py: lines_of_curvature": "curves on a surface",
+    "geometry/curvature.py: curvature_function": "curvature as a function",
+    "geometry/derived.py: torsion_function": "torsion as a function",
+    "geometry/joints.py: Joint.same_curvature": "a comparison",
+    "geometry/joints.py: curvature_of": "curvature of one side of a knot, from its derivatives",
+    "geometry/space_features.py: SpaceFacts.reduced_torsion": "what torsion(curve, t) evaluates",
+    "geometry/space_features.py: SpaceFacts.torsion_numerator": "a form, whose zeros are asked for",
+    "geometry/space_features.py: torsion_zeros": "the answer of the question torsion_zeros",
+    "geometry/surface/constant.py: constant_curvature": "of a patch of a surface",
+    "geometry/surface/constant.py: has_curvature": "of a patch of a surface",
+    "geometry/surface/forms.py: SurfaceForms.curvature": "of a surface: numerator and denominator",
+    "geometry/surface/inspection.py: SurfaceInspection.curvature": "of a surface, where it is constant",
+    "geometry/values_along.py: curvature": "curvature at a parameter",
+    "geometry/values_along.py: torsion": "torsion at a parameter",
+}
+SURD = """
+class Surd:
+    def __add__(self, other): ...
+    def __float__(self): ...
+"""
+VIEW = "class Root(Real):\n    def __lt__(self, other): ...\n    def refine(self, digits): ..."
+ENCLOSURE = "class Enclosure:\n    def __lt__(self, other): ...\n    def refine(self, digits): ..."
+
+
+def test_there_is_one_real_type():
+    assert gates.found_in(FILES, gates.numbers) == SECOND_NUMBERS.keys()
+    assert planted(SURD, gates.numbers) == ["Surd"]
+    assert planted(ENCLOSURE, gates.numbers) == ["Enclosure"]
+    assert planted(VIEW, gates.numbers) == []
+
+
+def test_there_is_one_way_to_a_curvature():
+    rooms = ("geometry", "splines", "roots", "programs", "display", "classroom", "reals", "verification")
+    oracle = "batch/oracle", "batch/inspections"
+    assert gates.found_in(FILES, gates.ways_to_a_curvature, (*rooms, *oracle)) == WAYS.keys()
+    assert planted("class Curve:\n    def curvature_at(self, t): ...", gates.ways_to_a_curvature) == [
+        "Curve.curvature_at"
+    ]
+
+
+# ---- law 6: none, all of these, or these
+
+BARE_LISTS = {
+    "geometry/bisector/correspondence.py: border_pairs": "places of pairs on a border, steps of an answer",
+    "geometry/bisector/correspondence.py: nodes": "the same",
+    "geometry/plane_features.py: critical_points": "the points of an entry's answer, which adds the pieces",
+    "geometry/plane_features.py: inflections": "the points of an entry's answer, which adds the pieces",
+    "geometry/space_features.py: critical_points": "the points of an entry's answer, which adds the pieces",
+    "geometry/space_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
+    "geometry/space_features.py: torsion_zeros": "the points of an entry's answer, which adds the pieces",
+    "geometry/surface/merged.py: merged_places": "the points of an entry's answer, which adds the parts of patches",
+    "geometry/surface/merged.py: merged_umbilics": "the points of an entry's answer, which adds the parts of patches",
+}
+
+
+def test_no_answer_is_a_bare_list_of_points():
+    """Passed before: the umbilics of a sphere, the zeros of a map that vanishes on a patch."""
+    assert gates.found_in(FILES, gates.lists_of_places, ("geometry/", "questions/")) == BARE_LISTS.keys()
+    code = "@question(Of.SURFACE)\ndef umbilics(self) -> {}: ..."
+    for bad in ("tuple[Umbilic, ...]", "list[Feature]", "Sequence[Place]", "tuple[Feature, ...] | None"):
+        assert planted(code.format(bad), gates.lists_of_places)
+    assert planted(code.format("SurfacePlaces[Umbilic]"), gates.lists_of_places) == []
+
+
+def test_an_entry_about_places_is_annotated_as_one():
+    for entries in REGISTRY.values():
+        for entry in entries.values():
+            result = str(entry.compute.__annotations__["return"])
+            assert (entry.about.answered is Answered.PLACES) == ("Places[" in result), entry.name
+
+
+# ---- exact rooms
+
+ROUNDED = {
+    "classroom/topics.py: exercise": "chooses by a seed",
+    "numbers/exact.py: _finite": "the door for floats",
+    "numbers/exact.py: _refuse_float": "refuses floats",
+    "numbers/exact.py: _rounded": "rounds to a double, on request",
+    "numbers/exact.py: _unrounded": "rounds to a double, on request",
+    "numbers/exact.py: double_between": "rounds to a double, on request",
+    "numbers/exact.py: from_float": "the door for floats",
+    "geometry/balls.py: degrees": "digits that are shown",
+    "geometry/floats.py: place_of": "rounds to a double, on request",
+    "geometry/many_curves.py: _double": "the certified filter",
+    "geometry/many_curves.py: _operands": "the certified filter",
+    "interchange/rhino_process.py: _hex": "doubles of a file, bit by bit",
+    "programs/doubles.py: _bounded": "the certified filter",
+    "programs/doubles.py: _carried_out": "the certified filter",
+    "polynomials/doubles.py: ordinates": "a guess, certified afterwards",
+    "verification/conditioning/search.py: search_witnesses": "chooses by a seed",
+    "verification/minimality/__init__.py: witness": "chooses by a seed",
+    "verification/patch_degrees.py: witness": "chooses by a seed",
+}
+ROUNDS = {
+    "float": "def f(x):\n    return float(x) > 0",
+    "in a formula": "f = lambda x: float(x)",
+    "round": "def f(x):\n    return round(x, 9) == 0",
+    "math": "import math\ndef f(x):\n    return math.sqrt(x)",
+    "a name of math": "from math import sqrt\ndef f(x):\n    return sqrt(x)",
+    "as another name": "from math import sqrt as root\ndef f(x):\n    return root(x)",
+    "the method": "def f(x):\n    return x.__float__()",
+    "of numpy": "import numpy\ndef f(x):\n    return numpy.float64(x)",
+    "a tolerance": "import math\ndef f(x):\n    return math.isclose(x, 0)",
+}
+
+
+def test_exact_rooms_round_nothing():
+    assert gates.found_in(FILES, gates.rounding, gates.EXACT) == ROUNDED.keys()
+
+
+@pytest.mark.parametrize("code", ROUNDS.values(), ids=ROUNDS)
+def test_what_rounds_is_found(code):
+    assert planted(code, gates.rounding)
+    assert not planted("from math import gcd, isqrt\ndef f(x):\n    return gcd(x, isqrt(x))", gates.rounding)
+
+
+# ---- no cost without a bound
+
+#: Where FLINT's own functions may be called: the doors, and what costs nothing.
+UNBOUNDED = {
+    "geometry/balls.py: _integral": "paid for, by degree and bits",
+    "geometry/bisector/common_zeros.py: _certainly_apart": "modulo a prime, in one variable",
+    "geometry/bisector/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
+    "geometry/bisector/over_root.py: _most": "modulo a prime, in one variable",
+    "geometry/bisector/polynomials.py: common_divisor": "over the field of a root: Euclid's algorithm, bounded",
+    "geometry/planarity.py: _primitive": "integers",
+    "polynomials/bernstein.py: add": "integers",
+    "polynomials/bernstein.py: common_denominators": "integers",
+    "polynomials/bernstein.py: primitive": "integers",
+    "polynomials/elimination.py: discriminant": "the door: by values at integers, after the bound was checked",
+    "polynomials/elimination.py: resultant": "the same",
+    "polynomials/factors.py: _by_flint": "the door",
+    "polynomials/factors.py: _certainly_coprime_on_a_line": "modulo a prime, in one variable",
+    "polynomials/factors.py: _certainly_primitive": "modulo a prime, in one variable",
+    "polynomials/factors.py: _certainly_without": "modulo a prime, in one variable",
+    "polynomials/factors.py: _content": "integers",
+    "polynomials/factors.py: _divisor_in_many": "the door",
+    "polynomials/factors.py: _divisor_of_two": "the door",
+    "polynomials/factors.py: _one_degree": "modulo a prime, paid for",
+    "polynomials/factors.py: _split": "the door",
+    "polynomials/factors.py: certainly_coprime": "modulo a prime, in one variable",
+    "polynomials/factors.py: certainly_square_free": "modulo a prime, in one variable",
+    "polynomials/factors.py: factorize_square_free": "the door",
+    "polynomials/factors.py: prime_factors": "integers, of a bounded number of bits",
+    "polynomials/patch_forms.py: PatchForm.primitive": "integers",
+    "polynomials/two_parameters.py: as_polynomial": "integers",
+    "programs/denominators.py: common_multiple": "integers",
+    "splines/blossom.py: _primitive": "integers",
+    "splines/common.py: with_common_denominators": "integers",
+    "splines/lowest_terms.py: _common": "integers",
+    "splines/lowest_terms.py: _greatest_common_divisor": "integers",
+    "splines/lowest_terms.py: primitive": "integers",
+    "splines/spans.py: common_forms": "integers",
+    "splines/tensor_lowest_terms.py: in_lowest_terms": "integers",
+    "verification/minimality/__init__.py: _bezout": "modulo a prime, in one variable",
+}
+
+
+def test_every_costly_call_goes_through_a_bounded_door():
+    """Passed before: a common divisor of polynomials in many variables that takes minutes and cannot be interrupted."""
+    assert gates.found_in(FILES, gates.unbounded_costs) == UNBOUNDED.keys()
+    for name in ("gcd", "factor", "factor_squarefree", "resultant", "discriminant", "complex_roots"):
+        assert planted(f"def f(p, q):\n    return p.{name}(q)", gates.unbounded_costs) == ["f"]
+    assert planted("def f(ps):\n    return reduce(fmpz_poly.gcd, ps)", gates.unbounded_costs) == ["f"]
+
+
+# ---- law 7: what only developers run is not in the wheel
+
+BY_NAME = {
+    "interchange.bridges.mpmath": "imported by those who use mpmath",
+    "interchange.bridges.numpy": "imported by those who use numpy",
+    "interchange.bridges.splinepy": "imported by those who use splinepy",
+    "interchange.bridges.sympy": "imported by those who use sympy",
+    "interchange.constructors": "imported by those who use it",
+    "testing": "imported by those who test programs",
+    "testing.families": "the same",
+    "testing.reported": "the same",
+}
+GRAPH = import_graph.module_graph()
+#: Papers, and the formulas that they name in their tables.
+PAPERS = [name for name in GRAPH if name.startswith(("papers.", "formulas."))]
+ENTRANCES = ["", "__main__", *PAPERS, *(f"cli.{name}" for name in COMMANDS)]
+
+
+def test_what_only_developers_run_is_not_in_the_wheel():
+    assert GRAPH.keys() - gates.reached(GRAPH, ENTRANCES) == BY_NAME.keys()
+
+
+def test_a_module_that_only_tests_import_is_found():
+    graph = {"": {"a"}, "a": {"b.c"}, "b": set(), "b.c": set(), "only_for_tests": {"a"}}
+    assert graph.keys() - gates.reached(graph, [""]) == {"only_for_tests"}
+
+
+#: Public names that no page shows.
+NOT_SHOWN = {
+    "Approach": "a word that may also be given as text",
+    "KnotVector": "a value that others have",
+    "Root": "a value that others have",
+    "Side": "a word that may also be given as text",
+    "TensorSpline": "a value that others have",
+    "Variant": "a word that may also be given as text",
+    "Vector": "a value that others have",
+    "ZeroSet": "a value that others have",
+    "curvature_function": "the reference alone",
+    "example_names": "the reference alone",
+    "example_surface_names": "the reference alone",
+    "greville_abscissae": "the reference alone",
+    "load_surface": "the reference alone",
+    "ruled_surface": "the reference alone",
+    "save": "the reference alone",
+    "save_surface": "the reference alone",
+    "surface_figure": "the reference alone",
+    "surface_from_text": "the reference alone",
+    "torsion_function": "the reference alone",
+    "trimmed_bisector": "the reference alone",
+    "verify": "the reference alone",
+}
+
+
+@pytest.mark.skipif(not (CHECKOUT / "docs").exists(), reason="the documents are in the checkout only")
+def test_every_public_name_is_used_in_a_page():
+    pages = [CHECKOUT / "README.md", *CHECKOUT.glob("docs/**/*.md"), *CHECKOUT.glob("notebooks/*.ipynb")]
+    text = "\n".join(page.read_text(encoding="utf-8") for page in pages)
+    public = [name for name in xs.__all__ if not name.startswith("__")]
+    assert gates.unused(public, text) == NOT_SHOWN.keys()
+    assert gates.unused(["a_name_that_nobody_shows", "zeros"], text) == {"a_name_that_nobody_shows"}

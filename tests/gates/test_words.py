@@ -1,0 +1,73 @@
+"""Plain English: phrases of a private dialect stand in no docstring, comment, message, page or notebook.
+
+Each phrase comes with what to write instead. Quotations of papers (the TOML files of `exactspline/papers`) are theirs.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+
+#: A regular expression, and what a reader of the field expects in its place.
+PHRASES = {
+    r"whole numbers?": "integer",
+    r"one an? (segment|span|point|knot|patch|curve|line|row)": "one per …",
+    r"so many": "this many, or the number's name",
+    r"and leave\.": "and exit",
+    r"(pages|surfaces) that (turn|move)": "interactive pages, interactive 3-D surfaces",
+    r"given up to tell": "refinement limit for …",
+    r"says nothing of": "does not apply to",
+    r"(?<!there )is no (spline|curve|surface|square|plane|weight|number|proof|point|file|polynomial|double|knot|claim)":
+        "is not a …",
+    r"(?<!there )are no (splines|curves|numbers|zeros|points|polynomials|doubles|arrays?)": "are not …",
+}  # fmt: skip
+TEXTS = ("*.py", "*.pyi", "*.md", "*.ipynb", "*.js", "*.html")
+
+
+def phrases_in(text: str) -> list[str]:
+    """What stands in a text and should not, with what to write instead."""
+    plain = re.sub(r"\s+(#:? )?", " ", text)
+    return [
+        f"{found[0]!r}: write {instead}"
+        for phrase, instead in PHRASES.items()
+        for found in re.finditer(rf"\b{phrase}(?!\w)", plain, re.IGNORECASE)
+    ]
+
+
+def texts() -> list[Path]:
+    """Every file with words for people, but the history and this list itself."""
+    listed = subprocess.run(["git", "ls-files", "-z", *TEXTS], cwd=ROOT, capture_output=True, text=True, check=False)
+    files = [ROOT / name for name in listed.stdout.split("\0") if name] or [
+        path for form in TEXTS for path in ROOT.rglob(form)
+    ]
+    return [path for path in files if path.exists() and path.name != "CHANGELOG.md" and path != Path(__file__)]
+
+
+def test_texts_are_plain():
+    wrong = [
+        f"{path.relative_to(ROOT)}: {each}" for path in texts() for each in phrases_in(path.read_text(encoding="utf8"))
+    ]
+    assert not wrong, "\n".join(wrong)
+
+
+@pytest.mark.parametrize(
+    "planted",
+    [
+        '"""One a segment."""',
+        "#: After so\n#: many rounds.",
+        "raise NumberError('2.5 is no number')",
+        "a whole\n    number of them",
+        "Pages that turn",
+    ],
+)
+def test_a_phrase_is_found(planted):
+    assert phrases_in(planted)
+
+
+def test_natural_words_are_not_found():
+    assert not phrases_in("there is no curve called 'a'; there are no zeros; one point per segment")

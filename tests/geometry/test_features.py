@@ -1,0 +1,217 @@
+"""Features of plane curves: counts known exactly, agreement between approaches, curvature values, degenerate input."""
+
+import json
+
+import mpmath
+import pytest
+from gmpy2 import mpq
+from typer.testing import CliRunner
+
+from exactspline import BSpline, Nurbs
+from exactspline.cli import app
+from exactspline.errors import FormulaError, ShapeError
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
+from exactspline.geometry.values_along import curvature
+from exactspline.geometry.zero_forms import zero_form
+from exactspline.roots import checker
+from exactspline.splines.examples import example, example_names
+from tests.geometry.test_shared_curves import FILES, read_curve
+
+PLANE = [name for name in example_names() if example(name).dimension == 2]
+
+
+def test_an_ellipse_has_four_vertices_the_seam_counted_once():
+    found = analyse(example("ellipse")).curvature_extrema
+    assert [(f.root.exact, f.kind, f.of_absolute) for f in found] == [
+        (0, "maximum", "maximum"), (1, "minimum", "minimum"), (2, "maximum", "maximum"), (3, "minimum", "minimum")
+    ]  # fmt: skip
+    assert [curvature(example("ellipse"), f.root).significant(30) for f in found] == [2, mpmath.mpf(1) / 4] * 2
+
+
+def test_the_vertices_of_a_skew_ellipse_are_conjugate_algebraic_numbers():
+    found = analyse(example("ellipse_skew")).curvature_extrema
+    assert len(found) == 4
+    # opposite vertices are two segments apart
+    for first, second in zip(found[:2], found[2:], strict=True):
+        (a, b), (c, d) = (f.root.refine(60) for f in (first, second))
+        assert a + 2 <= d
+        assert c <= b + 2
+    values = [curvature(example("ellipse_skew"), f.root).significant(40) for f in found]
+    with mpmath.workdps(45):
+        # (2x + y, x + 3y): half axes a, b with a² + b² = 15 and ab = 5; the curvatures there are a/b² and b/a²
+        a2, b2 = (mpmath.mpf(15) + mpmath.sqrt(125)) / 2, (mpmath.mpf(15) - mpmath.sqrt(125)) / 2
+        assert abs(values[0] - mpmath.sqrt(a2) / b2) < mpmath.mpf(10) ** -38
+        assert abs(values[1] - mpmath.sqrt(b2) / a2) < mpmath.mpf(10) ** -38
+
+
+def test_the_six_segment_cubic_has_what_figure_1_says():
+    curve = example("six_segment_cubic")
+    found = analyse(curve).curvature_extrema
+    assert [f.by_jump for f in found].count(True) == 2
+    assert [f.root.exact for f in found if f.by_jump] == [3, 4]
+    assert len(found) == 8
+    assert [f.kind for f in analyse(curve).inflections] == ["inflection"] * 2
+    by_name = {row.name: row for row in compare_approaches(curve)}
+    assert by_name["squaring"].extraneous == 2
+    squared = zero_form(curve, "critical_curvature", "squaring")[1]
+    direct = zero_form(curve, "critical_curvature", "direct")[1]
+    assert [root for root in squared if root not in list(direct)] == [f.root for f in analyse(curve).inflections]
+
+
+def test_a_circle_has_constant_curvature():
+    assert [p.parts for p in analyse(example("circle")).constant_pieces] == [((0, 4),)]
+    found = analyse(example("circle"))
+    assert (len(found.critical_points), len(found.curvature_extrema)) == (0, 0)
+    assert [p.parts for p in found.critical_points.everywhere] == [((0, 4),)]
+    assert not found.inflections
+    assert not found.singular_points
+
+
+def test_a_cusp_is_neither_an_inflection_nor_an_extremum():
+    curve = example("cusp")
+    assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("cusp", mpq(1, 2))]
+    assert len(analyse(curve).cusps) == 1
+    assert not analyse(curve).inflections
+    assert not analyse(curve).critical_points
+
+
+def test_motion_that_stops_and_goes_on_is_no_cusp():
+    """(u³, u⁴) has γ′ = 0 with the tangent kept; (u³, u³) along a line as well."""
+    stops = Nurbs(4, [0] * 5 + [1] * 5, [(-1, 1), ("1/2", -1), (0, 1), ("-1/2", -1), (1, 1)])
+    assert [(f.kind, f.root.exact) for f in analyse(stops).singular_points] == [("stop", mpq(1, 2))]
+
+
+def test_knots_are_told_apart():
+    assert analyse(example("jump")).joint(mpq(1)).kind == "gap"
+    assert analyse(example("straight_between_arcs")).joint(mpq(1)).kind == "jump of the curvature"
+    assert analyse(example("six_segment_cubic")).joint(mpq(3)).kind == "continuous curvature"
+    corner = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+    assert analyse(corner).joint(mpq(1)).kind == "corner"
+    back = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (0, 0)])
+    assert analyse(back).joint(mpq(1)).kind == "corner"
+    assert [p.parts for p in analyse(example("straight_between_arcs")).straight_pieces] == [((1, 2),)]
+
+
+def test_curvature_that_changes_its_sign_by_a_jump():
+    """Two arcs of opposite bend with a common tangent: an inflection at the knot, no extremum."""
+    curve = Nurbs(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0), (1, 1), (3, -1), (4, 0)])
+    (f,) = analyse(curve).inflections
+    assert (f.kind, f.root.exact, f.by_jump) == ("inflection", 1, True)
+    assert not [f for f in analyse(curve).curvature_extrema if f.root == 1]
+
+
+def check_agreement(curve):
+    rows = {row.name: row for row in compare_approaches(curve)}
+    assert not any(row.missing for row in rows.values())
+    assert not any(rows[name].extraneous for name in ("direct", "reduced"))
+    extra = {f.root for f in (*analyse(curve).inflections, *analyse(curve).singular_points)}
+    true = list(zero_form(curve, "critical_curvature")[1])
+    assert {root for root in zero_form(curve, "critical_curvature", "squaring")[1] if root not in true} <= extra
+    kinds = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical_points] for approach in Approach]
+    assert all(found == kinds[0] for found in kinds)
+
+
+@pytest.mark.parametrize("name", PLANE)
+def test_all_approaches_agree_on_the_example_curves(name):
+    check_agreement(example(name))
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
+def test_all_approaches_agree_on_real_curves(file):
+    curve = read_curve(file)
+    if curve.dimension == 2:
+        check_agreement(curve)
+
+
+@pytest.mark.parametrize("name", ["rational_cubic_s", "rational_quartic", "ellipse_turned", "six_segment_cubic"])
+def test_curvature_is_greatest_where_it_says_so(name):
+    """Exactly: κ² on both sides of an extremum of |κ|, at rational parameters nearby, is beyond none."""
+    from exactspline.papers import find
+
+    curve = example(name)
+    kappa = find("curvature_squared")(curve)
+    a, b = curve.domain
+    for f in analyse(curve).curvature_extrema:
+        low, high = f.root.refine(12)
+        h = mpq(1, 1000)
+        if not a < low - h or not high + h < b or f.of_absolute is None:
+            continue
+        centre = kappa((low + high) / 2)
+        for t in (low - h, high + h):
+            assert (kappa(t) < centre) == (f.of_absolute == "maximum")
+
+
+def test_the_curvature_may_vanish_at_its_own_extremum():
+    """(t, t⁴) has κ = κ′ = 0 at 0; so has a sextic at an irrational parameter: the value there is exactly 0."""
+    flat = Nurbs(4, [0] * 5 + [1] * 5, [(-1, 1), ("-1/2", -1), (0, 1), ("1/2", -1), (1, 1)])
+    f = next(f for f in analyse(flat).curvature_extrema if f.root == mpq(1, 2))
+    assert (f.root.exact, f.kind, f.of_absolute) == (mpq(1, 2), "minimum", "minimum")
+    assert curvature(flat, f.root).significant(20) == 0
+    t = BSpline.bezier([-2, 2])
+    bend = (t * t - 2) ** 2  # y″ with double zeros at ±√2
+    y = t.elevate_degree(5) * 0 + integral(integral(bend))
+    curve = Nurbs(6, [0] * 7 + [1] * 7, list(zip(t.elevate_degree(5).control_points, y.control_points, strict=True)))
+    flats = [f for f in analyse(curve).curvature_extrema if curvature(curve, f.root).significant(15) == 0]
+    assert [f.kind for f in flats] == ["minimum", "minimum"]
+    assert [f.kind for f in analyse(curve).inflections] == ["undulation", "undulation"]
+
+
+def integral(f):
+    """An antiderivative on [0, 1], by its Bézier points."""
+    sums = [mpq(0)]
+    for b in f.control_points:
+        sums.append(sums[-1] + b / (f.degree + 1))
+    return BSpline.bezier(sums)
+
+
+def run(*arguments):
+    return CliRunner().invoke(app, [str(a) for a in arguments])
+
+
+def test_inspect_prints_what_it_found(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "200")
+    result = run("inspect", "ellipse_skew", "--digits", 50)
+    assert result.exit_code == 0
+    assert "0.557536515835051410132825074912507419474995695480529" in result.output
+    data = json.loads(run("inspect", "six_segment_cubic", "--json", "--approach", "all").output)["rows"][0]
+    assert [row["roots"] for row in data["approaches"]] == [8, 6, 6, 6, 6]
+    assert [f["kind"] for f in data["inflections"]["points"]] == ["inflection"] * 2
+    assert "κ′ ≡ 0" in run("inspect", "circle").output
+
+
+def test_a_thousand_digits_enclose_the_root(monkeypatch):
+    data = json.loads(run("inspect", "rational_cubic", "--digits", 1000, "--json").output)["rows"][0]
+    low, high = (mpq(x) for x in data["critical_points"]["points"][0]["interval"])
+    assert 0 < high - low <= mpq(1, 10**1000)
+    f, _ = zero_form(example("rational_cubic"), "critical_curvature", "paper")
+    assert f(low) * f(high) < 0
+
+
+def test_certificates_are_written_and_checked(tmp_path):
+    file = tmp_path / "certificate.json"
+    assert run("inspect", "rational_quartic", "--certificate", file).exit_code == 0
+    written = json.loads(file.read_text())
+    assert {part["function"] for part in written} == {"zero_curvature", "critical_curvature"}
+    for part in written:
+        checker.check(part["certificate"])
+    written[1]["certificate"]["segments"][0]["coefficients"][0] = "12345"
+    with pytest.raises(ValueError, match=r"."):
+        checker.check(written[1]["certificate"])
+
+
+def test_a_picture_is_written(tmp_path):
+    pytest.importorskip("matplotlib")
+    file = tmp_path / "ellipse.svg"
+    assert run("inspect", "ellipse", "--plot", file).exit_code == 0
+    assert file.read_text().lstrip().startswith("<?xml")
+    assert run("inspect", "ellipse", "--plot", tmp_path / "ellipse.doc").exit_code != 0
+
+
+def test_what_cannot_be_inspected_says_why():
+    four = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 1, 1, 1)])
+    for asked in ("inflections", "curvature_extrema", "straight_pieces", "constant_pieces", "corners"):
+        with pytest.raises(ShapeError, match="in the plane or in space"):
+            getattr(analyse(four), asked)
+    with pytest.raises(FormulaError, match="squaring, direct, reduced, lifted, minimal"):
+        inspect_curve(example("circle"), "best")

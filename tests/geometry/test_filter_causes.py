@@ -1,0 +1,85 @@
+"""Why the certified filter leaves curves to exact arithmetic: counted by cause, with a ceiling for each family.
+
+Run as a program it prints the table of docs/certified-filter.md: ``python -m tests.geometry.test_filter_causes``.
+"""
+
+from collections import Counter
+from itertools import pairwise
+
+import pytest
+
+from exactspline.batch.families import Family
+from exactspline.papers import find
+from exactspline.roots.zero_set import zeros
+
+np = pytest.importorskip("numpy")
+
+from exactspline.geometry.many_splines import features_of_curves  # noqa: E402  # needs numpy
+from exactspline.polynomials.doubles import Rows, without_zeros  # noqa: E402
+
+#: Families of integers of that many bits: what is left of 3000 curves of each.
+BITS = (10, 6, 4, 2)
+WORDS = "degree=2-5 segments=1-4 rational=half count=3000 seed=1"
+#: Per mille of the curves that may be left for no exact reason.
+CEILING = 1
+
+
+def cause(curve):
+    """What is exactly true of a curve that no enclosure of numbers can tell; an empty text for none."""
+    inflections, critical, speed = (find(name)(curve) for name in ("f2", "g2", "D1_squared"))
+    segments = [form.bezier_segments() for form in (inflections, critical, speed)]
+    if any(piece.is_zero for form in segments for piece in form):
+        return "κ or κ′ vanishes on a segment"
+    ends = [[piece(t) == 0 for piece in form for t in piece.domain] for form in segments]
+    if any(ends[2]):
+        return "γ′ vanishes at a knot or an end"
+    if any(ends[0]):
+        return "κ vanishes at a knot or an end"
+    if any(ends[1]):
+        return "κ′ vanishes at a knot or an end"
+    if any(root.multiplicity > 1 for form in segments for piece in form for root in zeros(piece)):
+        return "a multiple zero"
+    changes = [any(a(a.domain[1]) * b(b.domain[0]) < 0 for a, b in pairwise(form)) for form in segments[:2]]
+    if curve.closed or any(changes):
+        return "κ or κ′ changes its sign at a knot"
+    return ""
+
+
+def left(words):
+    """How many curves of a family are left to exact arithmetic, by cause, and the numbers of those without one."""
+    family = Family.parsed(words)
+    curves = [family.curve(i) for i in range(family.count)]
+    counted, unexplained = Counter(), []
+    for i in features_of_curves(curves).exact.tolist():
+        counted[cause(curves[i])] += 1
+        if not cause(curves[i]):
+            unexplained.append(i)
+    return counted, unexplained
+
+
+@pytest.mark.parametrize("words", [f"{WORDS} bits={bits}" for bits in BITS[:3]] + ["degree=3 count=3000 bits=10"])
+def test_what_is_left_has_a_reason(words):
+    """Before: 13 of 3000 curves of ten bits (16 of 3000 cubics), all for a speed that is small and not zero."""
+    counted, unexplained = left(words)
+    assert 1000 * len(unexplained) <= CEILING * 3000, (counted, unexplained)
+    if "bits=10" in words:
+        assert 1000 * sum(counted.values()) <= CEILING * 3000, counted
+
+
+def test_a_form_that_is_all_but_zero_is_told_from_one_that_is():
+    """t ↦ (t − 1/3)² + ε²: certain for ε = 10⁻⁶, as far as bounds of errors allow, and never with a zero."""
+
+    def row(epsilon):
+        return [1 / 9 + epsilon**2, -2 / 9 + epsilon**2, 4 / 9 + epsilon**2]
+
+    values = np.array([row(10.0**-k) for k in range(1, 7)] + [row(0), [1, 1, -1], [0, 1, 1], [1, -9, 1]])
+    assert without_zeros(Rows(values, np.full(values.shape, 1e-15))).tolist() == [True] * 6 + [False] * 4
+    assert not without_zeros(Rows(values, np.full(values.shape, 1e-2)))[2:].any()
+
+
+if __name__ == "__main__":
+    tables = {bits: left(f"{WORDS} bits={bits}")[0] for bits in BITS}
+    print("| | " + " | ".join(f"{bits} bits" for bits in BITS) + " |\n|---|" + "---|" * len(BITS))
+    for reason in dict.fromkeys(reason for table in tables.values() for reason, _ in table.most_common()):
+        print(f"| {reason or 'none of these'} | " + " | ".join(str(tables[bits][reason]) for bits in BITS) + " |")
+    print("| all | " + " | ".join(str(sum(tables[bits].values())) for bits in BITS) + " |")

@@ -1,0 +1,407 @@
+"""What is proved of a surface is so at every point, and what is not proved is named: families where a form vanishes at
+corners, on borders, at knots, on lines, with even multiplicity, at irrational points, at every dial.
+
+Each docstring says which false statement passed before.
+"""
+
+import json
+import signal
+from collections import Counter
+from contextlib import contextmanager
+from time import process_time
+
+import pytest
+from gmpy2 import mpq
+from typer.testing import CliRunner
+
+from exactspline import NurbsSurface, TensorSpline, example_surface, inspect_surface, jacobian_sign
+from exactspline.cli import app
+from exactspline.cli.output import OptionsError
+from exactspline.display.surface_data import map_sheet, surface_inspection_data, surface_sheet
+from exactspline.errors import FormulaError
+from exactspline.geometry.surface.inspection import PatchKind
+from exactspline.geometry.surface.planar_maps import MapKind
+from exactspline.geometry.surface.signs import Sign, sign_on_patch
+from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
+from exactspline.polynomials.common_zeros import isolate, same
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import S, T, as_form
+from exactspline.splines.surface_files import surface_data
+from tests.campaigns.surfaces import is_good, run
+
+#: The dial: what heights are multiplied by.
+DIAL = {
+    "small integers": mpq(1),
+    "thirds": mpq(-7, 3),
+    "ten decimals": mpq(12345678901, 10**10),
+    "doubles": mpq(2.718281828459045),
+    "huge": mpq(1e300),
+    "tiny": mpq(1e-300),
+}
+dial = pytest.mark.parametrize("factor", DIAL.values(), ids=list(DIAL))
+
+
+def parameters(low=0, high=1):
+    knots, ends = [low, low, high, high], [low, high]
+    return (TensorSpline((1, 0), knots, ends, [[low], [high]]), TensorSpline((0, 1), ends, knots, [[low, high]]))
+
+
+def graph(height, low=0, high=1):
+    """(u, v, height) over a square."""
+    u, v = parameters(low, high)
+    return NurbsSurface.from_splines([u, v, height(u, v)])
+
+
+@contextmanager
+def seconds(n):
+    """An error if it takes longer."""
+
+    def stop(*_):
+        raise TimeoutError(f"longer than {n} s")
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.alarm(n)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def is_complete(found, factor):
+    """Whether all is decided; of surfaces 10³⁰⁰ times as high as wide, or as low, whether all but umbilics is."""
+    if mpq(1, 10**9) < abs(factor) < 10**9:
+        return found.complete
+    return all(one.open_boxes == one.umbilics.undecided for one in found.patches)
+
+
+# ---- signs
+
+
+def test_a_form_that_vanishes_at_all_corners_has_the_sign_of_its_inside():
+    """Passed before: "negative but for single zeros" of a form that is positive inside."""
+    net = [[0, 1, 0], [1, 1, 1], [0, 1, 0]]
+    for factor, sign in ((1, Sign.NOT_NEGATIVE), (-1, Sign.NOT_POSITIVE)):
+        found = sign_on_patch(PatchForm.of_net([[factor * x for x in row] for row in net]))
+        assert (found.sign, len(found.zeros), found.undecided) == (sign, 4, ())
+        assert (found.positive is None) == (factor < 0)
+        assert (found.negative is None) == (factor > 0)
+
+
+@pytest.mark.parametrize(
+    "p",
+    [
+        S * (1 - S) + T * (1 - T),
+        S * (1 - S) * T * (1 - T) + S * (1 - S) + T * (1 - T),
+        (2 * S - 1) ** 2 + (3 * T - 1) ** 2,
+        (2 * S**2 - 1) ** 2 + (3 * T - 1) ** 2,
+        (S**2 + T**2 - 1) ** 2,
+        (3 * S - 1) ** 2,
+        (2 * S**2 - 1) ** 2 * (T + 1),
+    ],
+)
+def test_signs_are_those_of_values(p):
+    """A sign is never the opposite of a value; passed before: the first two were negative."""
+    for factor in (1, -1):
+        form = as_form(p * factor)
+        found = sign_on_patch(form)
+        assert found.sign not in (Sign.BOTH, Sign.NOT_NEGATIVE if factor < 0 else Sign.NOT_POSITIVE)
+        for place, sign in ((found.positive, 1), (found.negative, -1)):
+            assert place is None or form.value(*place) * sign > 0
+        assert (found.positive or found.negative) is not None
+
+
+@dial
+def test_a_surface_that_is_flat_at_its_corners_alone(factor):
+    """z = a(x) + a(y) + (x − x²)²(y − y²)²/16 with a″ = x − x²: K > 0 but at the corners.
+
+    Passed before: "hyperbolic but for parabolic points, K ≤ 0", complete.
+    """
+
+    def height(u, v):
+        a = [t * t * t * mpq(1, 6) - t * t * t * t * mpq(1, 12) for t in (u, v)]
+        bump = [(t - t * t) * (t - t * t) for t in (u, v)]
+        return (a[0] + a[1] + bump[0] * bump[1] * mpq(1, 16)) * factor
+
+    found = inspect_surface(graph(height))
+    assert (found.kinds, is_complete(found, factor)) == ((PatchKind.ELLIPTIC_BUT,), True)
+    assert {place.exact for place in found.parabolic_points} == {(0, 0), (0, 1), (1, 0), (1, 1)}
+
+
+@dial
+@pytest.mark.parametrize(
+    ("height", "kind", "lines"),
+    [
+        (lambda u, v: u * u * u * u + v * v, PatchKind.ELLIPTIC, [0]),
+        (
+            lambda u, v: (u * 2 - 1) * (u * 2 - 1) * (u * 2 - 1) * (u * 2 - 1) + v * v,
+            PatchKind.ELLIPTIC_BUT,
+            [mpq(1, 2)],
+        ),
+        (lambda u, v: u * u * u * u * u * u - u * u * u * u * mpq(5, 4) + v * v, PatchKind.MIXED, [0, None]),
+        (lambda u, v: (u * 3 - 1) * (u * 3 - 1) * (u * 3 - 1) + v * v, PatchKind.MIXED, [mpq(1, 3)]),
+    ],
+)
+def test_lines_of_zeros_on_borders_and_inside(height, kind, lines, factor):
+    """K vanishes on a border, on a line inside, with even multiplicity, at an irrational value.
+
+    Passed before: the line inside was a "parabolic curve", with a knot there a "parabolic line".
+    """
+    found = inspect_surface(graph(lambda u, v: height(u, v) * factor))
+    assert (found.kinds, is_complete(found, factor), found.parabolic_curves) == ((kind,), True, ())
+    assert [getattr(line.value, "exact", line.value) for line in found.parabolic_lines] == lines
+    for line in found.parabolic_lines:
+        if isinstance(line.value, type(mpq(0))) and 0 < line.value < 1:
+            cut = inspect_surface(found.surface.insert_knot("u", line.value))
+            assert [(one.along, one.value, one.interval) for one in cut.parabolic_lines][-1] == (
+                line.along,
+                line.value,
+                line.interval,
+            )
+
+
+def test_a_map_that_is_folded_between_patches():
+    """det ≥ 0 on one patch, zero at its corners alone, and det < 0 on the other one.
+
+    Passed before: "det has zeros", and one point with det < 0 and det = 0.
+    """
+    u, v = parameters()
+    # x_u y_v − x_v y_u = (u − u²) + (v − v²)
+    x = u * u * mpq(1, 2) - u * u * u * mpq(1, 3) + u * (v - v * v)
+    first = NurbsSurface.from_splines([x, v])
+    assert jacobian_sign(first).kind is MapKind.SINGULAR
+    assert jacobian_sign(first).positive is not None
+    assert jacobian_sign(first).negative is None
+    rows = [list(row) for row in first.elevate_degree(3 - first.degree[0], 0).control_points]
+    folded = [[(x - mpq(k, 3), y) for x, y in rows[-1]] for k in range(4)]
+    n = first.degree[1]
+    knots = [[0] * 4 + [1] * 4 + [2] * 4, [0] * (n + 1) + [1] * (n + 1)]
+    found = jacobian_sign(NurbsSurface((3, n), *knots, rows + folded))
+    assert found.kind is MapKind.FOLDED
+    assert found.positive not in [place.exact for place in found.zeros]
+    assert found.negative not in [place.exact for place in found.zeros]
+    assert "det = 0 as seen from patch 0, 0" in map_sheet(found).text()
+
+
+# ---- zeros that were hidden, and those that did not end
+
+
+P = [(34, 29), (2464, 241), (-990, 1143), (963, 631)]
+Q = [(218, 97), (891, 2007), (586, -1156), (608, 908)]
+
+
+def _bernstein(points, t, k):
+    weights = ((1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3)
+    return sum(w * point[k] for w, point in zip(weights, points, strict=True))
+
+
+def test_refinement_comes_to_an_end():
+    """The common points of two cubics.
+
+    Passed before: `isolate` and `Zero.refine` ran for ever, the box stopped shrinking at 0.0136 × 0.051.
+    """
+    first, second = (as_form(_bernstein(P, S, k) - _bernstein(Q, T, k)) for k in (0, 1))
+    with seconds(30):
+        found = isolate(first, second)
+        for zero in found.zeros:
+            assert max(b - a for a, b in zero.refine(300)) <= mpq(1, 2**300)
+    assert found.undecided == []
+    inside = [zero for zero in found.zeros if all(a >= 0 and b <= 1 for a, b in zero.box)]
+    assert len(inside) == _crossings()
+    assert all(not same(one, other) for one in inside for other in inside if one is not other)
+
+
+def _crossings(steps=2000):
+    """How often two polygons cross that are near the curves."""
+    chains = [[tuple(float(_bernstein(own, k / steps, j)) for j in (0, 1)) for k in range(steps + 1)] for own in (P, Q)]
+
+    def side(a, b, c):
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0
+
+    cells = {}
+    for i, (a, b) in enumerate(zip(chains[0], chains[0][1:], strict=False)):
+        for key in {(int(x // 20), int(y // 20)) for x, y in (a, b)}:
+            cells.setdefault(key, []).append(i)
+    count = set()
+    for j, (c, d) in enumerate(zip(chains[1], chains[1][1:], strict=False)):
+        x, y = int(c[0] // 20), int(c[1] // 20)
+        for key in ((x + h, y + k) for h in (-1, 0, 1) for k in (-1, 0, 1)):
+            for i in cells.get(key, ()):
+                a, b = chains[0][i : i + 2]
+                if side(a, b, c) != side(a, b, d) and side(c, d, a) != side(c, d, b):
+                    count.add((i, j))
+    return len(count)
+
+
+def test_what_is_certain_is_shown_beside_a_box_that_is_open():
+    """A tacnode, which is undecided, and a circle. Passed before: one box hid the circle."""
+    form = as_form(((T * 4 - 1) ** 2 - (S * 4 - 1) ** 4) * ((8 * S - 6) ** 2 + (8 * T - 6) ** 2 - 1))
+    curve = ZeroCurve(form)
+    assert not curve.complete
+    assert [part.shape for part in curve.parts if part.shape is not Shape.OPEN] == [Shape.LOOP]
+    # four branches lead into the box
+    assert sum(part.shape is Shape.OPEN for part in curve.parts) == 4
+    for a, b in (side for box in curve.undecided for side in box):
+        assert a < mpq(1, 4) + mpq(1, 100)
+        assert b > mpq(1, 4) - mpq(1, 100)
+
+
+@pytest.mark.parametrize(
+    ("p", "shapes"),
+    [
+        ((61 * T - 29) * (S + 1), [Shape.ARC]),
+        ((61 * S - 29) * (67 * T - 31), [Shape.CROSSED]),
+        ((64 * S - 29) * (128 * S - 29), [Shape.ARC, Shape.ARC]),
+        ((122 * T - 29) * (S**2 + 1), [Shape.ARC]),
+    ],
+)
+def test_zeros_along_a_line_of_the_subdivision(p, shapes):
+    """Passed before: the line 61 y = 29, on which the square was cut first, was three single points, complete."""
+    curve = ZeroCurve(as_form(p))
+    assert curve.complete
+    assert [part.shape for part in curve.parts] == shapes
+
+
+def test_incomplete_answers_say_so():
+    """Every open box is in the table and in JSON. Passed before: only the first one was, and no word "incomplete"."""
+    # z = ∫∫ of ((4v − 1)² − (4u − 1)⁴): f_uu f_vv − f_uv² vanishes twice at (1/4, 1/4)
+    cusp = graph(
+        lambda u, v: (
+            _integrated(u, lambda t: (t * 4 - 1) * (t * 4 - 1) * (t * 4 - 1))
+            + _integrated(v, lambda t: (t * 4 - 1) * (t * 4 - 1))
+            + (u * 4 - 1) * (u * 4 - 1) * (v * 4 - 1) * (v * 4 - 1) * (v * 4 - 1)
+        )
+    )
+    found = inspect_surface(cusp)
+    data = surface_inspection_data(found, 5)
+    boxes = [box for patch in data["patches"] for box in patch["undecided"]]
+    assert len(boxes) == sum(len(one.open_boxes) for one in found.patches)
+    table = surface_sheet(found, 5).text()
+    assert found.complete == (not boxes) == ("incomplete" not in table) == ("undecided" not in table)
+    assert not found.complete
+    assert found.parabolic_curves
+
+
+def _integrated(t, second):
+    """Twice the integral of a polynomial up to degree 3 in one parameter: by its values, exactly."""
+    # coefficients of second by finite differences at 0, 1, 2, 3
+    values = [second(mpq(k)) for k in range(4)]
+    rows = [values]
+    while len(rows[-1]) > 1:
+        rows.append([b - a for a, b in zip(rows[-1], rows[-1][1:], strict=False)])
+    n0, n1, n2, n3 = (row[0] for row in rows)
+    c = [n0, n1 - n2 / 2 + n3 / 3, n2 / 2 - n3 / 2, n3 / 6]
+    total, power = None, t * t
+    for k, x in enumerate(c):
+        term = power * (x / ((k + 1) * (k + 2)))
+        total = term if total is None else total + term
+        power = power * t
+    return total
+
+
+# ---- remarks about borders
+
+
+def test_an_umbilic_at_the_border_of_a_plane_has_all_its_sides():
+    """z = 0 for u ≤ 1, then a sheet with one umbilic on the knot line.
+
+    Passed before: "seen from some patches only" beside a plane all of whose points are umbilics.
+    """
+    # z = x² (y − 1/3): flat along x = 0 where y = 1/3
+    heights = [[0, 0, 0], [0, 0, 0], [mpq(-1, 3), mpq(1, 6), mpq(2, 3)]]
+    left = [[(mpq(i, 2) - 1, mpq(j, 2), 0) for j in range(3)] for i in range(3)]
+    right = [[(mpq(i, 2), mpq(j, 2), heights[i][j]) for j in range(3)] for i in range(3)]
+    surface = NurbsSurface((2, 2), [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 0, 1, 1, 1], left + right)
+    found = inspect_surface(surface)
+    assert found.kinds[0] is PatchKind.PLANAR
+    assert [one.place.exact for one in found.umbilics] == [(1, mpq(1, 3))]
+    assert [one.one_sided for one in found.umbilics] == [False]
+    assert [one.one_sided for one in inspect_surface(surface.insert_knot("v", mpq(1, 3))).umbilics] == [False]
+
+
+def test_one_sided_does_not_depend_on_knots():
+    """An umbilic on the seam of a closed surface, on one side of it only.
+
+    Passed before: it was one-sided with a knot elsewhere and not without.
+    """
+    # a closed strip over a loop, its two ends bent differently
+    net = [[(x, y, z) for z in (0, 1, 2)] for x, y in ((0, 0), (2, 1), (3, -2), (0, 0))]
+    net[1][1] = (2, 2, 1)
+    net[0][1] = net[3][1] = (-1, 0, 1)
+    surface = NurbsSurface((3, 2), [0] * 4 + [1] * 4, [0] * 3 + [1] * 3, net)
+    plain = inspect_surface(surface)
+    assert plain.closed
+    for along, at in (("u", mpq(1, 2)), ("u", mpq(1, 3)), ("v", mpq(1, 2)), ("v", mpq(2, 7))):
+        cut = inspect_surface(surface.insert_knot(along, at))
+        assert sorted(one.one_sided for one in cut.umbilics) == sorted(one.one_sided for one in plain.umbilics)
+        assert sorted(one.order for one in cut.joints if one.at_seam) == sorted(
+            one.order for one in plain.joints if one.at_seam
+        )
+
+
+def test_a_singular_point_on_a_seam_is_one():
+    """A closed tube pinched at one point of its seam. Passed before: the point was listed at both ends."""
+    net = [[(x, y, z) for z in (0, 1)] for x, y in ((0, 0), (0, 0), (2, 2), (2, -2), (0, 0), (0, 0))]
+    for row in (1, 4):
+        net[row][1] = (1, (1 if row == 1 else -1), 1)
+    surface = NurbsSurface((5, 1), [0] * 6 + [1] * 6, [0, 0, 1, 1], net)
+    found = inspect_surface(surface)
+    assert found.closed
+    spots = [place.exact for place in found.singular_points]
+    assert spots == [(0, 0)]
+    cut = inspect_surface(surface.insert_knot("u", mpq(1, 2)))
+    assert [place.exact for place in cut.singular_points] == spots
+
+
+# ---- many surfaces
+
+
+@pytest.mark.parametrize("start", [0, 48])
+def test_a_sample_of_the_campaign(start):
+    """``python -m tests.campaigns.surfaces 1000`` has all of it. Passed before: K ≤ 0 proved where K > 0."""
+    table = run(16, start=start)
+    assert sum(own["surfaces"] for own in table.values()) == 16
+    assert {name: (own["different"], own["slow"]) for name, own in table.items()} == dict.fromkeys(table, (0, 0))
+    # two of each family: as many of `corners` may be incomplete as there are
+    assert all(own["incomplete"] == 0 or name == "corners" for name, own in table.items())
+    assert not is_good("net", Counter(surfaces=999, incomplete=1))
+    assert is_good("corners", Counter(surfaces=10, incomplete=9))
+
+
+# ---- the commands
+
+
+def test_options_that_surfaces_do_not_have_are_refused():
+    """Passed before: ``--approach`` was ignored without a word."""
+    result = CliRunner().invoke(app, ["inspect", "torus", "--approach", "direct"])
+    assert isinstance(result.exception, OptionsError)
+    assert "--approach" in str(result.exception)
+
+
+def test_a_kind_that_is_undecided_has_a_remark(tmp_path):
+    """Passed before: "undecided" and an empty remark."""
+    from dataclasses import replace
+
+    found = inspect_surface(example_surface("bicubic"))
+    (patch,) = found.patches
+    vars(found)["patches"] = (replace(patch, kind=PatchKind.UNDECIDED),)
+    sheet = surface_sheet(found, 5)
+    assert all(row[-1] for row in sheet.rows if row[0] == "undecided")
+    assert "incomplete" in sheet.title
+    path = tmp_path / "surface.json"
+    path.write_text(json.dumps(surface_data(found.surface)))
+    assert CliRunner().invoke(app, ["inspect", str(path)]).exit_code == 0
+
+
+def test_degrees_on_patches_name_what_is_missing():
+    """Passed before: one formula of too many terms was the end of all of them; none of a kind was an empty table."""
+    begun = process_time()
+    names = ["parabolic", "stationary_curvature"]
+    result = CliRunner().invoke(app, ["degrees", "--paper", "surfaces", "--patch", "2,2", *names])
+    assert result.exit_code == 0
+    assert process_time() - begun < 15  # 2.4 s are measured: the product is refused before it is multiplied out
+    assert "551775" in result.stdout
+    assert "32 × 32" in result.stdout
+    result = CliRunner().invoke(app, ["degrees", "--paper", "surfaces", "--patch", "2,2", "ridges_of_forms"])
+    assert isinstance(result.exception, FormulaError)
+    assert "ridges_of_forms (forms)" in str(result.exception)

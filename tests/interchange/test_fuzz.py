@@ -1,0 +1,166 @@
+"""Strangers' files: whatever is done to a file, a reader answers with curves or an `ExactSplineError`, soon and in
+little memory.
+"""
+
+import contextlib
+import random
+import time
+import tracemalloc
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactspline.errors import ExactSplineError
+from exactspline.interchange import read
+from exactspline.interchange.files import encoded
+from tests.campaigns.readers import NASTY, WORD, fuzz, originals
+from tests.support.interchange_seeds import CURVES, cff, seeds, truetype
+
+#: Seconds that a small file may take.
+SOON = 10
+MEMORY = 200 << 20
+
+
+@st.composite
+def mutated(draw, originals):
+    """A file with a few words replaced, bytes changed, and pieces cut out, doubled or moved."""
+    data = draw(st.sampled_from(originals))
+    for _ in range(draw(st.integers(0, 4))):
+        kind = draw(st.sampled_from(["word", "word", "word", "byte", "cut", "double", "insert", "truncate"]))
+        if kind == "word":
+            words = list(WORD.finditer(data))
+            if words:
+                word = words[draw(st.integers(0, len(words) - 1))]
+                data = data[: word.start()] + draw(st.sampled_from(NASTY)) + data[word.end() :]
+            continue
+        a, b = sorted((draw(st.integers(0, len(data))), draw(st.integers(0, len(data)))))
+        if kind == "byte":
+            data = data[:a] + draw(st.binary(max_size=3)) + data[a + 1 :]
+        elif kind == "cut":
+            data = data[:a] + data[b:]
+        elif kind == "double":
+            data = data[:b] + data[a:b] + data[b:]
+        elif kind == "insert":
+            data = data[:a] + draw(st.sampled_from(NASTY)) + data[a:]
+        else:
+            data = data[:a]
+    return data
+
+
+def survives(data: bytes, name: str) -> None:
+    start = time.perf_counter()
+    try:
+        reading = read(data, name)
+    except ExactSplineError:
+        reading = None
+    for named in reading.curves if reading else ():
+        assert len(named.curve.control_points) == len(named.curve.knots) - named.curve.degree - 1
+    assert time.perf_counter() - start < SOON
+
+
+SEEDS = seeds()
+
+
+@pytest.mark.parametrize("name", SEEDS)
+def test_a_damaged_text_file_is_read_or_refused(name):
+    @settings(max_examples=250)
+    @given(mutated(SEEDS[name]))
+    def run(data):
+        survives(data, name)
+
+    run()
+
+
+@pytest.mark.parametrize("build", [truetype, cff])
+def test_a_damaged_font_is_read_or_refused(build):
+    pytest.importorskip("fontTools")
+    original = build()
+
+    @settings(max_examples=150)
+    @given(mutated([original]))
+    def run(data):
+        survives(data, "font")
+
+    run()
+
+
+def test_a_damaged_archive_is_read_or_refused():
+    """Whatever the library behind it does: it has a process of its own."""
+    pytest.importorskip("rhino3dm")
+    good, chance = encoded(CURVES, "3dm", rounding=True)[0], random.Random(7)
+    assert len(read(good).curves) == len(CURVES)
+    for _ in range(6):
+        data = bytearray(good)
+        for _ in range(chance.randrange(1, 9)):
+            data[chance.randrange(32, len(data))] = chance.randrange(256)
+        with contextlib.suppress(ExactSplineError):
+            read(bytes(data), "3dm")
+
+
+@pytest.mark.parametrize("data", [
+    pytest.param(b"/*" * 300_000, id="step"),
+    pytest.param(b"'" + b"''" * 300_000, id="step"),
+    pytest.param(b"#1=CARTESIAN_POINT('',(0.,0.));#2=UNIFORM_CURVE('',99999999,(#1),.U.,.F.,.F.);", id="step"),
+    pytest.param(b"#1=CARTESIAN_POINT('',(0.,0.));#2=BEZIER_CURVE('',-9999999,(#1),.U.,.F.,.F.);", id="step"),
+    pytest.param(b"[CURVE BEZIER 999999999 E2 [0 0]]", id="itd"),
+    pytest.param(b"Curves 1\n6 0 99999999 0 0 0", id="brep"),
+    pytest.param(b'"\\' + b'"\\' * 300_000, id="itd"),
+    pytest.param(b"[" * 300_000, id="itd"),
+    pytest.param(b"[CURVE BEZIER 1 E2 [" + b"1" * 300_000 + b"x 1]]", id="itd"),
+    pytest.param(b"<svg><path d='M" + b"1" * 300_000 + b"x'/></svg>", id="svg"),
+    pytest.param(b"<svg><path d='M0 0" + b" " * 300_000 + b"x'/></svg>", id="svg"),
+    pytest.param(b"<svg><path transform='" + b"a " * 300_000 + b"' d='M0 0L1 1'/></svg>", id="svg"),
+    pytest.param(b"<svg style='" + b" " * 300_000 + b"transform'/>", id="svg"),
+    pytest.param(b"130 1 0 0\n" + b"100 1 0 0 " * 30_000 + b"x", id="g2"),
+    pytest.param(b"130 1 0 0\n100" + b" " * 300_000 + b"x", id="g2"),
+    pytest.param(b"[" * 300_000, id="json"),
+    pytest.param(b"[" + b"1," * 300_000, id="json"),
+    pytest.param(b'{"degree": 2, "knots": [0, "0x1p99999999"], "control_points": []}', id="json"),
+    pytest.param(b"<a>" * 300_000, id="gismo"),
+    pytest.param(b"<svg><path d='" + b"M0 0" + b"L1e300 1e-300" * 1_000 + b"'/></svg>", id="svg"),
+    pytest.param(b"<svg><path d='" + b"M" * 300_000 + b"'/></svg>", id="svg"),
+    pytest.param(b"<svg><path transform='" + b"scale(1e300)" * 20_000 + b"' d='M0 0L1 1'/></svg>", id="svg"),
+    pytest.param(b"130 1 0 0\n" * 30_000, id="g2"),
+    pytest.param(b"100 1 0 0 3 0 999999999 4", id="g2"),
+    pytest.param(b"100 1 0 0 3 0 2000000 2000000" + b" 0" * 100_000, id="g2"),
+    pytest.param(b"Curves 999999999\n" + b"8 0 1\n" * 20_000, id="brep"),
+    pytest.param(b"Curves 1\n7 0 1 900000 3 4 0 0 1 1 1 1 1 1 1 0 900001 1 1 2 1 3 900001", id="brep"),
+    pytest.param(b"0\nSECTION\n2\nENTITIES\n" + b"0\nSPLINE\n" * 20_000, id="dxf"),
+])  # fmt: skip
+def test_what_is_built_to_exhaust_ends_soon_in_little_memory(data, request):
+    name = request.node.callspec.id.rstrip("0123456789")
+    survives(data, name)
+    tracemalloc.start()
+    with contextlib.suppress(ExactSplineError):
+        read(data, name)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < MEMORY
+
+
+def test_entities_in_entities_are_not_expanded():
+    bomb = b'<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><svg><path d="&b;"/></svg>'
+    with pytest.raises(ExactSplineError, match="entity 'b' holds entities"):
+        read(bomb, "svg")
+
+
+def test_a_curve_that_would_take_too_long_is_named():
+    knots = " ".join(str(i) for i in range(80))
+    data = f"100 1 0 0\n2 0\n49 31\n{knots}\n" + "\n".join(f"{i}.123456789012345 {i * i}" for i in range(49))
+    refused = read(data.encode())
+    assert not refused.curves
+    assert "too much work" in refused.skipped[0].why
+
+
+@pytest.mark.parametrize("name", sorted(originals()))
+def test_changed_files_and_kept_ones(name):
+    """Some twenty seconds of `tests.campaigns.readers`, from its kept files too."""
+    if name in ("font", "glif"):
+        pytest.importorskip("fontTools")
+    # every archive is read by a process of its own
+    failures, read_well, longest = fuzz(name, 300 if name == "3dm" else 3000, seed=0, keep=False)
+    assert failures == 0
+    # an archive has check sums
+    assert read_well > (3 if name == "3dm" else 50)
+    assert longest < SOON

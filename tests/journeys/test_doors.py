@@ -1,0 +1,354 @@
+"""Doors that fit: each public function, given any public value, answers or says what it takes instead."""
+
+import contextlib
+import inspect
+import pickle
+from contextlib import suppress
+
+import numpy
+import pytest
+from gmpy2 import mpq
+
+import exactspline as xs
+from exactspline.cli.common import described
+from exactspline.geometry.analysis import QUESTIONS
+from exactspline.geometry.floats import place_of
+from exactspline.numbers.exact import from_float
+from tests.cli.test_cli import run
+
+T = xs.BSpline.identity(0, 2)
+ROOT = xs.zeros(T * T - 2)[0]
+CUSP = xs.example("cusp")
+STILL = xs.Nurbs(1, [0, 0, 1, 1], [(1, 2, 3), (1, 2, 3)])
+AT_INFINITY = xs.Nurbs.from_homogeneous(2, [0, 0, 0, 1, 1, 1], [(0, 0, 1), (1, 1, 0), (2, 0, 1)])
+DEEP: list[object] = []
+for _ in range(100_000):
+    DEEP = [DEEP]
+#: Every kind of public value, and what is none.
+VALUES = {
+    "None": None,
+    "int": 3,
+    "text": "no such thing",
+    "float": 0.5,
+    "bytes": b"ab",
+    "list": [1, 2],
+    "nothing": [],
+    "points": [(0, 0), (1, 1)],
+    "dict": {},
+    "mpq": mpq(1, 3),
+    "root": ROOT,
+    "surd": xs.curvature(xs.example("ellipse_skew"), "1/3"),
+    "zero set": xs.zeros(T * T - 2),
+    "enclosure": xs.at(xs.Nurbs(1, [0, 0, 2, 2], [(0, 0), (1, 1)]), ROOT)[0],
+    "spline": T,
+    "vector": xs.Vector(T, T * T),
+    "vector of numbers": xs.Vector(1, 2),
+    "quotient": T / (T + 1),
+    "vector quotient": CUSP.gamma,
+    "plane curve": CUSP,
+    "space curve": xs.example("twisted_cubic"),
+    "curve in R4": xs.Nurbs(2, [0] * 3 + [1] * 3, [(0, 0, 0, 0), (1, 0, 0, 1), (0, 1, 0, 0)]),
+    "one point": STILL,
+    "weight 0": AT_INFINITY,
+    "knots": xs.KnotVector([0, 0, 1, 1]),
+    "surface": xs.example_surface("torus"),
+    "tensor spline": xs.TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, 1], [2, 3]]),
+    "evolute": xs.evolute(CUSP),
+    "piece": xs.evolute(CUSP).pieces[0],
+    "feature": xs.analyse(CUSP).singular_points[0],
+    "formula": xs.find("f2"),
+    "class": xs.Nurbs,
+    "nan": float("nan"),
+    "true": True,
+    "object": object(),
+    "function": repr,
+    "set": {1, 2},
+    "negative": -5,
+    "too long to print": 10**5000,
+    "nested": [[[1]]],
+    "nested deeply": DEEP,
+    "array": numpy.array([[0.0, 1], [2, 3]]),
+    "array of integers": numpy.array([1, 2]),
+    "array without dimensions": numpy.array(3.0),
+    "claim": xs.select_claims(["C4.1a"])[0],
+    "paper": xs.paper("lifted"),
+    "inspection": xs.inspect_curve(CUSP),
+}
+#: What stands in the other places while one of them is varied.
+OTHERS = ("plane curve", "space curve", "surface", "spline", "int", "text", "formula", "claim", "points")
+#: The checker of certificates shares no code with the library, its errors neither: they are `ValueError`s.
+OWN_ERRORS = {"check_certificate": ValueError}
+
+
+def of_geomdl():
+    abstract = pytest.importorskip("geomdl.BSpline")
+    surface = abstract.Surface()
+    surface.degree_u = surface.degree_v = 1
+    surface.set_ctrlpts([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 1]], 2, 2)
+    surface.knotvector_u = surface.knotvector_v = [0, 0, 1, 1]
+    return surface
+
+
+def places(function):
+    """How many arguments by position a function takes, at least and at most (three of those that it takes any number
+    of).
+    """
+    parameters = inspect.signature(function).parameters.values()
+    named = [p for p in parameters if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)]
+    least = sum(p.default is p.empty for p in named)
+    return least, len(named) + 2 * any(p.kind is p.VAR_POSITIONAL for p in parameters)
+
+
+def handed(function):
+    """Every value in each place, with each of the others in the other places."""
+    least, most = places(function)
+    for count in range(max(least, 1), most + 1):
+        for other in OTHERS if count > 1 else OTHERS[:1]:
+            for i in range(count):
+                for name, value in VALUES.items():
+                    yield name, [value if j == i else VALUES[other] for j in range(count)]
+
+
+@pytest.mark.parametrize("name", [name for name in dir(xs) if callable(getattr(xs, name))])
+def test_every_name_of_the_front_door(name, tmp_path, monkeypatch):
+    """AttributeErrors, TypeErrors, KeyErrors, ValueErrors or RecursionErrors from inside before, of 59 of 130 names."""
+    monkeypatch.chdir(tmp_path)
+    if name in ("from_scipy", "from_geomdl", "to_scipy", "to_geomdl"):
+        pytest.importorskip(name.partition("_")[2])
+    function = getattr(xs, name)
+    wrong = [error for _, arguments in handed(function) if (error := raised(name, function, arguments)) is not None]
+    assert not wrong
+
+
+def raised(name, function, arguments):
+    """What else a call raised than an error that says what to do instead."""
+    try:
+        function(*arguments)
+    except OverflowError:
+        return None  # as ``float`` has it, of a number for which there is no double
+    except xs.ExactSplineError as error:
+        return None if error.remedy else error
+    except TypeError as error:
+        return None if error.__traceback__.tb_next is None else error  # Python's own: too many arguments
+    except Exception as error:
+        return None if type(error) is OWN_ERRORS.get(name) else error
+
+
+#: Arguments by name that are not options of a picture.
+BY_NAME = [
+    ("degree", ("f2",), "dimension"),
+    ("prove", ("f1", "f2"), "dimension"),
+    ("reduction", ("f2",), "dimension"),
+    ("reduction", ("f2",), "parameter"),
+    ("at", (T, "1/2"), "side"),
+    ("at_floats", (CUSP, [0]), "order"),
+    ("plot_approaches", (CUSP,), "forms"),
+    ("inspect_curve", (CUSP,), "approach"),
+]
+
+
+@pytest.mark.parametrize(("name", "arguments", "keyword"), BY_NAME)
+def test_arguments_by_name(name, arguments, keyword):
+    """A TypeError from inside before: ``degree("f2", dimension="3")``."""
+    for value in VALUES.values():
+        with suppress(xs.ExactSplineError):
+            getattr(xs, name)(*arguments, **{keyword: value})
+
+
+@pytest.mark.parametrize("name", QUESTIONS)
+def test_every_question_about_every_curve(name):
+    """An answer, or an error of ours: for curves in R1 to R4, single points, and curves that stand still."""
+    asked = QUESTIONS[name]
+    for value in VALUES.values():
+        if isinstance(value, xs.Nurbs):
+            with contextlib.suppress(xs.ExactSplineError):
+                asked.answer(xs.analyse(value), asked.about.argument)
+
+
+def test_what_an_error_says():
+    """Each was a bare TypeError or AttributeError before, or did not end."""
+    for call, told in (
+        (lambda: xs.Side("middle"), "the side 'middle' is unknown; there are left, right"),
+        (lambda: xs.find(None), "a NoneType, where the name of a formula is expected; give a text"),
+        (lambda: xs.prove(3, "f2"), 'an int, where a formula is expected; give one, such as exactspline.find("f2")'),
+        (lambda: xs.select_claims(3), "an int, where ids of claims are expected; give a list"),
+        (lambda: xs.degree("f2", dimension="3"), "'3', where a dimension is expected; give an integer from 1 to"),
+        (lambda: xs.elevation_triangles(T, 10**9), "degree elevation by 1000000000; an integer from 1 to 1000"),
+        (lambda: T.elevate_degree(10**9), "degree elevation by 1000000000; an integer from 0 to 1000 "),
+        (lambda: T.d(10**9), "a derivative of order 1000000000; orders are 0, 1, 2, …, 1000"),
+        (lambda: CUSP.derivative(10**9, 0), "a derivative of order 1000000000; orders are 0, 1, 2, …, 1000"),
+        (lambda: (T / (T + 1)).d(-1), "a derivative of order -1; orders are 0, 1, 2, …, 1000"),
+        (lambda: CUSP.p.d(10**9), "a derivative of order 1000000000; orders are 0, 1, 2, …, 1000"),
+        (lambda: xs.wronskian(xs.Vector(1, 2)), "the derivative of a vector of numbers"),
+        (lambda: xs.from_floats(DEEP), "lists in lists, more than 8 deep; give a list of floats, or of rows of them"),
+    ):
+        with pytest.raises(xs.ExactSplineError) as error:
+            call()
+        assert told in str(error.value)
+
+
+def test_errors_name_what_is_expected():
+    """Before: "'Piece' object has no attribute '_analysis'" before."""
+    with pytest.raises(xs.ExactSplineError, match="a Piece, where a curve is expected"):
+        xs.analyse(VALUES["piece"])
+    with pytest.raises(xs.ExactSplineError, match="from_splines"):
+        xs.analyse(VALUES["piece"].value)
+    value = VALUES["piece"].value
+    assert xs.analyse(xs.Nurbs.from_splines(value.numerator, value.denominator)).singular_points is not None
+
+
+# ---- bridges
+
+
+def test_piecewise_polynomials_of_scipy():
+    """AttributeErrors before: "'CubicSpline' object has no attribute 'k'"."""
+    np, si = pytest.importorskip("numpy"), pytest.importorskip("scipy.interpolate")
+    x, y = np.array([0.0, 0.5, 2, 3, 4.25]), np.array([0.0, 1, 0.1, 2, 3])
+    scalars = [
+        si.CubicSpline(x, y),
+        si.Akima1DInterpolator(x, y),
+        si.PchipInterpolator(x, y),
+        si.PPoly(np.array([[1.0, 2], [3, 4], [0.1, 5]]), np.array([0.0, 0.7, 2])),
+        si.BPoly(np.array([[1.0, 2], [3, 4], [0.1, 5]]), np.array([0.0, 0.7, 2])),
+    ]
+    for spline in scalars:
+        found = xs.from_scipy(spline)
+        for t in np.linspace(spline.x[0], spline.x[-1], 33)[:-1]:
+            assert float(found(from_float(float(t)))) == pytest.approx(float(spline(t)), rel=1e-12, abs=1e-12)
+    for spline in scalars[:1] + scalars[3:4]:  # in powers, exactly
+        found, powers = xs.from_scipy(spline), spline.c[::-1]
+        for i, a in enumerate(map(from_float, map(float, spline.x[:-1]))):
+            t = a + mpq(1, 7)
+            assert found(t) == sum(from_float(float(c)) * mpq(1, 7) ** k for k, c in enumerate(powers[:, i]))
+    pair = xs.from_scipy(si.CubicSpline(x, np.stack([x, y], 1)))
+    assert (pair.dimension, pair.degree, pair.segments) == (2, 3, 4)
+
+
+def test_knots_coefficients_and_degree_of_scipy():
+    """An AttributeError before: "'tuple' object has no attribute 'k'"."""
+    np, si = pytest.importorskip("numpy"), pytest.importorskip("scipy.interpolate")
+    x, y = np.array([0.0, 1, 2, 3, 4]), np.array([0.0, 1, 0.5, 2, 3])
+    tck = si.splrep(x, y)
+    assert xs.from_scipy(tck) == xs.from_scipy(si.BSpline(*tck))
+    (t, c, k), _ = si.splprep([x, y], s=0)
+    curve = xs.from_scipy((t, c, k))
+    assert (curve.dimension, curve.degree) == (2, 3)
+    assert float(curve(curve.domain[1])[1]) == pytest.approx(3)
+    surface = si.NdBSpline((np.array([0.0, 0, 1, 1]),) * 2, np.eye(2), 1)
+    for other in (si.RectBivariateSpline(x, x, np.outer(y, y)), surface, (1, 2, 3), "tck", None):
+        with pytest.raises(xs.ExactSplineError, match="not a spline of scipy in one parameter"):
+            xs.from_scipy(other)
+
+
+def test_surfaces_and_texts_for_curves_of_geomdl():
+    """Before: "[0.0, 0.0, 1.0, 1.0] is not a finite number", and an AttributeError, before."""
+    with pytest.raises(xs.ExactSplineError, match="a Surface, where a curve of geomdl is expected"):
+        xs.from_geomdl(of_geomdl())
+    with pytest.raises(xs.ExactSplineError, match="a str, where a curve of geomdl is expected"):
+        xs.from_geomdl("a")
+
+
+# ---- values
+
+
+def test_a_spline_at_a_root():
+    """Nothing took a spline and a root: "'BSpline' object has no attribute 'at'"."""
+    assert xs.at(T, mpq(1, 3)) == mpq(1, 3)
+    assert xs.at(T * T, ROOT) == 2
+    assert xs.at(T * T * T, ROOT) ** 2 == 8
+    with pytest.raises(xs.ExactSplineError, match=r"a root, which need not be rational; .* exactspline.at takes"):
+        T(ROOT)
+
+
+def test_singular_points_in_four_dimensions():
+    """Before: "too many values to unpack" before."""
+    there_and_back = xs.Nurbs(2, [0] * 3 + [1] * 3, [(0, 0, 0, 0), (1, 0, 0, 1), (0, 0, 0, 0)])
+    assert [(f.kind.value, f.root.exact) for f in xs.analyse(there_and_back).singular_points] == [("cusp", mpq(1, 2))]
+    assert xs.analyse(VALUES["curve in R4"]).singular_points.points == ()
+
+
+@pytest.mark.parametrize("end", ["1/10", "2/3", "0.1", "1e300/3", "1e-300", "123456789.123456789"])
+def test_the_double_nearest_to_an_end_is_in_the_domain(end):
+    """A DomainError before, where the double lies outside: at_floats([0.1]) on [0, 1/10]."""
+    numerator, _, denominator = end.partition("/")
+    b = xs.rational(numerator) / xs.rational(denominator or "1")
+    for curve in (xs.Nurbs(1, [0, 0, b, b], [(0, 0), (1, 1)]), xs.Nurbs(1, [b, b, 2 * b, 2 * b], [(0, 0), (1, 1)])):
+        for t in map(float, curve.domain):
+            ((x, _),) = xs.at_floats(curve, [t])
+            assert x == pytest.approx(float(t > b * mpq(3, 2)) if curve.domain[0] else float(t > 0), abs=1e-15)
+            assert xs.curvature(curve, place_of(t, curve)) == 0
+    with pytest.raises(xs.ExactSplineError, match="outside the domain"):
+        xs.at_floats(xs.Nurbs(1, [0, 0, b, b], [(0, 0), (1, 1)]), [float(b) * 1.0001])
+
+
+def test_one_overflow_does_not_end_the_others():
+    """An OverflowError for the whole batch before."""
+    curve = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), ("-1e400", 1)])
+    assert xs.at_floats(curve, [0, "1/2", 1]) == [(0.0, 0.0), (-float("inf"), 0.5), (-float("inf"), 1.0)]
+    assert xs.at_floats(curve, [1], rounding="up")[0][0] == -1.7976931348623157e308
+    steep = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1e-400", 0), (1, 1)])
+    with pytest.raises(OverflowError):
+        float(xs.curvature(steep, 0))
+    assert xs.curvature(steep, 0) > mpq(10) ** 399
+
+
+def test_features_of_many_curves_can_be_pickled():
+    """Before: "cannot pickle 'mappingproxy' object" before."""
+    found = xs.features_of_many([[(0, 0), (1, 2), (2, -2), (3, 0.5)], [(0, 0), (1, float("nan")), (2, 2), (3, 0)]])
+    again = pickle.loads(pickle.dumps(found))
+    assert again.curve.tolist() == found.curve.tolist()
+    assert [*again.refused] == [*found.refused] == [1]
+    with pytest.raises(TypeError):
+        again.refused[0] = None
+
+
+# ---- equality
+
+
+def test_a_quotient_equals_the_spline_that_it_is():
+    """t · t / t was not t / 1."""
+    square = T * T / T
+    pairs = [(square, T), (xs.Vector(T * T, T) / T, xs.Vector(T, T.constant(1)))]
+    s, one = VALUES["tensor spline"], VALUES["tensor spline"].constant(1)
+    pairs += [(s * s / s, s), (xs.Vector(s, s) / one, xs.Vector(s, s))]
+    for quotient, spline in pairs:
+        assert quotient == spline
+        assert spline == quotient
+        assert hash(quotient) == hash(spline)
+        assert len({quotient, spline}) == 1
+    assert square != T + 1
+    other = T + 1
+    assert other != square
+    assert square != xs.BSpline.identity(0, 1)
+    assert T / T != 1
+    assert T * 0 / (T * 0) != T
+    assert xs.Vector(T, T) / T != xs.Vector(T, T, T)
+    half = xs.BSpline.identity(0, 1)
+    assert (half * half / half == square) is False
+
+
+# ---- degenerate curves, files
+
+
+def test_a_point_and_a_curve_of_one_point():
+    """Before: "there is no bisector surface", in the plane even 0/1 for none; there is a plane, or a line."""
+    flat = xs.Nurbs(1, [0, 0, 1, 1], [(1, 2), (1, 2)])
+    for curve, point in ((STILL, (0, 0, 0)), (flat, (0, 0))):
+        with pytest.raises(xs.ExactSplineError, match=r"the curve is one point, \(1, 2"):
+            xs.bisector(curve, point)
+
+
+def test_examples_by_name_where_files_are_wanted(tmp_path):
+    """Before: "cannot be read (No such file or directory)" before."""
+    done = run("convert", "ellipse", tmp_path / "e.json")
+    assert done.returncode == 0
+    assert xs.load(str(tmp_path / "e.json")) == xs.example("ellipse")
+    assert xs.read("ellipse").curves[0].curve == xs.example("ellipse")
+    with pytest.raises(xs.ExactSplineError, match="a file or an example"):
+        xs.read("ellipze")
+
+
+def test_a_point_of_weight_0_is_remarked():
+    """Nothing was said of it."""
+    assert "1 of them of weight 0" in described(AT_INFINITY)
+    assert "weight 0" not in described(CUSP)

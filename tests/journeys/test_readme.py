@@ -1,0 +1,74 @@
+"""What the README and the errata tell people to type works as it stands."""
+
+import contextlib
+import io
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from rich.cells import cell_len
+
+from exactspline.display.code import code_lines
+from exactspline.papers import default_papers
+from exactspline.verification.claims import all_claims
+from exactspline.verification.errata import errata, remarks
+
+README = Path(__file__).resolve().parents[2] / "README.md"
+
+
+@pytest.mark.skipif(not README.exists(), reason="the README is in the checkout only")
+def test_python_blocks_of_the_readme_run():
+    blocks = re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+    assert blocks
+    for block in blocks:
+        subprocess.run([sys.executable, "-c", block], check=True)
+
+
+@pytest.mark.skipif(not README.exists(), reason="the README is in the checkout only")
+def test_the_readme_names_every_command():
+    from exactspline.cli import app
+
+    text = README.read_text(encoding="utf-8")
+    assert all(
+        f"`exactspline {command.callback.__name__.replace('_', '-')}" in text for command in app.registered_commands
+    )
+
+
+def test_every_refuted_claim_of_a_paper_belongs_to_one_error_that_says_what_is_true():
+    found = list(errata())
+    printed = {claim.key for claim in all_claims() if claim.expected == "REFUTED" and claim.status == "printed"}
+    keys = [each.key for entry in found for each in entry.statements]
+    assert set(keys) == printed
+    assert len(keys) == len(printed)
+    assert all(entry.truth for entry in found)
+
+
+def test_every_error_of_a_paper_is_listed_once_and_a_remark_is_none():
+    listed = [entry.error for entry in errata()]
+    remarked = [entry.error for entry in remarks()]
+    assert sorted([*listed, *remarked]) == sorted(name for source in default_papers() for name in source.errors)
+    assert "second-parameter" in remarked
+
+
+def checks():
+    return [(entry, each) for source in (errata, remarks) for entry in source() for each in entry.statements]
+
+
+@pytest.mark.parametrize("width", [60, 80, 10_000])
+def test_three_lines_show_that_each_statement_fails(width):
+    """Pasted as they are printed at this width, all in one process."""
+    for entry, each in checks():
+        shown = [part for line in each.check for part in code_lines(line, width)]
+        assert all(cell_len(line) <= width for line in shown), shown
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out):
+            exec("\n".join(shown), {})
+        assert out.getvalue().strip() not in ("", "0", "None"), (entry.error, each.key)
+
+
+def test_one_check_runs_in_a_process_of_its_own():
+    for _, each in checks()[:3]:
+        done = subprocess.run([sys.executable, "-c", "\n".join(each.check)], capture_output=True, text=True, check=True)
+        assert done.stdout.strip()

@@ -1,0 +1,227 @@
+"""Roots adjoined: unit vectors, the Frenet frame, its equations and offsets, proved for all curves.
+
+The formulas are written in γ alone: what holds for indeterminate coordinates x, y, z holds for those of γ = p/w, too.
+"""
+
+from dataclasses import fields
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import prove, reduction
+from exactspline.errors import ClaimError, FormulaError
+from exactspline.language.adjoined_root import Adjoined, framed, root_of
+from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT, kind_of
+from exactspline.language.vector import cross, det, dot, norm2
+from exactspline.papers import find
+from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
+from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.sympy_expression import SympyReading
+from exactspline.splines.examples import example
+from exactspline.verification.claims import all_claims
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.ledger import proved
+from exactspline.verification.sympy_judge import Sympy
+from tests.support.numeric_reading import numeric_curve
+
+
+@pytest.fixture(scope="module")
+def space():
+    return framed(RationalJetReading(3).argument(CURVE, 3, polynomial=True)).remembering()
+
+
+@pytest.fixture(scope="module")
+def plane():
+    return framed(RationalJetReading(3).argument(CURVE, 2, polynomial=True)).remembering()
+
+
+def one(c):
+    return c.w.constant(1)
+
+
+def vanishes(value):
+    return all(x.is_zero for x in value) if hasattr(value, "__len__") else value.is_zero
+
+
+def test_the_root_is_a_root_and_no_element_of_the_field_below():
+    c = RationalJetReading(3).argument(CURVE, 2)
+    square = norm2(c.gamma.d(1))
+    sigma = root_of(square)
+    assert sigma**2 == sigma.lifted(square)
+    assert sigma != sigma.lifted(square)
+    assert sigma != -sigma
+    assert (sigma * sigma).d() == sigma.lifted(square.d())
+    assert sigma.d(2) == sigma.d().d()
+
+
+def test_every_element_but_zero_has_an_inverse():
+    c = RationalJetReading(1).argument(CURVE, 2)
+    sigma = root_of(norm2(c.p))
+    element = sigma.lifted(c.w) + sigma * 3
+    assert element * (1 / element) == sigma.constant(1)
+    assert element.norm == c.w * c.w - 9 * norm2(c.p)
+    with pytest.raises(FormulaError, match="division by an expression that vanishes"):
+        1 / (element - element)
+    with pytest.raises(FormulaError, match="root of zero"):
+        root_of(c.w - c.w)
+
+
+def test_elements_of_two_extensions_do_not_mix():
+    c = RationalJetReading(1).argument(CURVE, 2)
+    with pytest.raises(FormulaError, match="two extensions"):
+        root_of(c.w) + root_of(c.p[0])
+
+
+def test_the_frenet_frame_is_orthonormal_and_right_handed(space):
+    t, n, b = (f(space) for f in (frames.unit_tangent, frames.unit_normal, frames.unit_binormal))
+    for v in (t, n, b):
+        assert norm2(v) == one(space)
+    for u, v in ((t, n), (n, b), (b, t)):
+        assert dot(u, v).is_zero
+    assert det(t, n, b) == one(space)
+    assert vanishes(cross(t, n) - b)
+    assert vanishes(frames.unit_normal_by_product(space) - n)
+    assert not vanishes(cross(n, t) - b)
+
+
+def test_the_rational_frame_of_14_is_that_of_13_up_to_lengths(space):
+    """T, B, N of eq. (14) are ‖γ′‖, ‖γ′ × γ″‖ and ‖γ′‖ ‖γ′ × γ″‖ times those of eq. (13)."""
+    c = space
+    assert vanishes(c.gamma.d(1) - frames.unit_tangent(c) * c.sigma)
+    assert vanishes(find("binormal")(c) - frames.unit_binormal(c) * c.rho)
+    assert vanishes(find("chen_riesenfeld_cohen_2007:normal")(c) - frames.unit_normal(c) * (c.rho * c.sigma))
+    assert norm2(find("chen_riesenfeld_cohen_2007:normal")(c)) == (c.rho * c.sigma) ** 2
+
+
+def test_the_frenet_equations(space):
+    """T′ = σκN, N′ = σ(τB − κT), B′ = −στN."""
+    c = space
+    t, n, b = (f(c) for f in (frames.unit_tangent, frames.unit_normal, frames.unit_binormal))
+    kappa, tau = frames.curvature_in_space(c), find("torsion")(c)
+    assert vanishes(t.d() - n * (c.sigma * kappa))
+    assert vanishes(b.d() + n * (c.sigma * tau))
+    assert vanishes(n.d() - (b * tau - t * kappa) * c.sigma)
+    assert not vanishes(n.d() - (b * tau + t * kappa) * c.sigma)
+
+
+def test_curvature_and_radius_vectors_are_rational(space):
+    """κN and N/κ, eq. (16), have no root left in them."""
+    c = space
+    kappa, n = frames.curvature_in_space(c), frames.unit_normal(c)
+    assert vanishes(n * kappa - find("curvature_vector")(c))
+    assert vanishes(n / kappa - find("radius_vector")(c))
+    assert kappa**2 == find("space_curvature_squared")(c)
+
+
+def test_the_torsion_term_of_the_rectifying_generator(space):
+    """τT + κB is the generator of §5.4 over ‖γ′‖."""
+    c = space
+    t, b = frames.unit_tangent(c), frames.unit_binormal(c)
+    made = t * find("torsion")(c) + b * frames.curvature_in_space(c)
+    assert vanishes(made * c.sigma - find("rectifying_developable")(c).generator)
+
+
+def test_the_derivative_of_the_radius_is_psi(space):
+    """(1/κ)′ B = ‖γ′‖ Ψ, §5.5."""
+    c = space
+    radius = 1 / frames.curvature_in_space(c)
+    assert vanishes(frames.unit_binormal(c) * radius.d() - find("psi")(c) * c.sigma)
+
+
+def test_plane_frame_curvature_and_evolute(plane):
+    c = plane
+    t, n, kappa = frames.unit_tangent(c), frames.unit_normal_in_plane(c), frames.signed_curvature(c)
+    assert norm2(n) == norm2(t) == one(c)
+    assert vanishes(t.d() - n * (c.sigma * kappa))
+    assert vanishes(n.d() + t * (c.sigma * kappa))
+    assert kappa**2 == find("curvature_squared")(c)
+    assert vanishes(c.gamma + n / kappa - find("evolute")(c))
+    assert kappa.d() * c.sigma**5 == find("g0")(c)
+
+
+def test_footnote_b_the_frenet_normal_with_positive_curvature_gives_the_same_evolute(plane):
+    """T′/σ is the positive curvature times the Frenet normal whatever the sign; over its squared length it is N/κ."""
+    bend = frames.unit_tangent(plane).d() / plane.sigma
+    assert vanishes(plane.gamma + bend / norm2(bend) - find("evolute")(plane))
+
+
+def test_offsets_are_parallel_and_their_evolute_is_that_of_the_curve():
+    """γ + rN for an indeterminate r: (γ + rN)′ = (1 − rκ) γ′, curvature κ/|1 − rκ|, centre E."""
+    c = framed(RationalJetReading(3).argument(PLANE_POINT, 2, polynomial=True)).remembering()
+    r, n, kappa = c.point[0], frames.unit_normal_in_plane(c), frames.signed_curvature(c)
+    offset = c.gamma + n * r
+    shrink = 1 - r * kappa
+    assert vanishes(offset.d() - c.gamma.d() * shrink)
+    speed = c.sigma * shrink
+    assert det(offset.d(), offset.d(2)) / speed**3 == kappa / shrink
+    assert vanishes(offset + n * (shrink / kappa) - find("evolute")(c))
+
+
+def test_the_same_over_sympy():
+    """The frame of a polynomial plane curve over an algebra that shares no code with the jets."""
+    c = framed(SympyReading().argument(PLANE, 2, polynomial=True))
+    t, n, kappa = frames.unit_tangent(c), frames.unit_normal_in_plane(c), frames.signed_curvature(c)
+    assert norm2(t) == one(c)
+    assert vanishes(t.d() - n * (c.sigma * kappa))
+    assert not vanishes(t.d() + n * (c.sigma * kappa))
+
+
+def test_the_same_at_eighty_digits():
+    """Over Taylor series: the element's value with a true root is the frame of the curve there."""
+    base = numeric_curve(example("rational_space_cubic"), "2/7", 6, 80)
+    c, ctx = framed(base), base.w.context
+    s = ctx.sqrt(norm2(base.gamma.d()).value)
+    r = ctx.sqrt(norm2(cross(base.gamma.d(), base.gamma.d(2))).value)
+
+    def value(x):
+        assert isinstance(x, Adjoined)
+        return x.plain.plain.value + x.plain.rooted.value * s + (x.rooted.plain.value + x.rooted.rooted.value * s) * r
+
+    n = [value(x) for x in frames.unit_normal(c)]
+    assert abs(sum(x * x for x in n) - 1) < ctx.mpf(10) ** -75
+    kappa = value(frames.curvature_in_space(c))
+    assert kappa > 0
+    assert abs(kappa - r / s**3) < ctx.mpf(10) ** -75
+
+
+def test_a_frame_needs_a_curve_that_can_be_divided_by():
+    one = RationalJetReading(1).argument(CURVE, 2).w.constant(mpq(1))
+    still = CURVE.argument(2, lambda _: one, one, polynomial=True)
+    with pytest.raises(FormulaError, match="root of zero"):
+        framed(still)
+
+
+FRAMES = [claim for claim in all_claims() if kind_of(claim.curve).adjoins_roots]
+#: What is said of types, and of what an equation speaks, is decided in one algebra alone.
+EQUATIONS = [claim for claim in FRAMES if claim.kind not in ("type", "applies")]
+
+
+@pytest.mark.parametrize("claim", EQUATIONS, ids=lambda claim: claim.key)
+def test_the_claims_over_roots_are_as_recorded_also_by_sympy(claim):
+    """By two algebras; on single curves nothing is said: splines have no roots."""
+    assert proved(claim).verdict == claim.expected
+    assert Sympy().decide(claim).verdict == claim.expected
+    assert not any(claim.speaks_of(n, polynomial) for n in (2, 3) for polynomial in (False, True))
+
+
+def test_frames_in_the_plane_and_in_space_are_in_the_ledger():
+    ids = {claim.id for claim in FRAMES}
+    assert {"E12", "E13", "E14", "E15", "E16", "C4.2a", "C5.4a", "C5.5a", "N11"} <= ids
+
+
+def test_what_rational_curves_need_is_not_taken_from_polynomial_ones():
+    """D1 = w² γ′ speaks of w: ‖D1‖ is not ‖γ′‖."""
+    assert not prove("unit_tangent", "D1", "speed^-1", dimension=3)
+    assert prove("unit_tangent", "D1", "speed^-1 w^-2", dimension=3)
+    assert prove("unit_tangent", "velocity", "speed^-1", dimension=2)
+
+
+def test_a_degree_of_what_has_roots_is_refused():
+    told = {f.name: getattr(FRAMES[0], f.name) for f in fields(FRAMES[0]) if f.init}
+    told |= {"formula": "binormal", "measure": "true", "claimed": "3d", "status": "ours"}
+    told |= {"id": "E13", "key": "E13-binormal", "expected": "PROVED"}
+    known = {f.name for f in fields(DegreeClaim)}
+    with pytest.raises(ClaimError, match="not decided where roots are adjoined"):
+        DegreeClaim(**{name: value for name, value in told.items() if name in known})
+    with pytest.raises(FormulaError, match="has roots in it"):
+        reduction("unit_normal")

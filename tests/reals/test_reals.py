@@ -1,0 +1,448 @@
+"""Real numbers: arithmetic, order, equality, hashes, polynomials and digits, held against mpmath and sympy.
+
+The data has a dial: small integers, thirds, decimals of ten digits, doubles of 17 digits, 1e±300.
+"""
+
+import copy
+import math
+import operator
+import pickle
+import random
+import time
+from decimal import Decimal
+from fractions import Fraction
+
+import mpmath
+import pytest
+import sympy
+from flint import fmpq_poly, fmpz, fmpz_poly
+from gmpy2 import mpq, mpz
+from mpmath import mp
+
+import exactspline as xs
+from exactspline.errors import NumberError, ReachError
+from exactspline.numbers.exact import from_float, to_fmpq
+from exactspline.polynomials import annihilating
+from exactspline.reals.real import Extreme, Quadratic, RationalNumber, Real, between, real, square_root
+from exactspline.roots.root import Root
+
+ROOT_2, ROOT_3 = square_root(2), square_root(3)
+OPERATIONS = (operator.add, operator.sub, operator.mul, operator.truediv)
+
+
+def integers(chance):
+    return mpq(chance.randint(-9, 9))
+
+
+def thirds(chance):
+    return mpq(chance.randint(-30, 30), 3)
+
+
+def decimals(chance):
+    return mpq(chance.randint(-(10**10), 10**10), 10**10)
+
+
+def doubles(chance):
+    return from_float(chance.uniform(-2, 2))
+
+
+def huge(chance):
+    return from_float(chance.uniform(-2, 2) * 10.0 ** chance.choice([-300, 300]))
+
+
+DIAL = {"integers": integers, "thirds": thirds, "decimals": decimals, "doubles": doubles, "1e±300": huge}
+
+
+def polynomial(c, low, high):
+    """The spline of one segment with these coefficients, the constant one first."""
+    t = xs.BSpline.identity(low, high)
+    f = t.constant(c[-1])
+    for a in c[-2::-1]:
+        f = f * t + a
+    return f
+
+
+def roots(chance, number, degree=3):
+    """Roots of a polynomial with random coefficients, on the line; irrational ones mostly."""
+    while True:
+        c = [number(chance) for _ in range(degree)] + [mpq(chance.choice([1, 2, 3]))]
+        size = 1 + max(abs(x) for x in c)
+        found = xs.zeros(polynomial(c, -size, size)).roots
+        if found:
+            return found
+
+
+def close(x, value, digits=60, known=1200):
+    """Whether an enclosure holds a value that mpmath knows to many more digits."""
+    low, high = x.enclosure(digits)
+    assert high - low <= mpq(1, 10**digits)
+    with mp.workdps(4000):
+        ends = [mpmath.mpf(int(t.numerator)) / int(t.denominator) for t in (low, high)]
+        slack = abs(value) * mpmath.mpf(10) ** -known
+        return ends[0] - slack <= value <= ends[1] + slack
+
+
+def in_mpmath(x):
+    with mp.workdps(4000):
+        return mpmath.mpf(x.mpf(3900)) if not isinstance(x, mpq) else mpmath.mpf(int(x.numerator)) / int(x.denominator)
+
+
+@pytest.mark.parametrize("dial", DIAL)
+@pytest.mark.parametrize("seed", range(4))
+def test_arithmetic_agrees_with_mpmath(dial, seed):
+    """Enclosures hold the true value, signs and doubles are right: `root + 1` was a TypeError."""
+    chance = random.Random(f"{dial} {seed}")
+    number = DIAL[dial]
+    pool = [chance.choice(roots(chance, number)) for _ in range(3)]
+    pool += [square_root(abs(number(chance)) + 1), real(number(chance)), square_root(1 + square_root(5))]
+    for _ in range(12):
+        a, b = chance.choice(pool), chance.choice(pool)
+        operation = chance.choice(OPERATIONS)
+        with mp.workdps(4000):
+            x, y = in_mpmath(a), in_mpmath(b)
+            if operation is operator.truediv and b == 0:
+                with pytest.raises(ZeroDivisionError):
+                    operation(a, b)
+                continue
+            true = operation(x, y)
+        made = operation(a, b)
+        assert close(made, true)
+        with mp.workdps(4000):
+            if abs(true) > mpmath.mpf(10) ** -900:
+                assert made.sign == mpmath.sign(true)
+                assert (made < 0) == (true < 0)
+                assert (a < b) == (x < y)
+        if len(pool) < 9:
+            pool.append(made)
+
+
+@pytest.mark.parametrize("dial", ["integers", "thirds", "decimals", "doubles"])
+@pytest.mark.parametrize("seed", range(4))
+def test_minimal_polynomials_vanish_and_are_irreducible(dial, seed):
+    """A polynomial of too high a degree, or of another number, would be told."""
+    chance = random.Random(f"{dial} {seed} minimal")
+    a, b = (chance.choice(roots(chance, DIAL[dial], degree)) for degree in (2, 3))
+    for made in (a + b, a * b, a - b, a * a + 1, b / (b * b + 1), square_root(b * b + 2), -a, abs(b)):
+        p = made.minimal_polynomial()
+        assert len(fmpz_poly(p).factor()[1]) == 1
+        assert p[-1] > 0
+        assert fmpz_poly(p).content() == 1
+        with mp.workdps(4000):
+            x = in_mpmath(made)
+            terms = [c * x**k for k, c in enumerate(p)]
+            assert abs(sum(terms)) <= max(map(abs, terms)) * mpmath.mpf(10) ** -1300
+        assert (made.exact is not None) == (len(p) == 2)
+        assert made.is_root_of(fmpz_poly(p) * fmpz_poly([1, 1, 5]))
+        assert not made.is_root_of(fmpz_poly(p) + 1)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_minimal_polynomials_agree_with_sympy(seed):
+    chance = random.Random(seed)
+    p, q = chance.choice([2, 3, 5, 6, 7]), chance.choice([2, 3, 5, 6, 7, 8])
+    ours = {2: square_root(p), 3: square_root(q)}
+    theirs = {2: sympy.sqrt(p), 3: sympy.sqrt(q)}
+    s = sympy.Symbol("s")
+    for make in (
+        lambda r: r[2] + r[3],
+        lambda r: r[2] * r[3] + 1,
+        lambda r: (r[2] + 1) / (r[3] + 2),
+        lambda r: (r[2] - r[3]) * r[3] - 1,
+    ):
+        expected = sympy.Poly(sympy.minimal_polynomial(make(theirs), s), s).clear_denoms()[1].all_coeffs()[::-1]
+        assert make(ours).minimal_polynomial() == [int(c) for c in expected]
+
+
+def same_numbers():
+    t = xs.BSpline.identity(0, 2)
+    wide = xs.BSpline.identity(-5, mpq(1000, 7))
+    root = xs.zeros(t * t - 2).roots[0]
+    cube = xs.zeros(t**3 - 2).roots[0]
+    return {
+        "√2": [
+            ROOT_2,
+            root,
+            next(r for r in xs.zeros((wide * wide - 2) * (wide**3 - 5)) if 0 < r < mpq(3, 2)),
+            ROOT_3 - (ROOT_3 - ROOT_2),
+            (ROOT_2 + ROOT_3) * (ROOT_3 - ROOT_2) * ROOT_2,
+            2 / root,
+            root**3 / 2,
+            square_root(square_root(4) * 1),
+            square_root(root * root),
+            square_root(3 + 2 * root) - 1,
+            0 - (-root),
+        ],
+        "2": [
+            Real(2),
+            root * root,
+            ROOT_2 * root,
+            cube**3,
+            cube * cube * xs.zeros(t**3 - 2).roots[0],
+            square_root(root + 2) ** 2 - root,
+            (root + 1) * (root - 1) + 1,
+            Extreme(1, [root, Real(2)]),
+        ],
+        "0": [Real(0), root - root, ROOT_2 + ROOT_3 - square_root(5 + 2 * square_root(6)), cube - 1 * cube, 0 * cube],
+        "nested": [square_root(5 + 2 * square_root(6)), ROOT_2 + ROOT_3, ROOT_3 + root, 1 / (ROOT_3 - ROOT_2)],
+        "1/3": [Real("1/3"), Real(Fraction(1, 3)), root / (3 * root), xs.zeros(3 * t - 1).roots[0], 1 / (cube**3 + 1)],
+    }
+
+
+@pytest.mark.parametrize("name", same_numbers())
+def test_equal_numbers_are_equal_and_have_one_hash(name):
+    numbers = same_numbers()
+    group = numbers[name]
+    for x in group:
+        for y in group:
+            assert x == y
+            assert not x < y
+            assert x <= y
+        for other in numbers:
+            if other != name:
+                assert all(x != y for y in numbers[other])
+    assert len({hash(x) for x in group}) == 1
+    assert len(set(group)) == 1
+
+
+def test_numbers_of_other_libraries():
+    half = Real("1/2")
+    for other in (mpq(1, 2), Fraction(1, 2)):
+        assert half == other
+        assert other == half
+        assert hash(half) == hash(other)
+        assert {other: 1}[half] == 1
+        assert other < ROOT_2
+        assert other < ROOT_2
+    for two in (2, mpz(2), fmpz(2), mpq(2), Fraction(2)):
+        assert two == ROOT_2 * ROOT_2
+        for operation in OPERATIONS:
+            for made in (operation(ROOT_2 + ROOT_3, two), operation(two, ROOT_2 + ROOT_3)):
+                assert isinstance(made, Real)
+            with mp.workdps(100):
+                assert close(operation(two, ROOT_2), operation(mpmath.mpf(2), in_mpmath(ROOT_2)), 60, 90)
+    assert Real(2) == fmpz(2)
+    assert Real(Decimal("0.5")) == half
+    for never in (0.5, "1/2", None, 1j):
+        assert half != never
+        assert (half == never) is False
+        for operation in OPERATIONS:
+            with pytest.raises(TypeError):
+                operation(half, never)
+    with pytest.raises(TypeError):
+        half < 0.25  # noqa: B015
+    with pytest.raises(NumberError):
+        Real(0.5)
+    with pytest.raises(NumberError):
+        real("√2")
+
+
+@pytest.mark.parametrize("digits", [20, 50, 300, 1000])
+def test_numbers_that_agree_to_many_digits_are_told_apart(digits):
+    """Equal to a given number of digits and different: a number of correct digits would call them equal."""
+    tiny = mpq(1, 10**digits)
+    for x in (ROOT_2, ROOT_2 + ROOT_3, square_root(1 + ROOT_2), xs.zeros(xs.BSpline.bezier([-1, -1, 1])).roots[0]):
+        near = x + tiny
+        assert near != x
+        assert x < near
+        assert near - x == tiny
+        assert near - tiny == x
+        assert (near - x).exact == tiny
+        assert hash(near - tiny) == hash(x)
+
+
+def test_signs_zero_and_truth():
+    assert [(ROOT_2 - t).sign for t in (1, mpq(1414, 1000), mpq(15, 10))] == [1, 1, -1]
+    zero = ROOT_2 + ROOT_3 - square_root(5 + 2 * square_root(6))
+    assert zero.sign == 0
+    assert not zero
+    assert zero.exact == 0
+    assert float(zero) == 0
+    assert ROOT_2
+    assert abs(-ROOT_2) == ROOT_2 == +ROOT_2
+    for made in (lambda: 1 / zero, lambda: ROOT_2 / zero, lambda: ROOT_2 / 0, lambda: zero**-1):
+        with pytest.raises(ZeroDivisionError):
+            made()
+    with pytest.raises(NumberError, match="square root"):
+        square_root(ROOT_2 - 2)
+    assert square_root(zero) == 0
+    assert ROOT_2**0 == 1
+    assert (ROOT_2 + ROOT_3) * (5 + 2 * square_root(6)) == (ROOT_2 + ROOT_3) ** 3
+    assert (ROOT_2 + ROOT_3) ** -1 == ROOT_3 - ROOT_2
+
+
+def high(degree, seed):
+    """An irrational number of a degree."""
+    chance = random.Random(seed)
+    while True:
+        f = polynomial([*(chance.randint(-9, 9) for _ in range(degree)), 1], 0, 1)
+        if found := [r for r in xs.zeros(f) if r.exact is None and len(r.minimal_polynomial()) == degree + 1]:
+            return found[0]
+
+
+def test_what_would_take_too_high_a_degree_is_refused_by_name():
+    """Degrees 20 and 20 have sums of degree 400: digits and order have no bound, equality says that it has one."""
+    a, b = high(20, 1), high(20, 2)
+    total = a + b
+    with mp.workdps(4000):
+        assert close(total, in_mpmath(a) + in_mpmath(b), 200)
+    assert total > a
+    assert total - b > a - mpq(1, 10**50)
+    assert float(total) == float(in_mpmath(total))
+    for question in (total.minimal_polynomial, lambda: hash(total), lambda: total.exact, lambda: total - b == a):
+        started = time.perf_counter()
+        with pytest.raises(ReachError) as refused:
+            question()
+        assert time.perf_counter() - started < 20
+        assert "degree 400" in str(refused.value)
+    assert (a + 1).minimal_polynomial() == fmpz_poly(a.minimal_polynomial())(fmpz_poly([-1, 1])).coeffs()
+    assert len((a * a).minimal_polynomial()) == 21, "what is computed from one root has its degree"
+
+
+def test_a_long_expression_needs_no_deep_recursion():
+    x = ROOT_2 + ROOT_3
+    total = x
+    for _ in range(600):
+        total = total + x
+    with mp.workdps(4000):
+        assert close(total, 601 * in_mpmath(x))
+    assert total.minimal_polynomial() == (601 * x).minimal_polynomial()
+    assert total == 601 * x
+    t = xs.zeros(xs.BSpline.bezier([-1, -1, 1])).roots[0]
+    chain = t
+    for k in range(2000):
+        chain = chain + t if k % 2 else chain - t
+    assert chain == t
+    assert hash(chain) == hash(t)
+
+
+@pytest.mark.parametrize("x", [ROOT_2, ROOT_2 + ROOT_3, Real("2/3"), square_root(1 + ROOT_2), 1 - ROOT_3, Real(0)])
+def test_values(x):
+    for other in (pickle.loads(pickle.dumps(x)), copy.copy(x), copy.deepcopy(x)):
+        assert other == x
+        assert hash(other) == hash(x)
+        assert repr(other) == repr(x)
+    with pytest.raises(AttributeError, match="is a value"):
+        x._exact = 1
+    assert x in {x}
+    assert isinstance(x, Real)
+    low, high = x.enclosure(30)
+    assert low <= x <= high
+    with pytest.raises(NumberError):
+        x.enclosure(1.5)
+
+
+def test_digits_shown():
+    """`mpf(60)` showed 15 digits."""
+    root = xs.zeros(xs.BSpline.bezier([-1, -1, 1])).roots[0]
+    shown = root.mpf(60)
+    assert repr(shown) == f"mpf('{root.decimal(60).rstrip('0')}')"
+    assert str(shown) == root.decimal(60).rstrip("0")
+    assert isinstance(shown, mpmath.mpf)
+    assert mp.dps == 15
+    assert str(shown + 0) == "0.707106781186548"
+    for other in (pickle.loads(pickle.dumps(shown)), copy.copy(shown)):
+        assert other == shown
+        assert str(other) == str(shown)
+    assert str(square_root("1/8").significant(20)) == "0.3535533905932737622"
+    assert str(Real(2).mpf(40)) == "2.0"
+    assert str((ROOT_2 - ROOT_2 * (1 - mpq(1, 10**50))).significant(10)) == "1.414213562e-50"
+    assert (Real(0).decimal(3), Real("-2/3").decimal(0), (-ROOT_2).decimal(12)) == ("0.000", "-1", "-1.414213562373")
+    assert (str(ROOT_2 + 1), repr(ROOT_3 / -4), str(ROOT_2 + ROOT_3)) == ("1 + √2", "<Real -√3/4>", "3.14626436994197…")
+
+
+@pytest.mark.parametrize("way", ["nearest", "down", "up"])
+@pytest.mark.parametrize("dial", DIAL)
+def test_doubles_are_correctly_rounded(dial, way):
+    chance = random.Random(f"{dial} doubles")
+    ways = {"nearest": "n", "down": "f", "up": "c"}
+    for _ in range(4):
+        a, b = (chance.choice(roots(chance, DIAL[dial])) for _ in range(2))
+        for made in (a + b, a * b, a - 1, abs(a)):
+            with mp.workdps(4000):
+                true = in_mpmath(made if made.exact is None else made.exact)
+                if not mpmath.mpf("1e-290") < abs(true) < mpmath.mpf("1e300"):
+                    continue
+            expected = mpmath.libmp.to_float(true._mpf_, rnd=ways[way])
+            assert made.double(way) == expected
+
+
+@pytest.mark.parametrize("x", [ROOT_2, ROOT_2 + ROOT_3, ROOT_2 * (ROOT_2 + ROOT_3) - square_root(6), Real("7/2")])
+def test_integers_near_a_number(x):
+    for k in (-3, 0, 4):
+        for y in (x + k, -x + k, x * 10**20):
+            value = y.exact if y.exact is not None else y.enclosure(60).middle
+            assert (math.floor(y), math.ceil(y), round(y)) == (
+                math.floor(Fraction(value)),
+                math.ceil(Fraction(value)),
+                round(Fraction(value)),
+            )
+
+
+def test_between():
+    assert between(ROOT_2, ROOT_3) == mpq(13, 8)
+    x = ROOT_2 + ROOT_3
+    assert x < between(x, x + mpq(1, 10**30)) < x + mpq(1, 10**30)
+
+
+def test_largest_and_smallest():
+    among = [ROOT_2, ROOT_3, ROOT_2 + mpq(1, 10**40), Real(1)]
+    assert Extreme(1, among) == ROOT_3
+    assert Extreme(-1, among) == 1
+    assert Extreme(1, [among[0], among[2]]).minimal_polynomial() == among[2].minimal_polynomial()
+
+
+# ---- polynomials
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_polynomials_of_sums_and_products_vanish_there(seed):
+    chance = random.Random(seed)
+    p, q = (
+        fmpz_poly([chance.randint(-9, 9) for _ in range(chance.randint(1, 4))] + [chance.randint(1, 9)])
+        for _ in range(2)
+    )
+    found = (
+        annihilating.sum_of(p, q),
+        annihilating.product_of(p, q),
+        annihilating.product_of(p, annihilating.inverted(q)),
+    )
+    for x, _ in p.complex_roots():
+        for y, _ in q.complex_roots():
+            assert found[0](x + y).contains(0)
+            assert found[1](x * y).contains(0)
+            if q[0] != 0:
+                assert found[2](x / y).contains(0)
+    for made in found[:2]:
+        assert made.degree() == p.degree() * q.degree() or q[0] == 0
+        assert made.degree() > 0
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_polynomials_of_rational_functions_vanish_there(seed):
+    chance = random.Random(seed)
+    m = fmpz_poly([chance.randint(-9, 9) for _ in range(chance.randint(2, 6))] + [chance.randint(1, 9)])
+    top, bottom = (
+        fmpq_poly(
+            [to_fmpq(mpq(chance.randint(-9, 9), chance.randint(1, 4))) for _ in range(chance.randint(1, 7))] + [1]
+        )
+        for _ in range(2)
+    )
+    found = annihilating.quotient_at(m, top, bottom)
+    common = m.gcd(top.numer().gcd(bottom.numer()))
+    assert found.degree() <= m.degree()
+    for x, _ in (m // common).complex_roots():
+        above, below = top.numer()(x) * bottom.denom(), bottom.numer()(x) * top.denom()
+        if not below.contains(0):
+            assert found(above / below).contains(0)
+
+
+def test_kinds_by_construction():
+    kinds = {RationalNumber: [Real(2), ROOT_2 * ROOT_2, ROOT_2 - ROOT_2, square_root("9/4"), 0 * (ROOT_2 + ROOT_3)]}
+    kinds[Quadratic] = [ROOT_2, 1 + ROOT_2, ROOT_2 * ROOT_3, ROOT_2 / ROOT_3, 1 / (1 + ROOT_2), square_root(8) + ROOT_2]
+    for kind, numbers in kinds.items():
+        assert [type(x) for x in numbers] == [kind] * len(numbers)
+    large = 1009**2 * 3  # a square factor that is not looked for
+    assert square_root(large) == 1009 * ROOT_3
+    assert hash(square_root(large)) == hash(1009 * ROOT_3)
+    assert square_root(large) + ROOT_3 == 1010 * ROOT_3
+    assert isinstance(xs.zeros(xs.BSpline.bezier([-1, -1, 1])).roots[0], Root)

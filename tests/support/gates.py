@@ -1,0 +1,334 @@
+"""What the laws of the house forbid, each found in a syntax tree: the same function looks at the code and at a planted
+violation.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+
+import exactspline
+
+ROOT = Path(exactspline.__file__).parent
+
+#: Looks for violations in one file: each by its place in the file.
+Finder = Callable[[ast.Module], Iterable[str]]
+
+
+def trees() -> dict[str, ast.Module]:
+    """The syntax tree of every file of the package."""
+    files = sorted(ROOT.rglob("*.py"))
+    return {p.relative_to(ROOT).as_posix(): ast.parse(p.read_text(encoding="utf-8")) for p in files}
+
+
+def found_in(files: dict[str, ast.Module], finder: Finder, rooms: Iterable[str] = ("",)) -> set[str]:
+    """The violations in some rooms: ``file: place``."""
+    return {
+        f"{name}: {place}"
+        for name, tree in files.items()
+        if any(name.startswith(room) for room in rooms)
+        for place in finder(tree)
+    }
+
+
+def scopes(tree: ast.AST, owner: str = "") -> Iterator[tuple[str, ast.AST]]:
+    """Every node with the class and function in which it stands."""
+    for child in ast.iter_child_nodes(tree):
+        named = isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef))
+        inner = f"{owner}.{child.name}".lstrip(".") if named else owner  # type: ignore[attr-defined]  # as asked
+        yield inner, child
+        yield from scopes(child, inner)
+
+
+# ---- law 3: no code reads a sentence
+
+#: Attributes that hold what is said to people.
+SENTENCES = {
+    "computed",
+    "meaning",
+    "message",
+    "note",
+    "notes",
+    "problem",
+    "reason",
+    "remark",
+    "remedy",
+    "statement",
+    "words",
+}
+#: What looks into a text, by whatever name.
+LOOKS = {
+    "count",
+    "endswith",
+    "find",
+    "findall",
+    "finditer",
+    "fullmatch",
+    "index",
+    "match",
+    "partition",
+    "removeprefix",
+    "removesuffix",
+    "rfind",
+    "rindex",
+    "rpartition",
+    "rsplit",
+    "search",
+    "split",
+    "startswith",
+}
+#: Two words, as a sentence has them and a name does not.
+TWO_WORDS = re.compile(r"[^\W\d_]{2,} [^\W\d_]{2,}")
+
+
+def is_sentence(node: ast.AST) -> bool:
+    """Whether an expression is a text for people: an attribute that holds one, the text of an error, two words."""
+    if isinstance(node, ast.Constant):
+        return isinstance(node.value, str) and bool(TWO_WORDS.search(node.value))
+    if isinstance(node, ast.Attribute):
+        return node.attr in SENTENCES
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("str", "repr") and node.args:
+        return ast.unparse(node.args[0]) in ("error", "problem", "failure", "e")
+    return False
+
+
+def mentions_sentence(node: ast.AST) -> bool:
+    """Whether a sentence stands in an expression."""
+    return any(is_sentence(each) for each in ast.walk(node))
+
+
+def decisions_by_sentences(tree: ast.Module) -> Iterator[str]:
+    """Where a text for people is searched, cut, compared or looked up."""
+    for place, node in scopes(tree):
+        if isinstance(node, ast.Call):
+            name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+            operands = [*node.args, *([node.func.value] if isinstance(node.func, ast.Attribute) else [])]
+            # text.split() does away with line breaks
+            looks = name in LOOKS and (node.args or name != "split")
+            if looks and any(mentions_sentence(each) for each in operands):
+                yield place
+        elif isinstance(node, ast.Compare):
+            sides = [node.left, *node.comparators]
+            texts = [each for each in sides if isinstance(each, (ast.Constant, ast.JoinedStr))]
+            words = any(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in texts)
+            if any(is_sentence(each) for each in texts) or (words and any(map(mentions_sentence, sides))):
+                yield place
+        elif isinstance(node, ast.Subscript) and ast.unparse(node.value) not in ("Annotated", "Literal"):
+            # a plain key of a row may have two words
+            if not isinstance(node.slice, ast.Constant) and mentions_sentence(node.slice):
+                yield place
+        elif isinstance(node, ast.MatchValue) and is_sentence(node.value):
+            yield place
+
+
+#: Where a thing stands in a list, as well.
+PLACES = {"count", "index"}
+#: What names a thing: it may be compared, and is not taken apart.
+NAMES = {"name", "title", "label", "id", "key"}
+
+
+def names_taken_apart(tree: ast.Module) -> Iterator[str]:
+    """Where a part of a name decides: its beginning, its end, a pattern."""
+    for place, node in scopes(tree):
+        if (
+            isinstance(node, ast.Call)
+            and isinstance(node.func, ast.Attribute)
+            and node.func.attr in LOOKS - {"count", "index"}
+        ):
+            texts = [node.func.value, *node.args]
+            found = {each.attr if isinstance(each, ast.Attribute) else getattr(each, "id", "") for each in texts}
+            if found & NAMES:
+                yield place
+
+
+# ---- law 4: a question is an entry
+
+#: What an answer to a question about places looks like.
+ANSWERS = {"Places", "SurfacePlaces", "Answer"}
+#: Lists that cannot say whether they are "none" or "all".
+LISTS = {"list", "tuple", "Sequence", "Iterator", "Iterable", "set", "frozenset"}
+FEATURES = {"Feature", "Umbilic", "Place"}
+
+
+#: What makes a function an entry of the registry.
+ENTRY = {"question", "question_with"}
+
+
+def marks(node: ast.FunctionDef) -> set[str]:
+    """The names of the decorators of a function."""
+    return {ast.unparse(mark.func if isinstance(mark, ast.Call) else mark) for mark in node.decorator_list}
+
+
+def names_in(node: ast.AST | None) -> set[str]:
+    """The names that stand in an annotation."""
+    return set() if node is None else {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
+
+
+def public(tree: ast.Module, *, entries: bool) -> Iterator[tuple[str, ast.FunctionDef]]:
+    """Public functions and methods, with or without the entries of the registry."""
+    for place, node in scopes(tree):
+        private = any(part.startswith("_") for part in place.split("."))
+        if isinstance(node, ast.FunctionDef) and not private and (entries or not marks(node) & ENTRY):
+            yield place, node
+
+
+def unregistered(tree: ast.Module) -> Iterator[str]:
+    """Public functions whose result is an answer about places, that are not entries of the registry."""
+    return (place for place, node in public(tree, entries=False) if names_in(node.returns) & ANSWERS)
+
+
+def asked_classes(tree: ast.Module) -> Iterator[str]:
+    """Classes that have questions."""
+    for place, node in scopes(tree):
+        if isinstance(node, ast.ClassDef):
+            inner = [each for each in node.body if isinstance(each, ast.FunctionDef)]
+            if any(marks(each) & ENTRY for each in inner):
+                yield place
+
+
+def lists_of_questions(tree: ast.Module, names: set[str]) -> Iterator[str]:
+    """Displays (lists, tuples, sets, dictionaries) that spell out three questions or more, by name or as attributes."""
+    for place, node in scopes(tree):
+        parts: list[ast.expr | None] = []
+        if isinstance(node, (ast.List, ast.Tuple, ast.Set)):
+            parts = [*node.elts]
+        elif isinstance(node, ast.Dict):
+            parts = [*node.keys, *node.values]
+        elif isinstance(node, ast.Call):
+            parts = [*node.args]
+        spelled = {
+            inner.value if isinstance(inner, ast.Constant) else inner.attr
+            for part in parts
+            if part is not None
+            for inner in ast.walk(part)
+            if isinstance(inner, (ast.Constant, ast.Attribute))
+        }
+        if len(spelled & names) >= 3:
+            yield place
+
+
+# ---- law 5: a number is a number
+
+#: What a number that is not a polynomial can do.
+ORDERED = {"__lt__", "__float__"}
+NUMBER = {"__add__", "__sub__", "__mul__", "__float__", "double", "enclosure", "minimal_polynomial", "refine", "sign"}
+
+
+def numbers(tree: ast.Module) -> Iterator[str]:
+    """Classes that are real numbers of their own: with an order or a conversion to float, and arithmetic, enclosures or
+    a minimal polynomial; views of the one real type derive from it.
+    """
+    for place, node in scopes(tree):
+        if isinstance(node, ast.ClassDef) and not {"Real"} & {name for base in node.bases for name in names_in(base)}:
+            own = {each.name for each in node.body if isinstance(each, ast.FunctionDef)}
+            assigned = (target for each in node.body if isinstance(each, ast.Assign) for target in each.targets)
+            own |= {target.id for target in assigned if isinstance(target, ast.Name)}
+            if own & ORDERED and own & NUMBER:
+                yield place
+
+
+def ways_to_a_curvature(tree: ast.Module) -> Iterator[str]:
+    """Public functions and methods, no entries of the registry, that are called curvature or torsion."""
+    named = re.compile("curvature|torsion|kappa")
+    return (place for place, node in public(tree, entries=False) if named.search(node.name))
+
+
+# ---- law 6: none, all of these, or these
+
+
+def lists_of_places(tree: ast.Module) -> Iterator[str]:
+    """Questions and public functions whose result is a bare list of points: an empty one is both none and all."""
+    for place, node in public(tree, entries=True):
+        names = names_in(node.returns)
+        if names & LISTS and names & FEATURES and not names & ANSWERS:
+            yield place
+
+
+# ---- exact rooms
+
+#: Rooms between input and verdict.
+EXACT = (
+    "numbers/",
+    "formulas/",
+    "polynomials/",
+    "reals/",
+    "language/",
+    "papers/",
+    "splines/",
+    "readings/",
+    "interchange/",
+    "programs/",
+    "symbolic/",
+    "questions/",
+    "geometry/",
+    "roots/",
+    "verification/",
+    "classroom/",
+)
+ROUNDING = {"float", "round", "complex", "isclose", "allclose", "fsum", "float64", "longdouble"}
+ROUNDED_MODULES = {"math", "cmath", "numpy", "random", "decimal"}
+EXACT_FUNCTIONS = {"ceil", "comb", "factorial", "floor", "gcd", "isqrt", "lcm", "perm", "prod"}
+
+
+def rounding(tree: ast.Module) -> Iterator[str]:
+    """Where a number is rounded: `float(x)`, `round`, functions of `math` that are not exact."""
+    inexact = {
+        alias.asname or alias.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom) and node.module in ROUNDED_MODULES
+        for alias in node.names
+    } - EXACT_FUNCTIONS
+    for place, node in scopes(tree):
+        if isinstance(node, ast.Call):
+            name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+            of_math = isinstance(node.func, ast.Attribute) and ast.unparse(node.func.value) in ("math", "cmath")
+            by_name = isinstance(node.func, ast.Name) and name in inexact
+            if name in ROUNDING or by_name or (of_math and name not in EXACT_FUNCTIONS):
+                yield place or "at the top"
+        elif isinstance(node, ast.Attribute) and node.attr == "__float__":
+            yield place or "at the top"
+
+
+# ---- no cost without a bound
+
+#: What FLINT does in one call that cannot be interrupted, of a cost that the size of the answer does not show.
+COSTLY = {"complex_roots", "discriminant", "factor", "factor_smooth", "factor_squarefree", "gcd", "resultant", "xgcd"}
+
+
+def unbounded_costs(tree: ast.Module) -> Iterator[str]:
+    """Where a polynomial itself is asked for a common divisor, a factorization, a resultant or a discriminant: called,
+    or handed on as a function.
+    """
+    for place, node in scopes(tree):
+        found = node.func if isinstance(node, ast.Call) else node
+        if not isinstance(found, ast.Attribute) or found.attr not in COSTLY:
+            continue
+        # an attribute may have such a name, but not of a class of FLINT
+        if found is not node or ast.unparse(found.value).startswith(("fmp", "nmod_", "flint.")):
+            yield place
+
+
+# ---- law 7: what is in the wheel
+
+
+def reached(graph: dict[str, set[str]], entrances: Iterable[str]) -> set[str]:
+    """The modules that can be reached from the entrances; a module brings the packages around it."""
+    seen: set[str] = set()
+    waiting = list(entrances)
+    while waiting:
+        name = waiting.pop()
+        if name in seen or name not in graph:
+            continue
+        seen.add(name)
+        waiting += graph[name]
+        if "." in name:
+            waiting.append(name.rpartition(".")[0])
+    return seen
+
+
+def unused(names: Iterable[str], pages: str) -> set[str]:
+    """The public names that stand in none of the pages."""
+    words = set(re.findall(r"\w+", pages))
+    return {name for name in names if name not in words}

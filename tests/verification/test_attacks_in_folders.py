@@ -1,0 +1,304 @@
+"""What a stranger writes into a folder is data: it is quoted where it becomes code, bounded in what it costs, and said
+where it ran unchecked.
+"""
+
+import csv
+import io
+import json
+import re
+import time
+from dataclasses import replace
+
+import pytest
+from typer.testing import CliRunner
+
+import exactspline as xs
+from exactspline.cli import app
+from exactspline.display.code import code_lines
+from exactspline.display.evidence import worded
+from exactspline.display.sheet import Sheet, csv_of
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError
+from exactspline.papers import find, load_paper, papers, resolve
+from exactspline.splines.examples import example
+from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.claims import claims_of, select
+from exactspline.verification.combined import combined
+from exactspline.verification.coq.answers import theorem_of
+from exactspline.verification.errata import errata
+from exactspline.verification.kinds import Vanishing
+from exactspline.verification.ledger import proved
+from exactspline.verification.verdict import PROVED, REFUTED
+from tests.verification.test_own_paper import plane_formulas, written
+
+FALSE = {"id": "1", "kind": "identity", "statement": "f is g", "curve": "plane", "left": "f", "right": "g"}
+FORMULAS = plane_formulas(f="det(c.p, c.p.d(1))", g="2 * det(c.p, c.p.d(1))", v="c.p * c.w")
+
+
+def run(*arguments):
+    return CliRunner().invoke(app, [str(a) for a in arguments])
+
+
+# ---- code
+
+
+KINDS = {
+    "identity": FALSE,
+    "vanishing": {"kind": "vanishing", "left": "f"},
+    "degree": {"kind": "degree", "formula": "f", "claimed": "d"},
+    "lowest": {"kind": "degree", "formula": "f", "claimed": "d", "measure": "lowest terms"},
+    "count": {"kind": "count", "formula": "f", "example": "circle", "claimed": "9 roots"},
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_check_to_paste_runs_nothing_but_itself(kind, tmp_path, monkeypatch, capsys):
+    """Before, the name of the folder stood unquoted in the check: pasted, it ran what its name says."""
+    monkeypatch.chdir(tmp_path)
+    name = 'p")) or open("pwned", "w") or print(("\\'
+    claim = {"id": "1", "statement": "false", "curve": "plane"} | KINDS[kind] | {"words": "said", "expected": "REFUTED"}
+    folder = written(tmp_path / name, FORMULAS, [claim | {"error": "e"}], '[errors]\ne = "an error"\n')
+    (found,) = errata([load_paper(folder)])
+    (refuted,) = found.statements
+    pasted = "\n".join(refuted.check)
+    exec(pasted, {})
+    assert capsys.readouterr().out.strip()
+    for width in (20, 40, 80):
+        exec("\n".join(part for line in refuted.check for part in code_lines(line, width)), {})
+    assert not (tmp_path / "pwned").exists()
+
+
+def test_checks_of_papers_that_come_along_still_run(capsys):
+    found = [each for entry in errata() for each in entry.statements]
+    for each in found[:6]:
+        exec("\n".join(each.check), {})
+    assert len(capsys.readouterr().out.splitlines()) >= 6
+
+
+@pytest.mark.parametrize("name", ["*) Axiom false : False. (*", "(**)", '"', "*)*)", "(*)"])
+def test_a_name_stays_in_its_comment(name):
+    """Before, a curve named "*) Axiom …" closed the comment, and its name was read by Coq."""
+    text = theorem_of(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 2), (2, 0)], name=name))
+    comment = text[: text.index("Require Import")]
+    assert (comment.count("(*"), comment.count("*)"), comment.count('"')) == (1, 1, 0)
+
+
+@pytest.mark.parametrize(
+    "symbol", [r"\input{/etc/passwd}", r"\write18{x}", r"\href{x}{y}", r"\def\x{y}", "a^^5cinput", "a%b", r"a\\b", "a}"]
+)
+def test_a_symbol_is_a_sign_and_nothing_else(symbol, tmp_path):
+    r"""Before, \input and \href stood in the LaTeX and in the pages."""
+    body = f"@formula('e', on='plane', symbol={symbol!r})\ndef f(c):\n    return c.w * 1\n"
+    with pytest.raises(FormulaError, match=r"line \d: the symbol"):
+        load_paper(written(tmp_path / "p", body, []))
+
+
+def test_symbols_of_the_papers_are_signs():
+    from exactspline.papers.symbols import not_a_symbol
+
+    assert not [f.symbol for p in papers() for f in p.formulas.values() if not_a_symbol(f.symbol)]
+
+
+# ---- tables
+
+
+CELLS = ["=1+1", "+cmd|x", "-x", "@SUM(A1)", "-1+cmd", "-1/2", "-0.333…", "1", "−3", "x = 1", "", "-∞", "+1e-3"]
+
+
+def test_no_cell_of_text_is_computed_and_numbers_stay():
+    """Before, a spreadsheet computed a claim that begins with an equals sign."""
+    sheet = Sheet("cell", name="=A1")
+    for cell in CELLS:
+        sheet.add_row(cell)
+    rows = list(csv.reader(io.StringIO(csv_of([sheet], "curve"))))[1:]
+    assert {row[0] for row in rows} == {"'=A1"}
+    assert [row[1] for row in rows] == [f"'{cell}" for cell in CELLS[:5]] + CELLS[5:]
+
+
+def test_markdown_has_no_html_and_no_link_of_a_stranger(tmp_path):
+    """Before, a statement with <img onerror=…> stood in the Markdown as it is."""
+    said = '<img src=x onerror="alert(1)"> [here](javascript:x) a|b'
+    folder = written(tmp_path / "p", FORMULAS, [FALSE | {"statement": said}])
+    for command in (["prove", "--rows"], ["errata"]):
+        text = run(*command, "--paper", folder, "--markdown").output
+        assert "&lt;img" in text
+        assert not re.search(r"<\w|\]\(", text)
+    sheet = Sheet("a", title="<b>|</b>")
+    sheet.add_row("x\ny")
+    assert "<b>" not in sheet.markdown()
+    assert "| x y |" in sheet.markdown()
+
+
+# ---- costs
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "wronskian(join(c.p, c.p, c.p, c.p, c.p, c.p, c.p, c.w))",
+        "wronskian(join(c.p, c.w), order=15)",
+        "wronskian(twice(twice(twice(c.p))))",
+        f"det({', '.join(['c.p'] * 15)})",
+        f"dot(generalized_cross({', '.join(['c.p'] * 12)}), c.p)",
+    ],
+)
+def test_a_determinant_counts_as_what_it_costs(body, tmp_path):
+    """Before, a Wronskian of 15 components counted as one operation, took 3 GB and ended the process."""
+    helper = "def twice(v):\n    return join(v, v)\n"
+    formulas = "from exactspline import generalized_cross\n" + helper + plane_formulas(f=body)
+    with pytest.raises(FormulaError, match="of more than 40320 products"):
+        load_paper(written(tmp_path / "p", formulas, []))
+
+
+def test_a_wronskian_of_a_few_components_is_decided(tmp_path):
+    formulas = plane_formulas(f="wronskian(join(c.p, c.w))", g="c.w * 1")
+    folder = written(tmp_path / "p", formulas, [FALSE | {"kind": "vanishing", "right": ""} | {"left": "f"}][:0])
+    assert resolve(f"{folder}:f").name == "f"
+
+
+@pytest.mark.parametrize("factor", ["w^2000", "w^65", "w^-9999", "w^40 v^-40", "w " * 70, "w^" + "9" * 300])
+def test_a_factor_has_few_powers(factor, tmp_path):
+    """Before, `factor = "w^2000"` did not end."""
+    folder = written(tmp_path / "p", FORMULAS, [FALSE | {"factor": factor}])
+    start = time.perf_counter()
+    with pytest.raises(ClaimError, match="too large"):
+        claims_of(load_paper(folder))
+    assert time.perf_counter() - start < 5
+
+
+# ---- what is read, and what ran
+
+
+def test_what_is_read_is_in_the_digests(tmp_path):
+    """Before, a symlinked formula file ran and was missing from the digests of the report."""
+    real = written(tmp_path / "real", FORMULAS, [FALSE])
+    folder = tmp_path / "p"
+    (folder / "deep").mkdir(parents=True)
+    (folder / "formulas.py").symlink_to(real / "formulas.py")
+    (folder / "claims.toml").symlink_to(real / "claims.toml")
+    (folder / "deep" / "circle").symlink_to(folder)
+    own = load_paper(folder)
+    assert own.digests() == load_paper(real).digests()
+    page = tmp_path / "report.html"
+    run("prove", "--paper", folder, "--report", page)
+    assert own.digests()["formulas.py"] in page.read_text(encoding="utf-8")
+
+
+def test_that_formulas_ran_unchecked_is_said_everywhere(tmp_path):
+    """Before, only the report said so."""
+    folder = written(tmp_path / "p", FORMULAS, [FALSE])
+    file = str(folder / "formulas.py")
+    for trust in (True, False):
+        words = ["prove", "--paper", folder, *(["--trust"] if trust else [])]
+        text, table, markdown = (run(*words, *more).output for more in ([], ["--csv"], ["--markdown"]))
+        data = json.loads(run(*words, "--json").output)
+        assert data.get("unchecked") == ([file] if trust else None)
+        assert ("unchecked (--trust)" in text) == trust == ("unchecked (--trust)" in markdown)
+        rows = list(csv.reader(io.StringIO(table)))
+        assert (rows[0][-1] == "unchecked") == trust
+        assert all((row[-1] == file) == trust for row in rows[1:])
+        page = tmp_path / "page.html"
+        run(*words, "--html", page)
+        assert ("unchecked (--trust)" in page.read_text(encoding="utf-8")) == trust
+
+
+@pytest.mark.parametrize(
+    "head",
+    ['claims = ["clams.toml"]', 'formulas = ["formulas", "plane"]', 'claims = ["claims.toml", "deep/more.toml"]'],
+)
+def test_a_file_that_is_listed_must_exist(head, tmp_path):
+    """Before: "no verdicts", and exit status 0."""
+    folder = written(tmp_path / "p", FORMULAS, [FALSE])
+    (folder / "paper.toml").write_text(head + "\n")
+    with pytest.raises(ClaimError, match="does not exist"):
+        load_paper(folder)
+    assert run("prove", "--paper", folder).exit_code != 0
+
+
+def test_a_folder_without_claims_is_told(tmp_path):
+    """Before: "no verdicts", and exit status 0."""
+    folder = written(tmp_path / "p", FORMULAS, [FALSE])
+    (folder / "claims.toml").rename(folder / "claim.toml")
+    with pytest.raises(ClaimError, match="states no claims"):
+        raise run("prove", "--paper", folder).exception
+
+
+# ---- names, judges, theorems
+
+
+def test_a_name_of_several_papers_is_ambiguous(tmp_path):
+    """Before, `find("normal")` took the one of the default paper, without a word."""
+    with pytest.raises(FormulaError, match="surfaces:normal"):
+        find("normal")
+    assert find("surfaces:normal") is not find("chen_riesenfeld_cohen_2007:normal")
+    assert find("f2").name == "f2"
+    uses = 'uses = ["chen_riesenfeld_cohen_2007", "surfaces"]\n'
+    folder = written(tmp_path / "p", "", [FALSE | {"left": "chord", "right": "normal", "curve": "pair"}], uses)
+    with pytest.raises(ExactSplineError, match="is a formula of chen_riesenfeld_cohen_2007 and of surfaces"):
+        claims_of(load_paper(folder))
+
+
+def test_a_broken_formula_elsewhere_changes_no_verdict(tmp_path):
+    """Before, REFUTED became UNDECIDED, because every formula of the paper was tried for a name of a factor."""
+    broken = plane_formulas(a="c.w / (c.w - c.w)", b="c.p[7]", d="dot(c.p, join(c.p, c.w))")
+    claims = [FALSE, FALSE | {"id": "2", "left": "h"}]
+    formulas = broken + FORMULAS + plane_formulas(h="(c.w + c.p[0]) * det(c.p, c.p.d(1))")
+    found = [proved(claim) for claim in claims_of(load_paper(written(tmp_path / "p", formulas, claims)))]
+    assert [row.verdict for row in found] == [REFUTED, REFUTED]
+    assert worded(found[0].factor) == "1/2"
+    right = [FALSE | {"factor": "1/2"}]
+    assert proved(claims_of(load_paper(written(tmp_path / "p", formulas, right)))[0]).verdict == PROVED
+
+
+def test_a_curve_on_which_a_check_fails_does_not_hide_a_refutation(monkeypatch):
+    """Before, the error on the first example curve turned a refutation into UNDECIDED, and ended `errata`."""
+    false = replace(next(c for c in select(["C3c"]) if c.kind == "vanishing"), left="D1_D2_D3")
+    honest, calls = Vanishing.check, []
+
+    def failing(self, curve):
+        calls.append(curve)
+        if len(calls) == 1:
+            raise FormulaError("it does not fit this curve")
+        return honest(self, curve)
+
+    monkeypatch.setattr(Vanishing, "check", failing)
+    found = combined(false)[1]
+    assert found.verdict == REFUTED
+    assert worded(found.witness).startswith("on the example curve")
+
+
+def test_the_kernel_says_why_it_says_nothing(tmp_path):
+    """Before, the column of the kernel was blank for every claim of a user's paper."""
+    from exactspline.display.evidence import opinion
+    from exactspline.verification.coq_judge import findings
+
+    folder = written(tmp_path / "p", FORMULAS, [FALSE, {**FALSE, **KINDS["degree"], "id": "2", "left": "f"}][:1])
+    (claim,) = claims_of(load_paper(folder))
+    degree = next(c for c in select(["C4.1c"]) if c.kind == "degree")
+    said = {key: opinion(each) for key, each in findings([claim, degree]).items()}
+    assert said[claim.paper, claim.key] == "not stated, formulas of users' folders are not written in Coq"
+    assert said[degree.paper, degree.key] == "not stated, claims of the kind 'degree' are not equalities"
+
+
+def test_the_theorem_of_one_claim_is_written(tmp_path):
+    """Before, `prove --claim ID --emit-coq DIR` was refused."""
+    done = run("prove", "--claim", "C4.1a", "--emit-coq", tmp_path / "coq")
+    assert done.exit_code == 0
+    assert "2 theorems" in done.output
+    (file,) = (tmp_path / "coq" / "claims").iterdir()
+    assert len(re.findall("^Theorem", file.read_text(encoding="utf-8"), re.MULTILINE)) == 2
+    assert f"claims/{file.name}" in (tmp_path / "coq" / "_CoqProject").read_text(encoding="utf-8")
+    told = run("prove", "--claim", "C4.1c", "--emit-coq", tmp_path / "none")
+    assert isinstance(told.exception, ClaimError)
+    assert "are not equalities" in str(told.exception)
+    assert not (tmp_path / "none").exists()
+    folder = written(tmp_path / "p", FORMULAS, [FALSE])
+    assert "users' folders" in str(run("prove", "--paper", folder, "--emit-coq", tmp_path / "none").exception)
+
+
+def test_one_identity_that_says_nothing_is_no_success(tmp_path, monkeypatch):
+    """Before, `prove --identity "zero = 0/0 · f"` ended with status 0."""
+    monkeypatch.chdir(tmp_path)
+    written(tmp_path / "p", plane_formulas(zero="c.w - c.w", f="c.w * c.w", g="c.w * 1"), [])
+    for text in ("p:zero = p:zero * p:f", "p:zero = p:zero"):
+        done = run("prove", "--identity", text.replace("p:", f"{tmp_path}/p/formulas.py:", 1).replace("p:", ""))
+        assert (done.exit_code, xs.verify("f1", "f2", example("straight_line")).verdict) == (1, "VACUOUS")

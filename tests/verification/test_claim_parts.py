@@ -1,0 +1,507 @@
+"""The parts of claims, each on small cases: what they assume, what they refuse, what is tried where."""
+
+from dataclasses import replace
+from time import perf_counter
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import BSpline, Nurbs, zeros
+from exactspline.display.evidence import worded
+from exactspline.errors import ClaimError, FormulaError
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE, PLANE, kind_of
+from exactspline.language.parts import split
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector, join
+from exactspline.papers import all_formulas, find
+from exactspline.readings.factored_jet import FactoredJetReading
+from exactspline.readings.printing.text import print_text, symbol_text
+from exactspline.readings.tree import trace
+from exactspline.splines.examples import example, example_names
+from exactspline.splines.tensor import surface_pair
+from exactspline.symbolic.covariants import true_degree
+from exactspline.symbolic.reduction import reduction
+from exactspline.verification import judges
+from exactspline.verification.check_arguments import beginning, with_hodograph
+from exactspline.verification.claims import all_claims, claims_of, select
+from exactspline.verification.curve_check import extra_zero, spline_table
+from exactspline.verification.degree_tables import construction_table, formula_degrees
+from exactspline.verification.divisors import _divided_by, divisors
+from exactspline.verification.errata import _unrecorded, check
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evidence import At, AtKnot, Between, Fact, Isolated
+from exactspline.verification.generic_proof import factor_of, factor_of_numerators
+from exactspline.verification.kinds import Contact, Count, DegreeClaim, Existence, IsoCurve, SquareClass
+from exactspline.verification.kinds.coefficients import Coefficients, _exists
+from exactspline.verification.kinds.condition import _place
+from exactspline.verification.kinds.identity import Identity, Vanishing
+from exactspline.verification.kinds.invariance import _times, with_article
+from exactspline.verification.kinds.zero_set import ZeroSet
+from exactspline.verification.ledger import Proofs, checked, proved, tasks
+from exactspline.verification.questions import proof_of
+from exactspline.verification.rows import row
+from exactspline.verification.statement import _size, sides, telling_tree
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
+from exactspline.verification.vocabulary import ArgumentKind, Counter, Reason
+
+
+def claim(key):
+    (found,) = select([key])
+    return found
+
+
+T = BSpline.identity(0, 1)
+
+
+def offset_claim(**changes):
+    one = next(c for c in claims_of("levien_parallel_curves") if c.curve == "plane with delta" and not c.assumes)
+    return replace(one, **changes)
+
+
+# ---- what is assumed
+
+
+@pytest.mark.parametrize(("sign", "everywhere"), [("≠", True), ("≢", False)])
+def test_what_an_author_assumes_of_a_constant(sign, everywhere):
+    (told,) = offset_claim(assumes=(f"delta {sign} 0",)).assumes
+    assert told.everywhere is everywhere
+    assert told.name == f"delta {sign} 0"
+    assert told.words == ("delta has no zero" if everywhere else "delta vanishes on no whole segment")
+
+
+@pytest.mark.parametrize("name", ["x ≠ 0", "p ≠ 0", "s ≠ 0", "nobody ≠ 0", "delta ≠ 1", "delta", "delta = 0"])
+def test_nothing_else_is_assumed(name):
+    with pytest.raises((ClaimError, FormulaError)):
+        offset_claim(assumes=(name,))
+
+
+# ---- what is refused
+
+
+@pytest.mark.parametrize(("order", "fits"), [(-1, False), (0, True), (12, True), (13, False), (True, False)])
+def test_orders_of_contact(order, fits):
+    one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact))
+    if fits:
+        assert replace(one, order=order).order == order
+    else:
+        with pytest.raises(ClaimError):
+            replace(one, order=order)
+
+
+@pytest.mark.parametrize("formulas", [(), ("f1",), ("f1", "f1"), ("f1", "f2", "f1")])
+def test_a_zero_set_is_compared_with_another(formulas):
+    one = next(c for c in all_claims() if isinstance(c, ZeroSet) and c.curve == "plane")
+    with pytest.raises(ClaimError):
+        replace(one, formulas=formulas)
+    assert replace(one, formulas=("f1", "f2")).formulas == ("f1", "f2")
+
+
+def test_coefficients_are_those_of_polynomials_in_every_dimension(monkeypatch):
+    one = next(c for c in all_claims() if isinstance(c, Coefficients) and c.curve == "curve")
+    for dimension in (2, 3):
+        partly = Formula(lambda c, n=dimension: c.p / c.w if len(c.p) == n else c.p, "partly", CURVE, "")
+        monkeypatch.setattr(Coefficients, "find", lambda self, name, formula=partly: formula)
+        with pytest.raises(ClaimError, match="quotient"):
+            one.validate()
+
+
+# ---- what is said
+
+
+def test_a_reading_that_does_not_apply_decides_nothing():
+    def fails():
+        raise FormulaError("no", remedy="none")
+
+    assert not _exists(fails)
+    assert not _exists(lambda: None)
+    assert _exists(lambda: 0)
+
+
+def test_coefficients_of_the_generic_polynomial_curve_are_computed():
+    """p is linear in p alone: what is proved for w of degree d does not hold for w = 1."""
+    one = next(c for c in all_claims() if isinstance(c, Coefficients) and c.curves != "every curve")
+    told = one.decide(2, polynomial=True)
+    assert (told.verdict, told.reason) == (UNDECIDED, Reason.SAMPLED)
+    assert worded(told.computed) == ("none vanishes for d = 2…6")
+
+
+def test_what_stands_beside_a_curve():
+    assert Evaluation(example("ellipse")).beside("plane") is None
+    assert Evaluation(example("ellipse")).beside("plane point").point
+    assert Evaluation(spline_table()).beside(ArgumentKind.TABLE) is None
+
+
+def test_operands_of_table_1_have_the_degrees_that_they_are_said_to_have():
+    made = spline_table(2, 4)
+    for degree, operands in ((2, (made.p1, made.w1, *made.v1)), (4, (made.p2, made.w2, *made.v2))):
+        assert all(f.degree == degree == f.true_degree for f in operands)
+        assert len({f.control_points for f in operands}) == 5
+    assert min(*made.w1.control_points, *made.w2.control_points) > 0
+    assert tuple(made.p1.breakpoints) == (0, 1, 2, 3)
+    assert tuple(made.p2.breakpoints) == (0, mpq(1, 2), 2, 3)
+    assert tuple(made.p2.continuity) == (3, 2)
+
+
+def test_the_hodograph_of_an_argument_is_made_of_its_operands():
+    curve = example("rational_cubic")
+    handed = with_hodograph(curve)
+    (u, v), h = curve.p, curve.w
+    assert handed.p[0].d(1) == (u * u - v * v) * h
+    assert handed.p[1].d(1) == 2 * u * v * h
+    assert handed.w == handed.w * handed.w
+    assert not handed.w.is_zero
+    assert (handed.u, handed.v, handed.h) == (u, v, h)
+    assert handed.speed == (u * u + v * v) * h
+
+
+def identities(*, roots):
+    return [c for c in all_claims() if isinstance(c, Identity) and kind_of(c.curve).adjoins_roots is roots]
+
+
+def test_the_factor_is_printed_where_there_is_one():
+    for one in [c for c in identities(roots=False) if c.curve == "plane"]:
+        factor = factor_of(one.find(one.left), one.find(one.right), one.dimensions[0])
+        assert check(one)[-1].startswith("print(factor)" if factor is not None else "print(claim.")
+
+
+def test_no_factor_is_printed_over_roots_or_of_what_vanishes():
+    for one in identities(roots=True):
+        assert check(one)[-1].startswith("print(claim.")
+    nothing = next(c.left for c in all_claims() if isinstance(c, Vanishing) and c.curve == "plane")
+    one = next(c for c in identities(roots=False) if c.curve == "plane")
+    assert check(replace(one, right=nothing))[-1].startswith("print(claim.")
+
+
+def test_minimal_forms_are_told_with_their_grading():
+    curve = example("rational_cubic")
+    rows = [call() for call in construction_table(curve) if call.args[0].name == "evolute"]
+    found = true_degree(reduction("evolute_lifted", 2, curve.polynomial).main.lowest[0])
+    assert {row.variant: row.grading for row in rows}["minimal"] == f"{found.k}, {found.m}, {found.j}"
+    assert {row.grading for row in rows if row.variant != "minimal"} == {"–"}
+
+
+def test_one_claim_makes_its_tasks():
+    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    assert len(tasks([one])) == 1 + sum(
+        one.speaks_of(example(n).dimension, example(n).polynomial) for n in example_names()
+    )
+
+
+def test_a_curve_with_the_name_of_an_example_is_none():
+    """On a line f1 = w f2 says nothing, which is on record for no example: there it would be an alarm."""
+    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)], name="circle")
+    told = checked(one, Evaluation(line), "circle", Proofs())
+    assert told.verdict == VACUOUS
+    assert told.as_recorded
+    own = checked(one, Evaluation(example("circle")), "circle", Proofs())
+    assert (own.verdict, own.expected) == (VERIFIED, (VERIFIED,))
+
+
+def test_a_profile_is_taken_inside_the_domain():
+    """Two curves over [0, 2] and [5, 8]: lines of either parameter are at a parameter of the other."""
+    first, second = (
+        beginning(Nurbs(3, [a] * 4 + [b] * 4, [(0, 0, 0), (1, 2, 3), (4, 1, 7), (a, 8, 1)], [1, 2, 5, 3]))
+        for a, b in ((0, 2), (5, 8))
+    )
+    value = find("bisector_determinant_symmetric")(surface_pair(first, second))
+    assert not value.is_zero
+    degrees = [c for c in all_claims() if isinstance(c, DegreeClaim) and c.of_pair]
+    assert {one.parameter for one in degrees} == {"s", "s̄"}
+    for one in degrees:
+        line = value.at_t(5 + mpq(6, 7)) if one.parameter == "s" else value.at_s(mpq(4, 7))
+        assert split(one._profile(value))[0] == split(line)[0]
+
+
+def test_contact_of_too_high_an_order_is_refuted_with_the_true_one():
+    one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact) and c.expected == "PROVED")
+    for order in range(4):
+        told = replace(one, order=order, relation="≥").decide(one.dimensions[0], False)
+        assert told.verdict == (PROVED if order <= one.order else REFUTED)
+        if order > one.order:
+            assert worded(told.computed) == str(one.order)
+
+
+# ---- what a text states
+
+
+def test_a_text_states_an_identity():
+    assert proof_of("f1 = w * f2").holds
+    assert proof_of("f1 = w · f2").holds
+    assert not proof_of("f1 = f2").holds
+    for said in ("f1", "f1 =", "= f2", "", "f1 f2 = f2", "="):
+        with pytest.raises(FormulaError, match="states no identity"):
+            proof_of(said)
+    with pytest.raises(FormulaError) as told:
+        proof_of("f1 = nothing_known")
+    assert "'nothing_known'" in str(told.value)
+    assert "':nothing_known'" not in str(told.value)
+
+
+def test_continuity_is_that_of_the_least_continuous_component(monkeypatch):
+    smooth = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 2])
+    corner = BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 1, 5, 0, 2])
+    hidden = BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [1, 1, 1, 1, 1])
+    one = next(c for c in all_claims() if isinstance(c, Count))
+    for parts, nominal, true in (
+        ((smooth, corner), 0, 0),
+        ((corner, smooth), 0, 0),
+        ((smooth, smooth), 1, 1),
+        ((smooth, hidden), 0, 1),
+    ):
+        made = Formula(lambda c, parts=parts: Vector(*parts), "made", CURVE, "")
+        monkeypatch.setattr(Count, "find", lambda self, name, made=made: made)
+        said = replace(
+            one, claimed=f"degree 2, {nominal} {Counter.NOMINAL_CONTINUITY}, {true} {Counter.TRUE_CONTINUITY}"
+        )
+        own = Evaluation(example(one.example))
+        assert said.examine(own.handed(one.curve), own).verdict == VERIFIED
+        other = replace(one, claimed=f"{nominal + 1} {Counter.NOMINAL_CONTINUITY}")
+        assert other.examine(own.handed(one.curve), own).verdict == REFUTED
+
+
+def test_a_tree_is_spelled_out_only_where_it_would_repeat_the_symbol():
+    spelled = 0
+    for formula in [f for f in all_formulas().values() if f.kind in (CURVE, PLANE) and f.symbol]:
+        tree = print_text(trace(formula, 2))
+        told = print_text(telling_tree(formula, 2))
+        repeats = tree == symbol_text(formula.symbol)
+        assert told == (print_text(trace(formula, 2, expand=True)) if repeats else tree)
+        spelled += repeats
+    assert spelled
+
+
+def test_a_formula_is_missing_where_its_denominator_vanishes_on_one_segment():
+    """The first segment is one point: γ′ = 0 there."""
+    curve = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (0, 0), (0, 0), (1, 2), (3, 1)])
+    own, gone = Evaluation(curve), 0
+    for one in [c for c in all_claims() if c.curve == "plane" and c.named]:
+        values = [one.find(name)(own.handed("plane")) for name in one.named]
+        nowhere = [v for v in values if isinstance(v, Rational) and v.denominator.vanishes_somewhere]
+        assert bool(one.missing(own.handed("plane"))) is bool(nowhere)
+        gone += bool(nowhere)
+        if nowhere:
+            assert one.missing(own.handed("plane")).formula in one.named
+    assert gone > 3
+
+
+def test_what_is_proved_of_coefficients_is_what_is_linear():
+    one = next(c for c in all_claims() if isinstance(c, Coefficients) and c.curves != "every curve")
+    assert one.decide(2, polynomial=False).verdict == PROVED
+    told = replace(one, formula="f2", curve="plane").decide(2, polynomial=False)
+    assert (told.verdict, told.reason) == (UNDECIDED, Reason.SAMPLED)
+
+
+def test_the_place_of_a_zero():
+    t = BSpline.identity(0, 2)
+    (at_end,) = zeros(t)
+    (inside,) = zeros(t * t - 2)
+    assert _place(at_end) == AtKnot(mpq(0))
+    low, high = inside.low, inside.high
+    assert _place(inside) == Isolated(low, high)
+
+
+def test_a_row_says_of_a_statement_that_it_must_read_so():
+    for one in all_claims():
+        told = row(one, "", Finding(UNDECIDED), 0).statement
+        assert told == one.statement + (" (as it must read)" if one.status == "meant" else "")
+
+
+def test_the_time_of_a_row_is_what_it_took():
+    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    start = perf_counter()
+    rows = [
+        proved(one),
+        judges.judged(judges.Sympy(), one, judges.Jets()),
+        checked(one, Evaluation(example("circle")), "circle", Proofs()),
+    ]
+    assert all(0 < each.seconds < perf_counter() - start for each in rows)
+
+
+def test_nothing_is_assumed_of_two_curves():
+    pair = next(c for c in all_claims() if c.of_pair and c.named)
+    with pytest.raises(ClaimError, match="is not a polynomial in one curve"):
+        replace(pair, assumes=("bisector_determinant_symmetric ≠ 0",))
+    plane = next(c for c in all_claims() if c.curve == "plane" and c.named)
+    with pytest.raises(ClaimError, match="is not a polynomial in one curve"):
+        replace(plane, assumes=("curvature_squared ≠ 0",))
+    (told,) = replace(plane, assumes=("f2 ≢ 0",)).assumes
+    assert not told.everywhere
+
+
+def test_what_fails_and_is_not_recorded_is_an_erratum_of_its_own():
+    good = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    wrong = replace(good, factor="w^2", status="ours", note="")
+    recorded = replace(wrong, expected="REFUTED")
+    (told,) = _unrecorded([good, wrong, recorded])
+    assert [each.key for each in told.statements] == [wrong.key]
+    assert told.why == ()
+    (noted,) = _unrecorded([replace(wrong, note="a slip")])
+    assert noted.why == ("a slip",)
+
+
+def test_sides_are_naive_and_reduced_where_their_degrees_differ():
+    for one in [c for c in all_claims() if isinstance(c, Identity) and c.curve == "plane"]:
+        told = sides(one)
+        sizes = [_size(side.name, one) for side in told]
+        assert sizes == sorted(sizes, reverse=True)
+        roles = [side.role for side in told]
+        if sizes[0] == sizes[-1]:
+            assert set(roles) == {"formula"}
+        else:
+            assert (roles[0], roles[-1]) == ("naive", "reduced")
+            assert set(roles[1:-1]) <= {"formula"}
+
+
+# ---- formulas made for it
+
+
+def with_formula(monkeypatch, one, value, kind=CURVE):
+    made = Formula(value, "made", kind, "")
+    monkeypatch.setattr(type(one), "find", lambda self, name: made)
+    return one
+
+
+def test_a_vector_with_a_component_that_vanishes_is_no_zero(monkeypatch):
+    value = lambda c: join(c.p[0], 0 * c.p[0], c.p[1])  # noqa: E731
+    one = next(c for c in all_claims() if isinstance(c, Coefficients) and c.curves != "every curve")
+    told = with_formula(monkeypatch, one, value).decide(2, polynomial=True)
+    assert (told.verdict, told.reason) == (UNDECIDED, Reason.SAMPLED)
+    zero = lambda c: join(0 * c.w, 0 * c.w)  # noqa: E731
+    assert with_formula(monkeypatch, one, zero).decide(2, polynomial=True).verdict == REFUTED
+    other = next(c for c in all_claims() if isinstance(c, Existence))
+    assert with_formula(monkeypatch, other, value).decide(2, polynomial=False).verdict == REFUTED
+    assert with_formula(monkeypatch, other, zero).decide(2, polynomial=False).verdict == VACUOUS
+
+
+def test_names_have_their_articles():
+    assert [with_article(name) for name in ("affine map", "inversion", "motion", "Möbius map")] == [
+        "an affine map",
+        "an inversion",
+        "a motion",
+        "a Möbius map",
+    ]
+
+
+def test_a_zero_beside_one_at_the_right_end_is_seen():
+    """2t² − 1 in (0, 1), where t − 1 vanishes at 1 alone."""
+    t = BSpline.identity(0, 1)
+    assert isinstance(extra_zero(2 * t * t - 1, t - 1), Between)
+    assert isinstance(extra_zero((2 * t * t - 1) * (t - 1), t - 1), Between)
+    assert extra_zero((t - 1) * (t - 1), t - 1) is None
+    assert extra_zero(t - 1, t) == At(mpq(1), from_left=True)
+
+
+def test_values_in_lowest_terms_are_compared_on_curves_alone():
+    one = next(c for c in all_claims() if isinstance(c, ZeroSet) and c.curve == "plane")
+    one = replace(one, formulas=("f1", "f2"), assumes=("w",))
+    assert replace(one, measure="numerators").decide(2, False).verdict == PROVED
+    assert replace(one, measure="lowest terms").decide(2, False).verdict == UNDECIDED
+
+
+def test_squares_are_those_of_one_curve():
+    one = next(c for c in all_claims() if isinstance(c, SquareClass))
+    pair = {"formula": "bisector_determinant_symmetric", "right": "bisector_determinant", "of": "both"}
+    with pytest.raises(ClaimError, match="not decided"):
+        replace(one, curve="pair", **pair)
+    with pytest.raises(ClaimError, match="itself"):
+        replace(one, right=one.formula)
+
+
+def test_the_degrees_of_formulas_are_told_of_rational_and_polynomial_curves():
+    rows = [call() for call in formula_degrees([find("f0")])]
+    assert [row.curves for row in rows] == ["rational", "polynomial"]
+    polynomial = [reduction("f0", 2, world).main.generic_lowest for world in (False, True)]
+    assert [row.lowest for row in rows] == [str(degree) for degree in polynomial]
+    assert rows[0].nominal != rows[1].nominal
+
+
+def test_an_iso_curve_that_does_not_exist_on_one_segment_says_nothing():
+    """The first of two segments is one point, where γ′ = 0."""
+    one = next(c for c in all_claims() if isinstance(c, IsoCurve))
+    curve = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (0, 0), (0, 0), (1, 2), (3, 1)])
+    own = Evaluation(curve)
+    assert one.examine(own.handed(one.curve), own).verdict == VACUOUS
+    whole = Evaluation(example("rational_cubic"))
+    assert one.examine(whole.handed(one.curve), whole).verdict == VERIFIED
+
+
+@pytest.mark.parametrize("power", [2, 4, 6])
+def test_a_power_of_a_difference_has_no_contact(monkeypatch, power):
+    """Passed before: the plane x = x(s), counted several times, has contact of any order with every curve."""
+    one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact))
+    value = lambda c: (c.second.p[0] * c.first.w - c.first.p[0] * c.second.w) ** power  # noqa: E731
+    with_formula(monkeypatch, one, value, kind_of(one.curve))
+    for order, relation in ((power - 1, "="), (power - 1, "≥"), (power, "≥"), (0, "≥")):
+        found = replace(one, order=order, relation=relation).decide(one.dimensions[0], False)
+        assert (found.verdict, found.witness) == (UNDECIDED, Fact.SINGULAR_CONTACT)
+
+
+@pytest.mark.parametrize(("order", "relation", "verdict"), [(0, "=", PROVED), (0, "≥", PROVED), (1, "≥", REFUTED)])
+def test_a_plane_through_the_point_has_contact_of_order_0(monkeypatch, order, relation, verdict):
+    one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact))
+    value = lambda c: c.second.p[0] * c.first.w - c.first.p[0] * c.second.w  # noqa: E731
+    with_formula(monkeypatch, one, value, kind_of(one.curve))
+    found = replace(one, order=order, relation=relation).decide(one.dimensions[0], False)
+    assert found.verdict == verdict
+
+
+@pytest.mark.parametrize(("left", "right"), [("f0", "f2"), ("f2", "f0"), ("f0", "f1"), ("curvature_squared", "f2")])
+def test_numerators_as_they_come_differ_by_their_factor(left, right):
+    sides = [find(left), find(right)]
+    factor = factor_of_numerators(*sides, 2)
+    if factor is None:
+        assert factor_of(*sides, 2) is None
+        return
+    argument = FactoredJetReading(factor.ring.order).argument(factor.ring.kind, 2)
+    first, second = (split(f(argument))[0][0].expanded() for f in sides)
+    top, bottom = factor.fraction()
+    assert first * bottom == second * top
+
+
+@pytest.mark.parametrize(
+    ("name", "found"),
+    [
+        ("curvature_squared", ["(‖γ′‖²)³"]),
+        ("torsion", ["‖γ′ × γ″‖²"]),
+        ("evolute", ["[γ′ γ″]"]),
+        ("f2", []),
+        ("D1_D2_D3", []),
+    ],
+)
+def test_a_tree_tells_what_it_divides_by(name, found):
+    """A quotient by a number is none."""
+    tree = trace(find(name), find(name).kind.dimensions[-1], expand=True)
+    assert [print_text(node) for node in _divided_by(tree)] == found
+
+
+def test_a_claim_on_formulas_in_two_dimensions_divides_by_those_that_it_speaks_of():
+    """The right side of an iso-curve is handed the curve in space."""
+    assert {divisors(c) for c in all_claims() if isinstance(c, IsoCurve)} == {()}
+
+
+def test_contact_is_verified_on_a_curve_that_is_not_special():
+    one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact) and c.expected == "PROVED")
+    names = [n for n in example_names() if example(n).dimension in one.dimensions and not example(n).polynomial]
+    verdicts = {one.check(example(n)).verdict for n in names if one.speaks_of(example(n).dimension, False)}
+    assert VERIFIED in verdicts or not verdicts
+    assert REFUTED not in verdicts
+
+
+def test_what_has_no_unit_has_no_weight():
+    assert _times([T], None, 2) == [T]
+    assert _times([T], T + 1, 0) == [T]
+    assert _times([T], T + 1, 2) == [T * (T + 1) * (T + 1)]
+
+
+def test_numerators_that_differ_by_a_harmful_factor_are_not_one_zero_set(monkeypatch):
+    """f2 and f2 · x / x have one value, and x more zeros in the numerator of the second."""
+    made = {
+        "f1": Formula(find("f2"), "f1", PLANE, ""),
+        "f2": Formula(lambda c: find("f2")(c) * c.p[0] / c.p[0], "f2", PLANE, ""),
+    }
+    one = next(c for c in all_claims() if isinstance(c, ZeroSet) and c.curve == "plane")
+    one = replace(one, formulas=("f1", "f2"), assumes=("w",), measure="numerators")
+    monkeypatch.setattr(ZeroSet, "find", lambda self, name: made[name])
+    assert one.decide(2, False).verdict != PROVED

@@ -1,0 +1,170 @@
+"""False claims about surfaces, planar maps, curves on surfaces and pairs of forms: none is ever PROVED or VERIFIED."""
+
+from dataclasses import replace
+
+import pytest
+
+from exactspline.papers import load_paper, paper
+from exactspline.papers.folder import Table
+from exactspline.readings.degree import Degree, parse
+from exactspline.verification.claims import claim_of, claims_of
+from exactspline.verification.ledger import proved
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
+from tests.verification.test_own_paper import written
+
+TRUE = claims_of("surfaces")
+#: One coefficient for another.
+LETTERS = {"_uu": "_vv", "_uv": "_uu", "_vv": "_uv", "L": "N", "M": "L", "N": "M", "E": "G", "F": "E", "G": "F"}
+NAMES = {name for claim in TRUE for name in claim.named}
+
+
+def exchanged(name):
+    """The name of a formula with one letter exchanged for another, where there is such a formula."""
+    for old, new in LETTERS.items():
+        if old in name and (changed := name.replace(old, new, 1)) in NAMES and changed != name:
+            return changed
+    return None
+
+
+def of_identity(claim):
+    """A sign, a power of w (not where w = 1), one coefficient for another."""
+    yield replace(claim, factor=f"-1 {claim.factor}")
+    if claim.of != "polynomial" and claim.curve != "forms":
+        yield replace(claim, factor=f"w {claim.factor}")
+    for side in ("left", "right"):
+        if other := exchanged(getattr(claim, side)):
+            yield replace(claim, **{side: other})
+
+
+def of_degree(claim):
+    """One more as a lower bound; the degree in one parameter told in terms of the other one."""
+    yield replace(claim, claimed=str(parse(claim.claimed) * Degree.number(1)), relation="≥")
+    letter = {"u": "v", "v": "u"}[claim.parameter.value]
+    turned = claim.claimed.replace(f"d_{claim.parameter.value}", f"d_{letter}")
+    yield replace(claim, claimed=turned)
+
+
+@pytest.mark.parametrize("kind", ["identity", "degree"])
+def test_no_changed_claim_of_the_paper_is_proved(kind):
+    makers = {"identity": of_identity, "degree": of_degree}
+    false = [each for claim in TRUE if claim.kind == kind for each in makers[kind](claim)]
+    assert len(false) > 100
+    fooled = [each for each in false if proved(each).verdict in (PROVED, VERIFIED)]
+    assert fooled == []
+
+
+#: Statements by what they ask for, each false for a reason of its own.
+FALSE = {
+    "a planar map has no area for nothing": {"kind": "vanishing", "curve": "planar map", "left": "jacobian"},
+    "the other orientation": {
+        "kind": "identity",
+        "curve": "planar map",
+        "left": "jacobian",
+        "right": "jacobian_lifted",
+        "factor": "-1 w^-3",
+    },
+    "not all of a curve's curvature is normal": {
+        "kind": "identity",
+        "curve": "curve on a surface",
+        "of": "polynomial",
+        "left": "space_curvature_squared",
+        "right": "normal_curvature_squared",
+    },
+    "nor geodesic": {
+        "kind": "identity",
+        "curve": "curve on a surface",
+        "of": "polynomial",
+        "left": "space_curvature_squared",
+        "right": "geodesic_curvature_squared",
+    },
+    "the speed is not that of u alone": {
+        "kind": "identity",
+        "curve": "curve on a surface",
+        "left": "E",
+        "right": "first_form",
+    },
+    "not every curve is a line of curvature": {"kind": "vanishing", "curve": "curve on a surface", "left": "line_form"},
+    "nor a geodesic": {"kind": "vanishing", "curve": "curve on a surface", "left": "geodesic_determinant"},
+    "a speed and an element of area": {
+        "kind": "zero set",
+        "curve": "curve on a surface",
+        "formulas": ["speed_squared", "first_form", "area_squared"],
+    },
+    "parabolic points and those where H = 0": {
+        "kind": "zero set",
+        "curve": "surface",
+        "assumes": ["w"],
+        "formulas": ["parabolic", "minimality"],
+    },
+    "K is not there where the normal vanishes": {
+        "kind": "zero set",
+        "curve": "surface",
+        "assumes": ["w"],
+        "formulas": ["gaussian_curvature", "parabolic"],
+    },
+    "w may vanish": {"kind": "zero set", "curve": "surface", "formulas": ["parabolic", "parabolic_lifted"]},
+    "the normal may vanish": {
+        "kind": "sign",
+        "curve": "surface",
+        "assumes": ["w"],
+        "formula": "area_squared",
+        "sign": "> 0",
+        "squares": ["normal"],
+    },
+    "K has any sign": {
+        "kind": "sign",
+        "curve": "surface",
+        "assumes": ["w"],
+        "formula": "parabolic",
+        "sign": "≥ 0",
+        "squares": ["L", "N"],
+    },
+    "a discriminant of forms that need not be definite": {
+        "kind": "sign",
+        "curve": "forms",
+        "formula": "umbilicity_of_forms",
+        "sign": "≥ 0",
+        "squares": ["line_uv_of_forms", "line_uu_of_forms"],
+    },
+    "areas are not squares of lengths": {
+        "kind": "square class",
+        "curve": "surface",
+        "assumes": ["w"],
+        "formula": "area_squared",
+        "right": "E",
+    },
+    "one power too many": {
+        "kind": "identity",
+        "curve": "forms",
+        "left": "ridges_by_definition",
+        "right": "ridges_of_forms",
+        "factor": "64 line_uu_of_forms area_of_forms^3",
+    },
+}
+
+
+@pytest.mark.parametrize("what", FALSE)
+def test_false_statements_of_every_kind(what):
+    entry = {"id": "F", "key": f"F-{FALSE[what]['kind'].replace(' ', '-')}", "statement": what, **FALSE[what]}
+    assert proved(claim_of(Table("here", entry), paper("surfaces"))).verdict not in (PROVED, VERIFIED)
+
+
+def test_formulas_of_curves_and_of_surfaces_in_one_claim_of_a_folder(tmp_path):
+    """Neither side alone says that the claim speaks of a curve on a surface."""
+    formulas = """
+@formula("e", on="surface")
+def speed_along_u(c):
+    return norm2(c.S.d(1, by="u"))
+
+
+@formula("e", on="space")
+def speed(c):
+    return norm2(c.gamma.d(1))
+"""
+    told = {"kind": "identity", "statement": "s", "curve": "curve on a surface"}
+    claims = [
+        {"id": "1", "left": "speed_along_u", "right": "speed", **told},
+        {"id": "2", "left": "speed", "right": "speed_along_u", **told},
+    ]
+    rows = [proved(claim) for claim in claims_of(load_paper(written(tmp_path / "mixed", formulas, claims)))]
+    assert [row.verdict for row in rows] == [REFUTED, REFUTED]

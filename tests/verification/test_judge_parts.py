@@ -1,0 +1,195 @@
+"""Parts of the judge held against what they mean, found by changes of the code that no other test noticed."""
+
+from dataclasses import replace
+from itertools import cycle
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import Nurbs, analyse
+from exactspline.errors import ClaimError
+from exactspline.language.choices import Parameter
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE
+from exactspline.language.parts import split
+from exactspline.language.vector import Vector, join
+from exactspline.numbers.intervals import Interval
+from exactspline.papers import find
+from exactspline.readings.degree import Degree
+from exactspline.readings.rational_jet import JetFraction, RationalJetReading
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.examples import example
+from exactspline.splines.tensor import TensorSpline
+from exactspline.symbolic.assumptions import Assumption
+from exactspline.verification.claims import _stands, select
+from exactspline.verification.decision import Equation, Outcome, decide_identity
+from exactspline.verification.evaluation import Evaluation, _fails_on_surface
+from exactspline.verification.evidence import ComponentDiffers, Components, Fact, HeldOn, OnPatch, OnWholePatch
+from exactspline.verification.kinds import condition
+from exactspline.verification.kinds.contact import _partial, _rank
+from exactspline.verification.kinds.count import _extrema
+from exactspline.verification.kinds.degree_proof import _true
+from exactspline.verification.kinds.invariance import MAPS, _image
+from exactspline.verification.ledger import proved
+from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding, sampled
+from exactspline.verification.vocabulary import Reason
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "verdict"),
+    [
+        ((1, 2), (3, 4), VERIFIED),
+        ((3, 4), (1, 2), REFUTED),
+        ((2, 3), (1, 2), REFUTED),
+        ((1, 3), (2, 4), UNDECIDED),
+        ((1, 4), (2, 3), UNDECIDED),
+        ((2, 3), (1, 4), UNDECIDED),
+    ],
+)
+def test_enclosures_that_overlap_decide_nothing(monkeypatch, left, right, verdict):
+    """Passed by a mutant: an enclosure around another one is "not better"."""
+    (claim,) = select(["O1-g2-curvature_squared_derivative"])
+    enclosures = cycle([left, right])
+    monkeypatch.setattr(condition, "_condition", lambda form, root: Interval(*map(mpq, next(enclosures))))
+    own = Evaluation(example("cubic_s"))
+    assert claim.examine(own.curve, own).verdict == verdict
+
+
+def jets(order=2, dimension=2):
+    return RationalJetReading(order).argument(CURVE, dimension)
+
+
+def test_the_witness_of_an_identity_is_what_differs():
+    def told(left, right, factor="1"):
+        found = Equation(left, right, factor).decide(jets(3))
+        return found.verdict, found.computed, found.witness
+
+    third = Formula(lambda c: join(*c.p, c.w), "third", CURVE, "0")
+    other = Formula(lambda c: join(*c.p, c.w * 2), "other", CURVE, "0")
+    assert told(find("f2"), find("D1")) == (REFUTED, Components(1, 2), Fact.OTHER_NUMBER_OF_COMPONENTS)
+    assert told(third, other) == (REFUTED, Fact.NOT_IDENTICAL, ComponentDiffers(3))
+    nothing = Formula(lambda c: c.w - c.w, "nothing", CURVE, "0")
+    found = decide_identity(find("f2")(jets(3)), find("f2")(jets(3)), (jets(3).w, nothing(jets(3))))
+    assert found.outcome is Outcome.NO_FACTOR
+
+
+@pytest.mark.parametrize(
+    ("key", "begins"),
+    [
+        ("C53a-tangent_developable-tangent_developable_reduced", "ζ = w λ"),
+        ("C54a-rectifying_developable-rectifying_developable_reduced", "ζ = λ"),
+        ("C62e-point_bisector_direct_x-point_bisector_direct_z", "ζ = 1/2·w⁻²·("),
+    ],
+)
+def test_ruling_parameters_differ_by_a_shift_where_directrices_do(key, begins):
+    (claim,) = select([key])
+    factor = str(proved(claim).factor)
+    assert factor.startswith(begins)
+    assert (")⁻¹ + (" in factor) == (begins[-1] == "(")
+
+
+def test_a_derivative_by_a_variable_is_that_of_the_quotient():
+    """By the quotient rule, up to the square of the denominator: compared with differences of values."""
+    x, y = jets().p
+    w = jets().w
+    value = (x * x * w + y) / (x + w * 3)
+    (part,) = split(value)[0]
+    ring = part.ring
+    i = ring.index["x", (0,)]
+    top, bottom = x * x * w + y, x + w * 3
+    expected = x * w * 2 * bottom - top
+    found = _partial(part, i)
+    square = JetFraction(ring, part.bottom**2, ring.context.constant(1))
+    ratio = split(expected / (bottom * bottom))[0][0]
+    assert (found - ratio * square).is_zero
+
+
+def test_zeros_on_a_whole_segment_are_no_extrema():
+    """A straight segment: κ′ vanishes on all of it, and what is counted elsewhere does not apply to it."""
+    s = example("cubic_s")
+    line = [s.control_points[-1], *[tuple(x + k for x in s.control_points[-1]) for k in (1, 2, 3)]]
+    curve = Nurbs(3, [0] * 4 + [1] * 4 + [2] * 4, [*s.control_points, *line])
+    for one, count in ((s, len(analyse(s).curvature_extrema)), (curve, None)):
+        assert _extrema(zeros(find("g2")(one)), Evaluation(one)) == count
+
+
+@pytest.mark.parametrize("name", ["projective map", "inversion", "translation"])
+def test_the_image_of_a_point_is_that_of_a_curve_that_stays_there(name):
+    made = MAPS[name]
+    k = {constant: mpq(i * i + 2) for i, constant in enumerate(made.constants(2))}
+    point = Vector(mpq(3), mpq(5))
+    top, below = made.image(point, mpq(1), k)
+    assert [x * (1 if made.affine else below) for x in _image(point, made, k, mpq(1))] == list(top)
+    assert made.affine or below != 1
+
+
+def test_a_form_that_vanishes_has_no_degree():
+    nothing = Formula(lambda c: c.w - c.w, "nothing", CURVE, "0")
+    assert _true(nothing, 2, False, Parameter.FIRST) == (Degree.number(-1), {})
+
+
+def test_a_rational_form_that_does_not_exist_says_nothing():
+    (claim,) = select(["N9-torsion"])
+    line = Nurbs(3, [0] * 4 + [1] * 4, [(k, 2 * k, 3 * k) for k in (0, 1, 2, 4)])
+    for curve, verdict in ((line, VACUOUS), (example("twisted_cubic"), REFUTED)):
+        assert claim.examine(curve, Evaluation(curve)).verdict == verdict
+
+
+def test_where_an_assumption_fails_on_a_surface():
+    """A sign that changes, one that does not, and nothing: as an assumption of all points, and of whole patches."""
+
+    def net(*values):
+        return TensorSpline((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], [[x, x] for x in values])
+
+    def fails(spline, everywhere):
+        told = Assumption("a", "a", "a", "a", lambda _: spline, ("surface",), everywhere=everywhere)
+        return _fails_on_surface(told, None)
+
+    assert [fails(net(1, 2, 2, 3), everywhere) for everywhere in (True, False)] == [None, None]
+    assert [fails(net(1, 2, 2, -3), everywhere) for everywhere in (True, False)] == [OnPatch(1, 0), None]
+    assert [fails(net(1, 2, 0, 0), everywhere) for everywhere in (True, False)] == [OnPatch(1, 0), OnWholePatch()]
+
+
+def test_the_rank_of_a_matrix_of_quotients():
+    (x, y), w = jets().p, jets().w
+    one = w / w
+
+    def rank(*rows):
+        return _rank([[split(entry * one)[0][0] for entry in row] for row in rows])
+
+    assert rank((w, x), (w * w, x * w)) == 1
+    assert rank((w, x), (w * w, x * w + y)) == 2
+    assert rank((w - w, x), (w - w, y)) == 1
+    assert rank((w - w, x), (y, w)) == 2
+    assert rank((x, y, w), (y, w, x), (x + y, y + w, w + x)) == 2
+    assert rank((w - w, x - x)) == 0
+
+
+def test_what_was_tried_on_a_part_says_so():
+    found = sampled(Finding(VERIFIED, Fact.NOTHING), OnPatch(0, 0))
+    assert (found.verdict, found.reason) == (UNDECIDED, Reason.SAMPLED)
+    assert found.witness == HeldOn(OnPatch(0, 0))
+
+
+def test_a_place_is_not_one_with_more_digits():
+    assert [_stands(place, "theorem 1") for place in ("Theorem 12", "Theorem 1", "see theorem 1.", "Theorem")] == [
+        False,
+        True,
+        True,
+        False,
+    ]
+    assert [_stands("§5, Equation (12)", wanted) for wanted in ("(12)", "(1)", "eq. (12)", "5")] == [
+        True,
+        False,
+        True,
+        False,
+    ]
+
+
+@pytest.mark.parametrize("key", ["X9-torsion", "N9torsion", "N9", "N9-", "N9-a b", "N9-a;b"])
+def test_a_key_is_the_id_and_words(key):
+    """Passed by a mutant: an id of as many letters, or no words."""
+    (claim,) = select(["N9-torsion"])
+    assert replace(claim, key="N9-other-words").key == "N9-other-words"
+    with pytest.raises(ClaimError, match="does not begin with the id"):
+        replace(claim, key=key)

@@ -1,0 +1,273 @@
+"""Grading: cases, exact answers and their checker, verdicts; and that a library is not called wrong without proof."""
+
+import copy
+import json
+from collections import Counter
+from pathlib import Path
+
+import jsonschema
+import pytest
+from gmpy2 import mpq
+
+import exactspline as xs
+from exactspline.errors import FormulaError
+from exactspline.numbers.exact import text
+from exactspline.testing import FAMILIES, REPORTED, VERSION, Case, all_cases
+from workshop.grade import runner
+from workshop.grade.__main__ import main
+from workshop.grade.adapters import LIBRARIES
+from workshop.grade.adapters.common import Given, with_weights
+from workshop.grade.judge import CRASHED, DECLINED, INVENTED, MISSED, OFF, RIGHT, judged
+from workshop.grade.questions import QUESTIONS
+from workshop.grade.recheck import recheck
+from workshop.grade.report import page, rows
+from workshop.grade.runner import Judged, Report, Truths, curve_data, request_data
+from workshop.grade.shrink import Defect, _size, _smaller
+from workshop.grade.truth import truth
+
+CASES = {case.key: case for case in all_cases(7)}
+SAMPLE = [c for c in CASES.values() if c.curve.degree < 5]
+
+
+def answer_of(case, question):
+    found = truth(case, question)
+    return None if found is None else json.loads(json.dumps(found))
+
+
+def test_there_are_five_thousand_cases_of_doubles_each_once():
+    cases = list(all_cases())
+    families = Counter(case.family for case in cases)
+    assert len(cases) >= 5000
+    assert set(families) == set(FAMILIES)
+    assert len({case.key for case in cases}) == len(cases)
+    for case in cases[::50]:
+        numbers = [*case.curve.knots, *case.curve.weights, case.parameter]
+        numbers += [x for p in case.curve.control_points for x in p]
+        assert all(xs.from_float(float(x)) == x for x in numbers)
+        assert case.curve.domain[0] <= case.parameter <= case.curve.domain[1]
+    assert families["named"] == len(REPORTED) >= 15
+    assert all(named.link.startswith("https://github.com/") and named.note for named in REPORTED)
+
+
+def test_the_near_degenerate_ones_are_near_what_they_say():
+    far = {c.key: c.curve for c in all_cases() if c.family == "near"}
+    assert min(abs(x) for x in far["near 40 cusp"].derivative(1, "1/2")) == 0
+    assert max(abs(x) for x in far["near 40 cusp"].derivative(1, "1/2")) <= mpq(1, 2**38)
+    assert 0 < abs(far["near 40 touching"]("1/2")[1]) <= mpq(1, 2**38)
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_exact_answers_are_accepted_by_the_independent_checker(question):
+    asked = 0
+    for case in SAMPLE:
+        answer = answer_of(case, question)
+        if answer is not None:
+            recheck(curve_data(case.curve), text(case.parameter), question, answer)
+            asked += 1
+    assert asked >= 1
+
+
+def _spoiled(answer):
+    """The answer with its last number, point or zero changed a little."""
+    wrong = copy.deepcopy(answer)
+    if "numbers" in wrong:
+        low, high = (mpq(x) + max(abs(mpq(x)), 1) / 50 for x in wrong["numbers"][-1])
+        wrong["numbers"][-1] = [text(low), text(high)]
+    elif "curves" in wrong:
+        wrong["curves"][-1]["rows"][-1][0] = text(mpq(wrong["curves"][-1]["rows"][-1][0]) + mpq(1, 10**6))
+    else:
+        # a constant plus 1 would be another multiple of the same form
+        segment = max(wrong["certificates"], key=lambda c: c["degree"])["segments"][-1]
+        segment["coefficients"][-1] = str(int(segment["coefficients"][-1]) + 1)
+    return wrong
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_false_answers_are_not_accepted(question):
+    refused = 0
+    for case in SAMPLE:
+        answer = answer_of(case, question)
+        constant = answer and max((c["degree"] for c in answer.get("certificates", [])), default=1) == 0
+        if answer is not None and not constant and (question != "length" or case.family == "integers"):
+            with pytest.raises(ValueError):  # noqa: PT011  # whatever the flaw
+                recheck(curve_data(case.curve), text(case.parameter), question, _spoiled(answer))
+            refused += 1
+    assert refused >= 1
+
+
+def test_the_zeros_of_another_form_prove_nothing():
+    """A right certificate about another function is refused: roots of x for roots of y."""
+    case = CASES["integers 1"]
+    swapped = Case("swapped", "test", case.curve.transform([[0, 1], [1, 0]]), case.parameter)
+    with pytest.raises(ValueError, match="form"):
+        recheck(curve_data(case.curve), text(case.parameter), "roots", answer_of(swapped, "roots"))
+
+
+def test_what_is_not_certified_is_not_judged(monkeypatch, tmp_path):
+    case = CASES["integers 1"]
+    truths = Truths(tmp_path / "truths.jsonl.gz")
+    assert set(truths.of(case, ["value", "roots"])) == {"value", "roots"}
+    truths.save()
+    kept = Truths(tmp_path / "truths.jsonl.gz")
+    assert kept.known == json.loads(json.dumps(truths.known))
+    for answers in kept.known.values():
+        answers["value"] = _spoiled(answers["value"])
+    assert set(kept.of(case, ["value", "roots"])) == {"roots"}
+    assert kept.uncertified == [(case.key, "value", "another derivative")]
+    again = Truths(tmp_path / "truths.jsonl.gz")
+    monkeypatch.setattr("workshop.grade.runner.truth", lambda *_: pytest.fail("it was kept"))
+    assert set(again.of(case, ["value", "roots"])) == {"value", "roots"}
+
+
+def exact_reply(case, question, answer):
+    """What a perfect library would say in doubles."""
+    if "numbers" in answer:
+        return [float(mpq(low)) for low, _ in answer["numbers"]]
+    if "curves" in answer:
+        return [[float(mpq(x)) for x in row] for part in answer["curves"] for row in part["rows"]]
+    return [[float(mpq(r["low"])) for r in c["roots"]] for c in answer["certificates"]]
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_a_perfect_library_is_right_and_a_bad_one_is_not(question):
+    for case in SAMPLE:
+        answer = answer_of(case, question)
+        if answer is None:
+            continue
+        reply = exact_reply(case, question, answer)
+        assert judged(case, question, answer, {"answer": reply}).outcome == RIGHT, case.key
+        assert judged(case, question, answer, {"raised": "KeyError"}).outcome == CRASHED
+        assert judged(case, question, answer, {"declined": "no"}).outcome == DECLINED
+        for nothing in (None, [], {}, "text", [None]):
+            assert judged(case, question, answer, {"answer": nothing}).outcome == OFF
+        if "certificates" in answer and "numbers" not in answer:
+            continue
+        size = max(1, *(abs(x) for p in case.curve.control_points for x in p))
+        wrong = copy.deepcopy(reply)
+        if isinstance(wrong[-1], list):
+            wrong[-1][0] += float(size) / 100
+        else:
+            wrong[-1] += float(size) + 1
+        assert judged(case, question, answer, {"answer": wrong}).outcome == OFF
+        lost = (
+            [[float("nan")] * len(row) for row in reply] if isinstance(reply[0], list) else [float("nan")] * len(reply)
+        )
+        assert judged(case, question, answer, {"answer": lost}).outcome == OFF
+
+
+def case_of(points, key="here"):
+    n = len(points)
+    return Case(key, "test", xs.Nurbs(n - 1, [0] * n + [1] * n, points), mpq(1, 2))
+
+
+def outcome(points, question, parameters):
+    case = case_of(points)
+    return judged(case, question, answer_of(case, question), {"answer": [parameters]}).outcome
+
+
+def test_places_are_named_missed_and_invented():
+    crossing = [(0, -1), (1, 1)]
+    assert outcome(crossing, "roots", [0.5]) == RIGHT
+    assert outcome(crossing, "roots", [0.5 + 2.0**-17]) == RIGHT
+    assert outcome(crossing, "roots", [0.5 + 2.0**-13]) == MISSED
+    assert outcome(crossing, "roots", []) == MISSED
+    assert outcome(crossing, "roots", [0.5, 0.7]) == INVENTED
+    assert outcome(crossing, "roots", [0.5, 1.5]) == INVENTED
+    assert outcome(crossing, "roots", [0.5, 0.5]) == RIGHT
+    touching = [(0, 1), (1, -1), (2, 1)]
+    for answer in ([], [0.5], [0.5, 0.5], [0.4999999, 0.5000001]):
+        assert outcome(touching, "roots", answer) == RIGHT
+    assert outcome(touching, "roots", [0.4]) == INVENTED
+    threefold = [(0, -1), (1, 1), (2, -1), (3, 1)]
+    assert outcome(threefold, "roots", [0.5 + 2.0**-13]) == RIGHT
+    assert outcome(threefold, "roots", [0.52]) == MISSED
+    at_end = [(0, 0), (1, 1)]
+    for answer in ([], [0.0], [2.0**-22]):
+        assert outcome(at_end, "roots", answer) == RIGHT
+
+
+def test_a_part_with_equal_weights_is_a_part_of_a_rational_curve():
+    curve = xs.Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (1, 2), (3, 1), (4, 0), (5, 3)], [1, 1, 1, 2, 1])
+    case = Case("example", "example", curve, mpq(1))
+    answer = answer_of(case, "split")
+    assert [len(row) for part in answer["curves"] for row in part["rows"]] == [3] * 6
+    recheck(curve_data(curve), "1", "split", answer)
+
+
+@pytest.mark.parametrize(("scale", "knots"), [(1, [0] * 4 + [1] * 4), (10**6, [3] * 4 + [3 + 10**4] * 4)])
+def test_straight_is_what_a_tolerance_may_overlook_in_any_unit(scale, knots):
+    missed = {}
+    for bits in (12, 16, 24, 26, 40):
+        points = [(0, 0), (scale, scale * (1 - mpq(1, 2**bits))), (2 * scale, 2 * scale), (3 * scale, 3 * scale)]
+        case = Case("example", "example", xs.Nurbs(3, knots, points), mpq(knots[0]))
+        missed[bits] = judged(case, "inflections", answer_of(case, "inflections"), {"answer": [[]]}).outcome
+    assert missed == {12: MISSED, 16: MISSED, 24: RIGHT, 26: RIGHT, 40: RIGHT}
+
+
+def test_two_zeros_that_a_tolerance_cannot_tell_apart_are_one_place():
+    def apart(k):
+        e = mpq(1, 1 << (2 * k))
+        return [(0, 1 - e), (1, -1 - e), (2, 1 - e)]
+
+    assert outcome(apart(8), "roots", []) == MISSED
+    assert outcome(apart(24), "roots", []) == RIGHT
+    assert outcome(apart(24), "roots", [0.5]) == RIGHT
+
+
+def test_a_curve_given_to_a_library_is_the_curve_of_the_case():
+    for case in SAMPLE[::5]:
+        given = Given.of(json.loads(json.dumps(request_data(case))))
+        assert xs.Nurbs.from_floats(given.degree, given.knots, given.points, given.weights) == case.curve
+        if given.finer:
+            finer = xs.Nurbs.from_floats(given.finer.degree, given.finer.knots, given.finer.points, given.finer.weights)
+            assert finer == case.curve
+            assert len(finer.knots) == len(case.curve.knots) + 1
+    assert with_weights([[1, 2], [3, 4]], [2, 1]) == [[1.0, 2.0, 1.0], [3.0, 4.0, 0.5]]
+
+
+def test_smaller_examples_are_smaller():
+    case = CASES["integers 3"]
+    whole = Judged(case, "value", judged(case, "value", answer_of(case, "value"), {"raised": "x"}))
+    for curve, t in _smaller(case):
+        smaller = Judged(Case("", "", curve, t), "value", whole.verdict)
+        assert t != case.parameter or _size(smaller) < _size(whole)
+
+
+def test_the_page_tells_everything():
+    case = CASES["integers 3"]
+    verdict = judged(case, "value", answer_of(case, "value"), {"raised": "ValueError: no"})
+    one = Judged(case, "value", verdict)
+    right = Judged(case, "first", judged(case, "first", answer_of(case, "first"), {
+        "answer": exact_reply(case, "first", answer_of(case, "first"))}))  # fmt: skip
+    report, defect = Report("scipy", "1.0", [one, right]), Defect("scipy", "value", CRASHED, 1, one)
+    written = page([report], [defect], [case, CASES["named geomdl-135"]], [("a", "box", "why")])
+    assert "ValueError: no" in written
+    assert "- a, box: why" in written
+    assert "| value | 0 | 1 | 1 crashed |" in written
+    assert "https://github.com/orbingol/NURBS-Python/issues/135" in written
+    assert all(q.allowed in written for q in QUESTIONS.values())
+    found = {row["question"]: row for row in rows([report], [defect])}
+    assert (found["value"]["crashed"], found["first"]["right"]) == (1, 1)
+    assert found["value"]["example"]["note"] == "ValueError: no"
+
+
+def test_the_program_prints_rows_under_its_schema(capsys):
+    assert main(["scipy", "--cases", "1", "--no-examples", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    jsonschema.validate(data, json.loads((Path(runner.__file__).parent / "schema.json").read_text(encoding="utf-8")))
+    assert {row["library"] for row in data["rows"]} == {"scipy"}
+    assert len({row["key"] for row in data["rows"]}) == len(data["rows"]) > 5
+    with pytest.raises(FormulaError, match="no library called 'scipi'"):
+        main(["scipi"])
+
+
+SCOREBOARD = Path(__file__).resolve().parents[2] / "docs" / "scoreboard.md"
+
+
+@pytest.mark.skipif(not SCOREBOARD.exists(), reason="the documents are in the checkout only")
+def test_the_scoreboard_says_what_is_asked_today():
+    text = SCOREBOARD.read_text(encoding="utf-8")
+    assert f"{sum(1 for _ in all_cases())} cases (version {VERSION}:" in text
+    assert all(f"| {q.name} | {q.meaning} | {q.allowed} |" in text for q in QUESTIONS.values())
+    assert all(named.link in text for named in REPORTED)
+    assert all(f"### {library} " in text for library in LIBRARIES)

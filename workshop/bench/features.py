@@ -1,0 +1,184 @@
+"""Inflections and extrema of the curvature of 400 random plane curves, ours proved, and by Open CASCADE; many curves
+given as arrays; many segments; a bisector trimmed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from exactspline.batch.families import Family
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.kinds import FeatureKind
+from exactspline.splines.nurbs import Nurbs
+from workshop.bench import alone
+from workshop.bench.inputs import MIXED
+from workshop.bench.row import OURS, Options, Row, Timed, best, bounded, compared, installed, missing
+
+if TYPE_CHECKING:
+    import numpy
+    from numpy.typing import NDArray
+
+FEATURES = "features"
+OCC = "Open CASCADE"
+FOUND = "inflections and extrema of a curve, mean of 400"
+MADE = "construction of a curve, mean of 400"
+TOGETHER = "inflections and extrema of a curve of the same 400, given at once"
+#: The number of cubic segments of the batch; 10⁵ in a full run.
+SOME, ALL = 5_000, 100_000
+#: Degree, knots, control points and weights (None for all 1) in doubles.
+Floats = tuple[int, list[float], list[tuple[float, ...]], list[float] | None]
+
+
+def feature_rows(options: Options) -> Iterator[Row]:
+    """All of it."""
+    curves = [MIXED.curve(i) for i in range(MIXED.count)]
+    yield from _one_by_one(curves)
+    yield from _together(curves)
+    for kind in ("", "rational "):
+        yield from _batch(ALL if options.full else SOME, kind)
+
+
+def _together(curves: Sequence[Nurbs]) -> Iterator[Row]:
+    """The same curves all at once, through the filter."""
+    if not installed("numpy"):
+        yield missing(FEATURES, TOGETHER, "numpy")
+        return
+    from exactspline.geometry.many_splines import features_of_curves
+
+    found = features_of_curves(_again(curves))
+    timed: dict[str, Timed] = {OURS: (features_of_curves, lambda: _again(curves))}  # type: ignore[dict-item]  # as made
+    took = best(timed)[OURS] / len(curves)
+    note = f"{_kinds(found.kind)}; {len(found.exact)} curves left to exact arithmetic"
+    yield Row(FEATURES, TOGETHER, OURS, took, "ms", note=note)
+
+
+def _kinds(kind: NDArray[numpy.str_]) -> str:
+    bends = int((kind == str(FeatureKind.INFLECTION)).sum())
+    return f"{bends} inflections, {len(kind) - bends} extrema"
+
+
+def _batch(count: int, kind: str) -> Iterator[Row]:
+    """Cubic segments given as arrays, through the filter; Open CASCADE has them one by one."""
+    case = f"inflections and extrema of a {kind}cubic segment of a batch, {count} curves"
+    if not installed("numpy"):
+        yield missing(FEATURES, case, "numpy")
+        return
+    import numpy
+
+    from exactspline.geometry.many_curves import features_of_many
+
+    words = f"degree=3 count={count} seed=2 rational={'yes' if kind else 'no'}"
+    data = [_floats(c) for c in map(Family.parsed(words).curve, range(count))]
+
+    def arrays() -> tuple[NDArray[numpy.float64], NDArray[numpy.float64] | None]:
+        points = numpy.array([each[2] for each in data])
+        return points, numpy.array([each[3] or [1] * 4 for each in data], dtype=float) if kind else None
+
+    given = arrays()
+    found = features_of_many(*given)
+    note = f"{_kinds(found.kind)}; {len(found.exact)} curves left to exact arithmetic"
+    timed: dict[str, Timed] = {OURS: (lambda _: features_of_many(*given), lambda: None)}
+    making: dict[str, Timed] = {OURS: (lambda _: arrays(), lambda: None)}
+    theirs = _beside_occ(data, timed, making)
+    took = {who: value / count for who, value in best(timed).items()}
+    yield bounded(FEATURES, case, took[OURS], "ms", Fraction(1, 20), note)
+    yield from _theirs(case, took, theirs, {OCC: Fraction(1)})
+    making_took = {who: value / count for who, value in best(making).items()}
+    yield from compared(FEATURES, f"construction of a {kind}cubic segment, {count} curves", making_took, {})
+
+
+def _again(curves: Sequence[Nurbs]) -> list[Nurbs]:
+    return [Nurbs(c.degree, c.knots, c.control_points, c.weights) for c in curves]
+
+
+def _solved(curves: Any) -> tuple[int, int]:
+    return sum(len(analyse(c).inflections) for c in curves), sum(len(analyse(c).curvature_extrema) for c in curves)
+
+
+def _one_by_one(curves: Sequence[Nurbs]) -> Iterator[Row]:
+    count = len(curves)
+    ours = _solved(_again(curves))
+    timed: dict[str, Timed] = {OURS: (_solved, lambda: _again(curves))}
+    making: dict[str, Timed] = {OURS: (lambda _: _again(curves), lambda: None)}
+    theirs = _beside_occ([_floats(c) for c in curves], timed, making)
+    took = {who: value / count for who, value in best(timed).items()}
+    note = f"{ours[0]} inflections, {ours[1]} extrema"
+    yield bounded(FEATURES, FOUND, took[OURS], "ms", Fraction(6, 10), note)
+    yield from _theirs(FOUND, took, theirs, {})
+    yield from compared(FEATURES, MADE, {who: value / count for who, value in best(making).items()}, {})
+
+
+def _beside_occ(data: Sequence[Floats], timed: dict[str, Timed], making: dict[str, Timed]) -> tuple[int, int] | None:
+    """Open CASCADE on the same curves, where it is installed; what it finds."""
+    if not installed(OCC):
+        return None
+    timed[OCC] = _solved_by_occ, lambda: [_in_occ(*each) for each in data]
+    making[OCC] = lambda _: [_in_occ(*each) for each in data], lambda: None
+    return _solved_by_occ([_in_occ(*each) for each in data])
+
+
+def _theirs(
+    case: str, took: dict[str, float], theirs: tuple[int, int] | None, limits: dict[str, Fraction]
+) -> Iterator[Row]:
+    if theirs is None:
+        yield missing(FEATURES, case, OCC)
+        return
+    for row in list(compared(FEATURES, case, took, limits))[1:]:
+        yield replace(row, note=f"{theirs[0]} inflections, {theirs[1]} extrema")
+
+
+def _floats(c: Nurbs) -> Floats:
+    weights = None if c.polynomial else [float(w) for w in c.weights]
+    return c.degree, [*map(float, c.knots)], [tuple(map(float, p)) for p in c.control_points], weights
+
+
+def _in_occ(degree: int, knots: list[float], points: list[tuple[float, ...]], weights: list[float] | None) -> Any:
+    from OCP.collections import Array1_double, Array1_gp_Pnt2d, Array1_int
+    from OCP.Geom2d import Geom2d_BSplineCurve
+    from OCP.gp import gp_Pnt2d
+
+    from workshop.grade.adapters.open_cascade import array
+
+    distinct = list(dict.fromkeys(knots))
+    poles = array(Array1_gp_Pnt2d, [gp_Pnt2d(*p) for p in points])
+    told = array(Array1_double, distinct), array(Array1_int, [knots.count(t) for t in distinct]), degree
+    if weights is None:
+        return Geom2d_BSplineCurve(poles, *told)
+    return Geom2d_BSplineCurve(poles, array(Array1_double, weights), *told)
+
+
+def _solved_by_occ(curves: Any) -> tuple[int, int]:
+    from OCP.GeomLProp import GeomLProp_CurAndInf2d
+    from OCP.LProp import LProp_CIType
+
+    bends = extrema = 0
+    for c in curves:
+        found = GeomLProp_CurAndInf2d()
+        found.Perform(c)
+        for i in range(1, found.NbPoints() + 1):
+            if found.Type(i) == LProp_CIType.LProp_Inflection:
+                bends += 1
+            else:
+                extrema += 1
+    return bends, extrema
+
+
+LINEAR = "linear"
+
+
+def linear_rows(options: Options) -> Iterator[Row]:
+    """Cases whose time must grow no faster than the number of segments, each in a separate process."""
+    for count in (100, 1_000, 10_000, 100_000):
+        took = alone.run("inspect", count, options.limit)
+        each = None if took.seconds is None else 1000 * took.seconds / count
+        told = f"inspection of a cubic spline of {count} segments, a segment"
+        yield bounded(LINEAR, told, each, "ms", Fraction(3, 10), took.note)
+    for name, told, most in (
+        ("trim", "bisector of a point and a 500-segment plane cubic, trimmed", 10),
+        ("trim rational", "bisector of a point and a rational curve of degree 5, 10 segments, trimmed", 5),
+    ):
+        took = alone.run(name, 0, options.limit)
+        yield bounded(LINEAR, told, took.seconds, "s", most, took.note)

@@ -1,0 +1,1 @@
+"""Benchmarks of single operations, for pytest-benchmark: ``./run benchmarks``."""

@@ -1,0 +1,113 @@
+"""Operations of all spline libraries: points, knot insertion, degree elevation; ours exactly."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import Any
+
+from exactspline.numbers.exact import mpq
+from exactspline.splines.nurbs import Nurbs
+from workshop.bench.inputs import curve
+from workshop.bench.row import OURS, Options, Row, Timed, best, compared, installed, missing
+
+SPLINES = "splines"
+POINTS = 50
+PEERS = ("scipy", "geomdl", "pynurbs")
+
+
+def spline_rows(options: Options) -> Iterator[Row]:
+    """Points on a rational cubic of ten segments, and one more knot."""
+    c = curve(3, 10)
+    places = [Fraction(10 * i, POINTS) for i in range(POINTS)]
+    ours: dict[str, Timed] = {
+        f"{POINTS} points of a rational cubic, 10 segments": (
+            lambda made: [made(mpq(t.numerator, t.denominator)) for t in places],  # type: ignore[operator]  # a curve
+            lambda: c,
+        ),
+        "a knot inserted, rational cubic, 10 segments": (
+            lambda made: made.insert_knot(mpq(1, 3)),  # type: ignore[attr-defined]  # a curve
+            lambda: Nurbs(c.degree, c.knots, c.control_points, c.weights),
+        ),
+    }
+    for number, (case, own) in enumerate(ours.items()):
+        timed, absent = {OURS: own}, []
+        for who in PEERS:
+            if not installed(who):
+                absent.append(who)
+            elif made := THEIRS[who](c, places)[number]:
+                timed[who] = made
+        yield from compared(SPLINES, case, best(timed), {})
+        yield from (missing(SPLINES, case, who) for who in absent)
+
+
+Pair = tuple[Timed | None, Timed | None]
+
+
+def _homogeneous(c: Nurbs) -> list[list[float]]:
+    return [[*(float(x * w) for x in p), float(w)] for p, w in zip(c.control_points, c.weights, strict=True)]
+
+
+def _full_knots(c: Nurbs) -> list[Fraction]:
+    return [Fraction(int(t.numerator), int(t.denominator)) for t in c.knots]
+
+
+def _with_scipy(c: Nurbs, places: list[Fraction]) -> Pair:
+    import numpy
+    from scipy.interpolate import BSpline, insert
+
+    knots, net, t = (
+        numpy.array([*map(float, c.knots)]),
+        numpy.array(_homogeneous(c)),
+        numpy.array([*map(float, places)]),
+    )
+    made = BSpline(knots, net, c.degree)
+
+    def points(_: object) -> object:
+        found = made(t)
+        return found[:, :-1] / found[:, -1:]
+
+    columns = [numpy.concatenate([column, numpy.zeros(c.degree + 1)]) for column in net.T]
+    return (points, lambda: None), (
+        lambda _: [insert(1 / 3, (knots, column, c.degree)) for column in columns],
+        lambda: None,
+    )
+
+
+def _with_geomdl(c: Nurbs, places: list[Fraction]) -> Pair:
+    from geomdl import NURBS, operations
+
+    def made() -> Any:
+        found = NURBS.Curve()
+        found.degree = c.degree
+        found.ctrlptsw = _homogeneous(c)
+        found.knotvector = [*map(float, c.knots)]
+        return found
+
+    kept, t = made(), [float(x) / 10 for x in places]
+    top = kept.knotvector[-1]
+    return (lambda _: kept.evaluate_list([top * x for x in t]), lambda: None), (
+        lambda each: operations.insert_knot(each, [top / 30], [1]),
+        made,
+    )
+
+
+def _with_pynurbs(c: Nurbs, places: list[Fraction]) -> Pair:
+    import numpy
+    import pynurbs
+
+    def made() -> Any:
+        points = numpy.array([[Fraction(str(x)) for x in p] for p in c.control_points], dtype=object)
+        found = pynurbs.Curve(pynurbs.KnotVector(_full_knots(c)), list(points))
+        found.weights = [Fraction(str(w)) for w in c.weights]
+        return found
+
+    kept = made()
+    return (lambda _: kept.eval(places), lambda: None), (lambda each: each.knot_insert([Fraction(1, 3)]), made)
+
+
+THEIRS: dict[str, Callable[[Nurbs, list[Fraction]], Pair]] = {
+    "scipy": _with_scipy,
+    "geomdl": _with_geomdl,
+    "pynurbs": _with_pynurbs,
+}

@@ -1,0 +1,98 @@
+"""``./run grade``: libraries that compute with splines in doubles, compared with exact answers.
+
+Every answer is right, off, missed, invented, crashed or declined. Exit status: 0 graded; 2 bad input.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from exactspline.atomic_write import write_atomically
+from exactspline.display.sheet import Sheet
+from exactspline.errors import FormulaError, nearest
+from exactspline.testing import all_cases
+from workshop.grade.adapters import LIBRARIES
+from workshop.grade.judge import OUTCOMES
+from workshop.grade.report import page, rows, wrong
+from workshop.grade.runner import grade
+from workshop.grade.shrink import defects_of
+from workshop.printing import add_formats, ended, on_a_terminal, show
+
+
+def arguments(given: Sequence[str] | None) -> argparse.Namespace:
+    """What is asked for."""
+    parser = argparse.ArgumentParser(
+        prog="./run grade", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "library", nargs="*", metavar="LIBRARY", help=f"{', '.join(LIBRARIES)}; all that are installed if none"
+    )
+    parser.add_argument("--cases", metavar="N", type=int, default=0, help="the first N cases of each family; 0 for all")
+    parser.add_argument("--cache", metavar="FILE", type=Path, help="keep exact answers with certificates (.jsonl.gz)")
+    parser.add_argument("--page", metavar="FILE", default="", help="write the scoreboard in Markdown")
+    parser.add_argument(
+        "--examples",
+        action=argparse.BooleanOptionalAction,
+        default=True,
+        help="search for the smallest example of each defect",
+    )
+    add_formats(parser)
+    return parser.parse_args(given)
+
+
+def main(given: Sequence[str] | None = None) -> int:
+    """Grade, print, write the page; the exit status."""
+    options = arguments(given)
+    for name in options.library:
+        if name not in LIBRARIES:
+            raise FormulaError(f"there is no library called {name!r}", remedy=nearest(name, LIBRARIES))
+    chosen = list(all_cases(options.cases or None))
+    with _ticking(len(chosen), options.quiet) as tick:
+        reports, truths = grade(options.library or LIBRARIES, chosen, options.cache, tick)
+    if not reports:
+        raise FormulaError("none of these libraries is installed", remedy="pip install scipy, for example")
+    defects = [d for report in reports if options.examples for d in defects_of(report.library, wrong(report))]
+    if options.page:
+        written = page(reports, defects, chosen, truths.uncertified)
+        write_atomically(options.page, lambda stream: stream.write(written.encode()))
+    found = rows(reports, defects)
+    show(options.format, "grade", found, _sheet(found))
+    return 0
+
+
+def _sheet(found: list[dict[str, Any]]) -> Sheet:
+    numbers = ("asked", *OUTCOMES)
+    made = Sheet(
+        "library", "version", "question", *numbers, "smallest example", numbers=numbers, prose=["smallest example"]
+    )
+    for row in found:
+        example = row["example"]
+        shown = "" if example is None else f"{example['note']}: {_points(example)}"
+        made.add_row(row["library"], row["version"], row["question"], *(row[name] for name in numbers), shown)
+    return made
+
+
+def _points(example: dict[str, Any]) -> str:
+    points = " ".join(f"({', '.join(p)})" for p in example["control_points"])
+    return f"{points} at {example['parameter']}"
+
+
+@contextmanager
+def _ticking(count: int, quiet: bool) -> Iterator[Callable[[], None]]:
+    """A progress bar on a terminal."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    shown = on_a_terminal(quiet)
+    with Progress(console=Console(stderr=True), transient=True, disable=not shown) as progress:
+        task = progress.add_task("grading", total=count)
+        yield lambda: progress.advance(task)
+
+
+if __name__ == "__main__":
+    sys.exit(ended(main))

@@ -1,0 +1,124 @@
+"""Shared by the adapters: the curve as it is passed to a library, and how a library is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any, SupportsFloat
+
+from workshop.grade.data import GivenData, Rows, WithKnots
+
+
+@dataclass
+class Given:
+    """A curve of doubles, Cartesian control points, and the parameter that a question is about.
+
+    `finer` is the same curve with that parameter as an additional knot, where it is to be removed.
+    """
+
+    degree: int
+    knots: list[float]
+    points: Rows
+    weights: list[float] | None
+    t: float
+    finer: Given | None = None
+
+    @classmethod
+    def of(cls, data: GivenData) -> Given:
+        """From JSON data."""
+        finer = data.get("finer")
+        own = data["degree"], data["knots"], data["points"], data["weights"], data["t"]
+        return cls(*own, finer=cls.of(finer) if finer else None)
+
+    @property
+    def dimension(self) -> int:
+        """The number of coordinates."""
+        return len(self.points[0])
+
+    @property
+    def is_bezier(self) -> bool:
+        """Whether it is one segment on [0, 1]."""
+        n = self.degree + 1
+        return self.knots == [0] * n + [1] * n
+
+    @property
+    def homogeneous(self) -> Rows:
+        """``(w x, …, w)``, rounded once."""
+        weights = self.weights or [1] * len(self.points)
+        return [[*(x * w for x in p), w] for p, w in zip(self.points, weights, strict=True)]
+
+    @property
+    def distinct(self) -> tuple[list[float], list[int]]:
+        """The distinct knots and how often each is there."""
+        values = sorted(set(self.knots))
+        return values, [self.knots.count(v) for v in values]
+
+
+class DeclinedError(Exception):
+    """A library reports itself that it has no answer."""
+
+
+class Adapter:
+    """A library: a question is a method that returns numbers, rows of control points, or a list of parameters for
+    every form asked about.
+    """
+
+    name = ""
+    #: The package that is installed, where it has another name.
+    package = ""
+
+    def can(self, question: str, given: Given) -> bool:
+        """Whether the library claims to answer this."""
+        return hasattr(self, question)
+
+    def version(self) -> str:
+        """The version that is installed."""
+        from importlib.metadata import version
+
+        return version(self.package or self.name)
+
+    def ask(self, question: str, given: Given) -> object:
+        """The library's answer."""
+        answer: Callable[[Given], object] = getattr(self, question)
+        return answer(given)
+
+
+class IncreasingDegree(Adapter):
+    """A library whose curves have the method ``IncreaseDegree``."""
+
+    def _curve(self, given: Given) -> Any:
+        """The curve as an object of the library."""
+        raise NotImplementedError
+
+    def _rows(self, curve: Any, given: Given) -> Rows:
+        """The control points of such an object."""
+        raise NotImplementedError
+
+    def elevate(self, given: Given) -> Rows:
+        """``curve.IncreaseDegree(degree + 1)``."""
+        curve = self._curve(given)
+        curve.IncreaseDegree(given.degree + 1)
+        return self._rows(curve, given)
+
+
+def floats(values: Iterable[SupportsFloat]) -> list[float]:
+    """Numbers of a library as Python's."""
+    return [float(x) for x in values]
+
+
+def rows(values: Iterable[Iterable[SupportsFloat]]) -> Rows:
+    """Rows of numbers of a library as Python's."""
+    return [floats(row) for row in values]
+
+
+def with_knots(points: Rows, knots: Iterable[SupportsFloat]) -> WithKnots:
+    """Control points and the knots that the library chose for them."""
+    return {"rows": points, "knots": floats(knots)}
+
+
+def with_weights(points: Iterable[Iterable[SupportsFloat]], weights: Iterable[SupportsFloat] | None) -> Rows:
+    """Control points, of a rational curve with the weights over the first one."""
+    if weights is None:
+        return rows(points)
+    ws = floats(weights)
+    return [[*floats(p), w / ws[0]] for p, w in zip(points, ws, strict=True)]

@@ -1,0 +1,323 @@
+"""Checks exact answers without anything of exactspline but the checker of zero sets (and GMP's fractions): its own
+computation of every number.
+
+The curve is evaluated by the recursion of Cox and de Boor on truncated Taylor series. Curves with other
+control points are compared with the given one at as many parameters as determine a rational function of their degree;
+the form behind a zero set, likewise, with what it must be a positive multiple of on every segment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from math import factorial, isqrt
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from exactspline.numbers.exact import mpq
+from exactspline.roots.checker import check
+
+if TYPE_CHECKING:
+    from workshop.grade.data import Answer, CurveData, ExactCurve
+
+#: Terms of a Taylor series: value and three derivatives.
+TERMS = 4
+#: Up to this degree zeros are counted a second way, by a Sturm sequence.
+STURM = 6
+#: How many chords are compared with a length.
+CHORDS = 24
+Jet = list[list[mpq]]
+
+
+class Curve(NamedTuple):
+    """A curve in numbers, its control points homogeneous."""
+
+    degree: int
+    knots: list[mpq]
+    rows: list[list[mpq]]
+    rational: bool
+
+
+#: The value of a form of a curve at a parameter.
+Form = Callable[[Curve, mpq], mpq]
+
+
+def recheck(curve: CurveData, parameter: str, question: str, answer: Answer) -> None:
+    """Raise ValueError unless the answer to a question about a curve is proved right.
+
+    `curve` has degree, knots, rows of homogeneous control points, and whether it is rational; all numbers as text.
+    """
+    own = Curve(curve["degree"], list(map(mpq, curve["knots"])), _numbers(curve["rows"]), curve["rational"])
+    _CHECKS[question](own, mpq(parameter), question, answer)
+
+
+def _numbers(rows: list[list[str]]) -> list[list[mpq]]:
+    return [list(map(mpq, row)) for row in rows]
+
+
+def _require(condition: bool, flaw: str) -> None:
+    if not condition:
+        raise ValueError(flaw)
+
+
+# ---- evaluation
+
+
+def jets(curve: Curve, t: mpq, left: bool = False, terms: int = TERMS) -> Jet:
+    """The Taylor coefficients of the homogeneous coordinates at a parameter."""
+    degree, knots, rows = curve.degree, curve.knots, curve.rows
+    spans = [j for j in range(degree, len(knots) - degree - 1) if knots[j] < knots[j + 1]]
+    inside = [j for j in spans if (knots[j] < t <= knots[j + 1] if left else knots[j] <= t < knots[j + 1])]
+    j = inside[0] if inside else spans[-1] if t >= knots[spans[-1] + 1] else spans[0]
+    points = [[[x, *[mpq(0)] * (terms - 1)] for x in rows[j - degree + i]] for i in range(degree + 1)]
+    for r in range(1, degree + 1):
+        for i in range(degree, r - 1, -1):
+            a, b = knots[j - degree + i], knots[j + 1 + i - r]
+            share = [(t - a) / (b - a), 1 / (b - a)]
+            points[i] = [
+                [q + d for q, d in zip(old, _times_linear(share, _minus(new, old)), strict=True)]
+                for old, new in zip(points[i - 1], points[i], strict=True)
+            ]
+    return points[degree]
+
+
+def _minus(p: list[mpq], q: list[mpq]) -> list[mpq]:
+    return [x - y for x, y in zip(p, q, strict=True)]
+
+
+def _times_linear(share: list[mpq], p: list[mpq]) -> list[mpq]:
+    return [share[0] * p[k] + (share[1] * p[k - 1] if k else 0) for k in range(len(p))]
+
+
+def cartesian(curve: Curve, t: mpq, left: bool = False, terms: int = TERMS) -> Jet:
+    """Value and derivatives of every coordinate."""
+    *tops, w = jets(curve, t, left, terms)
+    found = []
+    for p in tops:
+        series: list[mpq] = []
+        for k in range(terms):
+            series.append((p[k] - sum(w[i] * series[k - i] for i in range(1, k + 1))) / w[0])
+        found.append([c * factorial(k) for k, c in enumerate(series)])
+    return found
+
+
+# ---- numbers
+
+
+def _is(interval: list[str], value: mpq) -> bool:
+    return mpq(interval[0]) <= value <= mpq(interval[1])
+
+
+def _is_root(interval: list[str], square: mpq, sign: int = 1) -> bool:
+    """Whether ``± √square`` is in an interval, which is narrow enough to identify it."""
+    low, high = sorted(sign * mpq(x) for x in interval)
+    narrow = high - low <= mpq(1, 10**30) + abs(high) / 10**15
+    return narrow and max(low, mpq(0)) ** 2 <= square <= high**2 and high >= 0
+
+
+def _derivatives(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    order = ("value", "first", "second").index(question)
+    values = [x[order] for x in cartesian(curve, t)]
+    _require(len(values) == len(answer["numbers"]), "another dimension")
+    _require(all(map(_is, answer["numbers"], values)), "another derivative")
+
+
+def _tangent(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    velocity = [x[1] for x in cartesian(curve, t)]
+    length = sum((x * x for x in velocity), start=mpq(0))
+    signs = [(x > 0) - (x < 0) for x in velocity]
+    for interval, x, sign in zip(answer["numbers"], velocity, signs, strict=True):
+        _require(_is_root(interval, x * x / length, sign or 1), "another tangent")
+
+
+def _bend(x: Jet) -> list[mpq]:
+    v, a = ([c[k] for c in x] for k in (1, 2))
+    if len(x) == 2:
+        return [v[0] * a[1] - v[1] * a[0]]
+    return [v[1] * a[2] - v[2] * a[1], v[2] * a[0] - v[0] * a[2], v[0] * a[1] - v[1] * a[0]]
+
+
+def _curvature(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    x = cartesian(curve, t)
+    square = sum((b * b for b in _bend(x)), start=mpq(0)) / sum(c[1] * c[1] for c in x) ** 3
+    _require(_is_root(answer["numbers"][0], square), "another curvature")
+
+
+def _torsion(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    x = cartesian(curve, t)
+    bend = _bend(x)
+    value = sum((b * c[3] for b, c in zip(bend, x, strict=True)), start=mpq(0)) / sum(b * b for b in bend)
+    _require(_is(answer["numbers"][0], value), "another torsion")
+
+
+# ---- curves with other control points
+
+
+def _parsed(part: ExactCurve, rational: bool) -> Curve:
+    rows = _numbers(part["rows"])
+    lifted = [[*(x * row[-1] for x in row[:-1]), row[-1]] if rational else [*row, mpq(1)] for row in rows]
+    return Curve(part["degree"], list(map(mpq, part["knots"])), lifted, rational)
+
+
+def _domain(curve: Curve) -> list[mpq]:
+    n, knots = curve.degree, curve.knots
+    return sorted({t for t in knots if knots[n] <= t <= knots[-n - 1]})
+
+
+def _same_curve(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    parts = [_parsed(part, curve.rational) for part in answer["curves"]]
+    domain = _domain(curve)
+    ends = [_domain(part) for part in parts]
+    _require(ends[0][0] == domain[0] and ends[-1][-1] == domain[-1], "another domain")
+    _require(all(a[-1] == b[0] == t for a, b in pairwise(ends)), "the parts do not meet at the parameter")
+    count = {"insert": len(curve.knots) + 1, "remove": len(curve.knots), "elevate": 0, "split": 0}[question]
+    _require(not count or len(parts[0].knots) == count, "a wrong number of knots")
+    for part in parts:
+        _require(len(part.rows) == len(part.knots) - part.degree - 1, "a wrong number of control points")
+        for a, b in pairwise(_domain(part)):
+            # two quotients of degree n agree where their cross products of degree 2n do at 2n + 1 parameters
+            n = part.degree + curve.degree + 1
+            for s in (a + (b - a) * mpq(2 * k + 1, 2 * n) for k in range(n)):
+                _require(_point(part, s) == _point(curve, s), "another curve")
+
+
+def _point(curve: Curve, t: mpq) -> list[mpq]:
+    *tops, w = (x[0] for x in jets(curve, t, terms=1))
+    return [p / w for p in tops]
+
+
+# ---- zeros
+
+
+def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int) -> None:
+    """That the certificate is right, and that it is about a positive multiple of a form on every segment."""
+    certificate: dict[str, Any] = certified  # what it holds is what is checked
+    check(certified, sturm=certificate["degree"] <= STURM)
+    breaks = list(map(mpq, certificate["breakpoints"]))
+    _require(breaks == _domain(curve), "other breakpoints")
+    for segment, (a, b) in zip(certificate["segments"], pairwise(breaks), strict=True):
+        c = list(map(mpq, segment["coefficients"]))
+        n, ratios = max(degree, len(c) - 1) + 1, set()
+        for k in range(n):
+            u = mpq(2 * k + 1, 2 * n)
+            value, claimed = form(curve, a + (b - a) * u), at(c, u)
+            _require((value == 0) == (claimed == 0), "another form")
+            if value:
+                ratios.add(claimed / value)
+        _require(len(ratios) <= 1 and all(r > 0 for r in ratios), "another form")
+
+
+def at(c: Sequence[mpq | int], u: mpq) -> mpq:
+    """``Σ c_i (1 − u)ⁿ⁻ⁱ uⁱ``."""
+    n = len(c) - 1
+    return sum((x * (1 - u) ** (n - i) * u**i for i, x in enumerate(c)), start=mpq(0))
+
+
+def _slope(axis: int) -> Form:
+    def form(curve: Curve, t: mpq) -> mpq:
+        *tops, w = jets(curve, t, terms=2)
+        return tops[axis][1] * w[0] - tops[axis][0] * w[1]
+
+    return form
+
+
+def _height(curve: Curve, t: mpq) -> mpq:
+    return jets(curve, t, terms=1)[1][0]
+
+
+def _turning(curve: Curve, t: mpq) -> mpq:
+    w = jets(curve, t, terms=1)[-1][0]
+    return _bend(cartesian(curve, t, terms=3))[0] * w**3
+
+
+def _change(curve: Curve, t: mpq) -> mpq:
+    x, y = cartesian(curve, t)
+    speed, along = x[1] * x[1] + y[1] * y[1], x[1] * x[2] + y[1] * y[2]
+    return (x[1] * y[3] - y[1] * x[3]) * speed - 3 * (x[1] * y[2] - y[1] * x[2]) * along
+
+
+def _places(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    dimension, n = len(curve.rows[0]) - 1, curve.degree
+    forms: dict[str, list[tuple[Form, int]]] = {
+        "turns": [(_slope(axis), 2 * n) for axis in range(dimension)],
+        "roots": [(_height, n)],
+        "inflections": [(_turning, 3 * n)],
+        "extrema": [(_change, 4 * n)],
+    }
+    for certificate, (form, degree) in zip(answer["certificates"], forms[question], strict=True):
+        _proved(certificate, curve, form, degree)
+
+
+def _box(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    n = curve.degree
+    for axis, certificate in enumerate(answer["certificates"]):
+        _proved(certificate, curve, _slope(axis), 2 * n)
+        values = [cartesian(curve, s, left, 1)[axis][0] for s in _domain(curve) for left in (False, True)]
+        roots: Any = certificate["roots"]  # proved just now
+        for root in roots:
+            low, high = mpq(root["low"]), mpq(root["high"])
+            values += [cartesian(curve, s, terms=1)[axis][0] for s in (low, high)]
+        slack = mpq(1, 10**9) * (1 + max(map(abs, values)))
+        for interval, value in zip(answer["numbers"][2 * axis : 2 * axis + 2], (min(values), max(values)), strict=True):
+            low, high = map(mpq, interval)
+            # the slope vanishes there: what an interval of the root leaves open is of second order
+            _require(low - slack <= value <= high + slack and high - low <= slack, "another box")
+
+
+# ---- measures
+
+
+def _length(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    """Chords are shorter than the arc; with twice as many the deficit falls to a quarter, or more slowly."""
+    low, high = map(mpq, answer["numbers"][0])
+    sums = []
+    for chords in (CHORDS, 2 * CHORDS):
+        total = mpq(0)
+        for a, b in pairwise(_domain(curve)):
+            points = [_point(curve, a + (b - a) * mpq(k, chords)) for k in range(chords + 1)]
+            total += sum((_distance(p, q) for p, q in pairwise(points)), start=mpq(0))
+        sums.append(total)
+    _require(sums[1] <= high + mpq(1, 10**9), "shorter than its chords")
+    _require(low <= sums[1] + 4 * (sums[1] - sums[0]) + mpq(1, 10**9), "much longer than its chords")
+
+
+def _distance(p: list[mpq], q: list[mpq]) -> mpq:
+    """Rounded down, to a part of 10¹²."""
+    square = sum(((x - y) ** 2 for x, y in zip(p, q, strict=True)), start=mpq(0))
+    return mpq(isqrt(int(square * 10**24)), 10**12)
+
+
+def _area(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    """``∮ x dy``, the integrand interpolated at as many parameters as determine it."""
+    n, total = 2 * curve.degree, mpq(0)
+    nodes = [mpq(2 * k + 1, 2 * n) for k in range(n)]
+    weights = [_integral_of_lagrange(nodes, k) for k in range(n)]
+    for a, b in pairwise(_domain(curve)):
+        for u, share in zip(nodes, weights, strict=True):
+            x, y = cartesian(curve, a + (b - a) * u, terms=2)
+            total += share * (b - a) * x[0] * y[1]
+    _require(_is(answer["numbers"][0], total), "another area")
+
+
+def _integral_of_lagrange(nodes: list[mpq], k: int) -> mpq:
+    powers = [mpq(1)]
+    for i, node in enumerate(nodes):
+        if i != k:
+            d = nodes[k] - node
+            powers = [
+                (powers[j - 1] if j else 0) / d - (powers[j] * node if j < len(powers) else 0) / d
+                for j in range(len(powers) + 1)
+            ]
+    return sum((c / (j + 1) for j, c in enumerate(powers)), start=mpq(0))
+
+
+_CHECKS: dict[str, Callable[[Curve, mpq, str, Answer], None]] = {
+    **dict.fromkeys(("value", "first", "second"), _derivatives),
+    "tangent": _tangent,
+    "curvature": _curvature,
+    "torsion": _torsion,
+    **dict.fromkeys(("insert", "remove", "elevate", "split"), _same_curve),
+    "box": _box,
+    **dict.fromkeys(("turns", "roots", "inflections", "extrema"), _places),
+    "length": _length,
+    "area": _area,
+}

@@ -1,0 +1,184 @@
+"""The results of grading: as data, and as the page in the documentation."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from exactspline.numbers.exact import double, mpq, text
+from exactspline.testing import VERSION, Case
+from workshop.grade.judge import OUTCOMES, RIGHT, WRONG
+from workshop.grade.questions import QUESTIONS
+from workshop.grade.runner import Judged, Report
+from workshop.grade.shrink import Defect
+
+#: How the other outcomes are abbreviated in a cell, after the share of right answers.
+SHORT = {"off": "off", "missed": "missed", "invented": "invented", "crashed": "crashed", "declined": "declined"}
+
+
+def rows(reports: Sequence[Report], defects: Sequence[Defect]) -> list[dict[str, object]]:
+    """A row for every library and question that it was asked."""
+    examples = {(d.library, d.question): d for d in reversed(defects)}
+    found: list[dict[str, object]] = []
+    for report in reports:
+        for question in QUESTIONS:
+            asked = [one for one in report.judged if one.question == question]
+            if not asked:
+                continue
+            counted = Counter(one.verdict.outcome for one in asked)
+            defect = examples.get((report.library, question))
+            found.append(
+                {
+                    "key": f"{report.library}: {question}",
+                    "library": report.library,
+                    "version": report.version,
+                    "question": question,
+                    "asked": len(asked),
+                    **{outcome: counted[outcome] for outcome in OUTCOMES},
+                    "worst_ulps_of_right": max(
+                        (j.verdict.ulps for j in asked if j.verdict.outcome == RIGHT), default=0
+                    ),
+                    "example": None if defect is None else example_data(defect.example),
+                }
+            )
+    return found
+
+
+def example_data(one: Judged) -> dict[str, object]:
+    """An example as a curve file and the parameter, and what was found."""
+    curve = one.case.curve
+    return {
+        "case": one.case.key,
+        "degree": curve.degree,
+        "knots": [text(t) for t in curve.knots],
+        "control_points": [[text(x) for x in p] for p in curve.control_points],
+        "weights": None if curve.polynomial else [text(w) for w in curve.weights],
+        "parameter": text(one.case.parameter),
+        "outcome": one.verdict.outcome,
+        "note": one.verdict.note or _ulps(one.verdict.ulps),
+        "link": one.case.link,
+    }
+
+
+def _ulps(ulps: float) -> str:
+    return f"off by {ulps:.3g} ulps"
+
+
+HEAD = """# Libraries compared with exact answers
+
+Made by `./run grade --page docs/scoreboard.md`; do not edit. {cases} cases (version {version}: {families}),
+{questions} questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a certificate that
+the independent checker (`workshop/grade/recheck.py`, `exactspline/roots/checker.py`) accepted in this run;
+{uncertified} answers were left out because it did not. A library is asked only what it offers for the given curve,
+in its own calls (`workshop/grade/adapters`), and is judged by what the question allows a tolerance to do
+(below). A cell shows the right answers out of those asked, then the other outcomes; *declined* is a library that
+reports itself that it has no answer.
+"""
+
+
+def page(
+    reports: Sequence[Report],
+    defects: Sequence[Defect],
+    cases: Sequence[Case],
+    uncertified: Sequence[tuple[str, str, str]],
+) -> str:
+    """The page in Markdown."""
+    families = Counter(case.family for case in cases)
+    head = HEAD.format(
+        cases=len(cases),
+        version=VERSION,
+        families=", ".join(f"{count} {name}" for name, count in families.items()),
+        questions=len({one.question for report in reports for one in report.judged}),
+        libraries=len(reports),
+        answers=sum(len(report.judged) for report in reports),
+        uncertified=len(uncertified),
+    )
+    return "\n".join(
+        [
+            head,
+            _scores(reports),
+            _meanings(),
+            _accuracy(reports),
+            _defects(defects),
+            _named(cases),
+            _left_out(uncertified),
+        ]
+    )
+
+
+def _scores(reports: Sequence[Report]) -> str:
+    lines = ["## Scores", ""]
+    for report in reports:
+        lines += [f"### {report.library} {report.version}", "", "| question | right | asked | otherwise |"]
+        lines += ["|---|---:|---:|---|"]
+        for question in QUESTIONS:
+            counted = Counter(one.verdict.outcome for one in report.judged if one.question == question)
+            if counted:
+                rest = ", ".join(f"{counted[o]} {SHORT[o]}" for o in OUTCOMES if o != RIGHT and counted[o])
+                lines.append(f"| {question} | {counted[RIGHT]} | {counted.total()} | {rest} |")
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _meanings() -> str:
+    lines = ["## What counts as the same answer", "", "| question | asked is | right is within |", "|---|---|---|"]
+    lines += [f"| {q.name} | {q.meaning} | {q.allowed} |" for q in QUESTIONS.values()]
+    return "\n".join([*lines, ""])
+
+
+def _accuracy(reports: Sequence[Report]) -> str:
+    """The largest error of right answers, in ulps of the largest coordinate."""
+    asked = ("value", "first", "second")
+    lines = ["## The largest error among right answers", ""]
+    lines += ["In ulps of the largest coordinate (of derivatives: times the factor above).", ""]
+    lines += ["| library | " + " | ".join(asked) + " |", "|---|" + "---:|" * len(asked)]
+    for report in reports:
+        worst = [
+            max((j.verdict.ulps for j in report.judged if j.question == q and j.verdict.outcome == RIGHT), default=None)
+            for q in asked
+        ]
+        lines.append(f"| {report.library} | " + " | ".join("–" if w is None else f"{w:.3g}" for w in worst) + " |")
+    return "\n".join([*lines, ""])
+
+
+def _defects(defects: Sequence[Defect]) -> str:
+    lines = ["## Defects, each with its smallest example", ""]
+    for defect in defects:
+        one = defect.example
+        note = " ".join((one.verdict.note or _ulps(one.verdict.ulps)).split())[:160]
+        lines += [
+            f"- **{defect.library}**, {defect.question}: {defect.outcome} {defect.times} times. {_curve(one)}: {note}"
+        ]
+    return "\n".join([*lines, ""])
+
+
+def _curve(one: Judged) -> str:
+    curve = one.case.curve
+    points = " ".join(f"({', '.join(map(_short, p))})" for p in curve.control_points)
+    inner = [t for t in curve.knots if curve.domain[0] < t < curve.domain[1]]
+    knots = f", knots inside {' '.join(map(_short, inner))}" if inner else ""
+    weights = "" if curve.polynomial else f", weights {' '.join(map(_short, curve.weights))}"
+    return f"Degree {curve.degree}, {points}{knots}{weights}, t = {_short(one.case.parameter)}"
+
+
+def _short(x: mpq) -> str:
+    """A number in full where it is short, otherwise as a double."""
+    return text(x) if len(text(x)) <= 8 else repr(double(x))
+
+
+def _named(cases: Sequence[Case]) -> str:
+    named = [case for case in cases if case.link]
+    lines = ["## Cases from public bug reports", ""]
+    lines += [f"- [{case.key.removeprefix('named ')}]({case.link}): {case.note}" for case in named]
+    return "\n".join([*lines, ""])
+
+
+def _left_out(uncertified: Sequence[tuple[str, str, str]]) -> str:
+    lines = ["## Left out, not certified", ""]
+    lines += [f"- {case}, {question}: {flaw}" for case, question, flaw in uncertified]
+    return "\n".join([*lines, ""]) if uncertified else ""
+
+
+def wrong(report: Report) -> list[Judged]:
+    """The answers that are wrong."""
+    return [one for one in report.judged if one.verdict.outcome in WRONG]

@@ -1,0 +1,202 @@
+"""Grading: every library on every case, against exact answers that are certified, each library in its own process."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import json
+import select
+import subprocess
+import sys
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from exactspline.atomic_write import write_atomically
+from exactspline.numbers.exact import double, text
+from exactspline.splines.control_points import lifted
+from exactspline.splines.nurbs import Nurbs
+from exactspline.testing import VERSION, Case
+from workshop.grade.data import Answer, CurveData, GivenData, Reply
+from workshop.grade.judge import Verdict, judged
+from workshop.grade.questions import QUESTIONS
+from workshop.grade.recheck import recheck
+from workshop.grade.truth import inserted, truth
+
+#: Seconds that a library has for all questions about a case.
+PATIENCE = 20
+#: The arc length is asked for only in every n-th case: it takes longer than all other questions.
+LENGTH_EVERY = 4
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A verdict on one library's answer to one question about one case."""
+
+    case: Case
+    question: str
+    verdict: Verdict
+
+
+@dataclass
+class Report:
+    """A library's verdicts."""
+
+    library: str
+    version: str
+    judged: list[Judged] = field(default_factory=list)
+    #: Questions left out because their exact answer could not be certified.
+    uncertified: int = 0
+
+
+def questions_for(case: Case, number: int) -> list[str]:
+    """The questions about a case."""
+    return [q for q in QUESTIONS if q != "length" or number % LENGTH_EVERY == 0 or case.family == "named"]
+
+
+def given_data(curve: Nurbs, case: Case) -> GivenData:
+    """A curve as it is passed to a library."""
+    return {
+        "degree": curve.degree,
+        "knots": [double(t) for t in curve.knots],
+        "points": [[double(x) for x in p] for p in curve.control_points],
+        "weights": None if curve.polynomial else [double(w) for w in curve.weights],
+        "t": double(case.parameter),
+    }
+
+
+def request_data(case: Case) -> GivenData:
+    """A case as it is passed to a library."""
+    finer = inserted(case)
+    return {**given_data(case.curve, case), "finer": None if finer is None else given_data(finer, case)}
+
+
+def curve_data(curve: Nurbs) -> CurveData:
+    """A curve as it is passed to the independent checker."""
+    rows = [[*lifted(p, w), w] for p, w in zip(curve.control_points, curve.weights, strict=True)]
+    return {
+        "degree": curve.degree,
+        "knots": [text(t) for t in curve.knots],
+        "rows": [[text(x) for x in row] for row in rows],
+        "rational": not curve.polynomial,
+    }
+
+
+class Truths:
+    """Exact answers, kept in a file with their certificates; each is checked again whenever it is used.
+
+    An answer that the checker does not accept is not used (`uncertified`).
+    """
+
+    def __init__(self, place: Path | None) -> None:
+        self.place, self.known, self.grown = place, dict[str, dict[str, Answer | None]](), False
+        self.uncertified: list[tuple[str, str, str]] = []
+        if place is not None and place.exists():
+            with gzip.open(place, "rt", encoding="utf-8") as stream:
+                for line in stream:
+                    row = json.loads(line)
+                    self.known[row["key"]] = row["answers"]
+
+    def of(self, case: Case, questions: Iterable[str]) -> dict[str, Answer]:
+        """The certified answers to the questions that apply to a case."""
+        curve = curve_data(case.curve)
+        key = hashlib.sha256(json.dumps([VERSION, curve, text(case.parameter)]).encode()).hexdigest()
+        answers = self.known.setdefault(key, {})
+        found = {}
+        for question in questions:
+            if question not in answers:
+                answers[question], self.grown = truth(case, question), True
+            answer = answers[question]
+            if answer is None:
+                continue
+            try:
+                recheck(curve, text(case.parameter), question, answer)
+                found[question] = answer
+            except (ValueError, ArithmeticError) as error:
+                self.uncertified.append((case.key, question, str(error)))
+        return found
+
+    def save(self) -> None:
+        """Keep what is known."""
+        if self.place is None or not self.grown:
+            return
+        self.place.parent.mkdir(parents=True, exist_ok=True)
+        lines = "".join(json.dumps({"key": k, "answers": a}) + "\n" for k, a in self.known.items())
+        data = gzip.compress(lines.encode(), 6, mtime=0)
+        write_atomically(self.place, lambda stream: stream.write(data))
+
+
+class Worker:
+    """A library's process, started again when it ends or hangs."""
+
+    def __init__(self, library: str) -> None:
+        self.library, self.version = library, ""
+        self._start()
+
+    def _start(self) -> None:
+        command = [sys.executable, "-m", "workshop.grade.worker", self.library]
+        self.process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+        )
+        first = self._line(60)
+        if first is None:
+            raise ImportError(self.library)
+        self.version = json.loads(first)["version"]
+
+    def _line(self, seconds: int) -> str | None:
+        assert self.process.stdout is not None
+        ready, _, _ = select.select([self.process.stdout], [], [], seconds)
+        return (self.process.stdout.readline() or None) if ready else None
+
+    def ask(self, given: GivenData, questions: list[str]) -> dict[str, Reply]:
+        """The replies; where the process dies, it is asked again question by question."""
+        assert self.process.stdin is not None
+        try:
+            self.process.stdin.write(json.dumps({"given": given, "questions": questions}) + "\n")
+            self.process.stdin.flush()
+            line = self._line(PATIENCE)
+        except BrokenPipeError:
+            line = None
+        if line is not None:
+            found: dict[str, Reply] = json.loads(line)["answers"]
+            return found
+        hung = self.process.poll() is None
+        self.close()
+        self._start()
+        if len(questions) == 1:
+            how = f"no answer in {PATIENCE} s" if hung else "the process ended"
+            return {questions[0]: {"raised": how}}
+        return {q: reply for one in questions for q, reply in self.ask(given, [one]).items()}
+
+    def close(self) -> None:
+        """End the process."""
+        self.process.kill()
+        self.process.communicate()
+
+
+def grade(
+    libraries: Iterable[str], cases: Iterable[Case], place: Path | None = None, tick: Callable[[], None] = lambda: None
+) -> tuple[list[Report], Truths]:
+    """The reports of the libraries that are installed, and the exact answers that they were compared with."""
+    workers = []
+    for library in libraries:
+        try:
+            workers.append(Worker(library))
+        except ImportError:
+            continue
+    reports = [Report(worker.library, worker.version) for worker in workers]
+    truths = Truths(place)
+    try:
+        for number, case in enumerate(cases):
+            answers = truths.of(case, questions_for(case, number))
+            given, asked = request_data(case), list(answers)
+            for worker, report in zip(workers, reports, strict=True):
+                for question, reply in worker.ask(given, asked).items():
+                    verdict = judged(case, question, answers[question], reply)
+                    report.judged.append(Judged(case, question, verdict))
+            tick()
+    finally:
+        for worker in workers:
+            worker.close()
+        truths.save()
+    return reports, truths

@@ -1,0 +1,189 @@
+"""Exact answers to the questions that libraries are asked, each with the data for the independent checker to prove it.
+
+Answers are data: exact numbers as text, roots as certificates (see `exactspline.roots.certificate`), so that they can
+be kept in a file and checked again by `workshop.grade.recheck`, which shares no arithmetic with this.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from exactspline.errors import ExactSplineError
+from exactspline.geometry import balls
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.extent import coordinate_range, slope
+from exactspline.geometry.values_along import curvature, point_at, torsion
+from exactspline.language.vector import Vector, triple
+from exactspline.numbers.exact import double, from_float, mpq, text
+from exactspline.reals.real import Real
+from exactspline.roots.values import unit
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+from exactspline.testing import Case
+from workshop.grade.data import Answer, ExactCurve
+
+#: Digits behind the point of an interval.
+DIGITS = 30
+
+
+def truth(case: Case, question: str) -> Answer | None:
+    """The exact answer to a question about a case; None where the question does not apply.
+
+    >>> from exactspline.testing import all_cases
+    >>> case = next(c for c in all_cases() if c.key == "named geomdl-135")
+    >>> truth(case, "value")
+    {'numbers': [['1', '1'], ['1/2', '1/2'], ['0', '0']]}
+    """
+    try:
+        return _ANSWERS[question](case)
+    except ExactSplineError:
+        return None
+
+
+def _numbers(values: list[Real]) -> Answer:
+    return {"numbers": [_interval(value) for value in values]}
+
+
+def _interval(value: Real) -> list[str]:
+    low, high = value.enclosure(DIGITS)
+    return [text(low), text(high)]
+
+
+def _derivative(order: int) -> Callable[[Case], Answer]:
+    return lambda case: _numbers(list(point_at(case.curve, case.parameter, order)))
+
+
+def _tangent(case: Case) -> Answer:
+    return _numbers(unit(list(analyse(case.curve).velocity), case.parameter))
+
+
+def _curvature(case: Case) -> Answer:
+    found = curvature(case.curve, case.parameter)
+    low, high = sorted(abs(t) for t in found.enclosure(DIGITS))
+    return {"numbers": [[text(low), text(high)]]}
+
+
+def _torsion(case: Case) -> Answer:
+    return _numbers([torsion(case.curve, case.parameter)])
+
+
+def rows(curve: Nurbs, *, weighted: bool) -> list[list[mpq]]:
+    """Control points, where that is asked with their weights over the first weight: of rational curves and of all their
+    parts, as a part of one may have equal weights.
+    """
+    if not weighted:
+        return [list(point) for point in curve.control_points]
+    return [[*p, w / curve.weights[0]] for p, w in zip(curve.control_points, curve.weights, strict=True)]
+
+
+def _curves(case: Case, *curves: Nurbs) -> Answer:
+    weighted = not case.curve.polynomial
+    parts: list[ExactCurve] = [
+        {
+            "degree": c.degree,
+            "knots": [text(t) for t in c.knots],
+            "rows": [[text(x) for x in row] for row in rows(c, weighted=weighted)],
+        }
+        for c in curves
+    ]
+    return {"curves": parts}
+
+
+def inserted(case: Case) -> Nurbs | None:
+    """The curve with one more knot, where all its numbers are doubles: from it a library is to remove the knot."""
+    if case.parameter in case.curve.breakpoints:
+        return None
+    finer = case.curve.insert_knot(case.parameter)
+    numbers = [*finer.weights, *(x for point in finer.control_points for x in point)]
+    return finer if all(from_float(double(x)) == x for x in numbers) else None
+
+
+def _remove(case: Case) -> Answer | None:
+    return None if inserted(case) is None else _curves(case, case.curve)
+
+
+def _box(case: Case) -> Answer:
+    ranges = [coordinate_range(case.curve, axis) for axis in range(case.curve.dimension)]
+    found = _numbers([end for ends in ranges for end in ends])
+    return found | {"certificates": [_certificate(slope(case.curve, i)) for i in range(case.curve.dimension)]}
+
+
+def _certificate(form: BSpline) -> dict[str, object]:
+    """The certificate of a form's zeros, each of them narrowed."""
+    found = zeros(form)
+    for root in found:
+        root.refine(20)
+    return found.certificate()
+
+
+def _places(*forms: BSpline) -> Answer | None:
+    """Zeros of several forms; None where one of them vanishes on a whole segment: no library is asked that."""
+    certificates = [_certificate(form) for form in forms]
+    return None if any(c["intervals"] for c in certificates) else {"certificates": certificates}
+
+
+def bend(curve: Nurbs) -> BSpline:
+    """``w³ [γ′ γ″]`` of a plane curve."""
+    p, w = curve.p, curve.w
+    if curve.polynomial:
+        flat: BSpline = p[0].d() * p[1].d(2) - p[1].d() * p[0].d(2)
+        return flat
+    a, b, c = (tuple(f.d(order) for f in (*p, w)) for order in range(3))
+    found: BSpline = triple(Vector(*a), Vector(*b), Vector(*c))
+    return found
+
+
+def _turns(case: Case) -> Answer | None:
+    return _places(*[slope(case.curve, axis) for axis in range(case.curve.dimension)])
+
+
+def _roots(case: Case) -> Answer | None:
+    return _places(case.curve.p[1])
+
+
+def _inflections(case: Case) -> Answer | None:
+    return _places(bend(case.curve)) if case.curve.dimension == 2 else None
+
+
+def _extrema(case: Case) -> Answer | None:
+    if case.curve.dimension != 2 or not case.curve.polynomial or case.curve.segments > 1:
+        return None
+    x, y = (tuple(f.d(k) for k in range(4)) for f in case.curve.p)
+    speed, along = x[1] * x[1] + y[1] * y[1], x[1] * x[2] + y[1] * y[2]
+    turning, jerk = x[1] * y[2] - y[1] * x[2], x[1] * y[3] - y[1] * x[3]
+    return _places(jerk * speed - (turning * along).scaled(3))
+
+
+def _length(case: Case) -> Answer:
+    return _numbers([balls.length(case.curve)])
+
+
+def _area(case: Case) -> Answer | None:
+    c = case.curve
+    if c.dimension != 2 or not c.polynomial or not c.closed or c.segments < 3:
+        return None
+    from exactspline.batch.oracle import oracle
+
+    return _numbers([oracle(c, "area").items[0].values["area"]])
+
+
+_ANSWERS: dict[str, Callable[[Case], Answer | None]] = {
+    "value": _derivative(0),
+    "first": _derivative(1),
+    "second": _derivative(2),
+    "tangent": _tangent,
+    "curvature": _curvature,
+    "torsion": lambda case: _torsion(case) if case.curve.dimension == 3 else None,
+    "insert": lambda case: _curves(case, case.curve.insert_knot(case.parameter)),
+    "remove": _remove,
+    "elevate": lambda case: _curves(case, case.curve.elevate_degree()),
+    "split": lambda case: _curves(case, *case.curve.split(case.parameter)),
+    "box": _box,
+    "turns": _turns,
+    "roots": _roots,
+    "inflections": _inflections,
+    "extrema": _extrema,
+    "length": _length,
+    "area": _area,
+}

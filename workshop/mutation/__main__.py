@@ -1,0 +1,258 @@
+"""``./run mutate``: the mutants of this seed, their verdicts as JSON lines, and a score.
+
+A run that was interrupted goes on where it stopped; what was changed since is judged anew. Survivors that are known and
+explained stand in ``survivors.toml``; any other is printed, and the exit code is 1. With ``--witnesses`` a sample of
+what was noticed in engines is judged again by the tests that noticed it, on record in ``witnesses.json``: the exit code
+is 1 below the target.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tomllib
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from time import monotonic
+from typing import Any
+
+from workshop.mutation.coverage_map import MAP, ROOT
+from workshop.mutation.mutants import Mutant, drawn
+
+RESULTS = MAP.parent / "results.jsonl"
+PAGE = ROOT / "docs" / "mutation.md"
+#: Between these lines of the page stands the table.
+BEGIN, END = "<!-- written by ./run mutate --record -->\n", "<!-- end -->\n"
+SURVIVORS = ROOT / "workshop" / "mutation" / "survivors.toml"
+#: Verdicts that are not failures: refuted, or no change at all. A run that did not end, or broke, says nothing.
+HARMLESS = ("killed", "equivalent")
+#: How many of the mutants of engines that nobody explained must be noticed, in per cent.
+TARGET = 95
+Known = dict[str, dict[str, Any]]
+
+
+def read(path: Path) -> Known:
+    """The verdicts so far, by the keys of the mutants."""
+    if not path.is_file():
+        return {}
+    return {r["key"]: r for line in path.read_text(encoding="utf-8").splitlines() if (r := json.loads(line))}
+
+
+def explained() -> dict[str, str]:
+    """The survivors that are known: name and explanation."""
+    if not SURVIVORS.is_file():
+        return {}
+    found = tomllib.loads(SURVIVORS.read_text(encoding="utf-8")).get("survivor", [])
+    return {entry["mutant"]: entry["because"] for entry in found}
+
+
+def arguments() -> argparse.Namespace:
+    """What is asked for."""
+    parser = argparse.ArgumentParser(
+        prog="./run mutate", description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
+    parser.add_argument("--only", choices=("formulas", "engines"), help="only the mutants of one sort")
+    parser.add_argument(
+        "--sample", type=int, default=0, help="this many mutants of each sort (0: all formulas, 500 engines)"
+    )
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--minutes", type=float, default=40, help="stop after this many minutes; the next run goes on")
+    parser.add_argument(
+        "--budget", type=float, default=30, help="this many seconds of tests for one mutant of an engine"
+    )
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument(
+        "--file", default="", help="only mutants of files whose names contain one of these: roots/,symbolic/"
+    )
+    parser.add_argument("--function", default="", help="only mutants of functions whose names contain this")
+    parser.add_argument(
+        "--again",
+        default="",
+        help="only judge anew what has this verdict (survived, timeout, broken) and is not explained",
+    )
+    parser.add_argument("--results", type=Path, default=RESULTS)
+    parser.add_argument("--witnesses", action="store_true", help="a sample of what was noticed, again")
+    parser.add_argument("--table", action="store_true", help="only print the table of what is judged so far")
+    parser.add_argument(
+        "--edited",
+        action="store_true",
+        help="what was noticed in functions that have been edited since, by the tests on record for them",
+    )
+    parser.add_argument(
+        "--record", action="store_true", help="write witnesses.json and the table of docs/mutation.md from the verdicts"
+    )
+    return parser.parse_args()
+
+
+def main() -> int:
+    """Judge what is left to judge."""
+    options = arguments()
+    known, end = {} if options.witnesses else read(options.results), monotonic() + 60 * options.minutes
+    options.once_more = {name for name, result in known.items() if result["verdict"] in options.again.split(",")}
+    known = {name: result for name, result in known.items() if name not in options.once_more}
+    options.results.parent.mkdir(parents=True, exist_ok=True)
+
+    def told(mutant: Mutant, result: dict[str, Any]) -> bool:
+        known[mutant.key] = {"key": mutant.key, "mutant": mutant.name, **result}
+        # of an edited function only the tests on record are run: others may notice what these do not
+        if not options.witnesses and not (options.edited and result["verdict"] != "killed"):
+            with options.results.open("a", encoding="utf-8") as stream:
+                stream.write(json.dumps(known[mutant.key], ensure_ascii=False) + "\n")
+        return bool(monotonic() < end)
+
+    if options.record:
+        return record(known)
+    if options.table:
+        return table(known)
+    chosen: list[Mutant] = []
+    if options.only != "engines":
+        chosen += judge_formulas(options, known, told)
+    if options.only != "formulas":
+        chosen += judge_engines(options, known, told)
+    return report(chosen, known, by_score=options.witnesses)
+
+
+def judge_formulas(
+    options: argparse.Namespace, known: Known, told: Callable[[Mutant, dict[str, Any]], bool]
+) -> list[Mutant]:
+    """Judge the mutants of formulas; all that were drawn."""
+    from workshop.mutation import formulas
+
+    chosen = _drawn(formulas.all_mutants(), options, 10**6)
+    if todo := [m for m in chosen if m.key not in known]:
+        for mutant, result in formulas.judged(todo, 300, options.jobs):
+            if not told(mutant, result):
+                break
+    return chosen
+
+
+def judge_engines(
+    options: argparse.Namespace, known: Known, told: Callable[[Mutant, dict[str, Any]], bool]
+) -> list[Mutant]:
+    """Judge the mutants of engines; all that were drawn."""
+    from workshop.mutation import engines
+
+    everything = engines.all_mutants()
+    if options.witnesses:
+        witnesses = engines.Witnesses()
+        chosen = _drawn([m for m in everything if m.key in witnesses.recorded], options, 60)
+        engines.judged(engines.Judge(chosen, witnesses, options.budget, options.jobs), told, witnesses.files(chosen))
+        return chosen
+    if options.edited:
+        witnesses = engines.Witnesses()
+        again = witnesses.of_edited(m for m in everything if m.key not in known)
+        chosen = _drawn(again, options, 10**6)
+        engines.judged(engines.Judge(chosen, witnesses, options.budget, options.jobs), told, witnesses.files(chosen))
+        return [m for m in chosen if known.get(m.key, {}).get("verdict") == "killed"]
+    chosen = _drawn(everything, options, 500)
+    todo = [m for m in chosen if m.key not in known]
+    if not todo:
+        return chosen
+    if not MAP.is_file():
+        print("which tests execute what: the suite runs once under coverage", flush=True)
+        subprocess.run(
+            [sys.executable, "-m", "pytest", "-q", "-p", "workshop.mutation.coverage_map"], cwd=ROOT, check=False
+        )
+    tests = engines.Tests()
+    tests.learn((m, known[m.key]) for m in everything if m.key in known)
+
+    def learned(mutant: Mutant, result: dict[str, Any]) -> bool:
+        tests.learn([(mutant, result)])
+        return told(mutant, result)
+
+    engines.judged(engines.Judge(todo, tests, options.budget, options.jobs), learned, tests.files)
+    return chosen
+
+
+def record(known: Known) -> int:
+    """Write what noticed what, for samples, and the table of the page."""
+    from workshop.mutation import engines
+
+    everything = engines.all_mutants()
+    found = engines.recorded(everything, known)
+    engines.WITNESSES.write_text(json.dumps(found, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+    print(f"{len(found)} mutants with the test that notices each in {engines.WITNESSES.relative_to(ROOT)}")
+    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+    PAGE.write_text(before + BEGIN + "\n".join(rows(known)) + "\n" + END + rest.split(END)[1], encoding="utf-8")
+    return 0
+
+
+def table(known: Known) -> int:
+    """What is judged of all functions as they stand now, room by room, whatever was drawn."""
+    print("\n".join(rows(known)))
+    return 0
+
+
+def rows(known: Known) -> list[str]:
+    """The table of the page. What was noticed before the verdicts at hand is on record, and so is what is explained."""
+    from workshop.mutation import engines, formulas
+
+    why, witnesses = explained(), engines.Witnesses().recorded
+    rooms: dict[str, Counter[str]] = {}
+    # those that are judged first: an explanation that none of them has is counted once, though others may say the same
+    everything = sorted((*formulas.all_mutants(), *engines.all_mutants()), key=lambda m: m.key not in known)
+    counted = set()
+    for mutant in everything:
+        verdict = known.get(mutant.key, {}).get("verdict") or ("killed" if mutant.key in witnesses else "")
+        if mutant.stable in why and verdict != "killed" and (verdict or mutant.stable not in counted):
+            verdict = "explained"
+            counted.add(mutant.stable)
+        if verdict:
+            depth = 3 if "/papers/" in mutant.file else 2
+            rooms.setdefault("/".join(Path(mutant.file).parts[1:depth]), Counter())[verdict] += 1
+    told = ["| room | judged | noticed | equal | explained | open | score |", "|---|---|---|---|---|---|---|"]
+    for name, of in (("formulas", "papers/"), ("engines", "")):
+        mine = {room: counts for room, counts in sorted(rooms.items()) if room.startswith("papers/") == bool(of)}
+        told += [_row(room, counts) for room, counts in mine.items()]
+        told.append(_row(f"**all {name}**", sum(mine.values(), Counter())))
+    return told
+
+
+def _row(name: str, counts: Counter[str]) -> str:
+    judged = counts.total()
+    real = judged - counts["equivalent"] - counts["explained"]
+    cells = judged, counts["killed"], counts["equivalent"], counts["explained"], real - counts["killed"]
+    score = f"{100 * counts['killed'] / real:.1f} %" if real else "–"
+    return f"| {name} | " + " | ".join(map(str, cells)) + f" | {score} |"
+
+
+def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> list[Mutant]:
+    parts = options.file.split(",")
+    if options.again:
+        why = explained()
+        mutants = [m for m in mutants if m.key in options.once_more and m.stable not in why]
+    return drawn(
+        [m for m in mutants if any(part in m.file for part in parts) and options.function in m.function],
+        options.sample or most,
+        options.seed,
+    )
+
+
+def report(chosen: list[Mutant], known: Known, *, by_score: bool) -> int:
+    """Print the score and the survivors that nobody explained."""
+    why = explained()
+    judged = [m for m in chosen if m.key in known]
+    scores = []
+    for sort in ("papers", "engines"):
+        mine = [m for m in judged if ("/papers/" in m.file) == (sort == "papers")]
+        if not mine:
+            continue
+        counts = Counter(known[m.key]["verdict"] for m in mine)
+        told = sum(known[m.key]["verdict"] == "survived" and m.stable in why for m in mine)
+        real = len(mine) - counts["equivalent"] - told
+        words = ", ".join(f"{n} {verdict}" for verdict, n in sorted(counts.items()))
+        scores.append(100 * counts["killed"] / real if real else 100.0)
+        print(f"{sort}: {len(mine)} mutants: {words} ({told} of the survivors explained); score {scores[-1]:.1f} %")
+    left = [m for m in judged if known[m.key]["verdict"] not in HARMLESS and m.stable not in why]
+    for m in left:
+        print(f"{known[m.key]['verdict']}: {m.name} ({known[m.key].get('by', '')})")
+    if len(judged) < len(chosen):
+        print(f"{len(chosen) - len(judged)} mutants are left: run it again")
+    return int(min(scores, default=100) < TARGET if by_score else bool(left))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
