@@ -25,6 +25,7 @@ from exactspline.display.plot.canvas import (
     polygons,
     sampled,
 )
+from exactspline.display.plot.options import check_options
 from exactspline.errors import ShapeError, as_instance, as_items, shown
 from exactspline.numbers.exact import mpq
 from exactspline.roots.root import Root
@@ -68,6 +69,7 @@ def plot_function(
 
     Raises `PlotError` without matplotlib and for an unknown scale, `ShapeError` for anything but a `BSpline`.
     """
+    check_options(control_polygon=control_polygon, label=label, polygon_color=polygon_color, color=color)
     if type(f) is not BSpline:
         raise ShapeError(
             f"the graph of a {type(f).__name__}", remedy="give a BSpline, for a vector one component at a time"
@@ -192,6 +194,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
 
     Raises `PlotError` without matplotlib.
     """
+    check_options(color=color)
     ax = axes_for(ax)
     found = [as_instance(root, Root, "a root", "give exactspline.zeros(f)") for root in as_items(roots, "roots")]
     bars = [(root.low, root.high) for root in found]
