@@ -14,7 +14,7 @@ from math import factorial, isqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.numbers.exact import mpq
-from exactspline.roots.checker import check
+from exactspline.roots.checker import check_certificate
 
 if TYPE_CHECKING:
     from workshop.grade.data import Answer, CurveData, ExactCurve
@@ -191,7 +191,7 @@ def _point(curve: Curve, t: mpq) -> list[mpq]:
 def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int) -> None:
     """That the certificate is right, and that it is about a positive multiple of a form on every segment."""
     certificate: dict[str, Any] = certified  # what it holds is what is checked
-    check(certified, sturm=certificate["degree"] <= STURM)
+    check_certificate(certified, sturm=certificate["degree"] <= STURM)
     breaks = list(map(mpq, certificate["breakpoints"]))
     _require(breaks == _domain(curve), "other breakpoints")
     for segment, (a, b) in zip(certificate["segments"], pairwise(breaks), strict=True):
