@@ -183,6 +183,7 @@ OPTIONS = {
     "curve_from_text": ('{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]]}',),
     "degree": ("f2",),
     "derive": ("evolute", CUSP),
+    "claims": ("C4.1a",),
     "elevation_triangles": (T,),
     "errata": (),
     "evolute": (CUSP,),
@@ -207,12 +208,12 @@ OPTIONS = {
     "plot_quotient": (CUSP.gamma,),
     "plot_roots": (xs.zeros(T * T - 2),),
     "plot_ruled_surface": (SCROLL,),
+    "plot_surface": (VALUES["surface"].S,),
     "prove": ("f2", "f2"),
     "proved": (VALUES["claim"],),
     "read": curve_file,
     "reduction": ("f2",),
     "ruled_surface": ("binormal_scroll", SPACE),
-    "select_claims": (["C4.1a"],),
     "series_curve": (CUSP, "1/3", 3),
     "surface_from_text": ("{}",),
     "sweep": ([CUSP],),
@@ -224,35 +225,31 @@ OPTIONS = {
     "verdicts": ("C4.1a",),
     "verify": ("f2", "f2", CUSP),
     "write": ([CUSP], "written.json"),
-    "wronskian": (xs.Vector(T, T * T),),
+    "wronskian": (xs.language.Vector(T, T * T),),
     "zero_form": (CUSP, "critical_curvature"),
     "zeros": (T * T - 2,),
 }
 
 
 def options(name):
-    """The names of the arguments that a function has beside those that it is given, and for `plot` those of what it
-    draws.
+    """The names of the arguments that a function has beside those that it is given (not of what it calls), and for
+    `plot` those of what it draws.
     """
     if name == "plot":
         return ["color", "label", "knots", "control_polygon", "box", "no such option"]
-    parameters = list(inspect.signature(getattr(xs, name)).parameters.values())
+    parameters = list(inspect.signature(PUBLIC[name]).parameters.values())
     given = () if callable(OPTIONS[name]) else OPTIONS[name]
     return [
         p.name
         for i, p in enumerate(parameters)
-        if p.default is not p.empty and (i >= len(given) or p.kind is p.KEYWORD_ONLY)
+        if p.default is not p.empty and (i >= len(given) or p.kind is p.KEYWORD_ONLY) and p.name != "tick"
     ]
 
 
 def test_every_option_is_tried():
-    functions = [name for name in dir(xs) if inspect.isfunction(getattr(xs, name))]
-    having = [n for n in functions if any(p.default is not p.empty for p in parameters_of(n))]
+    functions = {name: inspect.signature(found) for name, found in PUBLIC.items() if inspect.isfunction(found)}
+    having = [name for name, own in functions.items() if any(p.default is not p.empty for p in own.parameters.values())]
     assert sorted({*having, "plot"}) == sorted(OPTIONS)
-
-
-def parameters_of(name):
-    return inspect.signature(getattr(xs, name)).parameters.values()
 
 
 @pytest.mark.parametrize("name", OPTIONS)
@@ -262,7 +259,7 @@ def test_every_option_of_every_function(name, tmp_path, monkeypatch):
     """
     monkeypatch.chdir(tmp_path)
     arguments = OPTIONS[name]() if callable(OPTIONS[name]) else OPTIONS[name]
-    function, wrong = getattr(xs, name), []
+    function, wrong = PUBLIC[name], []
     for option in options(name):
         for label, value in VALUES.items():
             error = raised(name, lambda: drained(function(*arguments, **{option: value})), ())  # noqa: B023

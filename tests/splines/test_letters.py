@@ -51,7 +51,7 @@ def test_surfaces_have_no_s(f):
 
 
 def test_quotients_and_vectors_of_surfaces_have_no_s():
-    for value in (TORUS.S, xs.Vector(*TORUS.p), TORUS.p[0] / TORUS.w):
+    for value in (TORUS.S, TORUS.p, TORUS.p[0] / TORUS.w):
         value.d(1, by="u")
         with pytest.raises(xs.ExactSplineError, match="a derivative by 's' of a function of u and v"):
             value.d(1, by="s")
@@ -79,6 +79,7 @@ def test_derivatives_of_quotients_are_bounded():
     for order in (most + 1, 30, 1000):
         with pytest.raises(xs.ExactSplineError, match=f"a derivative of order {order} whose denominator"):
             velocity.d(order)
+    for _ in range(most):
+        velocity = velocity.d()
     with pytest.raises(xs.ExactSplineError, match="take lower orders, or lowest terms"):
-        for _ in range(most + 1):
-            velocity = velocity.d()
+        velocity.d()

@@ -74,7 +74,7 @@ def plot_function(
         raise ShapeError(
             f"the graph of a {type(f).__name__}", remedy="give a BSpline, for a vector one component at a time"
         )
-    if scale is not None and scale not in SCALES:
+    if scale is not None and (not isinstance(scale, str) or scale not in SCALES):
         raise PlotError(f"{shown(scale)} is not a scale", where="scale", remedy=f"scales are {', '.join(SCALES)}")
     ax = axes_for(ax)
     spread: list[Point | None] = []
@@ -177,7 +177,7 @@ def zero_intervals(roots: ZeroSet | Sequence[Root]) -> list[tuple[mpq, mpq]]:
 
 def marked(roots: ZeroSet | Sequence[Root]) -> tuple[list[Root], list[Root]]:
     """The parameters marked as roots, and those marked as jumps through zero."""
-    return list(roots or ()), [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
+    return list(as_items(roots, "roots")), [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
 
 
 def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color: str = GREEN) -> Axes:
