@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 
-from exactspline.errors import FormulaError, as_flag, as_integer
+from exactspline.errors import ExactSplineError, FormulaError, ReachError, as_flag, as_integer
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands, Pair
 from exactspline.language.choices import Parameter
@@ -128,7 +128,7 @@ def transposed(formula: Formula) -> Formula:
 def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
     """The reduction of a formula, made once; its degrees are counted in the first parameter or in the one named."""
     found = _reduction(formula, dimension, polynomial, naming())
-    if isinstance(found, FormulaError):
+    if isinstance(found, ExactSplineError):
         raise found
     return found if parameter is None else counted_in(found, formula, parameter)
 
@@ -136,10 +136,10 @@ def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: 
 @cache
 def _reduction(
     formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]
-) -> Reduction | FormulaError:
+) -> Reduction | ExactSplineError:
     try:
         return reduce(formula, dimension=dimension, polynomial=polynomial)
-    except FormulaError as error:  # of a formula that is too long this is known after long work only
+    except (FormulaError, ReachError) as error:  # of a formula that is too long this is known after long work only
         return error
 
 
