@@ -16,6 +16,10 @@ from exactspline.errors import ExactSplineError, nearest, shown
 from exactspline.numbers.exact import rational
 
 
+#: The largest number that an option may be.
+LARGEST_NUMBER = 10**9
+
+
 def check_options(**given: object) -> None:
     """Refuse what an option of a picture cannot be, by its name, with `PlotError`.
 
@@ -50,12 +54,14 @@ def check_names(draw: Callable[..., Any], names: Iterable[str]) -> None:
 
 def _is_color(value: object) -> bool:
     if isinstance(value, tuple):
-        return len(value) in (3, 4) and all(_is_number(x) and 0 <= x <= 1 for x in value)
+        return len(value) in (3, 4) and all(_is_number(x) and 0 <= float(x) <= 1 for x in value)
     return isinstance(value, str) and bool(library("matplotlib.colors").is_color_like(value))
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, Real) and not isinstance(value, bool) and abs(value) < 10**9 and isfinite(value)
+    if not isinstance(value, Real) or isinstance(value, bool):
+        return False
+    return bool(abs(value) < LARGEST_NUMBER and isfinite(value))
 
 
 def _is_corner(value: Any) -> bool:
