@@ -24,7 +24,7 @@ LOOK = 1
 T = TypeVar("T")
 V = TypeVar("V")
 
-#: Name → the package that it needs besides joblib; the extra of the same name installs it.
+#: Name → the package that it needs besides joblib.
 BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
 #: How many curves are computed together: a few at first, so that the first results come soon and all processes have
 #: work, then this many times what each process has had before, at most this many and of so much weight.
@@ -48,7 +48,7 @@ def check_backend(name: str) -> None:
     if (needed := BACKENDS[name]) and find_spec(needed) is None:
         raise BackendError(
             f"the backend {name} needs {needed}, which is not installed",
-            remedy=f"pip install 'exactspline[{name}]', or take another backend",
+            remedy=f"pip install {needed}, or take another backend",
         )
 
 
