@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from exactspline.errors import FormulaError, a_kind, a_kind, as_text
+from exactspline.errors import FormulaError, a_kind, as_text
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Argument
 from exactspline.language.kinds import CURVE, Kind, kind_of

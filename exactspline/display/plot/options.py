@@ -6,15 +6,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from inspect import signature
-from math import isfinite
-from numbers import Real
 from typing import Any
 
 from exactspline.display.plot.canvas import LARGEST_SIZE, PlotError, library
 from exactspline.display.plot.frames import Box
 from exactspline.errors import ExactSplineError, nearest, shown
 from exactspline.numbers.exact import rational
-
 
 #: The largest number that an option may be.
 LARGEST_NUMBER = 10**9
@@ -54,14 +51,14 @@ def check_names(draw: Callable[..., Any], names: Iterable[str]) -> None:
 
 def _is_color(value: object) -> bool:
     if isinstance(value, tuple):
-        return len(value) in (3, 4) and all(_is_number(x) and 0 <= float(x) <= 1 for x in value)
+        return len(value) in (3, 4) and all(_is_number(x) and 0 <= x <= 1 for x in value)
     return isinstance(value, str) and bool(library("matplotlib.colors").is_color_like(value))
 
 
 def _is_number(value: Any) -> bool:
-    if not isinstance(value, Real) or isinstance(value, bool):
+    if not isinstance(value, int | float) or isinstance(value, bool):
         return False
-    return bool(abs(value) < LARGEST_NUMBER and isfinite(value))
+    return -LARGEST_NUMBER < value < LARGEST_NUMBER
 
 
 def _is_corner(value: Any) -> bool:
