@@ -143,7 +143,12 @@ def _scale(ax: Axes, graph: Sequence[mpq], polygon: Sequence[mpq], scale: str | 
 
 
 def draw_roots(
-    ax: Axes, roots: ZeroSet | Sequence[Root], domain: tuple[mpq, mpq], marker: str, color: str, name: str = "root"
+    ax: Axes,
+    roots: ZeroSet | Sequence[Root] | None,
+    domain: tuple[mpq, mpq],
+    marker: str,
+    color: str,
+    name: str = "root",
 ) -> None:
     """Roots on the zero line; of a `ZeroSet` also its jumps through zero, hollow, and its intervals, thick."""
     single, jumps = marked(roots)
@@ -170,14 +175,15 @@ def draw_roots(
         draw(ax, ends, color=color, linewidth=5, label="_stretch" if i else "zero throughout", zorder=2.5)
 
 
-def zero_intervals(roots: ZeroSet | Sequence[Root]) -> list[tuple[mpq, mpq]]:
+def zero_intervals(roots: ZeroSet | Sequence[Root] | None) -> list[tuple[mpq, mpq]]:
     """The intervals on which all is zero, cut at the seam."""
     return [part for interval in getattr(roots, "intervals", []) for part in interval.parts]
 
 
-def marked(roots: ZeroSet | Sequence[Root]) -> tuple[list[Root], list[Root]]:
+def marked(roots: ZeroSet | Sequence[Root] | None) -> tuple[list[Root], list[Root]]:
     """The parameters marked as roots, and those marked as jumps through zero."""
-    return list(as_items(roots, "roots")), [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
+    single = [] if roots is None else list(as_items(roots, "roots"))
+    return single, [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
 
 
 def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color: str = GREEN) -> Axes:
