@@ -253,6 +253,56 @@ def test_what_rounds_is_found(code):
     assert not planted("from math import gcd, isqrt\ndef f(x):\n    return gcd(x, isqrt(x))", gates.rounding)
 
 
+# ---- no cost without a bound
+
+#: Where FLINT's own functions may be called: the doors, and what costs nothing.
+UNBOUNDED = {
+    "geometry/balls.py: _integral": "paid for, by degree and bits",
+    "geometry/bisector/common_zeros.py: _certainly_apart": "modulo a prime, in one variable",
+    "geometry/bisector/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
+    "geometry/bisector/over_root.py: _most": "modulo a prime, in one variable",
+    "geometry/bisector/polynomials.py: common_divisor": "over the field of a root: Euclid's algorithm, bounded",
+    "geometry/planarity.py: _primitive": "integers",
+    "polynomials/bernstein.py: add": "integers",
+    "polynomials/bernstein.py: common_denominators": "integers",
+    "polynomials/bernstein.py: primitive": "integers",
+    "polynomials/elimination.py: discriminant": "the door: by values at integers, after the bound was checked",
+    "polynomials/elimination.py: resultant": "the same",
+    "polynomials/factors.py: _by_flint": "the door",
+    "polynomials/factors.py: _certainly_coprime_on_a_line": "modulo a prime, in one variable",
+    "polynomials/factors.py: _certainly_primitive": "modulo a prime, in one variable",
+    "polynomials/factors.py: _certainly_without": "modulo a prime, in one variable",
+    "polynomials/factors.py: _content": "integers",
+    "polynomials/factors.py: _divisor_in_many": "the door",
+    "polynomials/factors.py: _divisor_of_two": "the door",
+    "polynomials/factors.py: _one_degree": "modulo a prime, paid for",
+    "polynomials/factors.py: _split": "the door",
+    "polynomials/factors.py: certainly_coprime": "modulo a prime, in one variable",
+    "polynomials/factors.py: certainly_square_free": "modulo a prime, in one variable",
+    "polynomials/factors.py: factorize_square_free": "the door",
+    "polynomials/factors.py: prime_factors": "integers, of a bounded number of bits",
+    "polynomials/patch_forms.py: PatchForm.primitive": "integers",
+    "polynomials/two_parameters.py: as_polynomial": "integers",
+    "programs/denominators.py: common_multiple": "integers",
+    "splines/blossom.py: _primitive": "integers",
+    "splines/common.py: with_common_denominators": "integers",
+    "splines/lowest_terms.py: _common": "integers",
+    "splines/lowest_terms.py: _greatest_common_divisor": "integers",
+    "splines/lowest_terms.py: primitive": "integers",
+    "splines/spans.py: common_forms": "integers",
+    "splines/tensor_lowest_terms.py: in_lowest_terms": "integers",
+    "verification/minimality/__init__.py: _bezout": "modulo a prime, in one variable",
+}
+
+
+def test_every_costly_call_goes_through_a_bounded_door():
+    """Passed before: a common divisor of polynomials in many variables that takes minutes and cannot be interrupted."""
+    assert gates.found_in(FILES, gates.unbounded_costs) == UNBOUNDED.keys()
+    for name in ("gcd", "factor", "factor_squarefree", "resultant", "discriminant", "complex_roots"):
+        assert planted(f"def f(p, q):\n    return p.{name}(q)", gates.unbounded_costs) == ["f"]
+    assert planted("def f(ps):\n    return reduce(fmpz_poly.gcd, ps)", gates.unbounded_costs) == ["f"]
+
+
 # ---- law 7: what only developers run is not in the wheel
 
 BY_NAME = {

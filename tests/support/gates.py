@@ -287,6 +287,25 @@ def rounding(tree: ast.Module) -> Iterator[str]:
             yield place or "at the top"
 
 
+# ---- no cost without a bound
+
+#: What FLINT does in one call that cannot be interrupted, of a cost that the size of the answer does not show.
+COSTLY = {"complex_roots", "discriminant", "factor", "factor_smooth", "factor_squarefree", "gcd", "resultant", "xgcd"}
+
+
+def unbounded_costs(tree: ast.Module) -> Iterator[str]:
+    """Where a polynomial itself is asked for a common divisor, a factorization, a resultant or a discriminant: called,
+    or handed on as a function.
+    """
+    for place, node in scopes(tree):
+        found = node.func if isinstance(node, ast.Call) else node
+        if not isinstance(found, ast.Attribute) or found.attr not in COSTLY:
+            continue
+        # an attribute may have such a name, but not of a class of FLINT
+        if found is not node or ast.unparse(found.value).startswith(("fmp", "nmod_", "flint.")):
+            yield place
+
+
 # ---- law 7: what is in the wheel
 
 
