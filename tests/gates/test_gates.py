@@ -297,7 +297,7 @@ UNBOUNDED = {
 
 def test_every_costly_call_goes_through_a_bounded_door():
     """Passed before: a common divisor of polynomials in many variables that takes minutes and cannot be interrupted."""
-    assert gates.found_in(FILES, gates.unbounded_costs) == UNBOUNDED.keys()
+    assert gates.found_in(gates.trees(), gates.unbounded_costs) == UNBOUNDED.keys()
     for name in ("gcd", "factor", "factor_squarefree", "resultant", "discriminant", "complex_roots"):
         assert planted(f"def f(p, q):\n    return p.{name}(q)", gates.unbounded_costs) == ["f"]
     assert planted("def f(ps):\n    return reduce(fmpz_poly.gcd, ps)", gates.unbounded_costs) == ["f"]
