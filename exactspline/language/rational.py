@@ -32,6 +32,9 @@ from exactspline.numbers.sides import Side
 
 T = TypeVar("T", bound=Counted)
 
+#: The largest number of factors of the denominator of a derivative: every differentiation doubles it.
+MOST_FACTORS = 1024
+
 
 class Product(Generic[T]):
     """A denominator: a product of operands, expanded on first use; `factors` are the original operands."""
@@ -292,9 +295,18 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     def d(self, order: int = 1, *, by: str | None = None) -> Rational[T]:
         """The derivative of the given order: the quotient rule, row T17, ``(p'w - p w') / (w w)``, applied `order`
         times.
+
+        Nothing is cancelled, so that the degree of the denominator doubles each time. Raises `FormulaError` if it would
+        be a product of more than `MOST_FACTORS` factors.
         """
         result = self
-        for _ in range(checked_order(order)):
+        factors = len(self.product.factors) << min(checked_order(order), MOST_FACTORS.bit_length())
+        if factors > MOST_FACTORS:
+            raise FormulaError(
+                f"a derivative of order {order} whose denominator is a product of more than {MOST_FACTORS} factors",
+                remedy="every derivative squares the denominator: take lower orders, or lowest terms in between",
+            )
+        for _ in range(order):
             p: Any = result.numerator
             w = result.denominator
             product = Product(w, w, factors=result.product.factors * 2)

@@ -389,11 +389,11 @@ def test_whatever_stands_in_a_claim_is_read_or_refused():
             kinds.setdefault(table.entry["kind"], (source, table))
     for source, table in kinds.values():
         for field in {*table.entry, "assumes", "curve", "of", "example", "witness", "expected"}:
-            for value in WEIRD[tried % 3 :: 3]:
+            for value in WEIRD[tried % 6 :: 6]:
                 tried += 1
                 with suppress(ClaimError):
                     claim_of(Table(table.place, table.entry | {field: value}), source)
-    assert tried > 1000
+    assert tried > 500
 
 
 # ---- the report
