@@ -1,13 +1,12 @@
-"""``exactspline errata``: where a paper is wrong."""
+"""``errata``: where a paper is wrong."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from exactspline.cli.common import Digits, Exact, Papers, Trust
 from exactspline.cli.output import Output, printing
+from exactspline.cli.parameters import Argument
 from exactspline.errors import ClaimError, counted, nearest
 
 if TYPE_CHECKING:
@@ -26,7 +25,7 @@ def errata(
     out: Output,
     error: Annotated[
         list[str] | None,
-        typer.Argument(help="Names of errors, ids of claims, or places (span, C4.2b, 5.4, p. 19); without any, all."),
+        Argument(help="Names of errors, ids of claims, or places (span, C4.2b, 5.4, p. 19); without any, all."),
     ] = None,
     paper: Papers = None,
     trust: Trust = False,
@@ -95,11 +94,11 @@ def _at(entries: list[Erratum], wanted: str, sources: Sequence[Paper]) -> list[E
         keys = {(claim.paper, claim.key) for claim in located(wanted, claims_in(sources))}
     except ClaimError:
         names = [name for e in entries for name in (e.error, *[n for s in e.statements for n in (s.id, s.key)])]
-        remedy = nearest(wanted, names, listed_by="exactspline errata")
+        remedy = nearest(wanted, names, listed_by="errata")
         raise ClaimError(f"there is no error called {wanted!r}", remedy=remedy) from None
     found = [entry for entry in entries if any((entry.paper, each.key) in keys for each in entry.statements)]
     if not found:
-        raise ClaimError(f"nothing at {wanted!r} is refuted", remedy="exactspline errata lists all errors")
+        raise ClaimError(f"nothing at {wanted!r} is refuted", remedy="without a name all errors are listed")
     return found
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 from exactspline.errors import ShapeError
 from exactspline.formulas.lifted import critical_curvature_lifted, inflections_lifted, tangent_lifted_squared
@@ -82,7 +82,7 @@ class BetweenPoles(Displayed):
         """
         found: list[Root | mpq] = [each.root for own in self.analyses for each in own.cusps]
         found += [each.parameter for each in self.corners if each.angle is not None and each.angle.reverses]
-        return tuple(sorted(found))
+        return tuple(t for t, _ in groupby(sorted(found)))
 
 
 def between_poles(derived: Derived) -> BetweenPoles:

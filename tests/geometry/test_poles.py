@@ -48,6 +48,11 @@ def test_a_curve_without_poles_is_one_piece():
     assert len(own.reversals) == len(analyse(example("ellipse_skew")).curvature_extrema)
 
 
+def test_a_cusp_at_a_knot_counts_once():
+    own = between_poles(evolute(example("ellipse")))
+    assert len(own.reversals) == len(analyse(example("ellipse")).curvature_extrema) == 4
+
+
 def test_a_space_curve_is_refused():
     with pytest.raises(ShapeError, match="not a plane curve"):
         between_poles(circle_centres(example("twisted_cubic")))
