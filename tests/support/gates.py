@@ -7,11 +7,8 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
 
-import exactspline
-
-ROOT = Path(exactspline.__file__).parent
+from tests.support.import_graph import ROOT, files
 
 #: Looks for violations in one file: each by its place in the file.
 Finder = Callable[[ast.Module], Iterable[str]]
@@ -19,8 +16,7 @@ Finder = Callable[[ast.Module], Iterable[str]]
 
 def trees() -> dict[str, ast.Module]:
     """The syntax tree of every file of the package."""
-    files = sorted(ROOT.rglob("*.py"))
-    return {p.relative_to(ROOT).as_posix(): ast.parse(p.read_text(encoding="utf-8")) for p in files}
+    return {path.relative_to(ROOT).as_posix(): tree for path, tree in files().items()}
 
 
 def found_in(files: dict[str, ast.Module], finder: Finder, rooms: Iterable[str] = ("",)) -> set[str]:
