@@ -49,10 +49,10 @@ class RootLines:
 
     def _weight(self) -> fmpz_mpoly:
         """The weight of the directrix as a polynomial in r and the parameter, up to a constant."""
-        found = lifted(fmpz_poly([]), 0)
+        weight = lifted(fmpz_poly([]), 0)
         for k, part in enumerate(segment_polynomials(self.directrix[-1], 0)):
-            found += lifted(part, 1) * S**k
-        return found
+            weight += lifted(part, 1) * S**k
+        return weight
 
     def _candidates(self) -> list[Root]:
         """The zeros of the product of the weights at all conjugates of r."""
@@ -60,8 +60,8 @@ class RootLines:
         return roots_in(resultant(minimal, rows_of(self._weight().compose(T, S))), *self.interval)
 
     def line(self, parameter: Number, digits: int = 20) -> Flat[arb]:
-        """A point and the direction of a line, in balls that are not finite where it is at infinity; `ShapeError`
-        outside the segment.
+        """A point and the direction of a line, in balls that are not finite where it is at infinity; raises
+        `ShapeError` outside the segment.
         """
         u = rational(parameter)
         if not self.interval[0] <= u <= self.interval[1]:
