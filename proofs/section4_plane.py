@@ -12,8 +12,8 @@ import pytest
 from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
-from exactspline import dot
 from exactspline.geometry.derived import derive
+from exactspline.language import dot
 from exactspline.papers import find
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.readings.taylor import series_curve

@@ -11,7 +11,7 @@ import pytest
 from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
-from exactspline import Vector, dot
+from exactspline.language import Vector, dot
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.papers import find

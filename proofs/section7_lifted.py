@@ -9,8 +9,8 @@ import pytest
 from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
-from exactspline import Vector, dot
 from exactspline.geometry.constructions import all_constructions, construction
+from exactspline.language import Vector, dot
 from exactspline.language.kinds import CURVE
 from exactspline.papers import find
 from exactspline.readings.jet import JetReading
@@ -64,7 +64,7 @@ def test_a_wronskian_of_functions_of_degree_d_is_a_covariant():
     """W(f₁, …, fₙ) has k = n, weight n(n − 1)/2, height 0: order n(d − n + 1)."""
     for n in (2, 3, 4):
         c = JetReading(n - 1).argument(CURVE, n, polynomial=True)
-        from exactspline import wronskian
+        from exactspline.language import wronskian
 
         found = true_degree(wronskian(c.p) if n > 2 else c.p[0] * c.p[1].d() - c.p[1] * c.p[0].d())
         assert (found.k, found.m, found.j) == (n, n * (n - 1) // 2, 0)

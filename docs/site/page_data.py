@@ -17,7 +17,7 @@ from exactspline.display.plot.turning_surface import inspected_scene
 from exactspline.display.quotations import parts
 from exactspline.display.statement import statement_data
 from exactspline.papers import papers
-from exactspline.readings.degree import parse
+from exactspline.readings.degree import parse_degree
 from exactspline.verification.claims import claims_in
 from exactspline.verification.degree_tables import generic_table
 from exactspline.verification.evidence import Evidence, OnExample
@@ -67,7 +67,7 @@ def degrees() -> dict[str, list[dict[str, Any]]]:
     def both(text: str) -> dict[str, Any]:
         if not text.strip("–"):
             return {"text": "–", "values": {}}
-        degree = parse(text)
+        degree = parse_degree(text)
         return {"text": text, "values": {d: int(degree.at({"d": d})) for d in DEGREES}}
 
     made: dict[str, list[dict[str, Any]]] = {}

@@ -31,7 +31,7 @@ SIGNS = (
 )
 #: The platform of that Pyodide, as pip names it.
 PLATFORM = ("--platform", "pyemscripten_2026_0_wasm32", "--python-version", "314", "--implementation", "cp")
-WHEELS = ("python-flint==0.9.0", "mpmath>=1.3")
+WHEELS = ("python-flint==0.9.0", "mpmath>=1.3", "lazy_loader>=0.6")
 #: What of the packages no page reads.
 SUPERFLUOUS = ("*.map", "*.d.ts", "console*.html", "README.md", "*.ttf", "*.woff", "contrib/*.js.map")
 

@@ -7,12 +7,12 @@ from itertools import pairwise
 from random import Random
 
 from exactspline.classroom.answers import Numbers, Points, Polynomials
-from exactspline.classroom.exercise import Drawn, cleared, drawn_points, knots_of, points_of, small
+from exactspline.classroom.exercises import Drawn, cleared, drawn_points, knots_of, points_of, small
 from exactspline.classroom.parts import Math, Polynomial
+from exactspline.classroom.triangles import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
 from exactspline.numbers.exact import mpq, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.triangles import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
 
 
 def _knots(rng: Random, degree: int) -> list[int]:

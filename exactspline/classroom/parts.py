@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from exactspline.classroom.triangles import Triangle
 from exactspline.numbers.exact import mpq
-from exactspline.splines.triangles import Triangle
 
 Point: TypeAlias = tuple[mpq, ...]
 

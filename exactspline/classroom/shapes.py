@@ -5,8 +5,9 @@ from __future__ import annotations
 from random import Random
 
 from exactspline.classroom.answers import Circle, Numbers, Parameters
-from exactspline.classroom.exercise import LARGEST, Drawn, cleared, drawn_points, knots_of, points_of, small
+from exactspline.classroom.exercises import LARGEST, Drawn, cleared, drawn_points, knots_of, points_of, small
 from exactspline.classroom.parts import Math, Point
+from exactspline.classroom.triangles import de_boor_triangle
 from exactspline.formulas.derivatives import towards_centre
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
@@ -16,7 +17,6 @@ from exactspline.numbers.exact import is_square, mpq, text
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.triangles import de_boor_triangle
 
 
 def _function(rng: Random) -> BSpline:

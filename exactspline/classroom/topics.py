@@ -5,7 +5,7 @@ from __future__ import annotations
 from random import Random
 
 from exactspline.classroom import algorithms, shapes
-from exactspline.classroom.exercise import Exercise, Topic
+from exactspline.classroom.exercises import Exercise, Topic
 from exactspline.errors import ExactSplineError, as_text, nearest, shown
 
 TOPICS: dict[str, Topic] = {

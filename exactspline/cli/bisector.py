@@ -91,7 +91,7 @@ def bisector(
     if output:
         write_json(output, answer.data)
     if plot:
-        from exactspline.display.plot import save
+        from exactspline.display.plot.canvas import save
 
         drawn = answer.draw()
         save(drawn, plot)

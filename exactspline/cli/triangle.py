@@ -53,7 +53,12 @@ def triangle(
 
 
 def _schemes(curve: Nurbs, at: list[str], insert: list[str], times: int, elevate: int, product: str) -> list[Scheme]:
-    from exactspline.splines.triangles import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
+    from exactspline.classroom.triangles import (
+        de_boor_triangle,
+        elevation_triangles,
+        insertion_triangle,
+        product_tables,
+    )
 
     found: list[Scheme] = [de_boor_triangle(curve, t) for t in dict.fromkeys(at)]
     found += [insertion_triangle(curve, t, times) for t in dict.fromkeys(insert)]

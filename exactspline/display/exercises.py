@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
-from exactspline.classroom.exercise import Exercise
+from exactspline.classroom.exercises import Exercise
 from exactspline.classroom.parts import Math, Part, Polynomial, Value
+from exactspline.classroom.triangles import Triangle
 from exactspline.display import mathml
 from exactspline.display.latex import fraction, mathematics
 from exactspline.display.triangles import scheme_mathml, sheets
 from exactspline.display.wrapping import hanging
 from exactspline.numbers.exact import text
-from exactspline.splines.triangles import Triangle
 
 _LATEX = {
     "\\": r"\textbackslash{}",

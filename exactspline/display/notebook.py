@@ -8,7 +8,8 @@ from html import escape
 from io import BytesIO
 from typing import Any, cast
 
-from exactspline.classroom.exercise import Exercise
+from exactspline.classroom.exercises import Exercise
+from exactspline.classroom.triangles import ProductTable, Triangle
 from exactspline.display.evidence import worded
 from exactspline.display.exercises import task_html
 from exactspline.display.latex import fraction, latex, mathematics
@@ -27,7 +28,6 @@ from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.triangles import ProductTable, Triangle
 from exactspline.verification.claim import Claim
 from exactspline.verification.errata import Erratum
 from exactspline.verification.rows import Row

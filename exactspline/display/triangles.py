@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from html import escape
 
+from exactspline.classroom.triangles import ProductTable, Row, Triangle
 from exactspline.display import mathml
 from exactspline.display.latex import fraction, mathematics
 from exactspline.display.sheet import Sheet
 from exactspline.numbers.exact import text
-from exactspline.splines.triangles import ProductTable, Row, Triangle
 
 #: The name of a scheme.
 _TITLES = {"de Boor": "De Boor's triangle", "insertion": "Knot insertion", "elevation": "Degree elevation"}
@@ -19,7 +19,8 @@ Scheme = Triangle | ProductTable
 def title(scheme: Scheme) -> str:
     """The title of a scheme.
 
-    >>> from exactspline import BSpline, de_boor_triangle
+    >>> from exactspline import BSpline
+    >>> from exactspline.classroom import de_boor_triangle
     >>> title(de_boor_triangle(BSpline.bezier([0, 1, 3]), "1/2"))
     "De Boor's triangle at t = 1/2 in [0, 1], degree 2"
     """

@@ -10,7 +10,8 @@ from exactspline.language.vector import cross, det, norm2, perp
 def turning_rate(first, second):
     """``[γ′ γ″]/‖γ′‖⁴``: signed curvature over speed, in the plane.
 
-    >>> from exactspline import Vector, rational
+    >>> from exactspline import rational
+    >>> from exactspline.language import Vector
     >>> turning_rate(Vector(rational(0), rational(2)), Vector(rational(-4), rational(0)))
     mpq(1,2)
     """
@@ -20,7 +21,8 @@ def turning_rate(first, second):
 def squared_bending(first, second):
     """``‖γ′ × γ″‖²/‖γ′‖⁶``: squared curvature in space.
 
-    >>> from exactspline import Vector, rational
+    >>> from exactspline import rational
+    >>> from exactspline.language import Vector
     >>> squared_bending(Vector(rational(0), rational(2), rational(0)), Vector(rational(-4), rational(0), rational(0)))
     mpq(1,1)
     """
@@ -30,7 +32,8 @@ def squared_bending(first, second):
 def towards_centre(first, second):
     """``(‖γ′‖²/[γ′ γ″]) γ′⊥``: from a point of a plane curve to its centre of curvature.
 
-    >>> from exactspline import Vector, rational
+    >>> from exactspline import rational
+    >>> from exactspline.language import Vector
     >>> towards_centre(Vector(rational(0), rational(2)), Vector(rational(-4), rational(0)))
     Vector(mpq(-1,1), mpq(0,1))
     """
@@ -40,7 +43,7 @@ def towards_centre(first, second):
 def across(first, second):
     """``(γ′ × γ″) × γ′``: the direction of the principal normal in space.
 
-    >>> from exactspline import Vector
+    >>> from exactspline.language import Vector
     >>> across(Vector(0, 2, 0), Vector(-4, 1, 0))
     Vector(-16, 0, 0)
     """

@@ -49,7 +49,8 @@ from exactspline.numbers.exact import mpq, ratio, sign
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import ONE, variations
 from exactspline.polynomials.factors import certainly_coprime
-from exactspline.programs.program import Given, operands_of
+from exactspline.programs import program
+from exactspline.programs.given import Given, operands_of
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.questions.entry import CURVES, Answered, Fact, Remembers, question
 from exactspline.roots.root import Root, knot_root
@@ -176,7 +177,7 @@ class Facts(Remembers):
         if self._given is None:
             value: SplineValue = formula(self.operands)
             return value
-        return self._given.value(formula)
+        return program.value(formula, self._given)
 
     def lowest_of(self, formula: Formula) -> SplineValue:
         """The value of a formula on the curve (with a positive weight function), at its true degree."""
@@ -186,7 +187,7 @@ class Facts(Remembers):
     def _together(self) -> dict[Formula, SplineValue]:
         kind, formulas = KINDS.get(self.curve.dimension), TOGETHER.get(self.curve.dimension, ())
         given = operands_of(kind, self.operands, true_degree=True) if kind else None
-        return given.values(formulas) if given else {}
+        return program.values(formulas, given) if given else {}
 
     def solved(self, form: Callable[[], BSpline]) -> ZeroForm:
         """A form, its zeros, and the time it took to find them."""

@@ -16,7 +16,8 @@ from exactspline.formulas.lifted import critical_curvature_lifted, inflections_l
 from exactspline.language.kinds import PLANE
 from exactspline.polynomials.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates, without_zeros
 from exactspline.programs.doubles import Floats, in_doubles
-from exactspline.programs.program import Program, Signature, program_of
+from exactspline.programs.program import Program, program_of
+from exactspline.programs.reading import Signature
 
 #: How many segments are computed together, so that their numbers fit into the cache.
 AT_ONCE = 4096

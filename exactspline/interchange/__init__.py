@@ -10,8 +10,6 @@
 ((mpq(3,5), mpq(4,5)), ())
 """
 
-from exactspline.interchange.files import read, write
-from exactspline.interchange.limits import Limits
-from exactspline.interchange.records import NamedCurve, Reading, Skipped
+import lazy_loader
 
-__all__ = ["Limits", "NamedCurve", "Reading", "Skipped", "read", "write"]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

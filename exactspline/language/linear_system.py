@@ -15,7 +15,7 @@ def cramer(*rows: tuple[Vector[S], S]) -> Vector[S]:
 
     Each row is a normal with its height: three planes in space, or two lines in the plane.
 
-    >>> from exactspline import Vector
+    >>> from exactspline.language import Vector
     >>> cramer((Vector(1, 0, 0), 5), (Vector(0, 2, 0), 6), (Vector(0, 0, 1), 7))
     Vector(10, 6, 14)
     """

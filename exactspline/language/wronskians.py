@@ -40,7 +40,8 @@ def wronskian(a: Vector[R], order: int | None = None) -> R:
     It vanishes identically where the components are linearly dependent functions. `order` is the number of components
     where `a` does not know it (a node of a tree).
 
-    >>> from exactspline import BSpline, Vector
+    >>> from exactspline import BSpline
+    >>> from exactspline.language import Vector
     >>> t = BSpline.identity(0, 1)
     >>> wronskian(Vector(t, t * t)) == t * t
     True
@@ -56,7 +57,8 @@ def wronskians(w: R, p: Vector[R]) -> Vector[R]:
     """``w p′ − w′ p``, the Wronskians of a function and each component of a vector: ``w²`` times the derivative of the
     quotient.
 
-    >>> from exactspline import BSpline, Vector
+    >>> from exactspline import BSpline
+    >>> from exactspline.language import Vector
     >>> t = BSpline.identity(0, 1)
     >>> wronskians(t, Vector(t * t, t))[0] == t * t
     True
@@ -70,7 +72,8 @@ def osculating(a: Vector[R], order: int) -> Vector[R]:
     """The vector orthogonal to `a` and its derivatives, `order` vectors in all and one component more: the line, plane
     or sphere through this many consecutive points. Up to signs its components are the Wronskians of all others.
 
-    >>> from exactspline import BSpline, Vector
+    >>> from exactspline import BSpline
+    >>> from exactspline.language import Vector
     >>> t = BSpline.identity(0, 1)
     >>> [x(0) for x in osculating(Vector(t.constant(1), t, t * t), 2)]
     [mpq(0,1), mpq(0,1), mpq(1,1)]

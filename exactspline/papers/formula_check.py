@@ -44,8 +44,13 @@ LANGUAGE: dict[str, Callable[..., Any]] = {
     "triple": triple,
     "wronskian": wronskian,
 }
-#: Other modules from which they may be imported.
-HOMES = {"exactspline", *[f"exactspline.language.{name}" for name in ("complex_numbers", "vector", "wronskians")]}
+#: The modules from which they may be imported, and the names of each.
+HOMES: dict[str, set[str]] = {
+    "exactspline": {"rational"},
+    "exactspline.language": LANGUAGE.keys() - {"rational"},
+    **{f"exactspline.language.{name}": set(LANGUAGE) for name in ("complex_numbers", "vector", "wronskians")},
+}
+IMPORT = 'write "from exactspline.language import formula, det, …"'
 #: Rooms from whose modules formulas may be imported.
 ROOMS = ("exactspline.formulas.", "exactspline.papers.")
 TRUST = "--trust runs the file as it stands, which may do anything"
@@ -85,11 +90,11 @@ def formulas_of(text: str, file: str, known: Mapping[str, Formula], *, plain: bo
     `plain`, unmarked functions of one argument count as formulas of a curve.
 
     >>> text = "@formula('eq. (1)', on='plane')\\ndef f(c): return det(c.p, c.p.d(1))"
-    >>> formulas_of(f"from exactspline import formula, det\\n{text}", "formulas.py", {})
+    >>> formulas_of(f"from exactspline.language import formula, det\\n{text}", "formulas.py", {})
     {'f': <formula f, eq. (1)>}
-    >>> formulas_of("import os", "formulas.py", {})
+    >>> formulas_of("import os", "my.py", {})
     Traceback (most recent call last):
-    exactspline.errors.FormulaError: formulas.py, line 1: import os; write "from exactspline import formula, det, …"
+    exactspline.errors.FormulaError: my.py, line 1: import os; write "from exactspline.language import formula, det, …"
 
     Raises `FormulaError` with file and line for whatever is not a formula.
     """
@@ -146,7 +151,7 @@ def _checked(tree: ast.Module, file: str, known: Mapping[str, Formula]) -> tuple
 def _imported(node: ast.ImportFrom, read: Checked, known: Mapping[str, Formula]) -> Iterable[tuple[str, Any]]:
     module = node.module or ""
     if node.level or (module not in HOMES and module != "__future__" and not module.startswith(ROOMS)):
-        raise read.refuse(node, f"an import from {module or '.'}", 'write "from exactspline import formula, det, …"')
+        raise read.refuse(node, f"an import from {module or '.'}", IMPORT)
     for alias in node.names:
         as_name = alias.asname or alias.name
         if as_name.startswith("_"):
@@ -154,8 +159,8 @@ def _imported(node: ast.ImportFrom, read: Checked, known: Mapping[str, Formula])
         if module == "__future__":
             continue
         if module in HOMES:
-            if alias.name not in LANGUAGE:
-                remedy = nearest(alias.name, LANGUAGE)
+            if alias.name not in HOMES[module]:
+                remedy = IMPORT if alias.name in LANGUAGE else nearest(alias.name, LANGUAGE)
                 raise read.refuse(node, f"{alias.name!r} is not a function of the language", remedy)
             if as_name != alias.name:
                 raise read.refuse(node, f"another name for {alias.name}", "import it under its own")
@@ -195,7 +200,7 @@ def _attributes(node: ast.FunctionDef, read: Checked) -> tuple[set[str], set[str
     """
     kinds = _kinds(node, read)
     if node.decorator_list and "formula" not in read.imported:
-        raise read.refuse(node, "the function 'formula' is unknown here", 'write "from exactspline import formula"')
+        raise read.refuse(node, "the function 'formula' is unknown here", IMPORT)
     found = {"generator", "directrix"}
     for kind in kinds:
         for n in kind.dimensions:
@@ -497,5 +502,5 @@ def _instead(node: ast.AST) -> str:
     if isinstance(node, _REPEATS):
         return "write the terms separately"
     if isinstance(node, (ast.Import, ast.ImportFrom)):
-        return 'write "from exactspline import formula, det, …"'
+        return IMPORT
     return f"formulas are made of operands, + - * /, .d(k), det, dot, … and calls of formulas; {TRUST}"

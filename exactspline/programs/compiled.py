@@ -1,4 +1,4 @@
-"""Instructions as a Python function that runs over all segments, without wrapping the polynomials."""
+"""Instructions as a Python function that runs over all segments or patches, without wrapping the polynomials."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from exactspline.programs.instructions import UNIT, ZERO, Instruction
 
 #: A multiplier of a segment: the quotient of two denominators, or a power of the denominator of its width.
 Multiplier = tuple[Denominator, Denominator] | int
-#: From the polynomials of the operands, their denominators group by group, and the widths (numerator, denominator) of
+#: From the polynomials that are given, their denominators group by group, and the widths (numerator, denominator) of
 #: the segments to the polynomials and the denominators of every output, segment by segment.
 Run = Callable[
     [Sequence[Sequence[fmpz_poly]], Sequence[Sequence[fmpz]], Sequence[tuple[fmpz, fmpz]]],
@@ -24,16 +24,18 @@ Run = Callable[
 def compiled(
     listed: Sequence[Instruction],
     outputs: Sequence[tuple[int, Denominator]],
-    operands: int,
+    given: Sequence[int | None],
     groups: Sequence[int],
     multipliers: Sequence[Multiplier],
 ) -> Run:
     """The function of a program: from every segment the polynomials of the outputs, then their denominators.
 
+    `given` are the instructions whose polynomials it is called with, None for one that is not used.
+
     >>> from exactspline.programs.denominators import OfOperand
     >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,))]
     >>> below = Denominator.of(OfOperand(0))
-    >>> run = compiled([*load, Instruction("mul", (0, 1))], [(2, below * below)], 2, [0], [])
+    >>> run = compiled([*load, Instruction("mul", (0, 1))], [(2, below * below)], [0, 1], [0], [])
     >>> run([[fmpz_poly([1, 1])], [fmpz_poly([2, 3])]], [[fmpz(5)]], [(fmpz(1), fmpz(1))])
     [(3*x^2 + 5*x + 2, 25)]
     """
@@ -44,11 +46,13 @@ def compiled(
         "fmpz": fmpz,
         "common_multiple": common_multiple,
     }
-    used = needed(listed, [i for i, _ in outputs])
-    lines = [f"m{k} = {_multiplier(multiplier)}" for k, multiplier in enumerate(multipliers)]
-    lines += [f"t{i} = {_text(one, constants)}" for i, one in enumerate(listed) if i in used and one.name != "load"]
-    loaded = {one.numbers[0]: f"t{i}" for i, one in enumerate(listed) if one.name == "load" and i in used}
-    names = [loaded.get(k, f"unused{k}") for k in range(operands)] + [f"below{group}" for group in groups]
+    used = needed(listed, [i for i, _ in outputs], given)
+    own = [i for i in sorted(used) if i not in given]
+    lifts = dict.fromkeys(listed[i].numbers[0] for i in own if listed[i].name == "lift")
+    lines = [f"m{k} = {_multiplier(multipliers[k])}" for k in lifts]
+    lines += [f"t{i} = {_text(listed[i], constants)}" for i in own]
+    names = [f"t{i}" if i in used else f"unused{k}" for k, i in enumerate(given)]
+    names += [f"below{group}" for group in groups]
     below = {}
     for k, denominator in enumerate(dict.fromkeys(denominator for _, denominator in outputs)):
         below[denominator] = f"d{k}"
@@ -57,9 +61,9 @@ def compiled(
     defaults = ", ".join(f"{name}={name}" for name in constants)
     source = "\n".join(
         [
-            f"def run(operands, denominators, widths, {defaults}):",
+            f"def run(given, denominators, widths, {defaults}):",
             "    found = []",
-            f"    for {', '.join(names)}, (top, bottom) in zip(*operands, *denominators, widths):",
+            f"    for {', '.join(names)}, (top, bottom) in zip(*given, *denominators, widths):",
             *[f"        {line}" for line in lines],
             f"        found.append(({', '.join(values)},))",
             "    return found",
@@ -78,11 +82,11 @@ def _multiplier(multiplier: Multiplier) -> str:
     return f"({whole.text}) // ({part.text})"
 
 
-def needed(listed: Sequence[Instruction], outputs: Sequence[int]) -> set[int]:
-    """The instructions on which the outputs depend."""
+def needed(listed: Sequence[Instruction], outputs: Sequence[int], given: Sequence[int | None] = ()) -> set[int]:
+    """The instructions on which the outputs depend, down to those that are given."""
     used = {i for i in outputs if i >= 0}
     for i in range(len(listed) - 1, -1, -1):
-        if i in used:
+        if i in used and i not in given:
             used.update(a for a in listed[i].arguments if a >= 0)
     return used
 

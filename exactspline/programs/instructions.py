@@ -27,7 +27,10 @@ class Instruction(NamedTuple):
     over_u   a (n)        a/u of degree n, a multiple of u
     scale    a (m)        m·a
     lift     a (k)        a times the k-th multiplier of the segment
+    spread   a (i)        a, of the i-th parameter alone, on every patch
     ======== ============ ===================================================
+
+    Only products, sums and multiples are formed of what is spread.
     """
 
     name: str
@@ -116,6 +119,10 @@ class Instructions:
     def scaled(self, a: int, m: int) -> int:
         """A multiple."""
         return a if m == 1 else self._put(Instruction("scale", (a,), (m,)), self.degree(a))
+
+    def spread(self, a: int, parameter: int) -> int:
+        """What depends on one parameter, on every patch."""
+        return self._put(Instruction("spread", (a,), (parameter,)), 0)
 
     def lifted(self, a: int, k: int) -> int:
         """Times a multiplier of the segment."""

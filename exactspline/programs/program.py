@@ -1,178 +1,44 @@
-"""Programs of formulas: made once for a kind of argument, its degrees and its widths, and run on any such argument."""
+"""Programs of formulas: made once for a kind of argument, its degrees and its widths, and run on any such argument.
+
+What depends on one parameter is computed segment by segment; of two curves only the rest is computed patch by patch.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
+from flint import fmpz, fmpz_poly
+
 from exactspline.errors import FormulaError
 from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import CurveKind, Kind, TableKind
-from exactspline.language.provenance import is_alone, leaf, within
-from exactspline.language.reading import Reading
-from exactspline.language.vector import Vector
+from exactspline.language.provenance import within
+from exactspline.polynomials.tensor_bernstein import stride_for
 from exactspline.programs.compiled import Run, compiled, needed
+from exactspline.programs.denominators import ONE
+from exactspline.programs.given import Given, operands_of
 from exactspline.programs.instructions import Instructions
-from exactspline.programs.pairs import operands_of_pair, program_of_pair
 from exactspline.programs.parts import rebuilt, terms_of
-from exactspline.programs.term import Recorder, Term
-from exactspline.programs.wronskian import TermAtTrueDegree
+from exactspline.programs.reading import ProgramReading, Signature
+from exactspline.programs.term import Term
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.knots import Mesh
+from exactspline.splines.tensor import TensorSpline, make
+from exactspline.splines.tensor_parts import Degrees
+from exactspline.splines.tensor_univariate import spread
 from exactspline.splines.values import SplineValue
 
 
-class Signature(NamedTuple):
-    """What a program depends on besides its formula: everything about the argument except its numbers.
-
-    `degrees` are those of the operands, `groups` say which of them have the same denominators on all segments;
-    `true_degree` whether formulas are read at their true degree (see `exactspline.programs.wronskian`).
+class Stage(NamedTuple):
+    """What is computed on the segments of one of two parameters: how, from which operands and with the denominators of
+    which of them, and the instructions that bring it to the patches.
     """
 
-    kind: Kind
-    dimension: int
-    polynomial: bool
-    degrees: tuple[int, ...]
+    run: Run
+    operands: tuple[int, ...]
     groups: tuple[int, ...]
-    unit_widths: bool
-    true_degree: bool = False
-
-
-class ProgramReading(Reading):
-    """A record of the computation: operands are loaded, operations become instructions."""
-
-    name = "program"
-    proves = "nothing: it records the work to be done"
-
-    def __init__(
-        self, degrees: Sequence[int], groups: Sequence[int], *, unit_widths: bool, true_degree: bool = False
-    ) -> None:
-        self.degrees, self.groups = tuple(degrees), tuple(groups)
-        self.operand: type[Term] = TermAtTrueDegree if true_degree else Term
-        self.recorder = Recorder(unit_widths=unit_widths)
-        #: The provenances of the operands in programs.
-        self.leaves = tuple([leaf() for _ in degrees])
-
-    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Every operand loaded by its number."""
-        symbols = kind.symbols(dimension, polynomial=polynomial)
-        count = len(symbols)
-        terms = {
-            symbol.name: self.operand.operand(self.recorder, k, count, degree, group, own)
-            for k, (symbol, degree, group, own) in enumerate(
-                zip(symbols, self.degrees, self.groups, self.leaves, strict=True)
-            )
-        }
-        one = terms[symbols[0].name].constant(1)
-        return kind.argument(dimension, lambda symbol: terms[symbol.name], one, polynomial=polynomial)
-
-
-class Given(NamedTuple):
-    """An argument, its splines in the order of its kind's symbols, and what is known of them in advance."""
-
-    argument: Evaluated
-    splines: tuple[BSpline, ...]
-    mesh: Mesh
-    signature: Signature
-
-    def values(self, formulas: tuple[Formula, ...]) -> dict[Formula, SplineValue]:
-        """The values of several formulas by one program, in which what they share is computed once.
-
-        >>> from exactspline.papers import find
-        >>> from exactspline.splines.examples import example
-        >>> given = operands_of(find("f2").kind, example("rational_cubic"), true_degree=True)
-        >>> found = given.values((find("inflections_lifted"), find("critical_curvature_lifted")))
-        >>> [f.degree for f in found.values()]
-        [3, 12]
-        """
-        made: Any = _program_of_all(formulas, self.signature).on(self)
-        return dict(zip(formulas, made, strict=True))
-
-    def value(self, formula: Formula) -> SplineValue:
-        """The value of a formula that applies to such arguments. A program is made where it pays off: once `WORTH_IT`
-        segments have asked for it. Until then the formula is read as always, with the same result.
-        """
-        key = formula, self.signature
-        program = _programs.get(key)
-        if program is None:
-            asked = _segments_asked[key] = _segments_asked.get(key, 0) + len(self.mesh)
-            if asked < WORTH_IT:
-                value: SplineValue = formula(self.argument)
-                return value
-            program = _programs[key] = _program(formula, self.signature)
-        return program.on(self)
-
-
-#: Making a program takes about as long as reading its formula on this many segments.
-WORTH_IT = 12
-
-
-def operands_of(kind: Kind, argument: Evaluated, *, true_degree: bool = False) -> Given | None:
-    """The splines of an argument for formulas of a kind, read as they stand or at their true degree.
-
-    None where there is no program: of two curves, of adjoined roots or constants, of splines over different breakpoints
-    or made from one another (then naive semantics sees more structure than the kind declares; the true degree does
-    not depend on it), and where the denominator of a polynomial curve is not 1.
-    """
-    if type(kind) is CurveKind:
-        if kind.constants or not isinstance(argument, Curve) or (kind.with_point and argument.point is None):
-            return None
-    elif type(kind) is not TableKind:
-        return None
-    if isinstance(argument, Curve) and argument.point is None:
-        polynomial, coordinates = argument.polynomial, argument.p.components
-        dimension, count = len(coordinates), len(coordinates) + (not polynomial)
-        splines = coordinates if polynomial else (*coordinates, argument.w)
-    else:
-        polynomial = bool(getattr(argument, "polynomial", False))
-        dimension = getattr(argument, "dimension", kind.dimensions[-1])
-        named: Mapping[str, Any] = argument.operands()
-        places, count = _places(kind, dimension, polynomial), _functions(kind, dimension, polynomial)
-        splines = tuple([named[name] if i is None else named[name][i] for name, i in places])
-    mesh, first, shared = splines[0].mesh, splines[0].denominators, True
-    for f in splines:
-        if type(f) is not BSpline or (f.mesh is not mesh and f.mesh.breaks != mesh.breaks):
-            return None
-        shared = shared and f.denominators == first
-    if isinstance(argument, Curve) and polynomial and not _is_one(argument.w):
-        return None
-    functions = [is_alone(f.provenance) for f in splines[:count]]
-    if not true_degree and (None in functions or len(set(functions)) < len(functions)):
-        return None
-    groups = (0,) * len(splines)
-    if not shared:
-        groups = tuple([next(j for j, g in enumerate(splines) if g.denominators == f.denominators) for f in splines])
-    degrees = tuple([f.degree for f in splines])
-    signature = Signature(kind, dimension, polynomial, degrees, groups, mesh.unit, true_degree)
-    return Given(argument, splines, mesh, signature)
-
-
-@lru_cache(None)
-def _functions(kind: Kind, dimension: int, polynomial: bool) -> int:
-    """How many of the operands are functions; the constants come after them."""
-    return sum(bool(symbol.parameters) for symbol in kind.symbols(dimension, polynomial=polynomial))
-
-
-def _is_one(w: BSpline) -> bool:
-    return w.degree == 0 and all(c.is_one() for c in w.polynomials) and all(m == 1 for m in w.denominators)
-
-
-@lru_cache(None)
-def _places(kind: Kind, dimension: int, polynomial: bool) -> tuple[tuple[str, int | None], ...]:
-    """Where in an argument's operands each symbol of its kind is found."""
-    count = len(kind.symbols(dimension, polynomial=polynomial))
-    reading = ProgramReading([0] * count, [0] * count, unit_widths=True)
-    found: dict[int, tuple[str, int | None]] = {}
-    named: Mapping[str, Any] = reading.argument(kind, dimension, polynomial=polynomial).operands()
-    for name, operand in named.items():
-        parts = list(enumerate(operand)) if isinstance(operand, Vector) else [(None, operand)]
-        for index, term in parts:
-            if term.orders[-1] < 0:
-                found[term.orders.index(0)] = name, index
-    return tuple(found[k] for k in range(count))
+    spread: tuple[int, ...]
 
 
 class Program:
@@ -184,10 +50,18 @@ class Program:
     >>> program = program_for(find("f2"), curve)
     >>> program(curve).degree, program.count("mul")
     (6, 9)
+
+    On two curves:
+
+    >>> from exactspline.splines.tensor import surface_pair
+    >>> pair = surface_pair(example("rational_space_cubic"), example("ellipse_in_space"))
+    >>> chord = find("chen_riesenfeld_cohen_2007:chord")
+    >>> program_for(chord, pair)(pair) == chord(pair)
+    True
     """
 
-    def __init__(self, value: object, reading: ProgramReading, signature: Signature) -> None:
-        self.signature = signature
+    def __init__(self, value: object, reading: ProgramReading) -> None:
+        self.signature = reading.signature
         self.instructions: Instructions = reading.recorder.instructions
         self.leaves = reading.leaves
         self.value = value
@@ -195,10 +69,25 @@ class Program:
         self.outputs = [term.output() for term in self.terms]
         outputs = list(zip(self.outputs, [term.below for term in self.terms], strict=True))
         #: The operands that stand for those with the same denominators.
-        self.groups = sorted(set(signature.groups))
-        self.run: Run = compiled(
-            self.instructions.listed, outputs, len(signature.degrees), self.groups, reading.recorder.multipliers
-        )
+        self.groups = sorted(set(self.signature.groups))
+        listed, multipliers = self.instructions.listed, reading.recorder.multipliers
+        parameters = reading.recorder.all
+        self._stages = [self._stage(reading, which) for which in range(len(parameters))] if len(parameters) > 1 else []
+        loads = {one.numbers[0]: i for i, one in enumerate(listed) if one.name == "load"}
+        given = [i for stage in self._stages for i in stage.spread]
+        columns = given if self._stages else [loads.get(k) for k in range(len(self.leaves))]
+        self.run: Run = compiled(listed, outputs, columns, self.groups, multipliers)
+
+    def _stage(self, reading: ProgramReading, which: int) -> Stage:
+        listed, own = self.instructions.listed, reading.recorder.all[which]
+        used = sorted(needed(listed, self.outputs))
+        spread = tuple([i for i in used if listed[i].name == "spread" and listed[i].numbers == (which,)])
+        loads = [i for i in used if listed[i].name == "load"]
+        loads = [i for i in loads if reading.recorder.parameters[listed[i].numbers[0]] == own]
+        operands = tuple([listed[i].numbers[0] for i in loads])
+        groups = tuple([k for k in self.groups if reading.recorder.parameters[k] == own])
+        wanted = [(listed[i].arguments[0], ONE) for i in spread]
+        return Stage(compiled(listed, wanted, loads, groups, reading.recorder.multipliers), operands, groups, spread)
 
     def __call__(self, argument: Evaluated) -> SplineValue:
         """The value on an argument with the program's signature; it has no provenance.
@@ -212,30 +101,55 @@ class Program:
 
     def on(self, given: Given) -> SplineValue:
         """The value from the splines of an argument."""
-        splines = self.splines(given)
+        leaves = tuple(zip(self.leaves, [f.provenance for f in given.splines], strict=True))
+        splines = self._on_patches(given, leaves) if self._stages else self._on_segments(given, leaves)
         made: Any = splines[0] if isinstance(self.value, Term) else rebuilt(self.value, iter(splines))
         value: SplineValue = made
         return value
 
-    def splines(self, given: Given) -> list[BSpline]:
-        """The terms of the value on the segments of an argument."""
-        operands = given.splines
+    def _on_segments(self, given: Given, leaves: Any) -> list[BSpline]:
+        """The terms of the value in one parameter."""
+        operands, mesh = given.splines, given.meshes[0]
         below = [operands[k].denominators for k in self.groups]
-        columns: Any = tuple(zip(*self.run([f._polynomials for f in operands], below, given.mesh.widths), strict=True))
-        inner, count = len(given.mesh.widths) - 1, len(self.terms)
+        columns: Any = tuple(zip(*self.run([f._polynomials for f in operands], below, mesh.widths), strict=True))
+        inner, count = len(mesh.widths) - 1, len(self.terms)
         continuities = [f.continuity for f in operands] if inner else ()
-        leaves = tuple(zip(self.leaves, [f.provenance for f in operands], strict=True))
         return [
             BSpline.from_parts(
-                term.degree,
-                given.mesh,
-                term.continuity_of(continuities, inner),
+                term.degrees[0],
+                mesh,
+                term.continuity_of(continuities, inner) if inner else (),
                 columns[k],
                 columns[count + k],
                 within(term.provenance, leaves),
             )
             for k, term in enumerate(self.terms)
         ]
+
+    def _on_patches(self, given: Given, leaves: Any) -> list[TensorSpline]:
+        """The terms of the value in two parameters."""
+        meshes: Any = given.meshes
+        highest = max(term.degrees[0] for term in self.terms)
+        stride = given.stride if highest < given.stride else stride_for(highest)
+        polynomials: list[Sequence[fmpz_poly]] = []
+        below: list[Sequence[fmpz]] = []
+        for which, (run, operands, groups, brought) in enumerate(self._stages):
+            own = [given.splines[k].denominators for k in groups]
+            made = run([given.splines[k]._polynomials for k in operands], own, meshes[which].widths)
+            for column in list(zip(*made, strict=True))[: len(brought)]:
+                packed = tuple([c.inflate(stride) for c in column]) if which else column
+                polynomials.append(spread(packed, which, meshes))
+            below += [spread(m, which, meshes) for m in own]
+        widths = meshes[0].widths[:1] * (len(meshes[0]) * len(meshes[1]))
+        columns: Any = tuple(zip(*self.run(polynomials, below, widths), strict=True))
+        count = len(self.terms)
+        continuities, inner = [f.continuity for f in given.splines], [len(mesh) - 1 for mesh in meshes]
+        found = []
+        for k, term in enumerate(self.terms):
+            s, t = (term.continuity_of(continuities, inner[i], i) for i in (0, 1))
+            degrees, provenance = Degrees(*term.degrees), within(term.provenance, leaves)
+            found.append(make(degrees, meshes, (s, t), stride, columns[k], columns[count + k], provenance))
+        return found
 
     def count(self, name: str) -> int:
         """How many instructions of one name are carried out on a segment."""
@@ -247,36 +161,31 @@ class Program:
 _programs: dict[tuple[Formula, Signature], Program] = {}
 _segments_asked: dict[tuple[Formula, Signature], int] = {}
 
+#: Making a program takes about as long as reading its formula on this many segments.
+WORTH_IT = 12
+
 
 @lru_cache(1024)
-def _program(formula: Formula, signature: Signature) -> Program:
-    reading, argument = _read(signature)
-    return Program(formula(argument), reading, signature)
+def program_of(formula: Formula, signature: Signature) -> Program:
+    """The program of a formula for arguments with a signature; made once.
+
+    Raises `FormulaError` for a formula of two curves that computes on patches what programs do not (see `Term`).
+    """
+    reading = ProgramReading(signature)
+    return Program(formula(reading.of_signature()), reading)
 
 
 @lru_cache(1024)
 def _program_of_all(formulas: tuple[Formula, ...], signature: Signature) -> Program:
-    reading, argument = _read(signature)
-    shared = argument.remembering()
-    return Program(tuple(formula(shared) for formula in formulas), reading, signature)
-
-
-def _read(signature: Signature) -> tuple[ProgramReading, Evaluated]:
-    reading = ProgramReading(
-        signature.degrees, signature.groups, unit_widths=signature.unit_widths, true_degree=signature.true_degree
-    )
-    return reading, reading.argument(signature.kind, signature.dimension, polynomial=signature.polynomial)
-
-
-def program_of(formula: Formula, signature: Signature) -> Program:
-    """The program of a formula for arguments with a signature; made once."""
-    return _program(formula, signature)
+    reading = ProgramReading(signature)
+    shared = reading.of_signature().remembering()
+    return Program(tuple(formula(shared) for formula in formulas), reading)
 
 
 def program_for(formula: Formula, argument: Evaluated) -> Program:
     """The program of a formula for arguments like this one; made once.
 
-    Raises `FormulaError` where there is none (see `operands_of`).
+    Raises `FormulaError` where there is none (see `operands_of` and `program_of`).
     """
     given = operands_of(formula.kind, argument)
     if given is None:
@@ -284,7 +193,36 @@ def program_for(formula: Formula, argument: Evaluated) -> Program:
             f"{formula.name} as a program on a {type(argument).__name__}",
             remedy="a curve, or operands of Table 1, over one list of breakpoints",
         )
-    return _program(formula, given.signature)
+    return program_of(formula, given.signature)
+
+
+def values(formulas: tuple[Formula, ...], given: Given) -> dict[Formula, SplineValue]:
+    """The values of several formulas by one program, in which what they share is computed once.
+
+    >>> from exactspline.papers import find
+    >>> from exactspline.splines.examples import example
+    >>> given = operands_of(find("f2").kind, example("rational_cubic"), true_degree=True)
+    >>> found = values((find("inflections_lifted"), find("critical_curvature_lifted")), given)
+    >>> [f.degree for f in found.values()]
+    [3, 12]
+    """
+    made: Any = _program_of_all(formulas, given.signature).on(given)
+    return dict(zip(formulas, made, strict=True))
+
+
+def value(formula: Formula, given: Given) -> SplineValue:
+    """The value of a formula on one curve. A program is made where it pays off: once `WORTH_IT` segments have asked for
+    it. Until then the formula is read as always, with the same result.
+    """
+    key = formula, given.signature
+    program = _programs.get(key)
+    if program is None:
+        asked = _segments_asked[key] = _segments_asked.get(key, 0) + len(given.meshes[0])
+        if asked < WORTH_IT:
+            read: SplineValue = formula(given.argument)
+            return read
+        program = _programs[key] = program_of(formula, given.signature)
+    return program.on(given)
 
 
 def evaluated(formula: Formula, argument: Evaluated) -> SplineValue:
@@ -296,13 +234,16 @@ def evaluated(formula: Formula, argument: Evaluated) -> SplineValue:
     mpq(1,1)
     """
     given = operands_of(formula.kind, argument)
-    value: SplineValue
-    if given is not None:
-        return _program(formula, given.signature).on(given)
-    pair = operands_of_pair(formula.kind, argument)
-    if pair is not None and (program := program_of_pair(formula, pair.signature)) is not None:
-        made: Any = program.on(pair)
-        value = made
-    else:
-        value = formula(argument)
-    return value
+    program = None if given is None else _program_if_any(formula, given.signature)
+    if given is None or program is None:
+        read: SplineValue = formula(argument)
+        return read
+    return program.on(given)
+
+
+@lru_cache(1024)
+def _program_if_any(formula: Formula, signature: Signature) -> Program | None:
+    try:
+        return program_of(formula, signature)
+    except FormulaError:
+        return None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import gcd
+from operator import add
 from typing import Any, Self
 
 from exactspline.errors import FormulaError
@@ -22,9 +23,15 @@ Orders = tuple[int, ...]
 
 
 class Recorder:
-    """What is recorded while a formula is traced: instructions, and multipliers that depend on the segments."""
+    """What is recorded while a formula is traced: instructions, and multipliers that depend on the segments.
 
-    def __init__(self, *, unit_widths: bool) -> None:
+    `parameters` name of every operand the parameter on which it depends.
+    """
+
+    def __init__(self, parameters: Sequence[str], *, unit_widths: bool) -> None:
+        self.parameters = tuple(parameters)
+        #: All parameters, in order.
+        self.all = tuple(dict.fromkeys(parameters))
         self.instructions = Instructions()
         self.multipliers: list[Multiplier] = []
         self.unit_widths = unit_widths
@@ -39,47 +46,70 @@ class Recorder:
 class Term(RingOperand):
     """``number · bᵏ (u + v)ᵉ · node / below``, with b the denominator of the segment's width.
 
+    `degrees` has one number per parameter. What depends on one parameter only is computed segment by segment, and
+    `axis` is its index, 0 for a constant; what depends on several is ``number · node / below`` on every patch,
+    and `axis` is None.
+
     `orders` are, operand by operand, the orders of the derivatives it was made from (−1: none), the constants last:
     continuity drops by them.
+
+    Raises `FormulaError` for what is not computed on patches: sums of unequal degrees or denominators, derivatives.
     """
 
-    __slots__ = ("below", "degree", "node", "number", "orders", "provenance", "raised", "recorder", "widths")
+    __slots__ = ("axis", "below", "degrees", "node", "number", "orders", "provenance", "raised", "recorder", "widths")
 
     def __init__(
         self,
         recorder: Recorder,
         node: int,
-        degree: int,
-        orders: tuple[int, ...],
+        degrees: tuple[int, ...],
+        orders: Orders,
         below: Denominator,
         provenance: Provenance,
+        axis: int | None = 0,
         number: int = 1,
         widths: int = 0,
         raised: int = 0,
     ) -> None:
-        self.recorder, self.node, self.degree, self.orders, self.below = recorder, node, degree, orders, below
-        self.provenance, self.number, self.widths, self.raised = provenance, number, widths, raised
+        self.recorder, self.node, self.degrees, self.orders, self.below = recorder, node, degrees, orders, below
+        self.provenance, self.axis, self.number, self.widths = provenance, axis, number, widths
+        self.raised = raised
 
     @classmethod
-    def operand(cls, recorder: Recorder, k: int, count: int, degree: int, group: int, provenance: Provenance) -> Self:
-        """The k-th of this many operands, with the denominators of a group of them."""
-        orders = tuple(0 if i == k else -1 for i in range(count + 1))
+    def operand(cls, recorder: Recorder, k: int, degree: int, group: int, provenance: Provenance) -> Self:
+        """The k-th operand, with the denominators of a group of them."""
+        orders = tuple(0 if i == k else -1 for i in range(len(recorder.parameters) + 1))
+        axis = recorder.all.index(recorder.parameters[k])
+        degrees = tuple(degree if i == axis else 0 for i in range(len(recorder.all)))
         below = Denominator.of(OfOperand(group))
         node = recorder.instructions.load(k, degree) if degree >= 0 else ZERO
-        return cls(recorder, node, degree, orders, below, provenance)
+        return cls(recorder, node, degrees, orders, below, provenance, axis)
 
     def constant(self, value: Constant) -> Self:
         """An exact constant."""
         q = rational(value)
         orders = (*[-1] * (len(self.orders) - 1), 0)
         number, below = int(q.numerator), Denominator(int(q.denominator))
-        node = ONE_POLYNOMIAL if number else ZERO
-        return type(self)(self.recorder, node, 0, orders, below, (MULTIPLE, UNIT, q), number)
+        node, degrees = ONE_POLYNOMIAL if number else ZERO, (0,) * len(self.degrees)
+        return type(self)(self.recorder, node, degrees, orders, below, (MULTIPLE, UNIT, q), number=number)
+
+    @property
+    def degree(self) -> int:
+        """The degree in the one parameter on which it depends.
+
+        Raises `FormulaError` where there are several.
+        """
+        return self.degrees[self._only()]
+
+    def _only(self) -> int:
+        if self.axis is None:
+            raise _outside("a degree or a derivative of what depends on several parameters")
+        return self.axis
 
     @property
     def is_number(self) -> bool:
         """Whether it is a constant."""
-        return self.degree == 0 and max(self.orders[:-1]) < 0
+        return max(self.orders[:-1]) < 0 and not any(self.degrees)
 
     @property
     def value(self) -> mpq:
@@ -101,11 +131,22 @@ class Term(RingOperand):
         return isinstance(other, Term) and same(self.provenance, other.provenance)
 
     def __hash__(self) -> int:
-        return hash((self.node, self.degree))
+        return hash((self.node, self.degrees))
 
     def _with(self, **changed: Any) -> Self:
         fields = {name: getattr(self, name) for name in Term.__slots__} | changed
         return type(self)(**fields)
+
+    def _of_degree(self, degree: int) -> tuple[int, ...]:
+        """The degrees with another in the one parameter."""
+        only = self._only()
+        return tuple(degree if i == only else n for i, n in enumerate(self.degrees))
+
+    def _common_axis(self, other: Term) -> int | None:
+        """The one parameter on which both depend; None where they depend on several."""
+        if self.axis == other.axis or other.is_number:
+            return self.axis
+        return other.axis if self.is_number else None
 
     # ---- sums
 
@@ -118,40 +159,67 @@ class Term(RingOperand):
         return NotImplemented if right is None else self._sum(right, -1, DIFFERENCE)
 
     def _sum(self, other: Self, sign: int, name: int) -> Self:
-        degree, below = max(self.degree, other.degree), self.below.common(other.below)
-        a, b = self._over(below, degree), other._over(below, degree)._with_number(sign)
-        orders = tuple(map(max, self.orders, other.orders))
-        provenance = (name, self.provenance, other.provenance)
+        axis = self._common_axis(other)
+        below = self.below.common(other.below)
+        degrees = tuple(map(max, self.degrees, other.degrees))
+        a, b = self._over(below, degrees, axis), other._over(below, degrees, axis)._with_number(sign)
+        known = {
+            "orders": tuple(map(max, self.orders, other.orders)),
+            "provenance": (name, self.provenance, other.provenance),
+        }
         if ZERO in (a.node, b.node):
-            return (b if a.node == ZERO else a)._with(orders=orders, provenance=provenance)
+            return (b if a.node == ZERO else a)._with(**known)
         raised, widths = min(a.raised, b.raised), min(a.widths, b.widths)
         first, second = a._down_to(raised, widths), b._down_to(raised, widths)
         parts = (first.node, first.number), (second.node, second.number)
         node, number = multiple_of_sum(self.recorder.instructions, *parts)
-        return first._with(node=node, number=number, orders=orders, provenance=provenance)
+        return first._with(node=node, number=number, **known)
 
     def _with_number(self, factor: int) -> Self:
         return self if factor == 1 else self._with(number=self.number * factor)
 
-    def _over(self, below: Denominator, degree: int) -> Self:
-        """Over a multiple of the denominator, of a degree at least as high."""
+    def _over(self, below: Denominator, degrees: tuple[int, ...], axis: int | None) -> Self:
+        """Over a multiple of the denominator, of degrees at least as high, as a term of one parameter or on patches."""
+        if axis is None:
+            return self._on_patches_over(below, degrees)
+        if axis == self.axis and degrees == self.degrees and below is self.below:
+            return self
+        known: dict[str, Any] = {"below": below, "degrees": degrees, "axis": axis}
         if self.node == ZERO:
-            return self._with(below=below, degree=degree, raised=0)
+            return self._with(raised=0, **known)
         node, number = self.node, self.number
         if below.powers == self.below.powers:
             number *= below.constant // self.below.constant
         else:
             node = self.recorder.instructions.lifted(node, self.recorder.multiplier((below, self.below)))
-        raised = self.raised + degree - self.degree
-        return self._with(node=node, number=number, below=below, degree=degree, raised=raised)
+        raised = self.raised + degrees[axis] - self.degrees[axis]
+        return self._with(node=node, number=number, raised=raised, **known)
+
+    def _on_patches_over(self, below: Denominator, degrees: tuple[int, ...]) -> Self:
+        if self.degrees != degrees or self.below.powers != below.powers:
+            raise _outside("a sum of unequal degrees or denominators on patches")
+        number = self.number * (below.constant // self.below.constant)
+        return self._on_patches()._with(number=number, below=below)
 
     def _down_to(self, raised: int, widths: int) -> Self:
-        """With this many powers of ``u + v`` and of the width's denominator kept apart and the others multiplied in."""
+        """With these powers of ``u + v`` and of the width's denominator kept apart and the others multiplied in."""
+        if (self.raised, self.widths) == (raised, widths):
+            return self
         code = self.recorder.instructions
         node = code.raised(self.node, self.raised - raised)
         if self.widths > widths:
             node = code.lifted(node, self.recorder.multiplier(self.widths - widths))
         return self._with(node=node, raised=raised, widths=widths)
+
+    def _on_patches(self) -> Self:
+        """As something that is computed on every patch."""
+        if self.axis is None:
+            return self
+        if self.node == ZERO:
+            return self._with(axis=None, raised=0, widths=0)
+        known = self._down_to(0, 0)
+        node = known.node if self.is_number else self.recorder.instructions.spread(known.node, self.axis)
+        return known._with(node=node, axis=None)
 
     # ---- products
 
@@ -160,17 +228,20 @@ class Term(RingOperand):
             return self.scaled(other)
         if not isinstance(other, Term):
             return NotImplemented
-        nothing = ZERO in (self.node, other.node)
+        axis = self._common_axis(other)
+        a, b = (self, other) if axis is not None else (self._on_patches(), other._on_patches())
+        nothing = ZERO in (a.node, b.node)
         return type(self)(
             self.recorder,
-            ZERO if nothing else self.recorder.instructions.times(self.node, other.node),
-            self.degree + other.degree,
-            tuple(map(max, self.orders, other.orders)),
-            self.below * other.below,
-            (PRODUCT, self.provenance, other.provenance),
-            self.number * other.number,
-            self.widths + other.widths,
-            self.raised + other.raised,
+            ZERO if nothing else self.recorder.instructions.times(a.node, b.node),
+            tuple(map(add, a.degrees, b.degrees)),
+            tuple(map(max, a.orders, b.orders)),
+            a.below * b.below,
+            (PRODUCT, a.provenance, b.provenance),
+            axis,
+            a.number * b.number,
+            a.widths + b.widths,
+            a.raised + b.raised,
         )
 
     def scaled(self, constant: Constant) -> Self:
@@ -187,46 +258,51 @@ class Term(RingOperand):
     # ---- derivatives and degrees
 
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
-        """The derivative of an order."""
-        self.only_parameter(by)
+        """The derivative of an order, by the one parameter."""
+        if by is not None and by != self.recorder.all[self._only()]:
+            raise FormulaError(f"a derivative by {by!r} in a program", remedy="name the parameter on which it depends")
         result = self
         for _ in range(order):
             result = result._derived()
         return result
 
     def _derived(self) -> Self:
-        orders = tuple(k + 1 if k >= 0 else k for k in self.orders)
-        provenance = (DERIVATIVE, self.provenance)
+        known: dict[str, Any] = {
+            "degrees": self._of_degree(self.degree - 1),
+            "orders": tuple(k + 1 if k >= 0 else k for k in self.orders),
+            "provenance": (DERIVATIVE, self.provenance),
+        }
         if self.degree <= 0:
-            gone = self._with(node=ZERO, degree=self.degree - 1, raised=0, widths=0, below=ONE, number=1)
-            return gone._with(orders=orders, provenance=provenance)
+            return self._with(node=ZERO, raised=0, widths=0, below=ONE, number=1, **known)
         node, raised = ZERO, 0
         if self.node != ZERO and self.degree > self.raised:
             node, raised = self.recorder.instructions.derived("derive", self.node), self.raised
         unit = self.recorder.unit_widths
         below = self.below if unit else self.below * Denominator.of(WidthNumerator())
-        widths = self.widths + (not unit)
-        derived = self._with(node=node, raised=raised, degree=self.degree - 1, below=below, widths=widths)
-        return derived._with(orders=orders, provenance=provenance)
+        return self._with(node=node, raised=raised, below=below, widths=self.widths + (not unit), **known)
 
     def elevated_to(self, other: Term) -> Self:
-        """The same term, at least of the degree of another."""
-        if self.degree >= other.degree:
+        """The same term, at least of the degrees of another."""
+        degrees = tuple(map(max, self.degrees, other.degrees))
+        if self.degrees == degrees:
             return self
-        raised = 0 if self.node == ZERO else self.raised + other.degree - self.degree
-        return self._with(degree=other.degree, raised=raised)
+        only = self._only()
+        if degrees != self._of_degree(degrees[only]):
+            raise _outside("a higher degree in another parameter")
+        return self._over(self.below, degrees, only)
 
     def partials(self, degree: int, order: int) -> list[Self]:
         """``∂u^(order−i) ∂vⁱ`` for i = 0 … order, of the term as a form of a degree at least its own."""
-        level = [self._over(self.below, degree)]
+        level = [self._over(self.below, self._of_degree(degree), self._only())]
         for _ in range(order):
             level = [level[0]._partial("du"), *[term._partial("dv") for term in level]]
         return level
 
     def _partial(self, name: str) -> Self:
+        """A derivative by u or v, or the quotient by u, by the name of its instruction."""
         term = self if self.node == ZERO else self._down_to(0, self.widths)
         node = ZERO if term.node == ZERO else term.recorder.instructions.derived(name, term.node)
-        return term._with(node=node, degree=self.degree - 1)
+        return term._with(node=node, degrees=self._of_degree(self.degree - 1))
 
     def by_v(self) -> Self:
         """``∂v``: not the derivative of the function, but a part of it."""
@@ -234,12 +310,10 @@ class Term(RingOperand):
 
     def over_u(self) -> Self:
         """Divided by u, where the form is a multiple of it: the same integers, of a degree one lower."""
-        term = self if self.node == ZERO else self._down_to(0, self.widths)
-        node = ZERO if term.node == ZERO else term.recorder.instructions.derived("over_u", term.node)
-        return term._with(node=node, degree=self.degree - 1)
+        return self._partial("over_u")
 
     def per_width(self, weight: int, dropped: int) -> Self:
-        """The term over this many powers of the segment's width, its continuity lowered by as many."""
+        """The term over a power of the segment's width, its continuity lowered by `dropped`."""
         orders = tuple(k + dropped if k >= 0 else k for k in self.orders)
         if self.recorder.unit_widths:
             return self._with(orders=orders)
@@ -254,23 +328,24 @@ class Term(RingOperand):
 
     def output(self) -> int:
         """The instruction that makes the polynomial over `below`."""
+        if self.axis is not None and len(self.degrees) > 1:
+            raise _outside("a value on patches that depends on one parameter only")
         if self.node == ZERO:
             return ZERO
         code = self.recorder.instructions
         return code.scaled(self._down_to(0, 0).node, self.number)
 
-    def continuity_of(self, operands: Sequence[tuple[int, ...]], inner: int) -> tuple[int, ...]:
-        """The continuity at the inner breakpoints, from that of the operands."""
-        return continuity_from(self.orders, operands, inner)
+    def continuity_of(self, operands: Sequence[tuple[int, ...]], inner: int, axis: int = 0) -> tuple[int, ...]:
+        """The continuity at the inner breakpoints of a parameter, from that of all operands."""
+        found, name = (SMOOTH,) * inner, self.recorder.all[axis]
+        for continuity, order, own in zip(operands, self.orders, self.recorder.parameters, strict=False):
+            if order >= 0 and own == name:
+                found = tuple([min(most, max(c - order, -1)) for most, c in zip(found, continuity, strict=True)])
+        return found
 
 
-def continuity_from(orders: Orders, operands: Sequence[tuple[int, ...]], inner: int) -> tuple[int, ...]:
-    """The continuity at this many inner breakpoints of what was made from derivatives of operands of these orders."""
-    if not inner:
-        return ()
-    known = [*operands, (SMOOTH,) * inner]
-    dropped = [[max(c - k, -1) for c in own] for own, k in zip(known, orders, strict=True) if k >= 0]
-    return tuple(map(min, *dropped)) if len(dropped) > 1 else tuple(dropped[0])
+def _outside(what: str) -> FormulaError:
+    return FormulaError(what, remedy="read the formula as splines")
 
 
 def multiple_of_sum(code: Instructions, first: tuple[int, int], second: tuple[int, int]) -> tuple[int, int]:

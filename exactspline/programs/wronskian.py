@@ -25,7 +25,8 @@ class TermAtTrueDegree(Term, OwnWronskians):
     """A term whose Wronskians and logarithmic derivatives have their true degree.
 
     >>> from exactspline.papers import find
-    >>> from exactspline.programs.program import operands_of, program_of
+    >>> from exactspline.programs.given import operands_of
+    >>> from exactspline.programs.program import program_of
     >>> from exactspline.splines.examples import example
     >>> lifted, curve = find("inflections_lifted"), example("rational_cubic")
     >>> read = [operands_of(lifted.kind, curve, true_degree=true_degree) for true_degree in (False, True)]

@@ -130,7 +130,7 @@ class Degree(RingOperand, PartlyOrdered):
     def at(self, values: Mapping[str, int]) -> int:
         """The number for given degrees.
 
-        >>> parse("9d - 6").at({"d": 3})
+        >>> parse_degree("9d - 6").at({"d": 3})
         21
         """
         return max(
@@ -217,10 +217,10 @@ def _in_hull(term: Term, b: Degree, start: int) -> bool:
     return True
 
 
-def parse(text: str) -> Degree:
+def parse_degree(text: str) -> Degree:
     """Read a degree as it is written: ``9d-6``, ``12(d−1)``, ``d1 + d2``, ``max(d1, d2)``.
 
-    >>> parse("12(d-1)"), parse("max(d1, d2)")
+    >>> parse_degree("12(d-1)"), parse_degree("max(d1, d2)")
     (12d − 12, max(d2, d1))
 
     Raises `FormulaError` when it cannot be read.
@@ -297,7 +297,7 @@ class DegreeReading(Reading):
             degree = symbol.degree_in(parameter)
             if degree.isidentifier():
                 return Degree.named(self.degree + degree.removeprefix("d"), parameter)
-            return Degree(parse(degree).terms, counted=parameter)
+            return Degree(parse_degree(degree).terms, counted=parameter)
 
         one = Degree.number(0, counted=parameter)
         argument = kind.argument(dimension, operand, one, polynomial=polynomial)

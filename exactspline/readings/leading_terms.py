@@ -24,7 +24,7 @@ from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.polynomials.factors import factorize
-from exactspline.readings.degree import Degree, parse
+from exactspline.readings.degree import Degree, parse_degree
 from exactspline.readings.differential_order import order_of
 
 #: An upper bound of the vanishing terms of every formula of the library.
@@ -296,7 +296,7 @@ def generic_true_degree(
     )
     symbols = formula.kind.symbols(dimension, polynomial=polynomial)
     name = next(symbol.degree_in(parameter) for symbol in symbols if parameter in symbol.parameters)
-    degrees = [parse(f"{k}{name}-{m + drop}") for part in found for (k, m), (drop, _) in part.items()]
+    degrees = [parse_degree(f"{k}{name}-{m + drop}") for part in found for (k, m), (drop, _) in part.items()]
     result = degrees[0]
     for degree in degrees[1:]:
         result = result.max(degree)

@@ -10,7 +10,7 @@ from math import comb, gcd, lcm
 from typing import Any
 
 
-def check(certificate: dict[str, object], sturm: bool = True) -> dict[str, int]:
+def check_certificate(certificate: dict[str, object], sturm: bool = True) -> dict[str, int]:
     """Number of roots, jumps and intervals that the certificate proves; a ValueError names what is wrong with it, and
     then it proves nothing.
 

@@ -121,11 +121,12 @@ _SHARED: ContextVar[SharedJets | None] = ContextVar("shared jets", default=None)
 
 
 @contextmanager
-def sharing(jets: SharedJets) -> Iterator[None]:
+def sharing(jets: SharedJets | None = None) -> Iterator[None]:
     """In this context, `jets_for` returns these arguments and adds to them, so that many proofs compute a formula
-    once.
+    once; without any those of the context around it.
     """
-    token = _SHARED.set(jets)
+    shared = _SHARED.get() if jets is None else jets
+    token = _SHARED.set({} if shared is None else shared)
     try:
         yield
     finally:

@@ -25,6 +25,7 @@ from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
+from exactspline.symbolic.factorization import sharing
 from exactspline.verification.check_arguments import free_operands
 from exactspline.verification.claim_factor import WEIGHTS
 from exactspline.verification.claim_fields import claim_kind, declared
@@ -359,7 +360,8 @@ class Claim(Immutable, Displayed):
         """The reading in which it is decided for all curves, and the finding: the worst of all cases, the
         rational and the polynomial curves of every dimension of which it speaks.
         """
-        found = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
+        with sharing():
+            found = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
         return self.reading, worst(found)
 
     @property

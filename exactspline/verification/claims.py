@@ -179,6 +179,18 @@ def all_claims() -> tuple[Claim, ...]:
     return claims_in(default_papers())
 
 
+def claims(*ids: str, paper: Paper | str | None = None) -> tuple[Claim, ...]:
+    """The claims of a paper (of the default papers where none is named) with these ids or keys, all of them without
+    any; an id also selects all that begin with it (``C3`` all of §3).
+
+    >>> [claim.key for claim in claims("C4.1a")]
+    ['C41a-f1-f2', 'C41a-f0-f2']
+
+    Raises `ClaimError` with the nearest ids.
+    """
+    return select(ids, None if paper is None else claims_of(paper))
+
+
 def claims_in(sources: Iterable[Paper]) -> tuple[Claim, ...]:
     """Every claim of some papers."""
     return tuple(claim for source in sources for claim in claims_of(source))

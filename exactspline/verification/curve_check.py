@@ -99,7 +99,7 @@ def _without(p: fmpz_poly, q: fmpz_poly) -> tuple[fmpz_poly, int]:
     return p, p.degree()
 
 
-def spline_table(d1: int = 2, d2: int = 3) -> Operands:
+def table_1_splines(d1: int = 2, d2: int = 3) -> Operands:
     """Operands of Table 1 as splines of unequal degrees and knots: control points from a fixed recurrence, positive
     denominators.
     """

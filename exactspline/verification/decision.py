@@ -1,5 +1,8 @@
 """Whether two sides are equal: decided in one place, whatever they are made of (differential polynomials, splines,
 expressions of sympy). Two sides that vanish say nothing, and neither does what is divided by zero.
+
+Every claim kind that says of two values that they are one states it here: identities and what vanishes, ruled surfaces,
+directrices, values on changed curves, sums of squares.
 """
 
 from __future__ import annotations
@@ -14,9 +17,12 @@ from exactspline.language.arguments import Curve, embedded
 from exactspline.language.formula import Formula
 from exactspline.language.parts import Value, split
 from exactspline.language.ruled import differences
+from exactspline.language.vector import Vector
 from exactspline.papers import find as find_anywhere
+from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.tensor import TensorSpline
+from exactspline.symbolic.factorization import find_factor
 from exactspline.verification.claim_factor import factor_formulas, factor_of_text
 from exactspline.verification.curve_check import stated_factor, where_it_differs
 from exactspline.verification.evidence import (
@@ -28,7 +34,9 @@ from exactspline.verification.evidence import (
     Fact,
     NoGenerator,
     OneSurface,
+    Rulings,
     Sides,
+    SumOfSquares,
 )
 from exactspline.verification.verdict import PROVED, REFUTED, Finding, vacuous
 from exactspline.verification.vocabulary import Name, Verdict
@@ -152,11 +160,24 @@ class OneRuledSurface:
         for surface, formula in ((a, self.left), (b, self.right)):
             if _vanish_together(split(surface.generator)[0]):
                 return vacuous(NoGenerator(Name(formula.name) if holds is PROVED else None))
+        if isinstance(split(a.generator)[0][0], JetFraction):
+            return self._by_quotients(a, b, holds)
         for product in differences(a, b):
             for x in split(product)[0]:
                 if not x.is_zero:
                     return Finding(REFUTED, Fact.TWO_SURFACES, witness=_where(x, Sides.SURFACES))
         return Finding(holds, OneSurface())
+
+    @staticmethod
+    def _by_quotients(a: Any, b: Any, holds: Verdict) -> Finding:
+        """With the relation of the ruling parameters: vectors that are parallel to one that does not vanish are
+        multiples of it, and a quotient is found sooner than a product is multiplied out.
+        """
+        offset = b.directrix - a.directrix
+        scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
+        if scale is None or shift is None:
+            return Finding(REFUTED, Fact.TWO_SURFACES, witness=Fact.GENERATORS_APART)
+        return Finding(holds, OneSurface(), Rulings(scale, None if offset.is_zero else shift))
 
 
 @dataclass(frozen=True)
@@ -183,6 +204,58 @@ class DirectrixOf:
         if plane[0] == space[0] and plane[1] == space[1] and space[2].is_zero:
             return Finding(holds, Fact.CURVE_OF_ZERO_ZETA)
         return Finding(REFUTED, Fact.OTHER_CURVE, witness=Fact.CURVES_DIFFER)
+
+
+@dataclass(frozen=True)
+class Changed:
+    """A value on a changed curve is what is claimed of it: `sides` gives both, component by component, `evidence` is
+    reported where they are equal, and `where` tells of a difference where it is.
+    """
+
+    sides: Callable[[Evaluated], tuple[Vector[Any], Vector[Any]]]
+    evidence: Evidence
+    where: Callable[[Any], Evidence]
+
+    def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
+        """The finding on an argument of a reading that can divide."""
+        found = decide_identity(*self.sides(c))
+        if found.outcome is Outcome.NOTHING:
+            return vacuous()
+        if found.outcome is Outcome.EQUAL:
+            return Finding(holds, self.evidence)
+        return Finding(REFUTED, Fact.NOT_SO, witness=self.where(found.difference))
+
+
+@dataclass(frozen=True)
+class SquaresAddUp:
+    """A formula, or its negative, is a factor times the sum of the squares of others (of a vector the squared length).
+
+    >>> from exactspline.papers import find
+    >>> from exactspline.symbolic.factorization import jets_for
+    >>> c = jets_for((find("f2"), find("D1")), 2)
+    >>> [str(SquaresAddUp(find("f2"), (find(name),)).decide(c).verdict) for name in ("D1", "f2")]
+    ['REFUTED', 'REFUTED']
+    """
+
+    formula: Formula
+    squares: tuple[Formula, ...]
+    factor: str = "1"
+    sign: int = 1
+    find: Callable[[str], Formula] = find_anywhere
+
+    def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
+        """The finding on an argument; that it is another sum says nothing of signs."""
+        value: Any = self.formula(c)
+        total = value.constant(0)
+        for square in self.squares:
+            for x in split(square(c))[0]:
+                total = total + x * x
+        found = decide_identity(value * self.sign, total, factor_of_text(self.factor, c, self.find))
+        if found.outcome is Outcome.NOTHING:
+            return vacuous()
+        if found.outcome is Outcome.EQUAL:
+            return Finding(holds, SumOfSquares(len(self.squares)))
+        return Finding(REFUTED, Fact.OTHER_SQUARES)
 
 
 def decide_identity(left: Value, right: Value, factor: tuple[Value, Value] | None = None) -> Decision:

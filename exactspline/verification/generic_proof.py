@@ -142,7 +142,7 @@ def _reduction(
         return error
 
 
-def degree_table() -> Operands:
+def table_1_degrees() -> Operands:
     """The operands of Table 1 in the degree reading."""
     one, two = [[Degree.named(name) for _ in range(5)] for name in ("d1", "d2")]
     return Operands(p1=one[0], w1=one[1], v1=Vector(*one[2:]), p2=two[0], w2=two[1], v2=Vector(*two[2:]))

@@ -17,7 +17,7 @@ from exactspline.symbolic.factorization import SharedJets, sharing, speaking_of
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import expect_claim
 from exactspline.verification.combined import fitting
-from exactspline.verification.curve_check import spline_table
+from exactspline.verification.curve_check import table_1_splines
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.paper_curves import one_patch_surfaces, own_curves
 from exactspline.verification.rows import Row, row
@@ -66,7 +66,7 @@ def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None
     if curves is None:
         calls += [partial(proved, claim, proofs) for claim in chosen]
         if of_table := [claim for claim in chosen if claim.curve == ArgumentKind.TABLE]:
-            table = Evaluation(spline_table())
+            table = Evaluation(table_1_splines())
             calls += [partial(checked, claim, table, TABLE, proofs) for claim in of_table]
         evaluations: dict[int, Evaluation] = {}
         for name in dict.fromkeys(claim.paper for claim in chosen):

@@ -22,7 +22,7 @@ from exactspline.readings.tree import Node, trace
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
 from exactspline.verification.combined import combined
-from exactspline.verification.generic_proof import degree_table
+from exactspline.verification.generic_proof import table_1_degrees
 from exactspline.verification.kinds import DegreeClaim
 from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Name, Scope
@@ -129,7 +129,7 @@ def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> 
     formula = claim.find(name)
     counting = claim.counting if isinstance(claim, DegreeClaim) else Counting.TABLE_1
     if formula.kind is TABLE:
-        degree: Degree = formula(degree_table()).degree
+        degree: Degree = formula(table_1_degrees()).degree
         return degree
     if formula.kind.adjoins_roots:
         return None

@@ -6,14 +6,14 @@ from enum import StrEnum
 from typing import NewType, TypeVar
 
 from exactspline.errors import ClaimError
-from exactspline.words import choice
+from exactspline.words import Word, choice
 
 E = TypeVar("E", bound=StrEnum)
 #: The name or the key of a formula, a curve, a constant, a map, a theorem: no sentence.
 Name = NewType("Name", str)
 
 
-class Verdict(StrEnum):
+class Verdict(Word):
     """What a check says: proved for all curves, verified on one, refuted, not decided; nothing to decide (0 = 0, 0/0);
     a claim that does not speak of this curve; two routes that contradict each other.
     """

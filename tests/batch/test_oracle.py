@@ -23,7 +23,7 @@ from exactspline.geometry.analysis import QUESTIONS as QUESTIONS_ABOUT_CURVES
 from exactspline.geometry.balls import degrees, length
 from exactspline.geometry.extent import coordinate_range
 from exactspline.reals.ball import InBalls
-from exactspline.roots.checker import check
+from exactspline.roots.checker import check_certificate
 
 SQUARE = xs.Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 1), (0, 1), (0, 0)], name="box")
 CURVES = ["cubic_s", "circle", "twisted_cubic", "cusp", "six_segment_cubic", "rational_space_cubic"]
@@ -262,7 +262,7 @@ def test_zero_sets_carry_certificates_that_the_checker_accepts():
         answer = oracle(xs.example(name), asked)
         assert answer.certificates
         for certificate in answer.certificates:
-            proved = check(json.loads(json.dumps(certificate)))
+            proved = check_certificate(json.loads(json.dumps(certificate)))
             assert proved["roots"] >= (len(answer.items) if asked in ("inflections", "cusps") else 0)
     assert [i.what for i in oracle(xs.example("cusp"), "cusps").items] == ["cusp"]
 

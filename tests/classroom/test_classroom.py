@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 from exactspline.classroom.answers import Circle, Parameters, Points, Polynomials
 from exactspline.classroom.comparison import compare_curves, compare_formulas
-from exactspline.classroom.exercise import LARGEST
+from exactspline.classroom.exercises import LARGEST
 from exactspline.classroom.parts import Math
 from exactspline.classroom.reading import AnswerError, numbers, points, polynomials
 from exactspline.classroom.topics import TOPICS, TopicError, exercise, exercises
@@ -253,7 +253,7 @@ def test_what_the_page_for_teachers_says_runs(tmp_path, monkeypatch):
     Path("answer.txt").write_text(exercise("insertion", 4).answer.written)
     Path("my-curve.json").write_text(json.dumps(curve_data(example("cubic_s").insert_knot("1/2"))))
     Path("mine.py").write_text(
-        "from exactspline import det\n\n\ndef kappa(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w**4\n"
+        "from exactspline.language import det\n\n\ndef kappa(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w**4\n"
     )
     page = PAGE.read_text(encoding="utf-8")
     commands = re.findall(r"^exactspline (.*)$", page, flags=re.MULTILINE)
@@ -289,7 +289,7 @@ def test_the_command_line(tmp_path):
     assert run("check-answer", curve, "--reference", "cubic_s").exit_code == 0
     assert run("check-answer", curve, "--reference", "parabola").exit_code == 1
     formula = tmp_path / "mine.py"
-    formula.write_text("from exactspline import det\n\n\ndef mine(c):\n    return det(c.p, c.p.d())\n")
+    formula.write_text("from exactspline.language import det\n\n\ndef mine(c):\n    return det(c.p, c.p.d())\n")
     told = run("check-answer", f"{formula}:mine", "--reference", "f2")
     assert told.exit_code == 1
     assert "not mine = f2" in told.output

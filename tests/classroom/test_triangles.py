@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from typer.testing import CliRunner
 
+from exactspline.classroom.triangles import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
 from exactspline.cli import app
 from exactspline.display.latex import mathematics
 from exactspline.display.triangles import html_page, sheets
@@ -17,7 +18,6 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Direction
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.triangles import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
 
 SMALL = st.integers(-9, 9)
 CURVES = [example(name) for name in example_names()]

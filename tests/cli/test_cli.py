@@ -215,7 +215,7 @@ def test_reduce_on_a_formula_of_the_library():
 
 
 OWN = """
-from exactspline import det, dot, norm2, perp
+from exactspline.language import det, dot, norm2, perp
 
 def pedal(c):
     normal = perp(c.gamma.d(1))

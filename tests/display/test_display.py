@@ -10,7 +10,7 @@ from gmpy2 import mpq
 
 pytest.importorskip("matplotlib")
 
-from exactspline import BSpline, Nurbs, Vector
+from exactspline import BSpline, Nurbs
 from exactspline.display.evidence import worded
 from exactspline.display.latex import fraction, latex, unicode_latex
 from exactspline.display.notebook import html, short
@@ -27,9 +27,10 @@ from exactspline.display.tables import (
 )
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.derived import derive
+from exactspline.language import Vector
 from exactspline.language.kinds import CURVE
 from exactspline.papers import all_formulas, find, papers
-from exactspline.readings.degree import Degree, DegreeReading, parse
+from exactspline.readings.degree import Degree, DegreeReading, parse_degree
 from exactspline.readings.jet import JetReading
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example, example_names
@@ -211,7 +212,7 @@ def test_tables_hold_what_was_computed():
     assert measured(curve, "f2")["degree here"] == [str(find("f2")(curve).degree)]
     assert len(measured(curve)) == len(measured(curve)["formula"]) > 20
     assert approaches_table(curve)["roots"] == ["4"] * 5
-    assert all(parse(cell).names == {"d"} for cell in symbolic_table()["minimal"])
+    assert all(parse_degree(cell).names == {"d"} for cell in symbolic_table()["minimal"])
     assert "w" in reduction_table("g0")["cancelled"][0]
     assert "degree" in repr(table)
 

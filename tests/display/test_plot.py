@@ -13,12 +13,14 @@ from gmpy2 import mpq
 
 pytest.importorskip("matplotlib")
 
-from exactspline import BSpline, Nurbs, Rational, Vector
+from exactspline import BSpline, Nurbs
 from exactspline.display import plot
-from exactspline.display.plot import curves
+from exactspline.display.plot import canvas, curves
 from exactspline.display.plot.canvas import PlotError
+from exactspline.display.plot.comparisons import inspect_figure
 from exactspline.errors import DomainError, ExactSplineError, ShapeError
 from exactspline.geometry.constructions import construction
+from exactspline.language import Rational, Vector
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.control_points import greville_abscissae
 from exactspline.splines.examples import example, example_names
@@ -91,7 +93,7 @@ def test_the_control_polygon_has_no_leg_across_a_jump_or_to_a_direction():
 
 def test_names_are_shown_as_they_stand(tmp_path):
     ax = plot.plot_curve(Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)], name="_$x^{$"))
-    plot.save(ax, tmp_path / "odd.svg")
+    canvas.save(ax, tmp_path / "odd.svg")
     assert legend(ax)[1] == r"\$x^{\$"
 
 
@@ -248,7 +250,7 @@ def test_the_zero_function(f):
 def test_one_picture_of_a_curve_and_its_functions(tmp_path):
     curve = example("six_segment_cubic")
     panels = [("squared", *critical(curve, "squaring")), ("direct", *critical(curve, "direct"))]
-    figure = plot.inspect_figure(curve, panels, evolute=True)
+    figure = inspect_figure(curve, panels, evolute=True)
     left, first, second = figure.axes
     assert {"evolute", "squared (10)", "direct (8)"} <= set(legend(left))
     assert [len(data(lines(left, name)[0])) for name in ("squared (10)", "direct (8)")] == [10, 8]
@@ -260,28 +262,28 @@ def test_one_picture_of_a_curve_and_its_functions(tmp_path):
         == lines(left, "squared (10)")[0].get_color()
         != lines(second, "6 roots")[0].get_color()
     )
-    plot.save(figure, tmp_path / "six.png")
+    canvas.save(figure, tmp_path / "six.png")
     assert (tmp_path / "six.png").read_bytes().startswith(b"\x89PNG\r\n")
 
 
 def test_pictures_without_panels_without_roots_and_in_space():
-    assert len(plot.inspect_figure(example("circle"), []).axes) == 1
-    space, function = plot.inspect_figure(example("twisted_cubic"), [("zigzag", ZIGZAG, None)]).axes
+    assert len(inspect_figure(example("circle"), []).axes) == 1
+    space, function = inspect_figure(example("twisted_cubic"), [("zigzag", ZIGZAG, None)]).axes
     assert (space.name, function.name) == ("3d", "rectilinear")
 
 
 def test_files_are_written_atomically_and_repeatably(tmp_path, monkeypatch):
     target = tmp_path / "circle.SVG"
     for _ in range(2):
-        plot.save(plot.plot_curve(example("circle")), target)
+        canvas.save(plot.plot_curve(example("circle")), target)
         before = target.read_bytes()
         assert ElementTree.fromstring(before).tag.endswith("svg")
     other = tmp_path / "again.svg"
-    plot.save(plot.plot_curve(example("circle")), other)
+    canvas.save(plot.plot_curve(example("circle")), other)
     assert other.read_bytes() == before
     monkeypatch.setattr(os, "replace", lambda *_: (_ for _ in ()).throw(OSError(28, "No space left on device")))
     with pytest.raises(PlotError, match="No space left"):
-        plot.save(plot.plot_curve(example("ellipse")), target)
+        canvas.save(plot.plot_curve(example("ellipse")), target)
     assert target.read_bytes() == before
     assert sorted(entry.name for entry in tmp_path.iterdir()) == ["again.svg", "circle.SVG"]
 
@@ -290,11 +292,11 @@ def test_errors_say_what_would_be_right(tmp_path, monkeypatch):
     ax = plot.plot_curve(example("circle"))
     for path in ("a.gif", "a", "a.svg.gz"):
         with pytest.raises(PlotError, match=r"\.svg or \.png"):
-            plot.save(ax, tmp_path / path)
+            canvas.save(ax, tmp_path / path)
     (tmp_path / "file").write_text("")
     for path in ("nowhere/a.svg", "file/a.png"):
         with pytest.raises(PlotError, match="folder that can be written"):
-            plot.save(ax, tmp_path / path)
+            canvas.save(ax, tmp_path / path)
     with pytest.raises(PlotError, match="scales are linear, symlog, clip"):
         plot.plot_function(ZIGZAG, scale="log")
     with pytest.raises(PlotError, match="3d"):

@@ -7,7 +7,7 @@ from gmpy2 import mpq
 
 pytest.importorskip("matplotlib")
 
-from exactspline import BSpline, Rational, Vector, cross, dot
+from exactspline import BSpline
 from exactspline.display.plot.canvas import PlotError, new_figure
 from exactspline.display.plot.comparisons import plot_approaches
 from exactspline.display.plot.curves import plot_curve, plot_quotient
@@ -17,6 +17,7 @@ from exactspline.display.plot.html import Scene, scenes_data, turning_page
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
 from exactspline.display.plot.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.language import Rational, Vector, cross, dot
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
 from exactspline.roots.zero_set import zeros

@@ -354,7 +354,7 @@ def test_a_stranger_writes_formulas_of_surfaces(tmp_path):
     folder = tmp_path / "mine"
     folder.mkdir()
     (folder / "formulas.py").write_text(
-        "from exactspline import cross, dot, norm2, formula\n\n\n"
+        "from exactspline.language import cross, dot, norm2, formula\n\n\n"
         '@formula("1", on="surface")\ndef tangents(c):\n    """Squared."""\n'
         '    return norm2(cross(c.S.d(1, by="u"), c.S.d(1, by="v")))\n\n\n'
         '@formula("2", on="surface")\ndef along(c):\n    """A form."""\n'

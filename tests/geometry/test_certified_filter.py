@@ -14,7 +14,8 @@ from exactspline import Nurbs, analyse, from_floats
 from exactspline.errors import FormulaError, NumberError, ShapeError, WeightError
 from exactspline.language.kinds import PLANE
 from exactspline.papers import find
-from exactspline.programs.program import Signature, program_of
+from exactspline.programs.program import program_of
+from exactspline.programs.reading import Signature
 
 np = pytest.importorskip("numpy")
 

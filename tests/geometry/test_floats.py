@@ -261,5 +261,5 @@ def test_a_user_of_scipy_in_three_lines():
     np = pytest.importorskip("numpy")
     interpolate = pytest.importorskip("scipy.interpolate")
     points = np.array([[0, 0], [1, 2], [2, -2], [3, 0]])
-    curve = xs.from_scipy(interpolate.BSpline(np.array([0.0] * 4 + [1] * 4), points, 3))
+    curve = xs.interchange.from_scipy(interpolate.BSpline(np.array([0.0] * 4 + [1] * 4), points, 3))
     assert xs.floats(xs.analyse(curve).inflections) == [0.5]

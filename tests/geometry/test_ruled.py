@@ -4,11 +4,12 @@ import pytest
 from gmpy2 import mpq
 from hypothesis import assume, given, settings
 
-from exactspline import BSpline, Rational, Vector, cross
+from exactspline import BSpline
 from exactspline.display.evidence import worded
 from exactspline.errors import DomainError, ReductionError, ShapeError
 from exactspline.geometry.constructions import all_constructions
 from exactspline.geometry.ruled_surfaces import as_tensor_product, is_developable, point_at, ruled_surface, same_surface
+from exactspline.language import Rational, Vector, cross
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
 from exactspline.splines.examples import example, example_names

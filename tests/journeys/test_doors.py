@@ -11,6 +11,7 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.cli.common import described
+from exactspline.display import plot as plots
 from exactspline.geometry.analysis import QUESTIONS
 from exactspline.geometry.floats import place_of
 from exactspline.numbers.exact import from_float
@@ -41,8 +42,8 @@ VALUES = {
     "zero set": xs.zeros(T * T - 2),
     "enclosure": xs.at(xs.Nurbs(1, [0, 0, 2, 2], [(0, 0), (1, 1)]), ROOT)[0],
     "spline": T,
-    "vector": xs.Vector(T, T * T),
-    "vector of numbers": xs.Vector(1, 2),
+    "vector": xs.language.Vector(T, T * T),
+    "vector of numbers": xs.language.Vector(1, 2),
     "quotient": T / (T + 1),
     "vector quotient": CUSP.gamma,
     "plane curve": CUSP,
@@ -70,7 +71,7 @@ VALUES = {
     "array": numpy.array([[0.0, 1], [2, 3]]),
     "array of integers": numpy.array([1, 2]),
     "array without dimensions": numpy.array(3.0),
-    "claim": xs.select_claims(["C4.1a"])[0],
+    "claim": xs.claims("C4.1a")[0],
     "paper": xs.paper("lifted"),
     "inspection": xs.inspect_curve(CUSP),
 }
@@ -109,13 +110,22 @@ def handed(function):
                     yield name, [value if j == i else VALUES[other] for j in range(count)]
 
 
-@pytest.mark.parametrize("name", [name for name in dir(xs) if callable(getattr(xs, name))])
-def test_every_name_of_the_front_door(name, tmp_path, monkeypatch):
+#: Every public function and class by its name; none is public twice.
+PUBLIC = {
+    name: getattr(room, name)
+    for room in (xs, xs.classroom, xs.interchange, xs.language, xs.readings, xs.tables, plots)
+    for name in room.__all__
+    if callable(getattr(room, name))
+}
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_every_public_name(name, tmp_path, monkeypatch):
     """AttributeErrors, TypeErrors, KeyErrors, ValueErrors or RecursionErrors from inside before, of 59 of 130 names."""
     monkeypatch.chdir(tmp_path)
-    if name in ("from_scipy", "from_geomdl", "to_scipy", "to_geomdl"):
+    if name.startswith(("from_", "to_")) and name not in ("from_float", "from_floats", "to_arrays"):
         pytest.importorskip(name.partition("_")[2])
-    function = getattr(xs, name)
+    function = PUBLIC[name]
     wrong = [error for _, arguments in handed(function) if (error := raised(name, function, arguments)) is not None]
     assert not wrong
 
@@ -152,7 +162,7 @@ def test_arguments_by_name(name, arguments, keyword):
     """A TypeError from inside before: ``degree("f2", dimension="3")``."""
     for value in VALUES.values():
         with suppress(xs.ExactSplineError):
-            getattr(xs, name)(*arguments, **{keyword: value})
+            PUBLIC[name](*arguments, **{keyword: value})
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
@@ -171,15 +181,18 @@ def test_what_an_error_says():
         (lambda: xs.Side("middle"), "the side 'middle' is unknown; there are left, right"),
         (lambda: xs.find(None), "a NoneType, where the name of a formula is expected; give a text"),
         (lambda: xs.prove(3, "f2"), 'an int, where a formula is expected; give one, such as exactspline.find("f2")'),
-        (lambda: xs.select_claims(3), "an int, where ids of claims are expected; give a list"),
+        (lambda: xs.claims(3), "an int, where the id of a claim is expected"),
         (lambda: xs.degree("f2", dimension="3"), "'3', where a dimension is expected; give an integer from 1 to"),
-        (lambda: xs.elevation_triangles(T, 10**9), "degree elevation by 1000000000; an integer from 1 to 1000"),
+        (
+            lambda: xs.classroom.elevation_triangles(T, 10**9),
+            "degree elevation by 1000000000; an integer from 1 to 1000",
+        ),
         (lambda: T.elevate_degree(10**9), "degree elevation by 1000000000; an integer from 0 to 1000 "),
         (lambda: T.d(10**9), "a derivative of order 1000000000; orders are 0, 1, 2, …, 1000"),
         (lambda: CUSP.derivative(10**9, 0), "a derivative of order 1000000000; orders are 0, 1, 2, …, 1000"),
         (lambda: (T / (T + 1)).d(-1), "a derivative of order -1; orders are 0, 1, 2, …, 1000"),
         (lambda: CUSP.p.d(10**9), "a derivative of order 1000000000; orders are 0, 1, 2, …, 1000"),
-        (lambda: xs.wronskian(xs.Vector(1, 2)), "the derivative of a vector of numbers"),
+        (lambda: xs.language.wronskian(xs.language.Vector(1, 2)), "the derivative of a vector of numbers"),
         (lambda: xs.from_floats(DEEP), "lists in lists, more than 8 deep; give a list of floats, or of rows of them"),
     ):
         with pytest.raises(xs.ExactSplineError) as error:
@@ -212,15 +225,15 @@ def test_piecewise_polynomials_of_scipy():
         si.BPoly(np.array([[1.0, 2], [3, 4], [0.1, 5]]), np.array([0.0, 0.7, 2])),
     ]
     for spline in scalars:
-        found = xs.from_scipy(spline)
+        found = xs.interchange.from_scipy(spline)
         for t in np.linspace(spline.x[0], spline.x[-1], 33)[:-1]:
             assert float(found(from_float(float(t)))) == pytest.approx(float(spline(t)), rel=1e-12, abs=1e-12)
     for spline in scalars[:1] + scalars[3:4]:  # in powers, exactly
-        found, powers = xs.from_scipy(spline), spline.c[::-1]
+        found, powers = xs.interchange.from_scipy(spline), spline.c[::-1]
         for i, a in enumerate(map(from_float, map(float, spline.x[:-1]))):
             t = a + mpq(1, 7)
             assert found(t) == sum(from_float(float(c)) * mpq(1, 7) ** k for k, c in enumerate(powers[:, i]))
-    pair = xs.from_scipy(si.CubicSpline(x, np.stack([x, y], 1)))
+    pair = xs.interchange.from_scipy(si.CubicSpline(x, np.stack([x, y], 1)))
     assert (pair.dimension, pair.degree, pair.segments) == (2, 3, 4)
 
 
@@ -229,23 +242,23 @@ def test_knots_coefficients_and_degree_of_scipy():
     np, si = pytest.importorskip("numpy"), pytest.importorskip("scipy.interpolate")
     x, y = np.array([0.0, 1, 2, 3, 4]), np.array([0.0, 1, 0.5, 2, 3])
     tck = si.splrep(x, y)
-    assert xs.from_scipy(tck) == xs.from_scipy(si.BSpline(*tck))
+    assert xs.interchange.from_scipy(tck) == xs.interchange.from_scipy(si.BSpline(*tck))
     (t, c, k), _ = si.splprep([x, y], s=0)
-    curve = xs.from_scipy((t, c, k))
+    curve = xs.interchange.from_scipy((t, c, k))
     assert (curve.dimension, curve.degree) == (2, 3)
     assert float(curve(curve.domain[1])[1]) == pytest.approx(3)
     surface = si.NdBSpline((np.array([0.0, 0, 1, 1]),) * 2, np.eye(2), 1)
     for other in (si.RectBivariateSpline(x, x, np.outer(y, y)), surface, (1, 2, 3), "tck", None):
         with pytest.raises(xs.ExactSplineError, match="not a spline of scipy in one parameter"):
-            xs.from_scipy(other)
+            xs.interchange.from_scipy(other)
 
 
 def test_surfaces_and_texts_for_curves_of_geomdl():
     """Before: "[0.0, 0.0, 1.0, 1.0] is not a finite number", and an AttributeError, before."""
     with pytest.raises(xs.ExactSplineError, match="a Surface, where a curve of geomdl is expected"):
-        xs.from_geomdl(of_geomdl())
+        xs.interchange.from_geomdl(of_geomdl())
     with pytest.raises(xs.ExactSplineError, match="a str, where a curve of geomdl is expected"):
-        xs.from_geomdl("a")
+        xs.interchange.from_geomdl("a")
 
 
 # ---- values
@@ -308,9 +321,9 @@ def test_features_of_many_curves_can_be_pickled():
 def test_a_quotient_equals_the_spline_that_it_is():
     """t · t / t was not t / 1."""
     square = T * T / T
-    pairs = [(square, T), (xs.Vector(T * T, T) / T, xs.Vector(T, T.constant(1)))]
+    pairs = [(square, T), (xs.language.Vector(T * T, T) / T, xs.language.Vector(T, T.constant(1)))]
     s, one = VALUES["tensor spline"], VALUES["tensor spline"].constant(1)
-    pairs += [(s * s / s, s), (xs.Vector(s, s) / one, xs.Vector(s, s))]
+    pairs += [(s * s / s, s), (xs.language.Vector(s, s) / one, xs.language.Vector(s, s))]
     for quotient, spline in pairs:
         assert quotient == spline
         assert spline == quotient
@@ -322,7 +335,7 @@ def test_a_quotient_equals_the_spline_that_it_is():
     assert square != xs.BSpline.identity(0, 1)
     assert T / T != 1
     assert T * 0 / (T * 0) != T
-    assert xs.Vector(T, T) / T != xs.Vector(T, T, T)
+    assert xs.language.Vector(T, T) / T != xs.language.Vector(T, T, T)
     half = xs.BSpline.identity(0, 1)
     assert (half * half / half == square) is False
 

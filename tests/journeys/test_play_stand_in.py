@@ -49,7 +49,7 @@ def test_the_pages_answers_do_not_depend_on_gmpy2(tmp_path):
     questions += [("bisector", json.dumps({"curve": held[0], "point": ["7/4", "3/2"]}))]
     questions += [("triangle", json.dumps({"curve": curve, "share": "17/60"})) for curve in held]
     questions += [("refined", json.dumps({"curve": curve, **how})) for curve in held for how in ({"knot": "2/7"}, {})]
-    text = "from exactspline import det\n\n\ndef f(c):\n    return det(c.gamma.d(1), c.gamma.d(2))\n"
+    text = "from exactspline.language import det\n\n\ndef f(c):\n    return det(c.gamma.d(1), c.gamma.d(2))\n"
     questions += [("reduce", json.dumps({"text": text, "dimension": 2, "polynomial": False}))]
     with_gmpy2, stand_in = answers(questions, tmp_path), answers(questions, PYTHON)
     assert [told[-1].startswith(str(PYTHON)) for told in (stand_in, with_gmpy2)] == [True, False]

@@ -192,7 +192,9 @@ def test_digits_at_a_click(browser, address):
 def test_a_formula_that_is_typed_is_reduced(browser, address):
     with opened(browser, address, "play/reduce.html") as tab:
         shown(tab, "reduced")
-        text = "from exactspline import det\n\n\ndef mine(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w\n"
+        text = (
+            "from exactspline.language import det\n\n\ndef mine(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w\n"
+        )
         tab.fill("#text", text)
         tab.evaluate("delete document.body.dataset.reduced")
         tab.click("#go")

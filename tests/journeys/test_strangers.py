@@ -9,6 +9,7 @@ from gmpy2 import mpq
 from mpmath import mp, pi
 from typer.testing import CliRunner
 
+from exactspline.classroom.triangles import de_boor_triangle, insertion_triangle
 from exactspline.cli import COMMANDS, app
 from exactspline.cli.common import load_curve
 from exactspline.display.evidence import worded
@@ -20,7 +21,6 @@ from exactspline.papers import named_papers
 from exactspline.readings.tree import trace
 from exactspline.splines.curve_files import curve_data, curve_from_text
 from exactspline.splines.examples import example
-from exactspline.splines.triangles import de_boor_triangle, insertion_triangle
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.combined import combined
 

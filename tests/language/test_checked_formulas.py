@@ -36,7 +36,7 @@ ESCAPES = [
     "from exactspline.papers.loading import run_file",
     "from exactspline import *",
     "from . import x",
-    "from exactspline import det as formula",
+    "from exactspline.language import det as formula",
     "__import__('os').system('true')",
     "x = 1",
     "class A: pass",

@@ -8,8 +8,9 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
+from exactspline import BSpline
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.language import Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE
 from exactspline.readings.degree import Degree, DegreeReading

@@ -5,14 +5,15 @@ from fractions import Fraction
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, Vector
+from exactspline import Nurbs
+from exactspline.language import Vector
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.kinds import DIMENSIONS, PAIR, POINT_IN_SPACE, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, ruled
 from exactspline.language.vector import cross, dot, norm2
 from exactspline.papers import all_formulas, find
-from exactspline.readings.degree import Degree, DegreeReading, parse
+from exactspline.readings.degree import Degree, DegreeReading, parse_degree
 from exactspline.readings.differential_order import Order, order_of
 from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import generic_drop
@@ -154,7 +155,7 @@ def test_the_true_degree_in_one_parameter():
     """D1 loses one degree at infinity, the rest nothing: kd − m − 1 for the determinant in either curve's parameter."""
     k, m, drop, exceptions = generic_drop(find("bisector_determinant_symmetric"), 3)
     assert (k, m, drop, exceptions) == (3, 1, 1, ())
-    assert Degree([((("d", k),), -m - drop)]) == parse("3d - 2")
+    assert Degree([((("d", k),), -m - drop)]) == parse_degree("3d - 2")
 
 
 def test_a_bisector_point_by_hand():
@@ -180,10 +181,12 @@ def test_the_order_of_addition_counts_where_two_terms_share_a_denominator():
     second = cross(offset, velocity) * dot(c.point, generator)
     third = cross(velocity, generator) * ((norm2(c.gamma) - norm2(c.point)) / 2)
     below = find("point_bisector_determinant")(c)
-    assert ((first + second + third) / below).degree == find("point_bisector_directrix")(c).degree == parse("26d")
+    assert (
+        ((first + second + third) / below).degree == find("point_bisector_directrix")(c).degree == parse_degree("26d")
+    )
     shared_first = (first + third + second) / below
-    assert shared_first.degree == parse("19d")
-    assert ruled(shared_first, generator).degree == parse("22d")
+    assert shared_first.degree == parse_degree("19d")
+    assert ruled(shared_first, generator).degree == parse_degree("22d")
 
 
 def test_a_point_and_a_line_give_a_parabolic_cylinder():

@@ -7,14 +7,15 @@ from types import SimpleNamespace
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs, Rational, Vector
+from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError
+from exactspline.language import Rational, Vector
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE, DIMENSIONS, TABLE
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
-from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
+from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse_degree
 from exactspline.readings.differential_order import Order, order_of
 from exactspline.readings.jet import Jet, JetReading
 from exactspline.readings.printing.latex import print_latex
@@ -185,7 +186,9 @@ POLYNOMIAL_DEGREES = {
 def test_naive_degrees_of_rational_curves(name):
     for dimension in DIMENSIONS[FORMULAS[name].curve]:
         assert (
-            equal_from(FORMULAS[name](DegreeReading().argument(CURVE, dimension)).degree, parse(RATIONAL_DEGREES[name]))
+            equal_from(
+                FORMULAS[name](DegreeReading().argument(CURVE, dimension)).degree, parse_degree(RATIONAL_DEGREES[name])
+            )
             == 1
         )
 
@@ -194,8 +197,8 @@ def test_naive_degrees_of_rational_curves(name):
 def test_naive_degrees_of_polynomial_curves(name):
     for dimension in DIMENSIONS[FORMULAS[name].curve]:
         found = FORMULAS[name](DegreeReading().argument(CURVE, dimension, polynomial=True)).degree
-        assert equal_from(found, parse(POLYNOMIAL_DEGREES[name])) is not None
-        assert all(found.at({"d": d}) == parse(POLYNOMIAL_DEGREES[name]).at({"d": d}) for d in range(2, 12))
+        assert equal_from(found, parse_degree(POLYNOMIAL_DEGREES[name])) is not None
+        assert all(found.at({"d": d}) == parse_degree(POLYNOMIAL_DEGREES[name]).at({"d": d}) for d in range(2, 12))
 
 
 def test_two_terms_of_g0_have_the_degrees_of_the_paper():

@@ -14,7 +14,7 @@ from exactspline.errors import FormulaError
 from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, SURFACE, kind_of
 from exactspline.language.vector import Vector, cross, det, dot, join, perp
 from exactspline.papers import find
-from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
+from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse_degree
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.factored_jet import FactoredJetReading, divided_out
 from exactspline.readings.generic_bezier import GenericReading
@@ -76,7 +76,7 @@ def test_orders_are_those_of_the_highest_derivative():
     ],
 )
 def test_degrees_are_equal_from_the_first_d_on(one, other, start):
-    a, b = parse(one), parse(other)
+    a, b = parse_degree(one), parse_degree(other)
     assert equal_from(a, b) == start
     if start is not None:
         assert all(a.at({"d": d}) == b.at({"d": d}) for d in range(start, start + 20))

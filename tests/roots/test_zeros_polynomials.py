@@ -13,7 +13,7 @@ from gmpy2 import mpq, mpz
 
 from exactspline import BSpline
 from exactspline.numbers.exact import to_fmpq
-from exactspline.roots.checker import check
+from exactspline.roots.checker import check_certificate
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 
@@ -72,7 +72,7 @@ def test_count_agrees_with_sturm(name):
     # Sturm counts (a, b]
     assert sturm(p, a, b) == count - (p(int(a)) == 0)
     assert len(found) == count
-    assert check(found.certificate(), sturm=p.degree() < 50)["roots"] == count
+    assert check_certificate(found.certificate(), sturm=p.degree() < 50)["roots"] == count
 
 
 def test_mignotte_roots_are_apart_by_less_than_2_to_minus_200():

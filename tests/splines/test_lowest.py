@@ -22,7 +22,8 @@ from exactspline.language.parts import split
 from exactspline.language.vector import Vector, det
 from exactspline.language.wronskians import logarithmic_numerator, osculating, wronskian, wronskians
 from exactspline.papers import find
-from exactspline.programs.program import operands_of, program_of
+from exactspline.programs.given import operands_of
+from exactspline.programs.program import program_of
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import primitive, true_degree, without_factor

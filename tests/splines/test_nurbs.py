@@ -5,8 +5,9 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Direction, Nurbs, Rational, Vector, dot
+from exactspline import BSpline, Direction, Nurbs
 from exactspline.errors import DomainError, KnotError, NumberError, ShapeError, WeightError
+from exactspline.language import Rational, Vector, dot
 from tests.support import oracles
 from tests.support.strategies import TINY, nurbs
 

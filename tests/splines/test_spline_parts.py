@@ -14,15 +14,15 @@ from exactspline.polynomials.bernstein import LONG, value
 from exactspline.polynomials.patch_forms import PatchForm, Sized
 from exactspline.polynomials.tensor_bernstein import evaluated
 from exactspline.programs.compiled import needed
+from exactspline.programs.given import operands_of
 from exactspline.programs.instructions import Instruction
-from exactspline.programs.program import operands_of
 from exactspline.reals.real import square_root
 from exactspline.splines.examples import example, load, load_surface
 from exactspline.splines.lowest_terms import primitive_part
 from exactspline.splines.surface_weight import DEPTH, _zero_at_corners
 from exactspline.splines.tensor import lifted
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
-from exactspline.verification.curve_check import spline_table
+from exactspline.verification.curve_check import table_1_splines
 
 T = BSpline.identity(0, 1)
 
@@ -114,7 +114,7 @@ def test_what_is_needed_are_instructions_and_their_arguments():
 
 
 def test_there_is_no_program_over_different_breakpoints():
-    assert operands_of(TABLE, spline_table()) is None
+    assert operands_of(TABLE, table_1_splines()) is None
 
 
 def test_bounds_grow_with_the_roundings():

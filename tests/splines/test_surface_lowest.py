@@ -12,8 +12,8 @@ from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import Vector
 from exactspline.errors import ReductionError
+from exactspline.language import Vector
 from exactspline.language.rational import Rational
 from exactspline.splines.tensor import TensorSpline, lifted
 from exactspline.splines.tensor_lowest_terms import as_mpoly, as_packed, in_lowest_terms

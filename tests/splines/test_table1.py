@@ -9,8 +9,9 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Rational, Vector, cross, dot
+from exactspline import BSpline
 from exactspline.errors import FormulaError
+from exactspline.language import Rational, Vector, cross, dot
 from exactspline.papers.chen_riesenfeld_cohen_2007 import table1
 from exactspline.papers.chen_riesenfeld_cohen_2007.table1 import T17
 from exactspline.readings.degree import Degree

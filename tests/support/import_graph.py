@@ -77,10 +77,24 @@ def named(tree: ast.AST, modules: set[str]) -> set[str]:
     return found
 
 
+def stubbed(stub: Path) -> set[str]:
+    """The modules that a stub names, which its package imports when a name is first used."""
+    room = ".".join(stub.relative_to(ROOT).parts[:-1])
+    found = set()
+    for node in ast.parse(stub.read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.ImportFrom):
+            names = [node.module] if node.module else [alias.name for alias in node.names]
+            found |= {f"{room}.{name}".lstrip(".") for name in names}
+    return found
+
+
 def module_graph() -> dict[str, set[str]]:
     """Every module with those that it imports."""
     known = trees()
-    return {name: imported(tree, set(known), name) - {name} for name, tree in known.items()}
+    graph = {name: imported(tree, set(known), name) - {name} for name, tree in known.items()}
+    for stub in ROOT.rglob("__init__.pyi"):
+        graph[module_name(stub.with_suffix(".py"))] |= stubbed(stub)
+    return graph
 
 
 def package_graph(modules: dict[str, set[str]]) -> dict[str, set[str]]:

@@ -5,7 +5,8 @@ coordinates, coinciding points.
 from gmpy2 import mpq
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs, Vector
+from exactspline import BSpline, Nurbs
+from exactspline.language import Vector
 from exactspline.splines.tensor import TensorSpline, lifted
 
 KINK = BSpline(1, [0, 0, "1/2", 1, 1], [0, 1, 0])

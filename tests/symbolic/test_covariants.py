@@ -7,8 +7,9 @@ from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs, Vector
+from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError
+from exactspline.language import Vector
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE
 from exactspline.papers import all_formulas, find, known_as

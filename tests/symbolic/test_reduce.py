@@ -5,8 +5,8 @@ have.
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Vector, cross, det, dot, formula, norm2, perp
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.language import Vector, cross, det, dot, formula, norm2, perp
 from exactspline.language.kinds import CURVE
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational

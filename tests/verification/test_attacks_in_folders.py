@@ -144,7 +144,7 @@ def test_markdown_has_no_html_and_no_link_of_a_stranger(tmp_path):
 def test_a_determinant_counts_as_what_it_costs(body, tmp_path):
     """Before, a Wronskian of 15 components counted as one operation, took 3 GB and ended the process."""
     helper = "def twice(v):\n    return join(v, v)\n"
-    formulas = "from exactspline import generalized_cross\n" + helper + plane_formulas(f=body)
+    formulas = "from exactspline.language import generalized_cross\n" + helper + plane_formulas(f=body)
     with pytest.raises(FormulaError, match="of more than 40320 products"):
         load_paper(written(tmp_path / "p", formulas, []))
 

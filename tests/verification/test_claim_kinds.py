@@ -9,7 +9,7 @@ from exactspline import BSpline, Nurbs
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
 from exactspline.papers import find
-from exactspline.readings.degree import DegreeReading, parse
+from exactspline.readings.degree import DegreeReading, parse_degree
 from exactspline.splines.examples import example
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.errata import check
@@ -180,7 +180,7 @@ def test_an_exception_for_equal_degrees_says_nothing_about_unequal_ones(computed
     # at d1 = d2 = 1 the degree is lower than computed; at d1 = 1, d2 = 5 the first one is 7, not 6
     one = replace(claim("T7-degree"), claimed=claimed)
     assert one.least_d == 1
-    assert _held(one, DegreeFound(parse(computed)), {1: 2}).verdict == verdict
+    assert _held(one, DegreeFound(parse_degree(computed)), {1: 2}).verdict == verdict
 
 
 def test_checks_are_python_that_runs(capsys):

@@ -25,7 +25,7 @@ from exactspline.symbolic.reduction import reduction
 from exactspline.verification import judges
 from exactspline.verification.check_arguments import beginning, with_hodograph
 from exactspline.verification.claims import all_claims, claims_of, select
-from exactspline.verification.curve_check import extra_zero, spline_table
+from exactspline.verification.curve_check import extra_zero, table_1_splines
 from exactspline.verification.degree_tables import construction_table, formula_degrees
 from exactspline.verification.divisors import _divided_by, divisors
 from exactspline.verification.errata import _unrecorded, check
@@ -129,11 +129,11 @@ def test_coefficients_of_the_generic_polynomial_curve_are_computed():
 def test_what_stands_beside_a_curve():
     assert Evaluation(example("ellipse")).beside("plane") is None
     assert Evaluation(example("ellipse")).beside("plane point").point
-    assert Evaluation(spline_table()).beside(ArgumentKind.TABLE) is None
+    assert Evaluation(table_1_splines()).beside(ArgumentKind.TABLE) is None
 
 
 def test_operands_of_table_1_have_the_degrees_that_they_are_said_to_have():
-    made = spline_table(2, 4)
+    made = table_1_splines(2, 4)
     for degree, operands in ((2, (made.p1, made.w1, *made.v1)), (4, (made.p2, made.w2, *made.v2))):
         assert all(f.degree == degree == f.true_degree for f in operands)
         assert len({f.control_points for f in operands}) == 5

@@ -8,7 +8,7 @@ import sympy
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
 from exactspline.papers import find
-from exactspline.readings.degree import Degree, equal_from, parse
+from exactspline.readings.degree import Degree, equal_from, parse_degree
 from exactspline.splines.examples import example
 from exactspline.symbolic.factorization import find_factor, jets_for
 from exactspline.verification.claim_factor import factor_of_text
@@ -115,9 +115,9 @@ def test_factors_are_read_as_they_are_written():
 
 def test_degrees_are_equal_from_some_degree_on():
     d = Degree.named("d")
-    assert equal_from(parse("max(2d - 1, d)"), parse("2d − 1")) == 1
-    assert equal_from(parse("max(d, 7)"), d) == 7
-    assert equal_from(parse("2d"), parse("2d - 1")) is None
-    assert equal_from(parse("max(d1, d2)") * parse("max(d1, d2)"), parse("max(2d1, 2d2)")) == 1
-    assert equal_from(parse("max(2d1, 2d2)"), parse("d1 + d2")) is None
-    assert str(parse("d1 + d2") * parse("max(d1, 4)")) == "max(2d1 + d2, d1 + d2 + 4)"
+    assert equal_from(parse_degree("max(2d - 1, d)"), parse_degree("2d − 1")) == 1
+    assert equal_from(parse_degree("max(d, 7)"), d) == 7
+    assert equal_from(parse_degree("2d"), parse_degree("2d - 1")) is None
+    assert equal_from(parse_degree("max(d1, d2)") * parse_degree("max(d1, d2)"), parse_degree("max(2d1, 2d2)")) == 1
+    assert equal_from(parse_degree("max(2d1, 2d2)"), parse_degree("d1 + d2")) is None
+    assert str(parse_degree("d1 + d2") * parse_degree("max(d1, 4)")) == "max(2d1 + d2, d1 + d2 + 4)"

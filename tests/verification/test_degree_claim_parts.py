@@ -9,7 +9,7 @@ from exactspline.verification.verdict import PROVED, REFUTED
 
 #: Of x(s) of degree d the first has the coefficient d(d − 3) before s^(2d − 2): at d = 3 its degree is 2, not 4.
 FORMULAS = """
-from exactspline import formula, join
+from exactspline.language import formula, join
 
 @formula("1", on="plane")
 def special(c):

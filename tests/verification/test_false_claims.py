@@ -8,7 +8,7 @@ from gmpy2 import mpq
 from exactspline.errors import FormulaError
 from exactspline.language.parts import split
 from exactspline.papers import find
-from exactspline.readings.degree import Degree, parse
+from exactspline.readings.degree import Degree, parse_degree
 from exactspline.splines.examples import example
 from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.claims import all_claims
@@ -31,7 +31,7 @@ EVERYWHERE, IN_GENERAL = "false on every curve", "false in general"
 
 
 def shifted(claim, by):
-    return str(parse(claim.claimed) * Degree.number(by))
+    return str(parse_degree(claim.claimed) * Degree.number(by))
 
 
 def is_value_one(factor):
@@ -141,7 +141,7 @@ def is_true_after_all(claim, false):
         names = POLYNOMIAL if false.of == "polynomial" else GENERIC
         own = Evaluation(example(names[false.dimensions[0]]))
         degree = find(false.formula)(own.handed(false.curve)).degree
-        return getattr(degree, "s", degree) == parse(false.claimed).at({"d": 3})
+        return getattr(degree, "s", degree) == parse_degree(false.claimed).at({"d": 3})
     return False
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from exactspline.papers import load_paper, paper
 from exactspline.papers.folder import Table
-from exactspline.readings.degree import Degree, parse
+from exactspline.readings.degree import Degree, parse_degree
 from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.ledger import proved
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
@@ -38,7 +38,7 @@ def of_identity(claim):
 
 def of_degree(claim):
     """One more as a lower bound; the degree in one parameter told in terms of the other one."""
-    yield replace(claim, claimed=str(parse(claim.claimed) * Degree.number(1)), relation="≥")
+    yield replace(claim, claimed=str(parse_degree(claim.claimed) * Degree.number(1)), relation="≥")
     letter = {"u": "v", "v": "u"}[claim.parameter.value]
     turned = claim.claimed.replace(f"d_{claim.parameter.value}", f"d_{letter}")
     yield replace(claim, claimed=turned)

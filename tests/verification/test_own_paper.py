@@ -28,9 +28,8 @@ from exactspline.verification.ledger import audit, proved
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
 
 DOCS = Path(__file__).parents[2] / "docs" / "your-own-paper.md"
-LANGUAGE = (
-    "from exactspline import complex_product, cross, det, dot, formula, join, norm2, perp, rational, ruled, wronskian\n"
-)
+WORDS = "complex_product, cross, det, dot, formula, join, norm2, perp, ruled, wronskian"
+LANGUAGE = f"from exactspline import rational; from exactspline.language import {WORDS}\n"
 
 
 def run(*arguments):

@@ -97,6 +97,10 @@ def test_a_curve_file_that_means_no_curve_is_refused(text, told):
 
 def test_sides_that_are_not_proportional_have_no_factor():
     """The last height of (34) as printed: no factor makes both sides equal, and none is shown."""
-    (printed,) = [claim for claim in xs.select_claims(["C6.2g"]) if claim.expected == xs.REFUTED]
+    (printed,) = [claim for claim in xs.claims("C6.2g") if claim.expected == xs.Verdict.REFUTED]
     finding = printed.prove()[1]
-    assert (finding.verdict, worded(finding.computed), worded(finding.factor)) == (xs.REFUTED, "not proportional", "")
+    assert (finding.verdict, worded(finding.computed), worded(finding.factor)) == (
+        xs.Verdict.REFUTED,
+        "not proportional",
+        "",
+    )

@@ -36,7 +36,7 @@ from exactspline.verification.errata import errata, name_of, numbered, remarks
 from exactspline.verification.evaluation import Evaluation, between, zero_of
 from exactspline.verification.evidence import At, Between, OnAllOf, Relating
 from exactspline.verification.generic_degree import joined_degree
-from exactspline.verification.generic_proof import degree_table
+from exactspline.verification.generic_proof import table_1_degrees
 from exactspline.verification.ledger import Proofs, checked, proved
 from exactspline.verification.measure import measurable, measure
 from exactspline.verification.notation import degree_latex, factor_latex
@@ -175,7 +175,7 @@ def test_ids_select_what_they_begin_but_no_other_number():
 
 
 def test_the_operands_of_table_1_have_the_degrees_of_their_index():
-    table = degree_table()
+    table = table_1_degrees()
     for one in "12":
         for name in ("p", "w"):
             assert str(getattr(table, name + one)) == f"d{one}"

@@ -14,7 +14,7 @@ from math import factorial, isqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.numbers.exact import mpq
-from exactspline.roots.checker import check
+from exactspline.roots.checker import check_certificate
 
 if TYPE_CHECKING:
     from workshop.grade.data import Answer, CurveData, ExactCurve
@@ -189,11 +189,11 @@ def _point(curve: Curve, t: mpq) -> list[mpq]:
 
 
 def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int) -> None:
-    """Check that the certificate is right, and that its form is a positive multiple of the given form on
-    every segment.
+    """Check that the certificate is right, and that its form is a positive multiple of the given form on every
+    segment.
     """
     certificate: dict[str, Any] = certified  # its contents are what is checked
-    check(certified, sturm=certificate["degree"] <= STURM)
+    check_certificate(certified, sturm=certificate["degree"] <= STURM)
     breaks = list(map(mpq, certificate["breakpoints"]))
     _require(breaks == _domain(curve), "other breakpoints")
     for segment, (a, b) in zip(certificate["segments"], pairwise(breaks), strict=True):

@@ -5,10 +5,10 @@ import { element, navigation, statusLine } from "./site.js";
 import { html } from "./svg.js";
 
 const SAMPLES = [
-  ["curvature's numerator", 2, "from exactspline import det\n\n\ndef numerator(c):\n    return det(c.gamma.d(1), c.gamma.d(2))\n"],
-  ["torsion's numerator", 3, "from exactspline import triple\n\n\ndef numerator(c):\n    return triple(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3))\n"],
-  ["extrema of curvature", 2, "from exactspline import det, dot, norm2\n\n\ndef extrema(c):\n    v, a, j = c.gamma.d(1), c.gamma.d(2), c.gamma.d(3)\n    return det(v, j) * norm2(v) - 3 * det(v, a) * dot(v, a)\n"],
-  ["evolute", 2, "from exactspline import det, norm2, perp\n\n\ndef evolute(c):\n    v = c.gamma.d(1)\n    return c.gamma + perp(v) * norm2(v) / det(v, c.gamma.d(2))\n"],
+  ["curvature's numerator", 2, "from exactspline.language import det\n\n\ndef numerator(c):\n    return det(c.gamma.d(1), c.gamma.d(2))\n"],
+  ["torsion's numerator", 3, "from exactspline.language import triple\n\n\ndef numerator(c):\n    return triple(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3))\n"],
+  ["extrema of curvature", 2, "from exactspline.language import det, dot, norm2\n\n\ndef extrema(c):\n    v, a, j = c.gamma.d(1), c.gamma.d(2), c.gamma.d(3)\n    return det(v, j) * norm2(v) - 3 * det(v, a) * dot(v, a)\n"],
+  ["evolute", 2, "from exactspline.language import det, norm2, perp\n\n\ndef evolute(c):\n    v = c.gamma.d(1)\n    return c.gamma + perp(v) * norm2(v) / det(v, c.gamma.d(2))\n"],
 ];
 
 navigation();

@@ -96,7 +96,7 @@ def reduce(data: dict[str, Any]) -> dict[str, Any]:
     found = xs.reduction(formula, dimension=data["dimension"], polynomial=data["polynomial"])
     return {
         "name": formula.name,
-        "text": TextPrinter()(xs.trace(formula, data["dimension"])),
+        "text": TextPrinter()(xs.readings.trace(formula, data["dimension"])),
         "parts": [part.data() for part in found.parts],
     }
 
@@ -113,7 +113,7 @@ def triangle(data: dict[str, Any]) -> dict[str, Any]:
     curve = _curve(data["curve"])
     low, high = curve.domain
     t = low + (high - low) * xs.rational(data["share"])
-    found = xs.de_boor_triangle(curve, t)
+    found = xs.classroom.de_boor_triangle(curve, t)
     return {
         "t": str(t),
         "span": [str(u) for u in found.span],
@@ -131,7 +131,7 @@ def refined(data: dict[str, Any]) -> dict[str, Any]:
     """The same curve by more control points: a knot inserted, or the degree raised."""
     curve = _curve(data["curve"])
     if "knot" in data:
-        found = xs.insertion_triangle(curve, data["knot"])
+        found = xs.classroom.insertion_triangle(curve, data["knot"])
         rows = [[*found.cartesian(row)] for row in found.made]
         weights = [row[-1] if found.rational else 1 for row in found.made]
         made = xs.Nurbs(curve.degree, found.knots, rows, weights)
@@ -155,7 +155,7 @@ def product(data: dict[str, Any]) -> dict[str, Any]:
     low, high = curve.domain
     t = low + (high - low) * xs.rational(data["share"])
     left, right = (functions[name] for name in data["factors"])
-    tables = xs.product_tables(left, right)
+    tables = xs.classroom.product_tables(left, right)
     table = next(one for one in tables if t <= one.span[1])
     f = left * right
     return {

@@ -6,20 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from exactspline.display.figures import bisectors, plane
-from exactspline.display.figures.plane import Drawn
+from exactspline.display.figures.bisectors import figure_4, figure_5, figure_6
+from exactspline.display.figures.plane import Drawn, figure_1, figure_2, figure_3
 from exactspline.display.plot.canvas import PlotError, save
 from exactspline.display.plot.html import save_page, turning_page
 
 #: The figures by number.
-FIGURES: dict[int, Callable[[], Drawn]] = {
-    1: plane.figure_1,
-    2: plane.figure_2,
-    3: plane.figure_3,
-    4: bisectors.figure_4,
-    5: bisectors.figure_5,
-    6: bisectors.figure_6,
-}
+FIGURES: dict[int, Callable[[], Drawn]] = {1: figure_1, 2: figure_2, 3: figure_3, 4: figure_4, 5: figure_5, 6: figure_6}
 
 
 @dataclass

@@ -170,7 +170,7 @@ def plot_surface(
 ) -> Axes:
     """A tensor-product surface: shaded, with its control net; cut where it goes to infinity.
 
-    >>> from exactspline import Vector
+    >>> from exactspline.language import Vector
     >>> from exactspline.splines.tensor import TensorSpline
     >>> nets = [[0, 0], [1, 1]], [[0, 1], [0, 1]], [[0, 0], [0, 1]]
     >>> s, t, st = (TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], net) for net in nets)

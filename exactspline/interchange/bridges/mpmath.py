@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from exactspline.numbers.exact import mpq
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ def to_mpmath(curve: Nurbs) -> Callable[[object], list[mpmath.mpf]]:
     ...     print(to_mpmath(example("circle"))(mpf("0.25"))[0])
     0.882352941176470588235294117647
     """
+    curve = curve_of(curve)
 
     def value(parameter: object) -> list[mpmath.mpf]:
         import mpmath

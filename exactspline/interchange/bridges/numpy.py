@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
+from exactspline.errors import as_items
 from exactspline.interchange.bridges.values import doubles
 from exactspline.numbers.exact import Number, from_float, is_float
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -26,6 +28,7 @@ def to_arrays(curve: Nurbs) -> Arrays:
     """The correctly rounded data of a curve."""
     import numpy as np
 
+    curve = curve_of(curve)
     points = np.array([doubles(point) for point in curve.control_points])
     return Arrays(curve.degree, np.array(doubles(curve.knots)), points, np.array(doubles(curve.weights)))
 
@@ -38,5 +41,6 @@ def points_at(curve: Nurbs, parameters: Iterable[Number]) -> np.ndarray:
     """
     import numpy as np
 
-    points = [doubles(curve(from_float(t) if is_float(t) else t)) for t in parameters]
+    curve = curve_of(curve)
+    points = [doubles(curve(from_float(t) if is_float(t) else t)) for t in as_items(parameters, "parameters")]
     return np.reshape(np.array(points, dtype=float), (-1, curve.dimension))

@@ -6,8 +6,10 @@ from itertools import pairwise
 from math import comb
 from typing import TYPE_CHECKING
 
+from exactspline.errors import as_instance
 from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -20,10 +22,13 @@ def to_sympy(curve: Nurbs | BSpline, symbol: sympy.Symbol) -> tuple[sympy.Expr, 
     >>> from sympy import Symbol
     >>> to_sympy(BSpline(2, [0, 0, 0, 1, 1, 1], [0, 1, 0]), Symbol("t"))
     (Piecewise((-2*t**2 + 2*t, (t >= 0) & (t <= 1))),)
+
+    Raises `ExactSplineError` for what is not a curve, a spline or a symbol.
     """
     import sympy
 
-    parts = [curve] if isinstance(curve, BSpline) else list(curve.p)
+    as_instance(symbol, sympy.Symbol, "a symbol", 'give sympy.Symbol("t")')
+    parts = [curve] if isinstance(curve, BSpline) else list(curve_of(curve).p)
     numerators = [_polynomials(part, symbol) for part in parts]
     denominators = (
         [sympy.Integer(1)] * len(numerators[0])

@@ -16,7 +16,7 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
-from exactspline.readings.degree import parse
+from exactspline.readings.degree import parse_degree
 from exactspline.readings.differential_order import order_of
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.splines.tensor import TensorSpline
@@ -35,7 +35,7 @@ from exactspline.verification.vocabulary import ArgumentKind, Measure, Name, Rel
 def degree_text(claim: Claim, name: str, value: str) -> str:
     """A degree in d, or in d1 and d2 for Table 1."""
     names = _degree_names(kind_of(claim.curve))
-    if unknown := parse(value).names - names:
+    if unknown := parse_degree(value).names - names:
         raise ClaimError(
             f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
             where=name,
@@ -48,7 +48,7 @@ def degree_text(claim: Claim, name: str, value: str) -> str:
 def _degree_names(kind: Kind) -> frozenset[str]:
     """The names of the degrees of operands."""
     symbols = [s for s in kind.symbols(kind.dimensions[0]) if s.degree]
-    return frozenset().union(*[parse(s.degree_in(p)).names for s in symbols for p in s.parameters])
+    return frozenset().union(*[parse_degree(s.degree_in(p)).names for s in symbols for p in s.parameters])
 
 
 #: The measured degree, as LaTeX.
@@ -98,13 +98,13 @@ class DegreeClaim(DegreeStatement):
             raise ClaimError("only nominal degrees of curves are counted", where="counting", remedy='"Table 1"')
         if table and (self.measure != Measure.NOMINAL or self.of != Scope.BOTH):
             raise ClaimError("Table 1 counts nominal degrees of any operands", where="measure", remedy='"nominal"')
-        if self.measure == Measure.HEIGHT and (parse(self.claimed).names or self.relation != Relation.EQUAL):
+        if self.measure == Measure.HEIGHT and (parse_degree(self.claimed).names or self.relation != Relation.EQUAL):
             raise ClaimError("a height is a number", where="claimed", remedy='write for example "0"')
 
     @property
     def claims(self) -> str:
         """The degree, with its relation."""
-        return self.relation.bound(str(parse(self.claimed)))
+        return self.relation.bound(str(parse_degree(self.claimed)))
 
     @property
     def relation_claimed(self) -> Relation:
@@ -165,7 +165,7 @@ class DegreeClaim(DegreeStatement):
         return sampled(found, Fact.ONE_LINE) if holds and along_a_line else found
 
     def _claimed(self, argument: Any) -> int:
-        degree = parse(self.claimed)
+        degree = parse_degree(self.claimed)
         known, values = argument.operands(), dict[str, int]()
         if self.curve == ArgumentKind.TABLE:
             return degree.at({name: known[name.replace("d", "p")].degree for name in degree.names})

@@ -12,7 +12,7 @@ from exactspline.errors import FormulaError
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
-from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
+from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse_degree
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet, JetReading
 from exactspline.readings.leading_terms import generic_true_degree
@@ -21,7 +21,7 @@ from exactspline.symbolic.reduction import Reduction
 from exactspline.verification.claim import Claim
 from exactspline.verification.evidence import DegreeFound, Fact, Found, WrongDegree
 from exactspline.verification.generic_degree import joined_degree
-from exactspline.verification.generic_proof import degree_table, reduction_of, transposed, vanishes
+from exactspline.verification.generic_proof import reduction_of, table_1_degrees, transposed, vanishes
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, ContradictionError, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Measure, Name, Relation
 
@@ -84,7 +84,7 @@ def _grading(true: Any) -> tuple[int, int, int] | None:
 def _nominal(claim: DegreeStatement, dimension: int, polynomial: bool) -> Degree:
     formula = claim.find(claim.formula)
     if claim.curve == ArgumentKind.TABLE:
-        handed: object = degree_table()
+        handed: object = table_1_degrees()
     else:
         handed = DegreeReading(parameter=claim.parameter, counting=claim.counting).argument(
             formula.kind, dimension, polynomial=polynomial
@@ -146,7 +146,7 @@ def _held(
     claim: DegreeStatement, found: DegreeFound, lower: Mapping[int, int] = NONE_LOWER, factor: Found | None = None
 ) -> Finding:
     """A computed degree against the claimed one, for every d from the least one on; with every exception."""
-    computed, claimed = found.degree, parse(claim.claimed)
+    computed, claimed = found.degree, parse_degree(claim.claimed)
     larger = computed.max(claimed)
     agree = {
         Relation.EQUAL: (computed, claimed),

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import field
 from enum import StrEnum
-from functools import cache
+from functools import cache, partial
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, VanishingDivisorError
@@ -26,10 +26,11 @@ from exactspline.symbolic.factorization import find_factor
 from exactspline.symbolic.motions import MAPS, Map
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.decision import Changed
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.evidence import DifferUnder, Evidence, Fact, UndefinedAt, UnderEvery, UnderMap, Weight
-from exactspline.verification.segments import on_segments
-from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
+from exactspline.verification.evidence import DifferUnder, Evidence, UndefinedAt, UnderEvery, UnderMap, Weight
+from exactspline.verification.segments import OnSegment, on_segments
+from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Group, Name
 
 
@@ -136,19 +137,14 @@ class Invariance(Claim):
         curve = RationalJetReading(order_of(formula, dimension)).argument(
             _wider(formula.kind, name, dimension), dimension, polynomial=polynomial
         )
-        moved, expected = self._sides(formula, name, curve, vars(curve))
-        if all(x.is_zero for x in (*moved, *expected)):
-            return vacuous()
-        if all(a == b for a, b in zip(moved, expected, strict=True)):
-            return Finding(PROVED, Weight(self.under, self.weight))
-        told = UnderMap(Name(name))
+        statement = self._statement(formula, name, lambda difference: UnderMap(Name(name)))
+        found = statement.decide(curve)
+        if found.verdict != REFUTED:
+            return found
+        moved, expected = statement.sides(curve)
         short = sum(len(x.top) + len(x.bottom) for x in (*moved, *expected)) < SHORT
-        if (
-            short
-            and any(not x.is_zero for x in expected)
-            and (factor := find_factor(Vector(*moved), Vector(*expected)))
-        ):
-            told = UnderMap(Name(name), factor)
+        factor = find_factor(moved, expected) if short and any(not x.is_zero for x in expected) else None
+        told = UnderMap(Name(name), factor)
         return Finding(REFUTED, told, witness=self.refuted_on_examples().witness or told)
 
     @property
@@ -168,16 +164,24 @@ class Invariance(Claim):
         for name in GENERATED.get(self.under, (str(self.under),)):
             kind = _wider(formula.kind, name, curve.dimension)
             for segment in on_segments(kind, curve, order_of(formula, curve.dimension)):
+                statement = self._statement(formula, name, partial(_differs_under, Name(name), segment))
                 try:
-                    moved, expected = self._sides(formula, name, segment.argument, vars(segment.argument))
+                    found = statement.decide(segment.argument, VERIFIED)
                 except VanishingDivisorError:
                     return vacuous(UndefinedAt(segment.interval))
-                differ = [d for a, b in zip(moved, expected, strict=True) if not (d := a - b).is_zero]
-                if differ:
-                    witness = DifferUnder(Name(name), segment.place(differ[0]))
-                    return Finding(REFUTED, Fact.NOT_SO, witness=witness)
-                nothing = nothing and all(x.is_zero for x in (*moved, *expected))
+                if found.verdict == REFUTED:
+                    return found
+                nothing = nothing and found.verdict == VACUOUS
         return vacuous() if nothing else Finding(VERIFIED, Weight(self.under, self.weight))
+
+    def _statement(self, formula: Formula, name: str, where: Callable[[Any], Evidence]) -> Changed:
+        """That the value is as claimed under one map."""
+
+        def sides(c: Any) -> tuple[Vector[Any], Vector[Any]]:
+            moved, expected = self._sides(formula, name, c, vars(c))
+            return Vector(*moved), Vector(*expected)
+
+        return Changed(sides, Weight(self.under, self.weight), where)
 
     def _sides(self, formula: Formula, name: str, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
         """The components of the value on the changed curve, and their claimed values."""
@@ -208,6 +212,11 @@ class Invariance(Claim):
         if self.nature == Nature.VECTOR:
             return list(made.of_vector(Vector(*value), one, k))
         return _image(Vector(*value), made, k, one)
+
+
+def _differs_under(name: Name, segment: OnSegment, difference: Any) -> DifferUnder:
+    """Where the sides differ on a segment."""
+    return DifferUnder(name, segment.place(difference))
 
 
 class _Wider(CurveKind):

@@ -15,11 +15,12 @@ from exactspline.splines.bspline import BSpline
 from exactspline.symbolic.assumptions import zero_free
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, formula_names, one_of, read
-from exactspline.verification.claim_factor import factor_formulas, factor_of_text, factor_parts
+from exactspline.verification.claim_factor import factor_formulas, factor_parts
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import extra_zero
+from exactspline.verification.decision import SquaresAddUp
 from exactspline.verification.evaluation import Evaluation, Handed, zero_of
-from exactspline.verification.evidence import At, Fact, HasSign, SumOfSquares, ZeroAt
+from exactspline.verification.evidence import At, Fact, HasSign, ZeroAt
 from exactspline.verification.kinds.identity import checked_factor
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Name, Sign
@@ -66,7 +67,7 @@ class SignClaim(Claim):
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The sum of squares is the value up to the factor, as differential polynomials."""
-        formula, squares = self.find(self.formula), [self.find(name) for name in self.squares]
+        formula, squares = self.find(self.formula), tuple(map(self.find, self.squares))
         named = factor_formulas(self.factor, self.find)
         c: Any = jets_for((formula, *squares, *named), dimension, polynomial=polynomial)
         value = formula(c)
@@ -74,18 +75,12 @@ class SignClaim(Claim):
             raise ClaimError(f"{self.formula!r} is a vector", where=self.key, remedy="a vector has no sign")
         if value.is_zero:
             return vacuous()
-        told = Fact.OTHER_SQUARES if squares else Fact.NO_SQUARES
         if squares:
-            total = value.constant(0)
-            for square in squares:
-                for x in split(square(c))[0]:
-                    total = total + x * x
-            top, bottom = factor_of_text(self.factor, c, self.find)
-            if value * bottom * self.sign.direction == total * top:
-                if not self.sign.strict:
-                    return Finding(PROVED, SumOfSquares(len(squares)))
-                return self._strict([square(c) for square in squares])
+            found = SquaresAddUp(formula, squares, self.factor, self.sign.direction, self.find).decide(c)
+            if found.verdict == PROVED:
+                return self._strict([square(c) for square in squares]) if self.sign.strict else found
         refuted = self.refuted_on_examples()
+        told = Fact.OTHER_SQUARES if squares else Fact.NO_SQUARES
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=told)
 
     def _strict(self, squares: list[Any]) -> Finding:

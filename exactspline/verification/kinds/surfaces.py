@@ -14,15 +14,15 @@ from exactspline.language.ruled import RuledSurface, differences
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import JetFraction, RationalJetReading
 from exactspline.splines.tensor import TensorSpline
-from exactspline.symbolic.factorization import Factor, find_factor, jets_for
+from exactspline.symbolic.factorization import Factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
 from exactspline.verification.decision import DirectrixOf, OneRuledSurface, Statement
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.evidence import Fact, NoGenerator, OneSurface, OneSurfaceBut, Rulings
+from exactspline.verification.evidence import OneSurface, OneSurfaceBut, Rulings
 from exactspline.verification.generic_proof import harmful
-from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
+from exactspline.verification.verdict import REFUTED, VACUOUS, VERIFIED, Finding
 from exactspline.verification.vocabulary import ArgumentKind, Name
 
 ONE = "one surface"
@@ -69,19 +69,17 @@ class SameSurface(Claim):
         for name, surface in ((self.left, a), (self.right, b)):
             if not isinstance(surface, RuledSurface):
                 raise ClaimError(f"{name!r} is not a ruled surface", where=self.key, remedy="name one")
-            if all(x.is_zero for x in split(surface.generator)[0]):
-                return vacuous(NoGenerator(name))
-        offset = b.directrix - a.directrix
-        # no generator vanishes: vectors of quotients are parallel exactly if they are proportional
-        scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
-        if scale is None or shift is None:
-            witness = self.refuted_on_examples().witness
-            return Finding(REFUTED, Fact.TWO_SURFACES, witness=witness or Fact.GENERATORS_APART)
-        bad, used = harmful(scale, self.assumes)
-        also, others = ([], ()) if offset.is_zero else harmful(_poles(shift), self.assumes)
+        found = self.equality.decide(c)
+        if found.verdict == VACUOUS:
+            return found
+        if found.verdict == REFUTED:
+            return replace(found, witness=self.refuted_on_examples().witness or found.witness)
+        rulings = found.factor
+        assert isinstance(rulings, Rulings)
+        bad, used = harmful(rulings.scale, self.assumes)
+        also, others = ([], ()) if rulings.shift is None else harmful(_poles(rulings.shift), self.assumes)
         bad = list(dict.fromkeys([*bad, *also]))
-        rulings = Rulings(scale, None if offset.is_zero else shift)
-        return Finding(PROVED, OneSurface(tuple(bad)), rulings, assumptions=tuple(dict.fromkeys([*used, *others])))
+        return replace(found, computed=OneSurface(tuple(bad)), assumptions=tuple(dict.fromkeys([*used, *others])))
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""

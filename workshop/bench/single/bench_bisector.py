@@ -30,7 +30,8 @@ import sympy
 from flint import Ordering, fmpz, fmpz_mpoly_ctx, fmpz_poly
 from sympy.polys.rings import ring
 
-from exactspline import Nurbs, Vector
+from exactspline import Nurbs
+from exactspline.language import Vector
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.rational import Rational
 from exactspline.papers import find

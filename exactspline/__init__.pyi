@@ -1,0 +1,102 @@
+# The front door: what is imported from `exactspline`, and what type checkers read of it. A name is imported when it is
+# first used. The headings are those of the reference.
+from . import classroom as classroom
+from . import display as display
+from . import interchange as interchange
+from . import language as language
+from . import readings as readings
+from . import tables as tables
+
+# construction
+from .splines.bspline import BSpline as BSpline
+from .splines.nurbs import Nurbs as Nurbs
+from .splines.surface import NurbsSurface as NurbsSurface
+from .splines.tensor import TensorSpline as TensorSpline
+from .splines.tensor import surface_pair as surface_pair
+from .splines.knots import KnotVector as KnotVector
+from .splines.control_points import Direction as Direction
+from .splines.control_points import greville_abscissae as greville_abscissae
+from .numbers.exact import rational as rational
+from .numbers.exact import from_float as from_float
+from .numbers.exact import from_floats as from_floats
+from .reals.real import Real as Real
+from .reals.real import square_root as square_root
+
+# files and examples
+from .interchange.files import read as read
+from .interchange.files import write as write
+from .splines.curve_files import curve_from_text as curve_from_text
+from .splines.curve_files import save as save
+from .splines.surface_files import save_surface as save_surface
+from .splines.surface_files import surface_from_text as surface_from_text
+from .splines.examples import example as example
+from .splines.examples import example_names as example_names
+from .splines.examples import example_surface as example_surface
+from .splines.examples import example_surface_names as example_surface_names
+from .splines.examples import load as load
+from .splines.examples import load_surface as load_surface
+
+# evaluation
+from .roots.values import at as at
+from .geometry.floats import at_floats as at_floats
+from .geometry.floats import floats as floats
+from .geometry.values_along import curvature as curvature
+from .geometry.values_along import torsion as torsion
+from .geometry.curvature import curvature_function as curvature_function
+from .numbers.sides import Side as Side
+
+# zeros
+from .roots.zero_set import ZeroSet as ZeroSet
+from .roots.zero_set import zeros as zeros
+from .roots.root import Root as Root
+from .roots.checker import check_certificate as check_certificate
+from .geometry.zero_forms import zero_form as zero_form
+
+# analysis
+from .geometry.analysis import analyse as analyse
+from .geometry.inspection import Approach as Approach
+from .geometry.inspection import inspect_curve as inspect_curve
+from .geometry.surface.inspection import inspect_surface as inspect_surface
+from .geometry.surface.planar_maps import jacobian_sign as jacobian_sign
+from .geometry.many_splines import features_of_curves as features_of_curves
+from .geometry.many_curves import features_of_many as features_of_many
+from .batch.oracle import oracle as oracle
+from .batch.sweep import sweep as sweep
+from .batch.families import Family as Family
+
+# derived curves and surfaces
+from .geometry.derived import derive as derive
+from .geometry.derived import evolute as evolute
+from .geometry.derived import focal_curve as focal_curve
+from .geometry.derived import torsion_function as torsion_function
+from .geometry.constructions import Variant as Variant
+from .geometry.constructions import construction as construction
+from .geometry.ruled_surfaces import ruled_surface as ruled_surface
+from .geometry.bisector.any_pair import bisector as bisector
+from .geometry.bisector.trimmed import trimmed_bisector as trimmed_bisector
+
+# pictures
+from .display.plot.anything import plot as plot
+
+# formulas and papers
+from .papers import find as find
+from .papers import load_paper as load_paper
+from .papers import paper as paper
+from .verification.questions import degree as degree
+from .verification.questions import prove as prove
+from .verification.questions import reduction as reduction
+from .verification.questions import verify as verify
+from .verification.generic_proof import factor_of as factor_of
+from .symbolic.factorization import jets_for as jets_for
+
+# claims and their verdicts
+from .verification.claims import claims as claims
+from .verification.statement import statements as statements
+from .verification.ledger import proved as proved
+from .verification.errata import errata as errata
+from .verification.vocabulary import Verdict as Verdict
+
+# errors
+from .errors import ExactSplineError as ExactSplineError
+
+__version__: str

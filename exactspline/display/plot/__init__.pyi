@@ -1,0 +1,13 @@
+from .canvas import PlotError as PlotError
+from .canvas import new_figure as new_figure
+from .comparisons import plot_approaches as plot_approaches
+from .curves import plot_curve as plot_curve
+from .curves import plot_evolute as plot_evolute
+from .curves import plot_features as plot_features
+from .curves import plot_quotient as plot_quotient
+from .functions import plot_function as plot_function
+from .functions import plot_roots as plot_roots
+from .patches import surface_figure as surface_figure
+from .surfaces import plot_bisector as plot_bisector
+from .surfaces import plot_ruled_surface as plot_ruled_surface
+from .surfaces import plot_surface as plot_surface

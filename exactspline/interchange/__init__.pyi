@@ -1,0 +1,16 @@
+from .bridges.geomdl import from_geomdl as from_geomdl
+from .bridges.geomdl import to_geomdl as to_geomdl
+from .bridges.mpmath import to_mpmath as to_mpmath
+from .bridges.numpy import points_at as points_at
+from .bridges.numpy import to_arrays as to_arrays
+from .bridges.scipy import from_scipy as from_scipy
+from .bridges.scipy import to_scipy as to_scipy
+from .bridges.splinepy import from_splinepy as from_splinepy
+from .bridges.splinepy import to_splinepy as to_splinepy
+from .bridges.sympy import to_sympy as to_sympy
+from .files import read as read
+from .files import write as write
+from .limits import Limits as Limits
+from .records import NamedCurve as NamedCurve
+from .records import Reading as Reading
+from .records import Skipped as Skipped

@@ -1,0 +1,17 @@
+from .complex_numbers import complex_product as complex_product
+from .complex_numbers import complex_quotient as complex_quotient
+from .complex_numbers import conjugate as conjugate
+from .formula import formula as formula
+from .parts import numerator as numerator
+from .rational import Rational as Rational
+from .ruled import ruled as ruled
+from .vector import Vector as Vector
+from .vector import cross as cross
+from .vector import det as det
+from .vector import dot as dot
+from .vector import generalized_cross as generalized_cross
+from .vector import join as join
+from .vector import norm2 as norm2
+from .vector import perp as perp
+from .vector import triple as triple
+from .wronskians import wronskian as wronskian

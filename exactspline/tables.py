@@ -1,0 +1,48 @@
+"""Tables for notebooks and terminals: degrees, control points, verdicts, printed numbers next to computed ones.
+
+>>> from exactspline.papers import find
+>>> from exactspline.splines.examples import example
+>>> measure(find("f2"), example("ellipse"))
+<Measure f2: degree 3d − 3, here 3, true degree 0, 16 control points>
+"""
+
+from exactspline.display.latex import mathematics
+from exactspline.display.serialize import derived_data, inspection_data
+from exactspline.display.tables import (
+    Grid,
+    approaches_table,
+    degree_table,
+    measured,
+    numerical_claims,
+    printed_numbers,
+    reduction_table,
+    symbolic_table,
+    verdicts,
+)
+from exactspline.splines.lowest_terms import control_point_count
+from exactspline.verification.curve_check import table_1_splines
+from exactspline.verification.generic_proof import table_1_degrees
+from exactspline.verification.measure import measurable, measure
+from exactspline.verification.patch_degrees import patch_table, variants_table
+
+__all__ = [
+    "Grid",
+    "approaches_table",
+    "control_point_count",
+    "degree_table",
+    "derived_data",
+    "inspection_data",
+    "mathematics",
+    "measurable",
+    "measure",
+    "measured",
+    "numerical_claims",
+    "patch_table",
+    "printed_numbers",
+    "reduction_table",
+    "symbolic_table",
+    "table_1_degrees",
+    "table_1_splines",
+    "variants_table",
+    "verdicts",
+]
