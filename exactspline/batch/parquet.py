@@ -73,7 +73,7 @@ class Parquet(Results):
                             index += 1
             except (pa.ArrowInvalid, ValueError, KeyError, TypeError):
                 raise ResultsError(
-                    f"is not the part beginning at row {index} that a sweep wrote",
+                    f"is not the part that begins at row {index}, as written by a sweep",
                     where=str(part),
                     remedy="restore the folder",
                 ) from None

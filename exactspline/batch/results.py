@@ -99,7 +99,7 @@ class JsonLines(Results):
                     whole = False
                 if not whole:
                     raise ResultsError(
-                        f"line {index + 1} was not written by a sweep, or has been changed",
+                        f"line {index + 1} is not a line as written by a sweep",
                         where=str(self.place),
                         remedy="restore the file",
                     )
