@@ -24,7 +24,7 @@ LOOK = 1
 T = TypeVar("T")
 V = TypeVar("V")
 
-#: Name → the package that it needs besides joblib; the extra of the same name installs it.
+#: Name → the package that it needs besides joblib.
 BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
 #: How many curves are computed together: a few at first (`FIRST`), so that the first results come soon and all
 #: processes have work, then `GROWTH` times as many as each process has had before, at most `MOST` and of a total weight
@@ -51,7 +51,7 @@ def check_backend(name: str) -> None:
     if (needed := BACKENDS[name]) and find_spec(needed) is None:
         raise BackendError(
             f"the backend {name} needs {needed}, which is not installed",
-            remedy=f"pip install 'exactspline[{name}]', or use another backend",
+            remedy=f"pip install {needed}, or use another backend",
         )
 
 

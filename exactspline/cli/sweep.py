@@ -92,13 +92,7 @@ OutputFile = Annotated[
 ]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, max=4096, help="Processes.")]
 Backend = Annotated[
-    str,
-    typer.Option(
-        "--backend",
-        metavar="NAME",
-        help="serial, processes, dask or ray (extras of these names).",
-        autocompletion=_backends,
-    ),
+    str, typer.Option("--backend", metavar="NAME", help="serial, processes, dask or ray.", autocompletion=_backends)
 ]
 Scheduler = Annotated[
     str, typer.Option("--scheduler", metavar="ADDRESS", help="The Dask or Ray cluster to use. [default: one made here]")

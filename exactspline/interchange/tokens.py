@@ -53,10 +53,6 @@ class Tokens:
         self._next = next(self._found, None)
         return word
 
-    def peek(self) -> str:
-        """The next word without reading it, empty at the end."""
-        return self._next[0] if self._next else ""
-
     def number(self) -> mpq:
         """The next word as an exact decimal."""
         return decimal(self.word(), self.limits)

@@ -53,11 +53,6 @@ class Cell:
         return found
 
 
-def certificate_of(polynomial: fmpq_poly, cells: list[Cell]) -> dict[str, object]:
-    """The certificate as JSON data: the coefficients, the constant one first, and the cells."""
-    return {"format": FORMAT, "coefficients": _texts(polynomial), "cells": [cell.data() for cell in cells]}
-
-
 def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
     """The cells of a polynomial between two points.
 

@@ -252,26 +252,6 @@ class LeadingTermsReading(Reading):
         return kind.argument(dimension, operand, one, polynomial=polynomial)
 
 
-def generic_drop(formula: Formula, dimension: int) -> tuple[int, int, int, tuple[int, ...]]:
-    """``(k, m, drop, exceptions)``: on the generic rational curve of degree d the formula has true degree ``k d − m −
-    drop``.
-
-    Proved for every d ≥ drop (so that the coefficients exist) except the exceptions, where it is lower. A vector has
-    the largest degree of its components.
-
-    >>> from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D1
-    >>> generic_drop(D1, 2)
-    (2, 1, 1, ())
-
-    Raises `FormulaError` for formulas that are not polynomials in the curve, or not homogeneous (see
-    `generic_true_degree`).
-    """
-    order = order_of(formula, dimension)
-    return drop_of(
-        formula, lambda terms: LeadingTermsReading(terms, order).argument(formula.kind, dimension), formula.name
-    )
-
-
 def generic_true_degree(
     formula: Formula, dimension: int, *, polynomial: bool = False, parameter: Parameter = Parameter.FIRST
 ) -> Degree:
@@ -326,7 +306,14 @@ def _resolved(formula: Callable[[Any], Any], curve: Callable[[int], Any], name: 
 def drop_of(
     formula: Callable[..., object], curve: Callable[[int], object], name: str
 ) -> tuple[int, int, int, tuple[int, ...]]:
-    """As `generic_drop`, for any function of a curve at infinity that is known to sufficiently many terms."""
+    """``(k, m, drop, exceptions)``: the formula has true degree ``k d − m − drop`` on the generic curve of degree d.
+
+    Proved for every d ≥ drop (so that the coefficients exist) except the exceptions, where it is lower. A vector has
+    the largest degree of its components. ``curve`` is the curve at infinity, known to a number of terms.
+
+    Raises `FormulaError` for formulas that are not polynomials in the curve, or not homogeneous (see
+    `generic_true_degree`).
+    """
     found = _resolved(formula, curve, name)
     gradings = {grading for part in found for grading in part}
     if len(gradings) > 1:

@@ -11,11 +11,8 @@ from math import factorial
 from typing import Any, Protocol, Self, cast
 
 from exactspline.errors import FormulaError, as_instance, as_integer
-from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, T
-from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand, Scalar
-from exactspline.language.reading import Reading
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.sides import Side
 
@@ -129,30 +126,6 @@ def taylor(spline: Function, t: Number, terms: int, side: Side | str = Side.RIGH
         coefficients.append(derivative(t, side) / factorial(i) if i <= spline.degree else mpq(0))
         derivative = derivative.d() if i < spline.degree else derivative
     return Series(coefficients)
-
-
-class TaylorReading(Reading):
-    """An argument of splines in one parameter, expanded at that parameter to this many terms.
-
-    >>> from exactspline.splines.examples import load
-    >>> from exactspline.language.kinds import PLANE
-    >>> TaylorReading(load("circle"), 0, 2).argument(PLANE, 2).p[0].coefficients
-    (mpq(1,1), mpq(0,1))
-    """
-
-    name = "series"
-    proves = "values and derivatives at one parameter"
-
-    def __init__(self, given: Evaluated, t: Number, terms: int, side: Side | str = Side.RIGHT) -> None:
-        self.given, self.t, self.terms, self.side = given, t, terms, side
-
-    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The expansion of the given argument."""
-        # what is given is made of functions
-        expanded: Evaluated = self.given.mapped(
-            lambda operand: taylor(cast(Function, operand), self.t, self.terms, self.side)
-        )
-        return expanded
 
 
 def series_curve(curve: Curve[T], t: Number, terms: int, side: Side | str = Side.RIGHT) -> Curve[Series]:

@@ -4,7 +4,6 @@ any other reading.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from operator import add, attrgetter, getitem, mul, neg, pow, sub, truediv
 from typing import NamedTuple, cast
@@ -19,7 +18,7 @@ from exactspline.language.parts import joined
 from exactspline.language.reading import Reading
 from exactspline.language.ruled import ruled
 from exactspline.language.vector import Vector, cross, det, dot, generalized_cross, join, perp
-from exactspline.readings.expression import ATOMS, Expression, Operation
+from exactspline.readings.expression import Expression, Operation
 from exactspline.readings.printing.text import print_text
 
 #: Products of vectors whose value is again a vector.
@@ -291,18 +290,3 @@ def applied(n: Node, args: Sequence[object], c: object) -> object:
     if n.op in _WITH_VALUE:
         return _WITH_VALUE[n.op](*args, n.value)
     return _CARRIED_OUT[n.op](*args)
-
-
-def operation_counts(node: Node) -> Counter[str]:
-    """How often each operation is carried out, shared nodes counted once."""
-    seen: set[int] = set()
-    counts: Counter[str] = Counter()
-    todo = [node]
-    while todo:
-        n = todo.pop()
-        if id(n) not in seen:
-            seen.add(id(n))
-            todo += n.args
-            if n.op not in ATOMS:
-                counts[n.op] += 1
-    return counts

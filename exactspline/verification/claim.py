@@ -60,7 +60,7 @@ from exactspline.verification.verdict import (
     vacuous,
     worst,
 )
-from exactspline.verification.vocabulary import ArgumentKind, Name, Relation, Scope, Status, Verdict, word
+from exactspline.verification.vocabulary import ArgumentKind, Name, Scope, Status, Verdict, word
 
 E = TypeVar("E", bound=StrEnum)
 V = TypeVar("V")
@@ -328,11 +328,6 @@ class Claim(Immutable, Displayed):
     def assumed(self) -> str:
         """Context and assumptions in words."""
         return "; ".join([*([self.context] if self.context else []), *[each.words for each in self.assumes]])
-
-    @property
-    def relation_claimed(self) -> Relation:
-        """The relation that is claimed, of all curves."""
-        return Relation.EQUAL
 
     @property
     def dimensions(self) -> tuple[int, ...]:

@@ -35,7 +35,7 @@ from exactspline.geometry.bisector.flats import ALL
 from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along
 from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.single_pairs import at_cusp, crossings, singles, touching
-from exactspline.geometry.bisector.system import Piece, System, divides, irreducible_factors, piece
+from exactspline.geometry.bisector.system import System, divides, irreducible_factors, piece
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import from_flint, mpq, sign, to_fmpq
 from exactspline.numbers.intervals import Box, Interval
@@ -78,12 +78,6 @@ def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> 
         name = f"{parts}: the bound on the whole answer was reached before"
         pairs += SpecialPairs(left_out=(name,))
     return _without_repetition(pairs, first, second)
-
-
-def of_patch(first: Piece, second: Piece) -> SpecialPairs:
-    """The special pairs of two segments."""
-    system = System(first, second)
-    return _in_reach(f"the parts other than the surface on {system.sides.shortly}", lambda: _of_system(system))
 
 
 def _of_system(system: System) -> SpecialPairs:

@@ -1,4 +1,4 @@
-"""TrueType and CFF outlines by fontTools (the extra `fonts`): one curve per contour, in font units.
+"""TrueType and CFF outlines by fontTools (the extra `formats`): one curve per contour, in font units.
 
 fontTools gives the numbers of the file unrounded: integers, and for components and CFF fractions exact dyadic doubles.
 A TrueType contour becomes one quadratic B-spline: simple knots within a run of off-curve points, double knots at
@@ -49,7 +49,7 @@ def pieces(source: Source) -> Iterator[Piece]:
     try:
         from fontTools.ttLib import TTFont
     except ImportError:
-        raise CurveFileError("fontTools is not installed", remedy="pip install 'exactspline[fonts]'") from None
+        raise CurveFileError("fontTools is not installed", remedy="pip install fonttools") from None
     opened = [_opened(TTFont, source, number) for number in range(_count(source))]
     wanted = _wanted(opened, source.part)
     for number, (font, name) in enumerate(wanted, 1):

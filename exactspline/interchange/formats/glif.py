@@ -1,7 +1,7 @@
 """GLIF, a glyph of a UFO: one curve per contour, in font units, its decimals as written.
 
 fontTools reads these files too, but turns decimals into doubles; so the XML is read here, and fontTools says what its
-points mean (the extra `fonts`). Components, which are defined in other files, are listed as skipped.
+points mean (the extra `formats`). Components, which are defined in other files, are listed as skipped.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def read(source: Source) -> Reading:
     try:
         from fontTools.pens.pointPen import PointToSegmentPen
     except ImportError:
-        raise CurveFileError("fontTools is not installed", remedy="pip install 'exactspline[fonts]'") from None
+        raise CurveFileError("fontTools is not installed", remedy="pip install fonttools") from None
     root = parse(source.data, source.limits)
     if root.tag != "glyph":
         raise CurveFileError(f"<{root.tag[:40]}> where <glyph> is expected", remedy="name a GLIF file")

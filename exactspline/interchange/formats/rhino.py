@@ -1,4 +1,5 @@
-"""``.3dm`` by rhino3dm (the extra `3dm`), which gives the doubles of the file unrounded; it runs in a separate process.
+"""``.3dm`` by rhino3dm (the extra `formats`), which gives the doubles of the file unrounded; it runs in a
+separate process.
 
 NURBS curves, lines and polylines are read, of polycurves every segment, of arcs the full circles, exactly for the
 plane as written; other arcs have irrational ends. openNURBS leaves out the first and the last knot: they are added
@@ -42,7 +43,7 @@ def _rhino() -> Any:
     try:
         import rhino3dm
     except ImportError:
-        raise CurveFileError("rhino3dm is not installed", remedy="pip install 'exactspline[3dm]'") from None
+        raise CurveFileError("rhino3dm is not installed", remedy="pip install rhino3dm") from None
     return rhino3dm
 
 

@@ -107,11 +107,6 @@ class DegreeClaim(DegreeStatement):
         return self.relation.bound(str(parse_degree(self.claimed)))
 
     @property
-    def relation_claimed(self) -> Relation:
-        """The relation of the claim."""
-        return self.relation
-
-    @property
     def latex(self) -> str:
         """The degree, the relation, what is claimed."""
         sign = RELATIONS[self.relation]
