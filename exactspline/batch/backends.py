@@ -17,7 +17,7 @@ from functools import cache
 from importlib.util import find_spec
 from typing import TypeVar
 
-from exactspline.errors import ExactSplineError, nearest
+from exactspline.errors import ExactSplineError, as_text, nearest
 
 #: Seconds between two checks whether the process that started this one is still running.
 LOOK = 1
@@ -46,7 +46,7 @@ class BackendError(ExactSplineError):
 
 def check_backend(name: str) -> None:
     """Raise `BackendError` where a backend is unknown or its package is missing."""
-    if name not in BACKENDS:
+    if as_text(name, "the name of a backend") not in BACKENDS:
         raise BackendError(f"there is no backend called {name!r}", remedy=nearest(name, BACKENDS))
     if (needed := BACKENDS[name]) and find_spec(needed) is None:
         raise BackendError(

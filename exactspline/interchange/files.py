@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError, as_items, as_path, as_text
+from exactspline.errors import CurveFileError, ExactSplineError, as_instance, as_items, as_path, as_text, written
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
@@ -41,8 +41,10 @@ def read(
     Raises `CurveFileError` where there is nothing to read or the format is unknown, the `ExactSplineError` of a file
     broken as a whole; a single curve that is broken is among the `skipped`.
     """
-    given = None if knots is None else tuple(map(str, knots))
-    chosen, source, name = _located(place, format, part, degree, given, limits or Limits())
+    part = as_text(part, "a part of a file")
+    given = None if knots is None else tuple(map(written, as_items(knots, "knots")))
+    bounds = Limits() if limits is None else as_instance(limits, Limits, "bounds", "give Limits(megabytes=200)")
+    chosen, source, name = _located(place, format, part, degree, given, bounds)
     try:
         return chosen.read(source)
     except ExactSplineError as error:

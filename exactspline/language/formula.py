@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from exactspline.errors import FormulaError, a_kind
+from exactspline.errors import FormulaError, a_kind, as_text
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Argument
 from exactspline.language.kinds import CURVE, Kind, kind_of
@@ -85,4 +85,8 @@ def formula(source: str, *, on: Kind | str = CURVE, symbol: str = "") -> Callabl
     Raises `FormulaError` for a kind that does not exist.
     """
     kind = kind_of(on) if isinstance(on, str) else on
+    if not isinstance(kind, Kind):
+        raise FormulaError(f"{a_kind(kind)}, where a kind of argument is expected", remedy="give its name")
+    as_text(source, "the place of a formula in its source")
+    as_text(symbol, "the symbol of a formula")
     return lambda function: Formula(function, source, kind, symbol)

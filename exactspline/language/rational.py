@@ -32,6 +32,9 @@ from exactspline.numbers.sides import Side
 
 T = TypeVar("T", bound=Counted)
 
+#: The largest number of factors of a denominator that is differentiated: every derivative doubles them.
+MOST_FACTORS = 1024
+
 
 class Product(Generic[T]):
     """A denominator: a product of operands, multiplied out when first asked for; `factors` are what it was once made
@@ -292,9 +295,19 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return self.dividing(cast(Operand, other)) if _fits(other) else NotImplemented
 
     def d(self, order: int = 1, *, by: str | None = None) -> Rational[T]:
-        """The derivative by the quotient rule, row T17, `order` times: ``(p'w - p w') / (w w)``."""
+        """The derivative by the quotient rule, row T17, `order` times: ``(p'w - p w') / (w w)``.
+
+        Nothing is cancelled, so that the denominator's degree doubles each time. `FormulaError` where that would be a
+        product of more than `MOST_FACTORS` factors.
+        """
         result = self
-        for _ in range(checked_order(order)):
+        factors = len(self.product.factors) << min(checked_order(order), MOST_FACTORS.bit_length())
+        if factors > MOST_FACTORS:
+            raise FormulaError(
+                f"a derivative of order {order} whose denominator is a product of more than {MOST_FACTORS} factors",
+                remedy="every derivative squares the denominator: take lower orders, or lowest terms in between",
+            )
+        for _ in range(order):
             p: Any = result.numerator
             w = result.denominator
             product = Product(w, w, factors=result.product.factors * 2)

@@ -17,12 +17,11 @@ from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.polynomials.factorization import Factorization
-from exactspline.readings.jet import Jet, JetReading, JetRing, bounded_product
+from exactspline.polynomials.factors import bounded_product
+from exactspline.readings.jet import Jet, JetReading, JetRing
 
 #: Longer sums are tried for the factors that were met before, which are shorter.
 LONG = 100
-#: This many pairs of terms are multiplied at once where products are multiplied out for a sum.
-PAIRS_OF_SUMS = 3 * 10**7
 #: Monic polynomials with exponents.
 Powers = Factorization[fmpq_mpoly]
 ONE = Powers()
@@ -115,7 +114,7 @@ class FactoredJet(RingOperand):
             total = ring.context.constant(0)
             for i, (p, e) in enumerate(result.powers):
                 others = Powers((q, 1) for j, (q, _) in enumerate(result.powers) if j != i)
-                total += e * Jet(ring, p).d(by=by).polynomial * multiplied(ring, others)
+                total += e * bounded_product(Jet(ring, p).d(by=by).polynomial, multiplied(ring, others))
             lowered = Powers((p, e - 1) for p, e in result.powers)
             result = _product(ring, total * result.unit, lowered, provenance)
         return result
@@ -176,7 +175,7 @@ def multiplied(ring: JetRing, powers: Powers) -> fmpq_mpoly:
     result = ring.context.constant(1)
     for base, e in sorted(powers, key=lambda power: -len(power[0])):
         for _ in range(e):
-            result = bounded_product(result, base, PAIRS_OF_SUMS)
+            result = bounded_product(result, base)
     return result
 
 

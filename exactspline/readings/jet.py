@@ -24,6 +24,7 @@ from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import Number, mpq, rational, to_fmpq
 from exactspline.polynomials.factorization import superscript
+from exactspline.polynomials.factors import bounded_product
 
 PRIMES = ("", "′", "″", "‴")
 
@@ -170,26 +171,6 @@ def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
         return PRIMES[order] if order < len(PRIMES) else f"⁽{superscript(order)}⁾"
     letters = "".join(letter * n for letter, n in zip(parameters, orders, strict=True))
     return f"_{letters}" if letters else ""
-
-
-#: The largest number of terms of a polynomial, and of pairs of terms that are multiplied at once.
-TERMS, PAIRS = 10**6, 10**9
-
-
-def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly, pairs: int = PAIRS) -> fmpq_mpoly:
-    """The product of two polynomials.
-
-    Raises `FormulaError` where it is too large.
-    """
-    if len(a) * len(b) > pairs:
-        raise FormulaError(f"a product of {len(a)} by {len(b)} terms", remedy=SHORTER)
-    product: fmpq_mpoly = a * b
-    if len(product) > TERMS:
-        raise FormulaError(f"a polynomial of {len(product)} terms", remedy=SHORTER)
-    return product
-
-
-SHORTER = f"at most {TERMS} are allowed: factor the formula, or name its parts"
 
 
 class Jet(RingOperand):

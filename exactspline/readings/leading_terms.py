@@ -23,7 +23,7 @@ from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import rational, to_fmpq
-from exactspline.polynomials.factors import factorize
+from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.readings.degree import Degree, parse_degree
 from exactspline.readings.differential_order import order_of
 
@@ -171,7 +171,7 @@ def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
         e = tuple(map(int, exponents))
         grouped.setdefault(e[1:], {})[e[0]] = c
     for powers in grouped.values():
-        common = common.gcd(fmpq_poly([powers.get(i, 0) for i in range(max(powers) + 1)]))
+        common = greatest_common_divisor([common, fmpq_poly([powers.get(i, 0) for i in range(max(powers) + 1)])])
         if common.degree() == 0:
             return ()
     return tuple(

@@ -15,7 +15,8 @@ from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import rational, to_fmpq
-from exactspline.readings.jet import Jet, JetRing, Terms, bounded_product, terms_of
+from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
+from exactspline.readings.jet import Jet, JetRing, Terms, terms_of
 
 
 class JetFraction(FieldOperand):
@@ -52,12 +53,14 @@ class JetFraction(FieldOperand):
         if self.bottom == right.bottom:
             return JetFraction(self.ring, *_without_common(self.top + right.top, self.bottom))
         if self.bottom.is_one() or right.bottom.is_one():
-            top = self.top * right.bottom + right.top * self.bottom  # has no common factor with the other bottom
-            return JetFraction(self.ring, top, self.bottom * right.bottom)
+            # has no common factor with the other bottom
+            top = bounded_product(self.top, right.bottom) + bounded_product(right.top, self.bottom)
+            return JetFraction(self.ring, top, bounded_product(self.bottom, right.bottom))
         shared = _gcd(self.bottom, right.bottom)
         mine, its = self.bottom / shared, right.bottom / shared
-        top, rest = _without_common(self.top * its + right.top * mine, shared)
-        return JetFraction(self.ring, top, mine * its * rest)
+        total = bounded_product(self.top, its) + bounded_product(right.top, mine)
+        top, rest = _without_common(total, shared)
+        return JetFraction(self.ring, top, bounded_product(bounded_product(mine, its), rest))
 
     def __mul__(self, other: object) -> JetFraction:
         right = self.beside(other)
@@ -100,7 +103,7 @@ class JetFraction(FieldOperand):
             shared = _gcd(numerator, result.bottom)
             rest = result.bottom / shared
             again = _gcd(numerator / shared, result.bottom)
-            result = JetFraction(result.ring, numerator / shared / again, rest * (result.bottom / again))
+            result = JetFraction(result.ring, numerator / shared / again, bounded_product(rest, result.bottom / again))
         return result
 
     @property
@@ -118,7 +121,7 @@ class JetFraction(FieldOperand):
             return bool(self.top == other.top)
         if self._at_a_point(other.bottom) != other._at_a_point(self.bottom):
             return False
-        return bool(self.top * other.bottom == other.top * self.bottom)
+        return bool(bounded_product(self.top, other.bottom) == bounded_product(other.top, self.bottom))
 
     def _at_a_point(self, factor: fmpq_mpoly) -> fmpq:
         """The numerator times a polynomial, at one point of small integers."""
@@ -147,7 +150,7 @@ def _without_common(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fm
 
 def _gcd(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
     """The monic greatest common divisor (of 0 and b: b made monic)."""
-    common = b if len(a) >= len(b) and _divides(b, a) else a.gcd(b)
+    common = b if len(a) >= len(b) and _divides(b, a) else greatest_common_divisor([a, b])
     return common / common.leading_coefficient() if common else common
 
 

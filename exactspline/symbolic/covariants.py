@@ -20,6 +20,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
 from exactspline.errors import FormulaError, InapplicableError
 from exactspline.language.choices import Parameter
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.leading_terms import common_roots
@@ -221,9 +222,7 @@ def truncated(jets: Iterable[Jet], d: int, parameter: Parameter = Parameter.FIRS
 
 def without_content(jets: Sequence[Jet]) -> list[Jet]:
     """The polynomials divided by their greatest common divisor."""
-    common = jets[0].polynomial
-    for jet in jets[1:]:
-        common = common.gcd(jet.polynomial)
+    common = greatest_common_divisor(jet.polynomial for jet in jets)
     return [Jet(jet.ring, jet.polynomial / common) for jet in jets]
 
 

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, cast
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from exactspline.errors import ClaimError, ExactSplineError, ReachError, as_integer, as_items
+from exactspline.errors import ClaimError, ExactSplineError, ReachError, as_flag, as_integer, as_items
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair, T
@@ -95,6 +95,10 @@ def _factor(constant: mpq, powers: tuple[tuple[str, Terms, int], ...], ring: Jet
     return Factor(constant, Factorization(named), ring)
 
 
+#: What `polynomial` asks.
+POLYNOMIAL = "whether curves are polynomial"
+
+
 def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False) -> Evaluated:
     """The indeterminate curve (and point, or two curves) with as many derivatives as the formulas need, in the
     fraction reading: rational, or with w = 1.
@@ -103,7 +107,7 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     (1) / (1)
     """
     chosen = list(map(formula_of, as_items(formulas, "formulas")))
-    dimension = as_integer(dimension, "a dimension", 1)
+    dimension, polynomial = as_integer(dimension, "a dimension", 1), as_flag(polynomial, POLYNOMIAL)
     kind = common_kind(each.kind for each in chosen)
     order = max((order_of(each, dimension) for each in chosen), default=0)
     shared, key = _SHARED.get(), (kind, dimension, order, polynomial)

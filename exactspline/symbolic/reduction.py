@@ -28,6 +28,7 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import from_flint, mpq
 from exactspline.papers import find, owner
 from exactspline.polynomials.factorization import Factorization
+from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, multiplied
@@ -257,7 +258,8 @@ class Reduction:
         denominator = self.parts[0].lowest[1]
         for part in self.parts[1:]:
             other = part.lowest[1].polynomial
-            denominator = Jet(denominator.ring, denominator.polynomial * (other / denominator.polynomial.gcd(other)))
+            common = greatest_common_divisor([denominator.polynomial, other])
+            denominator = Jet(denominator.ring, bounded_product(denominator.polynomial, other / common))
         raised = []
         for part in self.parts:
             top, bottom = part.lowest
@@ -463,9 +465,7 @@ def _content(
     for q in sorted(divisors, key=len, reverse=True):
         e, rests = _divided_out(rests, q)
         common = common * Powers([(q, e)])
-    content = ring.context.constant(0)
-    for p in rests:
-        content = content.gcd(p)
+    content = greatest_common_divisor(rests)
     content = content / content.leading_coefficient()
     cores = [p / content for p in rests]
     if any(core * content != p for core, p in zip(cores, rests, strict=True)):

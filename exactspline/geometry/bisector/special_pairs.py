@@ -213,7 +213,7 @@ def _along_fixed(system: System, g: fmpz_mpoly) -> SpecialPairs:
     pairs, equation = SpecialPairs(), PairEquation.of(g)
     if _kind(system, g) == Solutions.LINE:
         for root in roots_in(in_one(g, 0), *system.first.interval):
-            pairs += SpecialPairs(lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL))
+            pairs += lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL)
     return pairs
 
 
