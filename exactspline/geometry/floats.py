@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 Exact: TypeAlias = Number | Real | Feature
 
 
-# here a text is one number, though for a type checker it is a sequence of texts
+# text is one number here, though for a type checker it is a sequence of texts
 @overload
 def floats(values: Exact, rounding: str = ...) -> float: ...  # type: ignore[overload-overlap]  # see above
 @overload
@@ -46,12 +46,14 @@ def floats(
 
 
 def _doubles(values: object, rounding: str, depth: int) -> object:
-    """The doubles of numbers in sequences nested up to some depth."""
+    """The doubles of numbers in sequences nested to some depth."""
     if isinstance(values, Feature):
         return values.root.double(rounding)
     if isinstance(values, Iterable) and not isinstance(values, str):
         if depth == 0:
-            raise NumberError(f"lists nested more than {DEEPEST} deep", remedy="give a list of numbers, or of rows")
+            raise NumberError(
+                f"lists nested more than {DEEPEST} levels deep", remedy="give a list of numbers, or of rows"
+            )
         return [_doubles(value, rounding, depth - 1) for value in as_items(values, "numbers")]
     return real(cast(Number, values)).double(rounding)
 
@@ -84,9 +86,7 @@ def at_floats(
 
 
 def _rounded(x: Real, rounding: str) -> float:
-    """The double as IEEE 754 rounds, infinite beyond the largest: one overflow does not stop the conversion of the
-    others.
-    """
+    """The double as IEEE 754 rounds, infinite beyond the largest: one overflow does not end the others."""
     try:
         return x.double(rounding)
     except OverflowError:

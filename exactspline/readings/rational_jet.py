@@ -1,7 +1,7 @@
 """The fraction reading: quotients of differential polynomials in lowest terms.
 
-Where the jet reading carries out the naive algorithm, this one computes the function itself, cancelling common factors
-after every operation: a way to prove an identity between large naive expressions without multiplying them out.
+The jet reading carries out the naive algorithm; this one computes the function itself and cancels common factors after
+every operation. This proves identities between large naive expressions without expanding them.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from exactspline.readings.jet import Jet, JetRing, Terms, terms_of
 
 
 class JetFraction(FieldOperand):
-    """``top / bottom`` without common factor, the bottom monic.
+    """``top / bottom`` without common factors, with monic `bottom`.
 
     >>> from exactspline.language.kinds import CURVE
 
@@ -53,7 +53,7 @@ class JetFraction(FieldOperand):
         if self.bottom == right.bottom:
             return JetFraction(self.ring, *_without_common(self.top + right.top, self.bottom))
         if self.bottom.is_one() or right.bottom.is_one():
-            # has no common factor with the other bottom
+            # has no common factor with the other denominator
             top = bounded_product(self.top, right.bottom) + bounded_product(right.top, self.bottom)
             return JetFraction(self.ring, top, bounded_product(self.bottom, right.bottom))
         shared = _gcd(self.bottom, right.bottom)
@@ -75,7 +75,7 @@ class JetFraction(FieldOperand):
         return JetFraction(self.ring, bounded_product(first, second), bounded_product(beneath, below))
 
     def reciprocal(self) -> JetFraction:
-        """``1 / a``; `VanishingDivisorError` for zero."""
+        """``1 / a``; raises `VanishingDivisorError` for zero."""
         if not self.top:
             raise VanishingDivisorError(
                 "division by an expression that vanishes on every curve", remedy="check the formula"
@@ -89,7 +89,7 @@ class JetFraction(FieldOperand):
         return JetFraction(self.ring, self.top * factor, self.bottom if factor else self.ring.context.constant(1))
 
     def elevated_to(self, other: object) -> JetFraction:
-        """Itself: degree elevation does not change a function."""
+        """The operand itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> JetFraction:
@@ -112,8 +112,9 @@ class JetFraction(FieldOperand):
         return not self.top
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same quotient. Values of this reading are in lowest terms, so that equal ones look
-        alike; quotients that look different are still multiplied out, unless their values at one point differ.
+        """Whether both are the same quotient. Values of this reading are in lowest terms, so that equal values have
+        equal representations. Different representations are still compared by cross-multiplication, unless their values
+        at one point differ.
         """
         if not isinstance(other, JetFraction):
             return False
@@ -129,14 +130,14 @@ class JetFraction(FieldOperand):
         value: fmpq = self.top(*point) * factor(*point)
         return value
 
-    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
+    __hash__ = None  # type: ignore[assignment]  # not hashable
 
     def __repr__(self) -> str:
         return f"({Jet(self.ring, self.top)!r}) / ({Jet(self.ring, self.bottom)!r})"
 
 
 def _fraction(ring: JetRing, top: Terms, bottom: Terms) -> JetFraction:
-    """The unpickled fraction."""
+    """Unpickles a fraction."""
     return JetFraction(ring, ring.of_terms(top), ring.of_terms(bottom))
 
 
@@ -155,7 +156,7 @@ def _gcd(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
 
 
 def _divides(b: fmpq_mpoly, a: fmpq_mpoly) -> bool:
-    """Whether b divides a. Mostly the first terms say no, so that this costs nothing beside a common divisor."""
+    """Whether b divides a. A negative answer usually follows from the first terms, far cheaper than a gcd."""
     try:
         a / b
     except (DomainError, ZeroDivisionError):
@@ -164,7 +165,7 @@ def _divides(b: fmpq_mpoly, a: fmpq_mpoly) -> bool:
 
 
 class RationalJetReading(Reading):
-    """The indeterminate argument, whose quotients are in lowest terms."""
+    """The argument with indeterminate operands, whose quotients are in lowest terms."""
 
     name = "rational jet"
     proves = "an identity for every curve of every degree"
@@ -173,7 +174,7 @@ class RationalJetReading(Reading):
         self.order = order
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Every operand an indeterminate."""
+        """The argument in which every operand is an indeterminate."""
         ring = JetRing(kind, dimension, self.order, polynomial=polynomial)
 
         def fraction(x: Jet) -> JetFraction:

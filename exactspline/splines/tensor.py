@@ -245,7 +245,9 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         """
         if by is not None:
             if by not in DIRECTION:
-                raise FormulaError(f"a derivative by {by!r}", remedy=f"the parameters are {', '.join(DIRECTION)}")
+                raise FormulaError(
+                    f"a derivative with respect to {by!r}", remedy=f"the parameters are {', '.join(DIRECTION)}"
+                )
             letters = letters_of(self.meshes)
             if letters is not None:
                 refuse_letter(by, letters)

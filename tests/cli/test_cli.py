@@ -204,7 +204,7 @@ def test_reduce_on_a_formula_of_the_library():
         CliRunner().invoke(app, ["formula", "reduce", "curvature_squared_derivative", "--json"]).stdout
     )["rows"]
     assert (part["naive"], part["reduced"], part["true"]) == ("48d", "[X X′ X″ X‴]·f2", "11d − 18")
-    assert part["meaning"]["f2"] == "may have roots of its own"
+    assert part["meaning"]["f2"] == "may have zeros"
     table = run("formula", "reduce", "rectifying_developable").stdout
     assert "10d − 18" in table
     assert "positive where the curve is regular" in table

@@ -300,7 +300,10 @@ def test_what_an_error_says():
         (lambda: (T / (T + 1)).d(-1), "a derivative of order -1; orders are 0, 1, 2, …, 1000"),
         (lambda: CUSP.p.d(10**9), "a derivative of order 1000000000; orders are 0, 1, 2, …, 1000"),
         (lambda: xs.language.wronskian(xs.language.Vector(1, 2)), "the derivative of a vector of numbers"),
-        (lambda: xs.from_floats(DEEP), "lists in lists, more than 8 deep; give a list of floats, or of rows of them"),
+        (
+            lambda: xs.from_floats(DEEP),
+            "lists nested more than 8 levels deep; give a list of floats, or of rows of floats",
+        ),
     ):
         with pytest.raises(xs.ExactSplineError) as error:
             call()
@@ -356,15 +359,15 @@ def test_knots_coefficients_and_degree_of_scipy():
     assert float(curve(curve.domain[1])[1]) == pytest.approx(3)
     surface = si.NdBSpline((np.array([0.0, 0, 1, 1]),) * 2, np.eye(2), 1)
     for other in (si.RectBivariateSpline(x, x, np.outer(y, y)), surface, (1, 2, 3), "tck", None):
-        with pytest.raises(xs.ExactSplineError, match="not a spline of scipy in one parameter"):
+        with pytest.raises(xs.ExactSplineError, match="not a scipy spline in one parameter"):
             xs.interchange.from_scipy(other)
 
 
 def test_surfaces_and_texts_for_curves_of_geomdl():
     """Before: "[0.0, 0.0, 1.0, 1.0] is not a finite number", and an AttributeError, before."""
-    with pytest.raises(xs.ExactSplineError, match="a Surface, where a curve of geomdl is expected"):
+    with pytest.raises(xs.ExactSplineError, match="a Surface, where a geomdl curve is expected"):
         xs.interchange.from_geomdl(of_geomdl())
-    with pytest.raises(xs.ExactSplineError, match="a str, where a curve of geomdl is expected"):
+    with pytest.raises(xs.ExactSplineError, match="a str, where a geomdl curve is expected"):
         xs.interchange.from_geomdl("a")
 
 

@@ -336,7 +336,7 @@ def test_tables_that_are_none(text, told, tmp_path):
 
 
 def test_folders_and_names_that_are_none(tmp_path):
-    unknown = ((tmp_path / "none", "no such folder"), (tmp_path, "not a folder of a paper"), ("lifte", "nearest"))
+    unknown = ((tmp_path / "none", "no such folder"), (tmp_path, "not the folder of a paper"), ("lifte", "nearest"))
     for name, told in unknown:
         with pytest.raises(ExactSplineError, match=told):
             named_papers([str(name)])
