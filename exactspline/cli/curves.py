@@ -22,7 +22,7 @@ def curves(
         _surfaces(out)
         return
     from exactspline.display.sheet import Sheet
-    from exactspline.splines.examples import example, example_names
+    from exactspline.interchange.examples import example, example_names
 
     found = [example(name) for name in example_names()]
     rows = [
@@ -53,7 +53,7 @@ def curves(
 def _surfaces(out: Output) -> None:
     """The example surfaces."""
     from exactspline.display.sheet import Sheet
-    from exactspline.splines.examples import example_surface, example_surface_names
+    from exactspline.interchange.examples import example_surface, example_surface_names
 
     found = [example_surface(name) for name in example_surface_names()]
     rows = [

@@ -86,7 +86,7 @@ def inspect(
     """
     from exactspline.cli.surfaces import inspect_surfaces, is_surface
     from exactspline.geometry.inspection import Approach
-    from exactspline.splines.curve_files import write_json
+    from exactspline.interchange.curve_files import write_json
 
     standard = standard_input() if "-" in curve else None
     if surfaces := [name for name in curve if is_surface(name, standard)]:

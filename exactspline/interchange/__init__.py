@@ -1,7 +1,7 @@
 """Curves in and out of other people's files, exactly: `read` and `write`, and bridges to other libraries.
 
 >>> import os, tempfile
->>> from exactspline.splines.examples import example
+>>> from exactspline.interchange.examples import example
 >>> with tempfile.TemporaryDirectory() as folder:
 ...     place = os.path.join(folder, "circle.g2")
 ...     notes = write([example("circle")], place)

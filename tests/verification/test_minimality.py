@@ -11,7 +11,7 @@ import pytest
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ReductionError, ShapeError
 from exactspline.geometry.constructions import all_constructions
-from exactspline.splines.examples import example
+from exactspline.interchange.examples import example
 from exactspline.verification.minimality import _bezout, attained, certificate, witness
 from exactspline.verification.minimality.checker import _irreducible, check
 

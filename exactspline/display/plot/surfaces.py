@@ -147,7 +147,7 @@ def plot_ruled_surface(
     Where its denominator has a zero the surface goes to infinity: it is cut there, and points far from most of it are
     not shown (nor those outside `box`, two opposite corners, where that is given).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> ax = plot_ruled_surface(find("tangent_developable_reduced")(example("rational_space_cubic")), (0, 1))
     >>> ax.name, ax.get_legend().get_texts()[-1].get_text()
@@ -200,7 +200,7 @@ def plot_bisector(
     Of a plane curve and a point it is a curve, of a space curve and a point a ruled surface, of two space curves a
     surface in two parameters. `formula` is the name of one of §6 for such arguments; by default the polynomial one.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_bisector(example("ellipse"), ("1/2", "1/4"))
     >>> ax.get_legend().get_texts()[-1].get_text()
     'bisector: degree 7'

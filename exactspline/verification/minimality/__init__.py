@@ -41,7 +41,7 @@ LARGEST = 60
 def certificate(name: str, curve: Nurbs) -> dict[str, object]:
     """The certificate of a construction on a curve, as JSON data.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.verification.minimality.checker import check
     >>> check(certificate("evolute", example("circle")))
     0
