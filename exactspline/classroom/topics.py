@@ -50,7 +50,7 @@ def exercise(topic: str, seed: int) -> Exercise:
     """
     if as_text(topic, "a topic") not in TOPICS:
         raise TopicError(
-            f"there is no topic called {topic!r}", remedy=nearest(topic, TOPICS, listed_by="exactspline exercise")
+            f"there is no topic called {topic!r}", remedy=nearest(topic, TOPICS, listed_by="teach exercise")
         )
     if type(seed) is not int or seed < 0:
         raise TopicError(f"{shown(seed)} is not a seed", where="seed", remedy="an integer ≥ 0")

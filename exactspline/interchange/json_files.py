@@ -42,7 +42,7 @@ def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
         raise CurveFileError(
             f"cannot be read ({error.strerror})",
             where=str(place),
-            remedy="name a file, or an example (see `exactspline curves`)",
+            remedy="name a file, or an example (see `exactspline list curves`)",
         ) from None
 
 

@@ -218,7 +218,7 @@ def find(name: str) -> Formula:
         told = " or ".join(f"{each.name}:{name}" for each in owners)
         raise FormulaError(f"{len(owners)} papers have a formula called {name!r}", remedy=f"write {told}")
     if name not in known:
-        remedy = nearest(name, known, listed_by="exactspline derive")
+        remedy = nearest(name, known, listed_by="list formulas")
         raise FormulaError(f"there is no formula called {name!r}", remedy=remedy)
     return known[name]
 

@@ -288,7 +288,7 @@ def folder_at(path: str | Path) -> Path:
     """
     folder = Path(as_path(path))
     if not folder.is_dir():
-        raise ClaimError("there is no such folder", where=str(path), remedy="exactspline new-paper FOLDER writes one")
+        raise ClaimError("there is no such folder", where=str(path), remedy="exactspline paper new FOLDER writes one")
     if not any((folder / file).is_file() for file in ("paper.toml", "claims.toml", "formulas.py")):
         raise ClaimError("is not a folder of a paper", where=str(path), remedy="it holds formulas.py and claims.toml")
     return folder

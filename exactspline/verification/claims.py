@@ -250,7 +250,7 @@ def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, 
         chosen = chosen or tuple(c for c in known if wanted.lower() in c.statement.lower())
     if not chosen:
         ids = dict.fromkeys(claim.id for claim in known)
-        raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, ids, listed_by="exactspline show"))
+        raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, ids, listed_by="show"))
     return chosen
 
 

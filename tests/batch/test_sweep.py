@@ -13,7 +13,7 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 import exactspline as xs
 from exactspline.batch import backends, parquet

@@ -9,7 +9,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 from exactspline.classroom.answers import Circle, Parameters, Points, Polynomials
 from exactspline.classroom.comparison import compare_curves, compare_formulas
@@ -256,7 +256,7 @@ def test_what_the_page_for_teachers_says_runs(tmp_path, monkeypatch):
         "from exactspline.language import det\n\n\ndef kappa(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w**4\n"
     )
     page = PAGE.read_text(encoding="utf-8")
-    commands = re.findall(r"^exactspline (.*)$", page, flags=re.MULTILINE)
+    commands = re.findall(r"^\./run (.*)$", page, flags=re.MULTILINE)
     printed = []
     for command in commands:
         arguments = shlex.split(re.split(r" {3,}| > ", command)[0])
@@ -277,31 +277,31 @@ def test_the_command_line(tmp_path):
     made = exercise("circle", 3)
     file = tmp_path / "answer.txt"
     file.write_text(made.answer.written)
-    assert run("check-answer", file, "--topic", "circle", "--seed", 3).exit_code == 0
-    assert run("check-answer", "-", "--topic", "circle", "--seed", 3, input=made.answer.written).exit_code == 0
-    wrong = run("check-answer", "--topic", "circle", "--seed", 3, "--text", "1, 2, 3")
+    assert run("teach", "check", file, "--topic", "circle", "--seed", 3).exit_code == 0
+    assert run("teach", "check", "-", "--topic", "circle", "--seed", 3, input=made.answer.written).exit_code == 0
+    wrong = run("teach", "check", "--topic", "circle", "--seed", 3, "--text", "1, 2, 3")
     assert (wrong.exit_code, wrong.output.splitlines()[0]) == (1, "wrong")
-    row = json.loads(run("exercise", "circle", "--seed", 3, "--solutions", "--json").stdout)["rows"][0]
+    row = json.loads(run("teach", "exercise", "circle", "--seed", 3, "--solutions", "--json").stdout)["rows"][0]
     assert row["answer"] == made.answer.written
-    assert "Solutions" not in run("exercise", "circle").output
+    assert "Solutions" not in run("teach", "exercise", "circle").output
     curve = tmp_path / "curve.json"
     curve.write_text(json.dumps(curve_data(example("cubic_s").elevate_degree())))
-    assert run("check-answer", curve, "--reference", "cubic_s").exit_code == 0
-    assert run("check-answer", curve, "--reference", "parabola").exit_code == 1
+    assert run("teach", "check", curve, "--reference", "cubic_s").exit_code == 0
+    assert run("teach", "check", curve, "--reference", "parabola").exit_code == 1
     formula = tmp_path / "mine.py"
     formula.write_text("from exactspline.language import det\n\n\ndef mine(c):\n    return det(c.p, c.p.d())\n")
-    told = run("check-answer", f"{formula}:mine", "--reference", "f2")
+    told = run("teach", "check", f"{formula}:mine", "--reference", "f2")
     assert told.exit_code == 1
     assert "not mine = f2" in told.output
     for arguments in (
-        ["check-answer", "--topic", "circle"],
-        ["check-answer", file],
-        ["check-answer", file, "--topic", "circle", "--reference", "cubic_s"],
-        ["check-answer", tmp_path, "--topic", "circle"],
-        ["check-answer", "--topic", "circel", "--text", "no"],
-        ["check-answer", "--topic", "circle", "--text", "perhaps"],
-        ["exercise", "evaluatoin"],
-        ["exercise", "circle", "--html", "--latex"],
+        ["teach", "check", "--topic", "circle"],
+        ["teach", "check", file],
+        ["teach", "check", file, "--topic", "circle", "--reference", "cubic_s"],
+        ["teach", "check", tmp_path, "--topic", "circle"],
+        ["teach", "check", "--topic", "circel", "--text", "no"],
+        ["teach", "check", "--topic", "circle", "--text", "perhaps"],
+        ["teach", "exercise", "evaluatoin"],
+        ["teach", "exercise", "circle", "--html", "--latex"],
     ):
         result = run(*arguments)
         assert isinstance(result.exception, ValueError), arguments

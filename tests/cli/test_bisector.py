@@ -3,8 +3,8 @@
 import json
 
 import pytest
+from click.testing import CliRunner
 from gmpy2 import mpq
-from typer.testing import CliRunner
 
 from exactspline import Nurbs
 from exactspline.cli import app

@@ -8,10 +8,10 @@ import sys
 from collections import Counter
 
 import pytest
+from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
 from rich.cells import cell_len
-from typer.testing import CliRunner
 
 from exactspline.cli import app
 from exactspline.display.sheet import PIPE, Sheet, csv_of
@@ -82,17 +82,17 @@ COMMANDS = (
     "show C4.2b",
     "show --quiet",
     "errata",
-    "degrees --curve straight_between_arcs",
-    "degrees --generic",
-    "reduce curvature_squared_derivative",
-    "derive",
+    "formula degrees --curve straight_between_arcs",
+    "formula degrees --generic",
+    "formula reduce curvature_squared_derivative",
+    "list formulas",
     "inspect six_segment_cubic planar_in_space",
     "bisector ellipse --point=-1,1/3",
-    "conditioning",
-    "triangle rational_cubic --at 1/3 --insert 1/2 --elevate 2 --product x,w",
-    "exercise",
-    "curves",
-    "glossary",
+    "formula conditioning",
+    "teach triangle rational_cubic --at 1/3 --insert 1/2 --elevate 2 --product x,w",
+    "teach exercise",
+    "list curves",
+    "list words",
 )
 
 
@@ -121,7 +121,7 @@ def test_every_table_on_every_example_curve_is_whole(monkeypatch):
 
     monkeypatch.setattr(Sheet, "lines", recorded)
     names = [option for name in example_names() for option in ("--curve", name)]
-    for arguments in (["prove", "--rows"], ["degrees", *names], ["inspect", *example_names()]):
+    for arguments in (["prove", "--rows"], ["formula", "degrees", *names], ["inspect", *example_names()]):
         result = CliRunner().invoke(app, arguments, env={"COLUMNS": ""})
         assert result.exit_code == 0, result.output[-300:]
     monkeypatch.undo()
@@ -135,9 +135,11 @@ def test_csv_and_markdown_have_every_row():
     sheet = Sheet("form", "degree", name="circle")
     sheet.add_row("|κ|, squared", 2)
     assert csv_of([sheet], "curve") == 'curve,form,degree\ncircle,"|κ|, squared",2\n'
-    full = CliRunner().invoke(app, ["curves", "--csv"]).output.splitlines()
+    full = CliRunner().invoke(app, ["list", "curves", "--csv"]).output.splitlines()
     assert len(full) == 1 + len(example_names())
-    assert len(CliRunner().invoke(app, ["curves", "--markdown"]).output.splitlines()) == 2 + len(example_names())
+    assert len(CliRunner().invoke(app, ["list", "curves", "--markdown"]).output.splitlines()) == 2 + len(
+        example_names()
+    )
 
 
 def environment(**more):
@@ -177,7 +179,7 @@ def test_in_a_terminal_lines_fit_and_no_color_is_heeded(width):
         assert all(cell_len(line) <= width for line in plain.splitlines())
 
 
-@pytest.mark.parametrize("arguments", [["prove", "--claim", "T", "--rows"], ["curves", "--json"], ["--help"]])
+@pytest.mark.parametrize("arguments", [["prove", "--claim", "T", "--rows"], ["list", "curves", "--json"], ["--help"]])
 def test_a_reader_that_leaves_changes_no_verdict(arguments):
     with subprocess.Popen(
         [sys.executable, "-m", "exactspline", *arguments],

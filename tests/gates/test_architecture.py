@@ -222,7 +222,7 @@ def test_importing_is_light():
 
 def test_help_is_light():
     code = (
-        "from typer.testing import CliRunner; from exactspline.cli import app; assert "
+        "from click.testing import CliRunner; from exactspline.cli import app; assert "
         "CliRunner().invoke(app, ['--help']).exit_code == 0"
     )
     assert not HEAVY & loaded_after(code)

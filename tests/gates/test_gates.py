@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import exactspline as xs
-from exactspline.cli import COMMANDS
+from exactspline.cli.commands import leaves
 from exactspline.geometry.registry import ASKED, REGISTRY
 from exactspline.questions.entry import Answered, questions_of
 from tests.support import gates, import_graph
@@ -265,7 +265,7 @@ BY_NAME = {
 GRAPH = import_graph.module_graph()
 #: Papers, and the formulas that they name in their tables.
 PAPERS = [name for name in GRAPH if name.startswith(("papers.", "formulas."))]
-ENTRANCES = ["", "__main__", *PAPERS, *(f"cli.{name}" for name in COMMANDS)]
+ENTRANCES = ["", "__main__", *PAPERS, *(f"cli.{entry.home.partition(':')[0]}" for entry in leaves().values())]
 
 
 def test_what_only_developers_run_is_not_in_the_wheel():

@@ -8,8 +8,8 @@ import time
 from random import Random
 
 import pytest
+from click.testing import CliRunner
 from gmpy2 import mpq
-from typer.testing import CliRunner
 
 from exactspline import BSpline, Nurbs
 from exactspline.cli import app

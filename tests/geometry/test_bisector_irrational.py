@@ -8,9 +8,9 @@ from random import Random
 
 import mpmath
 import pytest
+from click.testing import CliRunner
 from flint import fmpq_poly, fmpz_poly
 from gmpy2 import mpq
-from typer.testing import CliRunner
 
 from exactspline import BSpline
 from exactspline.cli import app

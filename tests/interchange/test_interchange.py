@@ -4,10 +4,10 @@ import json
 
 import jsonschema
 import pytest
+from click.testing import CliRunner
 from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
-from typer.testing import CliRunner
 
 from exactspline import Nurbs
 from exactspline.cli import app

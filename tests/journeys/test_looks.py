@@ -121,8 +121,8 @@ def write_by_commands(folder: Path) -> None:
         pages = [f"{option}={folder / name}_{option.strip('-')}.html" for option in ("--html", "--report")]
         run("prove", *chosen, "--curve", "cubic_s", *pages)
     made = {
-        "triangle": run("triangle", "cubic_s", "--at", "1/3", "--html"),
-        "exercises": run("exercise", "all", "--html", "--solutions"),
+        "triangle": run("teach", "triangle", "cubic_s", "--at", "1/3", "--html"),
+        "exercises": run("teach", "exercise", "all", "--html", "--solutions"),
     }
     for name, text in made.items():
         (folder / f"{name}.html").write_text(text, encoding="utf-8")

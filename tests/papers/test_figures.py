@@ -10,7 +10,7 @@ import pytest
 
 pytest.importorskip("matplotlib")
 
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 from exactspline.cli import app
 from exactspline.display.figures import FIGURES, folder, make
@@ -77,7 +77,7 @@ def test_the_axes_of_the_figures_hold_the_objects():
 
 
 def test_the_command_writes_into_a_new_folder(tmp_path):
-    result = runner.invoke(app, ["figures", "--out", str(tmp_path / "new" / "folder"), "--figure", "3"])
+    result = runner.invoke(app, ["paper", "figures", "--out", str(tmp_path / "new" / "folder"), "--figure", "3"])
     assert result.exit_code == 0
     assert sorted(p.name for p in (tmp_path / "new" / "folder").iterdir()) == ["figure3.png", "figure3.svg"]
     assert "Fig. 3" in result.output

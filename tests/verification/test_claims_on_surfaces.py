@@ -5,7 +5,7 @@ import re
 from dataclasses import replace
 
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 from exactspline import example_surface, paper, save_surface
 from exactspline.cli import app

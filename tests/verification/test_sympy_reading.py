@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 import sympy
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 from exactspline.cli import app
 from exactspline.display.evidence import worded
