@@ -214,7 +214,8 @@ def plot_bisector(
     check_options(control_net=control_net, box=box)
     kind, default, handed = _argument(curve_of(curve), other)
     ax = axes_for(ax, 2 if kind is PLANE_POINT else 3)
-    found = find(as_text(formula, "the name of a formula") or default)
+    name = as_text(formula, "the name of a formula")
+    found = find(name or default)
     if found.kind is not kind:
         raise FormulaError(
             f"{found.name} is not a bisector of these",
