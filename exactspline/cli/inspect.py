@@ -67,7 +67,7 @@ def inspect(
         typer.Option(
             "--certificate",
             metavar="FILE",
-            help="Write a proof that these are all zeros (JSON; see exactspline.roots.checker).",
+            help="Write a proof that these are all zeros (JSON; see exactspline.certificates).",
         ),
     ] = "",
     emit_coq: Annotated[

@@ -68,7 +68,7 @@ HEAD = """# Libraries compared with exact answers
 
 Made by `./run grade --page docs/scoreboard.md`; do not edit. {cases} cases (version {version}: {families}),
 {questions} questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a certificate that
-the independent checker (`workshop/grade/recheck.py`, `exactspline/roots/checker.py`) accepted in this run;
+the independent checker (`workshop/grade/recheck.py`, `exactspline/certificates/zeros.py`) accepted in this run;
 {uncertified} answers were left out because it did not. A library is asked only what it offers for the given curve,
 in its own calls (`workshop/grade/adapters`), and is judged by what the question allows a tolerance to do
 (below). A cell shows the right answers out of those asked, then the other outcomes; *declined* is a library that
