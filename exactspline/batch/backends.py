@@ -17,14 +17,14 @@ from functools import cache
 from importlib.util import find_spec
 from typing import TypeVar
 
-from exactspline.errors import ExactSplineError, nearest
+from exactspline.errors import ExactSplineError, as_text, nearest
 
 #: Seconds after which a process looks again whether the one that started it still runs.
 LOOK = 1
 T = TypeVar("T")
 V = TypeVar("V")
 
-#: Name → the package that it needs besides joblib; the extra of the same name installs it.
+#: Name → the package that it needs besides joblib.
 BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
 #: How many curves are computed together: a few at first, so that the first results come soon and all processes have
 #: work, then this many times what each process has had before, at most this many and of so much weight.
@@ -43,12 +43,12 @@ class BackendError(ExactSplineError):
 
 def check_backend(name: str) -> None:
     """Raise `BackendError` where a backend is unknown or its package is missing."""
-    if name not in BACKENDS:
+    if as_text(name, "the name of a backend") not in BACKENDS:
         raise BackendError(f"there is no backend called {name!r}", remedy=nearest(name, BACKENDS))
     if (needed := BACKENDS[name]) and find_spec(needed) is None:
         raise BackendError(
             f"the backend {name} needs {needed}, which is not installed",
-            remedy=f"pip install 'exactspline[{name}]', or take another backend",
+            remedy=f"pip install {needed}, or take another backend",
         )
 
 

@@ -1,4 +1,4 @@
-"""Results as Parquet (the extra `parquet`): a folder of parts, each written whole or not at all."""
+"""Results as Parquet (the extra `sweep`): a folder of parts, each written whole or not at all."""
 
 from __future__ import annotations
 
@@ -31,9 +31,7 @@ class Parquet(Results):
         try:
             import pyarrow as pa
         except ImportError:
-            raise ResultsError(
-                "pyarrow is not installed", where=str(place), remedy="pip install 'exactspline[parquet]'"
-            ) from None
+            raise ResultsError("pyarrow is not installed", where=str(place), remedy="pip install pyarrow") from None
         find = self.settings["find"]
         self._find: list[str] = list(find)
         self._schema = _schema(pa, self._find)

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
 
-#: A curve of splines: a `Nurbs`, or one made of other operands of the kind.
-SplineCurve = Curve[BSpline]
 #: The vectors of splines: polynomial, and over one denominator.
 SplineVector = Vector[BSpline] | Rational[BSpline]
 #: Ruled surfaces of such vectors.

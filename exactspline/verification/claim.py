@@ -9,7 +9,7 @@ from dataclasses import field, replace
 from enum import StrEnum
 from typing import ClassVar, TypeVar
 
-from exactspline.errors import ClaimError, ExactSplineError, FormulaError, VanishingDivisorError
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
@@ -60,7 +60,7 @@ from exactspline.verification.verdict import (
     vacuous,
     worst,
 )
-from exactspline.verification.vocabulary import ArgumentKind, Name, Relation, Scope, Status, Verdict, word
+from exactspline.verification.vocabulary import ArgumentKind, Name, Scope, Status, Verdict, word
 
 E = TypeVar("E", bound=StrEnum)
 V = TypeVar("V")
@@ -330,11 +330,6 @@ class Claim(Immutable, Displayed):
         return "; ".join([*([self.context] if self.context else []), *[each.words for each in self.assumes]])
 
     @property
-    def relation_claimed(self) -> Relation:
-        """The relation that is claimed, of all curves."""
-        return Relation.EQUAL
-
-    @property
     def dimensions(self) -> tuple[int, ...]:
         """The dimensions of which it speaks."""
         return kind_of(self.curve).dimensions
@@ -426,7 +421,7 @@ class Claim(Immutable, Displayed):
             gone = UndefinedAt(free)
             broken = own.failing(self.curve, self.assumes)
             return inapplicable(broken, gone) if broken else vacuous(gone)
-        except FormulaError as error:
+        except (FormulaError, ReachError) as error:
             return sampled(finding, part, error)
         return finding
 

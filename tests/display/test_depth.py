@@ -103,4 +103,4 @@ def test_without_pyvista_the_faces_are_drawn_and_it_is_said(tmp_path, monkeypatc
     ax, _ = crossing()
     save(ax, tmp_path / "a.svg")
     tell_how_surfaces_are_drawn()
-    assert "exactspline[figures]" in capsys.readouterr().err
+    assert "pip install pyvista" in capsys.readouterr().err

@@ -16,7 +16,7 @@ from exactspline.readings.degree import DegreeReading
 from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading, generic_true_degree
 from exactspline.readings.sympy_expression import SympyReading
-from exactspline.readings.taylor import TaylorReading
+from exactspline.readings.taylor import taylor
 from exactspline.readings.tree import trace
 from exactspline.splines.examples import example
 from exactspline.verification.check_arguments import CONSTANTS, argument
@@ -102,7 +102,7 @@ def test_a_curve_is_read_as_the_preimage_of_a_hodograph():
     assert c.p.d(1) == c.velocity
     assert c.p(curve.domain[0]) == (0, 0)
     assert str(told) == "as u, v and h of a hodograph"
-    point = TaylorReading(c, mpq(1, 3), 3).argument(HODOGRAPH, 2)
+    point = c.mapped(lambda spline: taylor(spline, mpq(1, 3), 3))
     assert point.p.d(1)[0].value == c.velocity[0](mpq(1, 3))
 
 

@@ -74,9 +74,7 @@ def library(module: str) -> ModuleType:
     try:
         return import_module(module)
     except ImportError:
-        raise PlotError(
-            "drawing needs matplotlib, which is not installed", remedy="pip install 'exactspline[plot]'"
-        ) from None
+        raise PlotError("drawing needs matplotlib, which is not installed", remedy="pip install matplotlib") from None
 
 
 def axes_for(ax: Axes | None, dimension: int = 2) -> Axes:

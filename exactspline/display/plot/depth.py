@@ -1,4 +1,4 @@
-"""Surfaces drawn by a renderer with a depth buffer: VTK through pyvista, off screen (the extra ``figures``).
+"""Surfaces drawn by a renderer with a depth buffer: VTK through pyvista, off screen (where pyvista is installed).
 
 matplotlib orders whole faces from back to front, which is wrong as soon as two of them cross. A `DepthCollection` lies
 in matplotlib's axes as any collection of faces does; when the picture is drawn, it has the surfaces, lines and dots of
@@ -50,10 +50,7 @@ LIFT = 0.002
 NOTHING = ("None", None, "", " ")
 
 #: The note where surfaces are drawn without it.
-REMARK = (
-    "surfaces are drawn face by face, from back to front: pip install 'exactspline[figures]' for a renderer that knows "
-    "depth"
-)
+REMARK = "surfaces are drawn face by face, from back to front: pip install pyvista for a renderer that knows depth"
 
 
 @cache

@@ -35,7 +35,7 @@ from exactspline.geometry.bisector.flats import ALL
 from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along
 from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.single_pairs import at_cusp, crossings, singles, touching
-from exactspline.geometry.bisector.system import Piece, System, divides, irreducible_factors, piece
+from exactspline.geometry.bisector.system import System, divides, irreducible_factors, piece
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import from_flint, mpq, sign, to_fmpq
 from exactspline.numbers.intervals import Box, Interval
@@ -77,12 +77,6 @@ def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> 
         name = f"what is beside the surface on {not_tried[0]}{more}: the bound on the whole answer was reached before"
         found += SpecialPairs(left_out=(name,))
     return _without_repetition(found, first, second)
-
-
-def of_patch(first: Piece, second: Piece) -> SpecialPairs:
-    """Those of two segments."""
-    system = System(first, second)
-    return _in_reach(f"what is beside the surface on {system.sides.shortly}", lambda: _of_system(system))
 
 
 def _of_system(system: System) -> SpecialPairs:
@@ -216,7 +210,7 @@ def _along_fixed(system: System, g: fmpz_mpoly) -> SpecialPairs:
     found, equation = SpecialPairs(), PairEquation.of(g)
     if _kind(system, g) == Solutions.LINE:
         for root in roots_in(in_one(g, 0), *system.first.interval):
-            found += SpecialPairs(lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL))
+            found += lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL)
     return found
 
 

@@ -206,11 +206,6 @@ class ZeroCurve:
         return not self.undecided
 
     @property
-    def may_have_zeros(self) -> bool:
-        """Whether there are zeros, or may be."""
-        return not self.complete or bool(self.parts)
-
-    @property
     def has_branches(self) -> bool:
         """Whether pieces of curves are among the zeros that are resolved."""
         return bool(self._arcs or self._crossings)
@@ -219,11 +214,6 @@ class ZeroCurve:
     def single_points(self) -> tuple[Zero, ...]:
         """The certified zeros inside with no other zero around them."""
         return tuple(cell.zero for cell in self._points)
-
-    @property
-    def is_of_points(self) -> bool:
-        """Whether all zeros are known and none of them is on a piece of a curve."""
-        return self.complete and not self.has_branches
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:

@@ -64,11 +64,6 @@ class Contact(Claim):
         return f"{'≥ ' if self.relation == Relation.AT_LEAST else ''}{self.order}"
 
     @property
-    def relation_claimed(self) -> Relation:
-        """The relation of the claim."""
-        return self.relation
-
-    @property
     def latex(self) -> str:
         """The name and the order."""
         return rf"{self.symbol(self.formula)}\;\text{{has contact of order}}\;{self.claims}"
