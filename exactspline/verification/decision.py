@@ -244,7 +244,7 @@ class SquaresAddUp:
     find: Callable[[str], Formula] = find_anywhere
 
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
-        """The finding on an argument; of signs another sum tells nothing."""
+        """The finding on an argument; a different sum does not determine a sign."""
         value: Any = self.formula(c)
         total = value.constant(0)
         for square in self.squares:
