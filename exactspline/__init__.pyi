@@ -49,7 +49,7 @@ from .numbers.sides import Side as Side
 from .roots.zero_set import ZeroSet as ZeroSet
 from .roots.zero_set import zeros as zeros
 from .roots.root import Root as Root
-from .roots.checker import check_certificate as check_certificate
+from .certificates import check_certificate as check_certificate
 from .geometry.zero_forms import zero_form as zero_form
 
 # analysis

@@ -75,7 +75,7 @@ def inspect(
         Option(
             "--certificate",
             metavar="FILE",
-            help="Write a proof that these are all zeros (JSON; see exactspline.roots.checker).",
+            help="Write a proof that these are all zeros (JSON; see exactspline.certificates).",
         ),
     ] = "",
     emit_coq: Annotated[
