@@ -140,7 +140,7 @@ def _surfaces(names: Sequence[str]) -> tuple[list[NurbsSurface], bool]:
     """The surfaces that can be read, and whether all could: a bad one is reported, and the rest are read."""
     from exactspline.display.console import show_error
     from exactspline.errors import ExactSplineError
-    from exactspline.splines.examples import load_surface
+    from exactspline.interchange.examples import load_surface
 
     found, good = [], True
     for name in names:

@@ -203,7 +203,7 @@ def reasons(claims: Iterable[Claim], curve: Nurbs | NurbsSurface) -> str:
     """The reasons why claims do not apply to a curve or a surface, counted.
 
     >>> from exactspline.verification.claims import select
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> reasons(select(["C4.1c", "T10"]), example("twisted_cubic"))
     '3 of Table 1, 6 of plane curves, 1 of rational curves'
     """

@@ -1,4 +1,4 @@
-"""Certificates of zero sets: JSON data with exact strings, for `exactspline.roots.checker` or any other checker.
+"""Certificates of zero sets: JSON data with exact strings, for `exactspline.certificates` or any other checker.
 
 A segment contains the integers ``c_i`` of its form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` (t from 0 to 1 on the segment), the leaves
 of a subdivision of [0, 1], each with the number, 0 or 1, of sign changes of the Bernstein coefficients on it, and the
@@ -13,12 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from exactspline.certificates import ZEROS
+from exactspline.certificates import certificate as written
 from exactspline.numbers.exact import mpq, text
 from exactspline.polynomials.isolation import Isolation
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
-
-FORMAT = "exactspline zeros 1"
 
 
 def certificate(
@@ -37,8 +37,7 @@ def certificate(
     >>> zeros(BSpline.bezier([1, -2, 1])).certificate()["segments"][0]["leaves"]
     [['0', '1/2', 1], ['1/2', '1', 1]]
     """
-    return {
-        "format": FORMAT,
+    data: dict[str, object] = {
         "degree": f.degree,
         "periodic": periodic,
         "breakpoints": [text(t) for t in f.mesh.breaks],
@@ -58,6 +57,7 @@ def certificate(
         "jumps": [{"at": text(t), "signs": [left, right]} for t, left, right in jumps],
         "intervals": [[text(low), text(high)] for low, high in intervals],
     }
+    return written(ZEROS, data)
 
 
 def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, object]:

@@ -17,9 +17,9 @@ from exactspline.display.glossary import meaning, terms
 from exactspline.display.ledger import WORDS
 from exactspline.display.ledger_page import page
 from exactspline.display.numbers import Numbers, decimals
+from exactspline.interchange.curve_files import curve_data
+from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
-from exactspline.splines.curve_files import curve_data
-from exactspline.splines.examples import example
 from exactspline.verification.claims import select
 from exactspline.verification.evidence import Between
 from exactspline.verification.ledger import audit

@@ -13,6 +13,7 @@ from random import Random
 from typing import Any
 
 from exactspline.errors import FormulaError, InapplicableError
+from exactspline.interchange.examples import example
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Symbol
@@ -25,7 +26,6 @@ from exactspline.readings.degree import DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor_surface import DoubleSeries
-from exactspline.splines.examples import example
 from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.claims import claims_in
