@@ -25,13 +25,14 @@ from time import monotonic
 from types import FunctionType
 from typing import Any
 
+from exactspline.splines.examples import example, example_names
+
 from exactspline.errors import ClaimError, ExactSplineError
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.papers import Paper, Table, paper
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
-from exactspline.splines.examples import example, example_names
 from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.claims import claim_of, claims_of
