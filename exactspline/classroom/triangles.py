@@ -144,9 +144,9 @@ def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Tri
         )
     present = knots.multiplicity(parameter)
     if type(times) is not int or times < 1 or present + times > degree:
-        told = counted(times, "time") if type(times) is int else shown(times)
+        times_text = counted(times, "time") if type(times) is int else shown(times)
         raise KnotError(
-            f"the knot {short_text(parameter)} of multiplicity {present} inserted {told}",
+            f"the knot {short_text(parameter)} of multiplicity {present} inserted {times_text}",
             remedy=f"insert it at least once; its multiplicity may reach the degree {degree}",
             knot=parameter,
         )
