@@ -6,6 +6,7 @@ Every message says what was wrong, where, and what would be right; programs read
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Iterable
 from contextlib import suppress
@@ -76,20 +77,25 @@ def counted(n: int, what: str) -> str:
     return f"{written(n)} {what}" + ("" if n == 1 else "es" if what.endswith(("ch", "s", "x")) else "s")
 
 
+def command_name() -> str:
+    """How the command line is called: ``exactspline``, or as the script says that called it (``./run``)."""
+    return os.environ.get("EXACTSPLINE_COMMAND") or "exactspline"
+
+
 def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
     """The remedy for an unknown name: the three nearest known names, and the command that lists all.
 
     >>> nearest("evolut", ["evolute", "torsion", "focal_curve", "f2"])
     'the nearest are evolute, torsion, focal_curve'
-    >>> nearest("C9", ["C8"], listed_by="exactspline show")
+    >>> nearest("C9", ["C8"], listed_by="show")
     'the nearest is C8; `exactspline show` lists all'
     """
 
     if not isinstance(name, str):  # whatever was written for a name
-        return "names are text" + (f"; `{listed_by}` lists all" if listed_by else "")
+        return "names are text" + (f"; `{command_name()} {listed_by}` lists all" if listed_by else "")
     near = _likest(name.lower(), list(known))
     told = f"the nearest {'is' if len(near) == 1 else 'are'} {', '.join(near)}" if near else "there are none"
-    return told + (f"; `{listed_by}` lists all" if listed_by else "")
+    return told + (f"; `{command_name()} {listed_by}` lists all" if listed_by else "")
 
 
 def _likest(name: str, known: list[str], count: int = 3) -> list[str]:
@@ -216,6 +222,28 @@ def as_integer(given: SupportsIndex, what: str, least: int = 0, most: int = 10**
         if not isinstance(given, bool) and least <= index(given) <= most:
             return index(given)
     raise ShapeError(f"{shown(given)}, where {what} is expected", remedy=f"give an integer from {least} to {most}")
+
+
+def as_flag(given: object, what: str) -> bool:
+    """The choice itself; `ShapeError` for anything but True and False.
+
+    >>> as_flag("no", "whether the ends are one knot")
+    Traceback (most recent call last):
+    exactspline.errors.ShapeError: 'no', where it is asked whether the ends are one knot; give True or False
+    """
+    if isinstance(given, bool):
+        return given
+    raise ShapeError(f"{shown(given)}, where it is asked {what}", remedy="give True or False")
+
+
+def as_texts(given: Iterable[str], what: str, one: str) -> list[str]:
+    """The texts of a sequence; `ShapeError` for anything else, and for a text alone.
+
+    >>> as_texts("f2", "names of formulas", "the name of a formula")
+    Traceback (most recent call last):
+    exactspline.errors.ShapeError: a str, where names of formulas are expected; give a list
+    """
+    return [as_text(each, one) for each in as_items(given, what)]
 
 
 def as_instance(given: object, kind: type[T], what: str, remedy: str) -> T:

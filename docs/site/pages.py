@@ -108,7 +108,7 @@ def write_errata(file: Path) -> None:
     lines = [
         "# Errata",
         "Every statement of a source that is refuted: its words, how they are decided, what was found, and what holds "
-        "instead. `exactspline errata` prints the same, and Python to check it.",
+        "instead. `./run errata` prints the same, and Python to check it.",
     ]
     for source in papers():
         found = list(errata([source]))
@@ -164,7 +164,7 @@ def draw_gallery(folder: Path, page: Path) -> None:
     made = {f"figure{number}": make(number, folder) for number in FIGURES}
     for name, command in DRAWN.items():
         _run(*command, "--plot", str(folder / f"{name}.svg"))
-    lines = ["# Gallery", "What `exactspline figures`, `inspect --plot` and `bisector --plot` draw."]
+    lines = ["# Gallery", "What `./run paper figures`, `inspect --plot` and `bisector --plot` draw."]
     for name in (*made, *DRAWN):
         title = name.replace("_", " ").replace("figure", "figure ").capitalize()
         lines += [f"## {title}", f'<img src="gallery/{name}.svg" alt="{title}" style="max-width:100%">']

@@ -22,7 +22,7 @@ def question_of(asked: str) -> Question:
     head, at, tail = as_text(asked, "a question").strip().partition("@")
     name, _, argument = head.partition(":")
     if name not in QUESTIONS:
-        remedy = nearest(name, QUESTIONS, listed_by="exactspline oracle --list")
+        remedy = nearest(name, QUESTIONS, listed_by="list questions")
         raise QuestionError(f"there is no question called {name!r}", remedy=remedy)
     return Question(asked.strip(), name, argument, tuple(tail.split(",")) if at else ())
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-import typer
-
 from exactspline.cli.common import CURVE_HELP, check_output, described, load_curve, tell_how_surfaces_are_drawn
 from exactspline.cli.output import Output, printing
+from exactspline.cli.parameters import Argument, Option
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -47,12 +46,12 @@ class Answer(NamedTuple):
 @printing
 def bisector(
     out: Output,
-    curve: Annotated[str, typer.Argument(help=CURVE_HELP)],
-    other: Annotated[str, typer.Argument(help="A second curve in space; or give a point.")] = "",
-    point: Annotated[str, typer.Option("--point", metavar="POINT", help='A point, "1,1/2" or "0,0,2".')] = "",
+    curve: Annotated[str, Argument(help=CURVE_HELP)],
+    other: Annotated[str, Argument(help="A second curve in space; or give a point.")] = "",
+    point: Annotated[str, Option("--point", metavar="POINT", help='A point, "1,1/2" or "0,0,2".')] = "",
     variant: Annotated[
         str,
-        typer.Option(
+        Option(
             "--variant",
             metavar="VARIANT",
             help=(
@@ -62,15 +61,12 @@ def bisector(
         ),
     ] = "",
     digits: Annotated[
-        int,
-        typer.Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational parameters and lines."),
+        int, Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational parameters and lines.")
     ] = 20,
     output: Annotated[
-        str, typer.Option("--output", "-o", metavar="FILE", help="Write the pieces as exact control points (JSON).")
+        str, Option("--output", "-o", metavar="FILE", help="Write the pieces as exact control points (JSON).")
     ] = "",
-    plot: Annotated[
-        str, typer.Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg or .png.")
-    ] = "",
+    plot: Annotated[str, Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg or .png.")] = "",
 ) -> None:
     """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles beside it), of a point
     and a space curve (ruled), or, trimmed to equal distances, of a point and a plane curve.

@@ -10,14 +10,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
-import typer
-
 from exactspline.cli.output import is_quiet
-from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, counted
-from exactspline.splines.nurbs import Nurbs
+from exactspline.cli.parameters import Option
+from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, command_name, counted
 
 if TYPE_CHECKING:
     from exactspline.interchange.records import Reading
+    from exactspline.splines.nurbs import Nurbs
     from exactspline.verification.claim import Claim
 
 __all__ = [
@@ -48,12 +47,10 @@ MAX_HEAD = 65_536
 _BLANK = b"\xef\xbb\xbf \t\r\n"
 #: How a JSON file with several curves begins, ours or geomdl's.
 _SEVERAL = re.compile(rb'^\s*\{\s*"(curves|shape)"')
-CurveFiles = Annotated[
-    list[str] | None, typer.Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")
-]
+CurveFiles = Annotated[list[str] | None, Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")]
 Papers = Annotated[
     list[str] | None,
-    typer.Option(
+    Option(
         "--paper",
         metavar="PAPER",
         help="A folder with formulas.py and claims.toml, the name of a paper that comes with exactspline, or all. "
@@ -61,15 +58,15 @@ Papers = Annotated[
     ),
 ]
 Trust = Annotated[
-    bool, typer.Option("--trust", help="Run the formulas of a folder or a file as they stand: any Python, unchecked.")
+    bool, Option("--trust", help="Run the formulas of a folder or a file as they stand: any Python, unchecked.")
 ]
 Digits = Annotated[
     int,
-    typer.Option(
+    Option(
         "--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits beside them."
     ),
 ]
-Exact = Annotated[bool, typer.Option("--exact", help="Show long fractions in full instead of as decimals.")]
+Exact = Annotated[bool, Option("--exact", help="Show long fractions in full instead of as decimals.")]
 
 
 def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, ...]:
@@ -92,7 +89,7 @@ def load_curve(name: str) -> Nurbs:
         raise CurveFileError(
             f"{len(found)} curves, where one is wanted",
             where=name,
-            remedy=f"take one: exactspline convert {name} one.json --only NAME, of {names}",
+            remedy=f"take one: {command_name()} convert {name} one.json --only NAME, of {names}",
         )
     return found[0]
 

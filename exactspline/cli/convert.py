@@ -1,14 +1,13 @@
-"""``exactspline convert``: curves from one format to another, exactly."""
+"""``convert``: curves from one format to another, exactly."""
 
 from __future__ import annotations
 
 import sys
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from exactspline.cli.common import check_output, tell_notes, tell_skipped
 from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.cli.parameters import Argument, Exit, Option
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
@@ -18,25 +17,23 @@ if TYPE_CHECKING:
 @printing
 def convert(
     out: Output,
-    source: Annotated[str, typer.Argument(metavar="IN", help="A file, font.ttf:glyph, or - for standard input.")],
-    target: Annotated[str, typer.Argument(metavar="OUT", help="A file, or - for standard output.")],
+    source: Annotated[str, Argument(metavar="IN", help="A file, font.ttf:glyph, or - for standard input.")],
+    target: Annotated[str, Argument(metavar="OUT", help="A file, or - for standard output.")],
     from_format: Annotated[
-        str, typer.Option("--from", metavar="FORMAT", help="The format of IN; recognized by its content by default.")
+        str, Option("--from", metavar="FORMAT", help="The format of IN; recognized by its content by default.")
     ] = "",
     to_format: Annotated[
-        str, typer.Option("--to", metavar="FORMAT", help="The format of OUT; recognized by its suffix by default.")
+        str, Option("--to", metavar="FORMAT", help="The format of OUT; recognized by its suffix by default.")
     ] = "",
     rounding: Annotated[
-        bool, typer.Option("--round", help="Round what the format cannot hold exactly to the nearest doubles.")
+        bool, Option("--round", help="Round what the format cannot hold exactly to the nearest doubles.")
     ] = False,
     only: Annotated[
-        list[str] | None, typer.Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")
+        list[str] | None, Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")
     ] = None,
-    degree: Annotated[
-        int | None, typer.Option("--degree", metavar="N", help="For files of control points alone.")
-    ] = None,
+    degree: Annotated[int | None, Option("--degree", metavar="N", help="For files of control points alone.")] = None,
     knots: Annotated[
-        str, typer.Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
+        str, Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
     ] = "",
 ) -> None:
     """Convert curves between formats without rounding; whatever is skipped is named on standard error, and
@@ -69,7 +66,7 @@ def convert(
         lambda: _told(out, [*notes], f"{counted(len(curves), 'curve')} from {reading.format} to {target}"),
     )
     if not reading.complete:
-        raise typer.Exit(2)
+        raise Exit(2)
 
 
 def _row(named: NamedCurve, read_as: str, target: str, notes: list[str]) -> dict[str, object]:

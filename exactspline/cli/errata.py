@@ -1,13 +1,12 @@
-"""``exactspline errata``: where a paper is wrong."""
+"""``errata``: where a paper is wrong."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from exactspline.cli.common import Digits, Exact, Papers, Trust
 from exactspline.cli.output import Output, printing
+from exactspline.cli.parameters import Argument
 from exactspline.errors import ClaimError, counted, nearest
 
 if TYPE_CHECKING:
@@ -22,8 +21,7 @@ if TYPE_CHECKING:
 def errata(
     out: Output,
     error: Annotated[
-        list[str] | None,
-        typer.Argument(help="Names of errors or ids of claims (span, C4.2b); without any, all errors."),
+        list[str] | None, Argument(help="Names of errors or ids of claims (span, C4.2b); without any, all errors.")
     ] = None,
     paper: Papers = None,
     trust: Trust = False,
@@ -81,7 +79,7 @@ def _chosen(entries: list[Erratum], wanted: list[str]) -> list[Erratum]:
     known = {name.lower(): entry for name, entry in names.items()}
     for name in wanted:
         if name.lower() not in known:
-            remedy = nearest(name, names, listed_by="exactspline errata")
+            remedy = nearest(name, names, listed_by="errata")
             raise ClaimError(f"there is no error called {name!r}", remedy=remedy)
     keep = [known[name.lower()] for name in wanted]
     return [entry for entry in entries if not wanted or entry in keep]

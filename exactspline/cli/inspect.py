@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
-
+from exactspline.cli.answers import answer_questions
 from exactspline.cli.common import (
     CURVE_HELP,
     Read,
@@ -17,7 +16,7 @@ from exactspline.cli.common import (
     standard_input,
 )
 from exactspline.cli.output import OptionsError, Output, is_quiet, printing
-from exactspline.geometry.kinds import JointKind
+from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.words import choice
 
 if TYPE_CHECKING:
@@ -34,24 +33,31 @@ MINIMAL = "minimal"
 def inspect(
     out: Output,
     curve: Annotated[
-        list[str],
-        typer.Argument(metavar="CURVE", help=f"{CURVE_HELP} Or a surface (JSON, or -), or an example of one."),
+        list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or a surface (JSON, or -), or an example of one.")
     ],
+    ask: Annotated[
+        list[str] | None,
+        Option(
+            "--ask",
+            metavar="QUESTION",
+            help="Answer this alone, exactly, with a certified interval and the correctly rounded double: value@1/2, "
+            "derivative:2@0, length, … (see list questions). May be repeated.",
+        ),
+    ] = None,
     digits: Annotated[
-        int, typer.Option("--digits", metavar="N", min=1, max=100_000, help="Digits of parameters and curvatures.")
+        int, Option("--digits", metavar="N", min=1, max=100_000, help="Digits of parameters and curvatures.")
     ] = 20,
     approach: Annotated[
         str,
-        typer.Option(
+        Option(
             "--approach",
             metavar="NAME",
-            help="Of curves: squaring, direct, reduced, lifted, minimal, or all side by side.",
-            show_default=MINIMAL,
+            help="Of curves: squaring, direct, reduced, lifted, minimal (without it), or all side by side.",
         ),
     ] = "",
     plot: Annotated[
         str,
-        typer.Option(
+        Option(
             "--plot",
             metavar="FILE",
             help="Draw the curve and the function that was solved, or the surface, into an SVG or PNG file; a "
@@ -59,12 +65,14 @@ def inspect(
         ),
     ] = "",
     coordinates: Annotated[
-        bool,
-        typer.Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design)."),
+        bool, Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design).")
+    ] = False,
+    certificates: Annotated[
+        bool, Option("--certificates", help="With --ask: put the certificates of the zero sets into the JSON.")
     ] = False,
     certificate: Annotated[
         str,
-        typer.Option(
+        Option(
             "--certificate",
             metavar="FILE",
             help="Write a proof that these are all zeros (JSON; see exactspline.roots.checker).",
@@ -72,7 +80,7 @@ def inspect(
     ] = "",
     emit_coq: Annotated[
         str,
-        typer.Option(
+        Option(
             "--emit-coq",
             metavar="FILE",
             help="Write a file for the proof assistant Coq: theorems that say where curvature and its derivative (in "
@@ -88,6 +96,9 @@ def inspect(
     from exactspline.geometry.inspection import Approach
     from exactspline.splines.curve_files import write_json
 
+    if ask:
+        answer_questions(out, curve, ask, digits, certificates)
+        return
     standard = standard_input() if "-" in curve else None
     if surfaces := [name for name in curve if is_surface(name, standard)]:
         if len(surfaces) < len(curve):
@@ -131,7 +142,7 @@ def inspect(
         by="curve",
     )
     if not good:
-        raise typer.Exit(2)
+        raise Exit(2)
 
 
 def _see_that_coq_can_name(path: str) -> None:
@@ -211,6 +222,7 @@ def _sheet(c: Any, data: dict[str, Any]) -> Sheet:
     """The features of a curve, one per row."""
     from exactspline.display.sheet import Sheet
     from exactspline.geometry.analysis import QUESTIONS
+    from exactspline.geometry.kinds import JointKind
     from exactspline.questions.entry import Answered
 
     closed = ", closed" if c.closed else ""
@@ -232,7 +244,8 @@ def _sheet(c: Any, data: dict[str, Any]) -> Sheet:
             kind, f["decimal"], f["parameter"] or "–", f.get("curvature", ""), *empty, "at a knot" * f["at_knot"]
         )
     for joint in data["joints"]:
-        if joint["kind"] in TOLD:
+        # singular joints are among the singular points
+        if joint["kind"] in (JointKind.GAP, JointKind.CORNER, JointKind.TURN, JointKind.CURVATURE_JUMP):
             made.add_row(
                 joint["kind"], joint["decimal"], joint["parameter"], joint["curvature"] or "", *empty, _remark(joint)
             )
@@ -277,8 +290,6 @@ def _print(c: Any, data: dict[str, Any]) -> None:
 
 #: Characters of an exact number that a table shows.
 READABLE = 20
-#: The kinds of joints with a row of their own; singular ones are among the singular points.
-TOLD = (JointKind.GAP, JointKind.CORNER, JointKind.TURN, JointKind.CURVATURE_JUMP)
 
 
 def _intervals(parts: list[list[str]]) -> str:

@@ -13,8 +13,7 @@ from dataclasses import dataclass
 from functools import wraps
 from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 
-import typer
-
+from exactspline.cli.parameters import Option
 from exactspline.errors import ExactSplineError
 
 if TYPE_CHECKING:
@@ -121,10 +120,10 @@ def print_json(data: object) -> None:
 
 
 _FLAGS = {
-    "as_json": Annotated[bool, typer.Option("--json", help="Print JSON (see `exactspline schema`).")],
-    "as_csv": Annotated[bool, typer.Option("--csv", help="Print comma-separated values.")],
-    "as_markdown": Annotated[bool, typer.Option("--markdown", help="Print Markdown tables.")],
-    "quiet": Annotated[bool, typer.Option("--quiet", "-q", help="No legend, no progress bar.")],
+    "as_json": Annotated[bool, Option("--json", help="Print JSON (see `exactspline schema`).")],
+    "as_csv": Annotated[bool, Option("--csv", help="Print comma-separated values.")],
+    "as_markdown": Annotated[bool, Option("--markdown", help="Print Markdown tables.")],
+    "quiet": Annotated[bool, Option("--quiet", "-q", help="No legend, no progress bar.")],
 }
 
 
@@ -151,7 +150,7 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
         inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=False, annotation=hint)
         for name, hint in _FLAGS.items()
     ]
-    run.__signature__ = inspect.Signature([*own, *shared])  # type: ignore[attr-defined]  # what typer reads
+    run.__signature__ = inspect.Signature([*own, *shared])  # type: ignore[attr-defined]  # what the command line reads
     run.__annotations__ = {p.name: p.annotation for p in [*own, *shared]}
     return run
 

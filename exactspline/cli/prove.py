@@ -1,11 +1,9 @@
-"""``exactspline prove``: the ledger."""
+"""``prove``: the ledger."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated
-
-import typer
 
 from exactspline.cli.common import (
     CurveFiles,
@@ -20,7 +18,8 @@ from exactspline.cli.common import (
     tracked,
 )
 from exactspline.cli.output import OptionsError, Output, printing
-from exactspline.errors import ClaimError, nearest
+from exactspline.cli.parameters import Exit, Option
+from exactspline.errors import ClaimError, command_name, nearest
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -32,7 +31,6 @@ if TYPE_CHECKING:
     from exactspline.splines.surface import NurbsSurface
     from exactspline.verification.claim import Claim
     from exactspline.verification.judges import Judge
-    from exactspline.verification.questions import Proof
     from exactspline.verification.rows import Row
 
 #: Up to this many claims are listed one by one; more are summarized.
@@ -40,7 +38,7 @@ FEW = 12
 
 Claims = Annotated[
     list[str] | None,
-    typer.Option(
+    Option(
         "--claim",
         metavar="ID",
         help="The id of a claim, what it begins (C3: all of section 3), or a place (eq. (12)). May be repeated.",
@@ -48,14 +46,14 @@ Claims = Annotated[
 ]
 Sections = Annotated[
     list[str] | None,
-    typer.Option("--section", metavar="SECTION", help="Only this section, for example 4.2. May be repeated."),
+    Option("--section", metavar="SECTION", help="Only this section, for example 4.2. May be repeated."),
 ]
 Verdicts = Annotated[
-    list[str] | None, typer.Option("--verdict", metavar="VERDICT", help="Only rows with this verdict. May be repeated.")
+    list[str] | None, Option("--verdict", metavar="VERDICT", help="Only rows with this verdict. May be repeated.")
 ]
 Surfaces = Annotated[
     list[str] | None,
-    typer.Option(
+    Option(
         "--surface",
         metavar="SURFACE",
         help="A surface file (JSON) or an example surface, to check claims of surfaces on (of the paper surfaces, "
@@ -64,33 +62,16 @@ Surfaces = Annotated[
 ]
 JudgeName = Annotated[
     str,
-    typer.Option(
+    Option(
         "--judge",
         metavar="JUDGE",
         help="A second judge of the identities, for all curves: sympy, or the kernel of coq (in a column).",
     ),
 ]
-EmitCoq = Annotated[
-    str,
-    typer.Option(
-        "--emit-coq",
-        metavar="DIR",
-        help="Write the claims of equalities as theorems of Coq, and nothing else; with --claim, --section or --paper "
-        "these alone.",
-    ),
-]
-Rows = Annotated[bool, typer.Option("--rows", help="Print every row of the ledger instead of the summary.")]
-Page = Annotated[str, typer.Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")]
+Rows = Annotated[bool, Option("--rows", help="Print every row of the ledger instead of the summary.")]
+Page = Annotated[str, Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")]
 Report = Annotated[
-    str, typer.Option("--report", metavar="FILE", help="Write a referee's report: one page, complete in itself.")
-]
-IdentityText = Annotated[
-    str,
-    typer.Option(
-        "--identity",
-        metavar="TEXT",
-        help='Decide one identity instead: "file.py:left = w^3 * file.py:right", for all curves.',
-    ),
+    str, Option("--report", metavar="FILE", help="Write a referee's report: one page, complete in itself.")
 ]
 
 
@@ -103,37 +84,24 @@ def prove(
     section: Sections = None,
     verdict: Verdicts = None,
     judge: JudgeName = "",
-    emit_coq: EmitCoq = "",
     rows: Rows = False,
     html: Page = "",
     paper: Papers = None,
     trust: Trust = False,
     report: Report = "",
-    identity: IdentityText = "",
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:
     """Decide every claim of a paper: for all curves at once, and exactly on the curves and surfaces given (without any:
     on the curves in its folder, or on the example curves).
     """
-    if identity:
-        _identity(out, identity, trust)
-        return
     from exactspline.display.ledger import WORDS
     from exactspline.display.numbers import Numbers
     from exactspline.verification.ledger import settled, tasks
 
-    if emit_coq:
-        if verdict or curve or surface:
-            raise OptionsError("--emit-coq with a verdict or a curve", remedy="a theorem holds for all: leave it out")
-        chosen_by = bool(claim or section or paper)
-        _emit(
-            emit_coq,
-            _of_sections(_named(claim or [], claims_of_papers(paper, trust)), section or []) if chosen_by else None,
-        )
-        return
     wanted = [_word(each, WORDS) for each in verdict or []]
-    claims = _of_sections(_named(claim or [], claims_of_papers(_papers(paper, curve, surface), trust)), section or [])
+    known = claims_of_papers(_papers(paper, curve, surface), trust)
+    claims = of_sections(named_claims(claim or [], known), section or [])
     given, good = loaded(curve or [])
     patches, all_read = _surfaces(surface or [])
     curves: list[Nurbs | NurbsSurface] | None = None
@@ -158,9 +126,9 @@ def prove(
         "prove", pages.data, pages.sheets, lambda: pages.print(out, found, listed=listed, everything=rows), by="curve"
     )
     if not (good and all_read):
-        raise typer.Exit(2)
+        raise Exit(2)
     if not all(row.as_recorded for row in found):
-        raise typer.Exit(1)
+        raise Exit(1)
 
 
 def _papers(named: list[str] | None, curves: Sequence[str] | None, surfaces: Sequence[str] | None) -> list[str] | None:
@@ -184,36 +152,12 @@ def _surfaces(names: Sequence[str]) -> tuple[list[NurbsSurface], bool]:
     return found, good
 
 
-def _named(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:
+def named_claims(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:
     """The claims with these ids or places, in the order of the papers; all of them for none."""
     from exactspline.verification.claims import located
 
     keep = {claim for name in ids for claim in located(name, claims)}
     return [claim for claim in claims if not ids or claim in keep]
-
-
-def _identity(out: Output, text: str, trust: bool) -> None:
-    """One identity between any formulas; status 1 where it does not hold."""
-    from exactspline.verification.questions import proof_of
-
-    found = proof_of(text, trust=trust)
-    out.give("identity", lambda: [found.data()], lambda: [_sheet(found)], lambda: _told(str(found)))
-    if not found:
-        raise typer.Exit(1)
-
-
-def _sheet(found: Proof) -> Sheet:
-    from exactspline.display.sheet import Sheet
-
-    made = Sheet("left", "factor", "right", "verdict", "quotient")
-    made.add_row(found.left, found.factor, found.right, found.verdict, str(found.quotient or "–"))
-    return made
-
-
-def _told(text: str) -> None:
-    from exactspline.display import console
-
-    console.lines(console.console(), text)
 
 
 def _judged(name: str, claims: Sequence[Claim]) -> tuple[list[Row], dict[tuple[str, str], str] | None]:
@@ -238,30 +182,14 @@ def _kernel(claims: Sequence[Claim], kernel: Judge) -> dict[tuple[str, str], str
     return {(claim.paper, claim.key): opinion(kernel.decide(claim)) for claim in claims}
 
 
-def _emit(directory: str, claims: Sequence[Claim] | None) -> None:
-    """Write the theorems, and print their number and which claims have none."""
-    from pathlib import Path
-
-    from exactspline.display import console
-    from exactspline.verification.coq.emission import emit
-
-    made = emit(Path(directory), claims)
-    shown = console.console()
-    theorems = [each for own in made.theorems.values() for each in own if not each.reason]
-    console.lines(shown, f"{len(theorems)} theorems in {len(made.files)} files, listed in {directory}/_CoqProject")
-    for each in made.unstated:
-        console.lines(shown, f"{each.claim.key}: no theorem, {each.why}")
-
-
 def _word(name: str, known: Sequence[str]) -> str:
     if name.upper() not in known:
-        raise ClaimError(
-            f"there is no verdict called {name!r}", remedy=nearest(name, known, listed_by="exactspline glossary")
-        )
+        raise ClaimError(f"there is no verdict called {name!r}", remedy=nearest(name, known, listed_by="list words"))
     return name.upper()
 
 
-def _of_sections(claims: Sequence[Claim], wanted: Sequence[str]) -> list[Claim]:
+def of_sections(claims: Sequence[Claim], wanted: Sequence[str]) -> list[Claim]:
+    """The claims of some sections; all of them where none is wanted."""
     from exactspline.display.ledger import section
 
     known = list(dict.fromkeys(map(section, claims)))
@@ -339,8 +267,9 @@ class _Ledger:
         console.lines(shown, closing(self.rows))
         if not out.quiet:
             if not listed:
-                told = "exactspline prove --rows prints every row; exactspline errata the errors, each with its witness"
-                console.lines(shown, f"{told} and a check; exactspline show CLAIM one claim.")
+                called = command_name()
+                told = f"{called} prove --rows prints every row; {called} errata the errors, each with its witness"
+                console.lines(shown, f"{told} and a check; {called} show CLAIM one claim.")
             console.legend(shown, self._words())
 
     def _words(self) -> list[str]:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from exactspline.cli.output import VERSION, print_json
+from exactspline.cli.parameters import Argument
 from exactspline.errors import ExactSplineError, nearest
 
 if TYPE_CHECKING:
@@ -21,9 +20,7 @@ class SchemaError(ExactSplineError):
     """A schema that does not exist."""
 
 
-def schema(
-    name: Annotated[str, typer.Argument(help="The name of a schema; without it the names are listed.")] = "",
-) -> None:
+def schema(name: Annotated[str, Argument(help="The name of a schema; without it the names are listed.")] = "") -> None:
     """Print the JSON Schema of what a command prints with --json."""
     if not name:
         print_json({"version": VERSION, "schemas": sorted([*schemas(), LINE])})
@@ -90,7 +87,7 @@ def schema_of(name: str) -> dict[str, object]:
     known = schemas()
     if name not in known:
         raise SchemaError(
-            f"there is no schema called {name!r}", remedy=nearest(name, [*known, LINE], listed_by="exactspline schema")
+            f"there is no schema called {name!r}", remedy=nearest(name, [*known, LINE], listed_by="schema")
         )
     fields = known[name]
     row = {

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from exactspline.cli.common import Papers, Trust, claims_of_papers
 from exactspline.cli.output import Output, printing
+from exactspline.cli.parameters import Argument, Exit, Option
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,12 +21,12 @@ def show(
     out: Output,
     claim: Annotated[
         str,
-        typer.Argument(
+        Argument(
             help="The id of a claim, what it begins (C4.2: all of §4.2), a place in the paper (eq. (12)), or words of "
             "the statement (evolute). Without it the claims are listed."
         ),
     ] = "",
-    latex: Annotated[bool, typer.Option("--latex", help="Print formulas as LaTeX.")] = False,
+    latex: Annotated[bool, Option("--latex", help="Print formulas as LaTeX.")] = False,
     paper: Papers = None,
     trust: Trust = False,
 ) -> None:
@@ -50,7 +49,7 @@ def show(
         lambda: _print(out, found, latex),
     )
     if not all(s.as_recorded for s in found):
-        raise typer.Exit(1)
+        raise Exit(1)
 
 
 def _list(out: Output, claims: Sequence[Claim]) -> None:

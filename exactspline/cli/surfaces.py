@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import typer
-
 from exactspline.cli.output import OptionsError, Output
+from exactspline.cli.parameters import Exit
 from exactspline.errors import ExactSplineError
 
 if TYPE_CHECKING:
@@ -61,7 +60,7 @@ def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str, 
         by="surface",
     )
     if not good:
-        raise typer.Exit(2)
+        raise Exit(2)
 
 
 def _loaded(name: str, given: bytes | None) -> NurbsSurface:

@@ -1,4 +1,4 @@
-"""``exactspline sweep``: many curves, a line each."""
+"""``sweep``: many curves, a line each."""
 
 from __future__ import annotations
 
@@ -10,10 +10,9 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from exactspline.cli.common import quiet_fonts
 from exactspline.cli.output import Output, is_quiet, printing
+from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.errors import CurveFileError
 
 if TYPE_CHECKING:
@@ -47,16 +46,16 @@ def _backends(given: str) -> list[str]:
 
 Corpus = Annotated[
     list[str] | None,
-    typer.Argument(
+    Argument(
         metavar="CORPUS",
         help="Files of curves in any format that is read, folders of them, fonts (every contour of every glyph), "
         "names of example curves.",
-        autocompletion=_completed,
+        completion=_completed,
     ),
 ]
 Random = Annotated[
     list[str] | None,
-    typer.Option(
+    Option(
         "--random",
         metavar="WORDS",
         help="Random curves: degree=2-5 segments=1-4 dimension=2 rational=no|yes|half bits=10 count=100 seed=1, in "
@@ -65,24 +64,21 @@ Random = Annotated[
 ]
 Find = Annotated[
     list[str] | None,
-    typer.Option(
+    Option(
         "--find",
         metavar="WHAT",
         help="A question (see `oracle --list`: those without an argument about points, joints or pieces), or all. "
         "May be repeated. [default: inflections, curvature_extrema, corners]",
-        autocompletion=_inspections,
+        completion=_inspections,
     ),
 ]
 Claims = Annotated[
-    list[str] | None,
-    typer.Option("--claim", metavar="ID", help="Check a claim on every curve (see prove). May be repeated."),
+    list[str] | None, Option("--claim", metavar="ID", help="Check a claim on every curve (see prove). May be repeated.")
 ]
-Places = Annotated[
-    int, typer.Option("--digits", metavar="N", min=0, max=10_000, help="Digits of irrational parameters.")
-]
+Places = Annotated[int, Option("--digits", metavar="N", min=0, max=10_000, help="Digits of irrational parameters.")]
 OutputFile = Annotated[
     str,
-    typer.Option(
+    Option(
         "--output",
         "-o",
         metavar="FILE",
@@ -90,12 +86,12 @@ OutputFile = Annotated[
         "then without a summary. Where FILE is there, the sweep continues after its last complete line.",
     ),
 ]
-Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, max=4096, help="Processes.")]
+Jobs = Annotated[int, Option("--jobs", "-j", metavar="N", min=1, max=4096, help="Processes.")]
 Backend = Annotated[
-    str, typer.Option("--backend", metavar="NAME", help="serial, processes, dask or ray.", autocompletion=_backends)
+    str, Option("--backend", metavar="NAME", help="serial, processes, dask or ray.", completion=_backends)
 ]
 Scheduler = Annotated[
-    str, typer.Option("--scheduler", metavar="ADDRESS", help="The Dask or Ray cluster to use. [default: one made here]")
+    str, Option("--scheduler", metavar="ADDRESS", help="The Dask or Ray cluster to use. [default: one made here]")
 ]
 
 
@@ -135,14 +131,14 @@ def sweep(
     if interrupted:
         goes_on = f"; the same command continues after them in {output}" if output and not to_stdout else ""
         sys.stderr.write(f"interrupted after {summary.lines} curves{goes_on}\n")
-        raise typer.Exit(INTERRUPTED)
+        raise Exit(INTERRUPTED)
     if not to_stdout:
         seconds = monotonic() - start
         out.give("sweep", lambda: _rows(summary), lambda: [_sheet(summary)], lambda: _print(out, summary, seconds))
     if not summary.as_expected:
-        raise typer.Exit(1)
+        raise Exit(1)
     if not summary.all_read:
-        raise typer.Exit(2)
+        raise Exit(2)
 
 
 def _sources(corpus: Sequence[str], random: Sequence[str]) -> list[Source]:
@@ -195,7 +191,7 @@ def _interruptible() -> Iterator[Callable[[], bool]]:
         yield lambda: presses > 0
     except KeyboardInterrupt:
         sys.stderr.write("interrupted; what has been written is kept\n")
-        raise typer.Exit(INTERRUPTED) from None
+        raise Exit(INTERRUPTED) from None
     finally:
         signal.signal(signal.SIGINT, before)
 

@@ -44,9 +44,7 @@ def meaning(term: str) -> str:
     for each in (term, *[name for name in known if name.lower() == term.lower()]):
         if each in known:
             return known[each]
-    raise GlossaryError(
-        f"the glossary has no term {term!r}", remedy=nearest(term, known, listed_by="exactspline glossary")
-    )
+    raise GlossaryError(f"the glossary has no term {term!r}", remedy=nearest(term, known, listed_by="list words"))
 
 
 def explained(words: Iterable[str]) -> list[tuple[str, str]]:

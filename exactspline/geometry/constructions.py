@@ -198,7 +198,7 @@ def construction(name: str) -> Construction:
     if as_text(name, "the name of a construction") not in all_constructions():
         raise FormulaError(
             f"there is no construction called {name!r}",
-            remedy=nearest(name, all_constructions(), listed_by="exactspline derive"),
+            remedy=nearest(name, all_constructions(), listed_by="list formulas"),
         )
     return all_constructions()[name]
 

@@ -144,7 +144,7 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
 
 
 def evolute(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The evolute of a plane curve, in lowest terms (`exactspline degrees --generic` prints the degree for all curves).
+    """The evolute of a plane curve, in lowest terms (its degree for all: `exactspline formula degrees --generic`).
 
     >>> from exactspline.splines.examples import example
     >>> evolute(example("ellipse_skew")).pieces[0].value.degree
@@ -156,8 +156,8 @@ def evolute(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
 
 
 def focal_curve(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The centres of the osculating spheres of a space curve, in lowest terms (`exactspline degrees --generic` prints
-    the degree for all curves).
+    """The centres of the osculating spheres of a space curve, in lowest terms (their degree for all curves:
+    `exactspline formula degrees --generic`).
 
     >>> from exactspline.splines.examples import example
     >>> focal_curve(example("twisted_cubic")).pieces[0].value.degree
@@ -169,8 +169,8 @@ def focal_curve(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Deriv
 
 
 def torsion_function(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The torsion of a space curve as a function of the parameter, in lowest terms (`exactspline degrees --generic`
-    prints the degree for all curves).
+    """The torsion of a space curve as a function of the parameter, in lowest terms (its degree for all curves:
+    `exactspline formula degrees --generic`).
 
     >>> from exactspline.splines.examples import example
     >>> torsion_function(example("twisted_cubic")).pieces[0].value.degree
@@ -182,8 +182,8 @@ def torsion_function(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> 
 
 
 def circle_centres(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The centres of the osculating circles of a space curve, in lowest terms (`exactspline degrees --generic` prints
-    the degree for all curves).
+    """The centres of the osculating circles of a space curve, in lowest terms (their degree for all curves:
+    `exactspline formula degrees --generic`).
 
     >>> from exactspline.splines.examples import example
     >>> circle_centres(example("twisted_cubic")).pieces[0].value.degree

@@ -47,7 +47,7 @@ def example(name: str) -> Nurbs:
     Raises `CurveFileError` with the nearest names.
     """
     if as_text(name, "the name of a curve") not in example_names():
-        remedy = nearest(name, example_names(), listed_by="exactspline curves")
+        remedy = nearest(name, example_names(), listed_by="list curves")
         raise CurveFileError(f"there is neither a file nor an example curve called {name!r}", remedy=remedy)
     return curve_from_text(example_text(name), name)
 
@@ -79,7 +79,7 @@ def example_surface(name: str) -> NurbsSurface:
     from exactspline.splines.surface_files import surface_from_text
 
     if as_text(name, "the name of a surface") not in example_surface_names():
-        remedy = nearest(name, example_surface_names(), listed_by="exactspline curves")
+        remedy = nearest(name, example_surface_names(), listed_by="list surfaces")
         raise CurveFileError(f"there is neither a file nor an example surface called {name!r}", remedy=remedy)
     return surface_from_text(_text("example_surfaces", name), name)
 

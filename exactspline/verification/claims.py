@@ -111,7 +111,7 @@ def _shape(declared: str, value: object) -> str:
 def _check_words_of_key(claim: Claim) -> None:
     """Each word of a key also occurs elsewhere in the entry, so that a misspelled key is noticed."""
     words = dict.fromkeys(claim.key.removeprefix(claim.begin_of_key + "-").split("-"))
-    known = set(claim.kind.split())
+    known = set(claim.kind.replace("-", " ").split())
     for field in reversed(declared(type(claim)).entries):  # those of its own kind first: mostly they are all it takes
         if words.keys() <= known:
             return
@@ -250,7 +250,7 @@ def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, 
         chosen = chosen or tuple(c for c in known if wanted.lower() in c.statement.lower())
     if not chosen:
         ids = dict.fromkeys(claim.id for claim in known)
-        raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, ids, listed_by="exactspline show"))
+        raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, ids, listed_by="show"))
     return chosen
 
 

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import mpmath
 import pytest
+from click.testing import CliRunner
 from flint import arb, ctx
 from gmpy2 import mpq
-from typer.testing import CliRunner
 
 import exactspline as xs
 from exactspline.batch.families import Family
@@ -315,7 +315,7 @@ def test_a_file_of_which_a_curve_could_not_be_read_ends_with_2(tmp_path):
     """False before: exit status 0, as if the answers were those of the whole file; notes were not shown."""
     place = tmp_path / "a.svg"
     place.write_text('<svg><path d="M0 0L3 4" clip-path="url(#c)"/><path d="M0 0A3 2 30 0 1 1 1"/></svg>')
-    done = CliRunner().invoke(app, ["oracle", str(place), "--ask", "length"])
+    done = CliRunner().invoke(app, ["inspect", str(place), "--ask", "length"])
     assert done.exit_code == 2
     assert "clip-path" in done.stderr
     assert "5.0" in done.output

@@ -9,7 +9,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 from exactspline.classroom.answers import Circle, Parameters, Points, Polynomials
 from exactspline.classroom.comparison import compare_curves, compare_formulas
@@ -165,11 +165,11 @@ def test_what_differs_is_told():
     answer = Points(Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 4)]))
     assert answer.check("(0,0) (2,5)").differences == (
         "point 1 is (2, 4), not (2, 5)",
-        "at t = 1 it gives (2, 5), where (2, 4) is right",
+        "at t = 1 it gives (2, 5) instead of (2, 4)",
     )
     # wrong at both ends alike, so that the witness is inside
     answer = Points(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)]))
-    assert answer.check("0 0\n1 3\n2 0").differences[-1] == "at t = 1/2 it gives (1, 3/2), where (1, 1/2) is right"
+    assert answer.check("0 0\n1 3\n2 0").differences[-1] == "at t = 1/2 it gives (1, 3/2) instead of (1, 1/2)"
     assert Parameters((mpq(1, 2),)).check("0.5")
     assert Parameters(()).check("none")
     assert Parameters((mpq(1, 2),)).check("none").differences == ("t = 1/2 is missing",)
@@ -218,7 +218,7 @@ def test_formulas_are_compared_for_all_curves():
     told = compare_formulas(given, find("f2")).differences
     assert len(told) == 2
     assert "the quotient is w" in told[0]
-    left, right = re.search(r"gives (\S+), where (\S+) is right", told[1]).groups()
+    left, right = re.search(r"gives (\S+) instead of (\S+)", told[1]).groups()
     assert rational(left) != rational(right)
 
 
@@ -256,7 +256,7 @@ def test_what_the_page_for_teachers_says_runs(tmp_path, monkeypatch):
         "from exactspline.language import det\n\n\ndef kappa(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w**4\n"
     )
     page = PAGE.read_text(encoding="utf-8")
-    commands = re.findall(r"^exactspline (.*)$", page, flags=re.MULTILINE)
+    commands = re.findall(r"^\./run (.*)$", page, flags=re.MULTILINE)
     printed = []
     for command in commands:
         arguments = shlex.split(re.split(r" {3,}| > ", command)[0])
@@ -277,31 +277,31 @@ def test_the_command_line(tmp_path):
     made = exercise("circle", 3)
     file = tmp_path / "answer.txt"
     file.write_text(made.answer.written)
-    assert run("check-answer", file, "--topic", "circle", "--seed", 3).exit_code == 0
-    assert run("check-answer", "-", "--topic", "circle", "--seed", 3, input=made.answer.written).exit_code == 0
-    wrong = run("check-answer", "--topic", "circle", "--seed", 3, "--text", "1, 2, 3")
+    assert run("teach", "check", file, "--topic", "circle", "--seed", 3).exit_code == 0
+    assert run("teach", "check", "-", "--topic", "circle", "--seed", 3, input=made.answer.written).exit_code == 0
+    wrong = run("teach", "check", "--topic", "circle", "--seed", 3, "--text", "1, 2, 3")
     assert (wrong.exit_code, wrong.output.splitlines()[0]) == (1, "wrong")
-    row = json.loads(run("exercise", "circle", "--seed", 3, "--solutions", "--json").stdout)["rows"][0]
+    row = json.loads(run("teach", "exercise", "circle", "--seed", 3, "--solutions", "--json").stdout)["rows"][0]
     assert row["answer"] == made.answer.written
-    assert "Solutions" not in run("exercise", "circle").output
+    assert "Solutions" not in run("teach", "exercise", "circle").output
     curve = tmp_path / "curve.json"
     curve.write_text(json.dumps(curve_data(example("cubic_s").elevate_degree())))
-    assert run("check-answer", curve, "--reference", "cubic_s").exit_code == 0
-    assert run("check-answer", curve, "--reference", "parabola").exit_code == 1
+    assert run("teach", "check", curve, "--reference", "cubic_s").exit_code == 0
+    assert run("teach", "check", curve, "--reference", "parabola").exit_code == 1
     formula = tmp_path / "mine.py"
     formula.write_text("from exactspline.language import det\n\n\ndef mine(c):\n    return det(c.p, c.p.d())\n")
-    told = run("check-answer", f"{formula}:mine", "--reference", "f2")
+    told = run("teach", "check", f"{formula}:mine", "--reference", "f2")
     assert told.exit_code == 1
     assert "not mine = f2" in told.output
     for arguments in (
-        ["check-answer", "--topic", "circle"],
-        ["check-answer", file],
-        ["check-answer", file, "--topic", "circle", "--reference", "cubic_s"],
-        ["check-answer", tmp_path, "--topic", "circle"],
-        ["check-answer", "--topic", "circel", "--text", "no"],
-        ["check-answer", "--topic", "circle", "--text", "perhaps"],
-        ["exercise", "evaluatoin"],
-        ["exercise", "circle", "--html", "--latex"],
+        ["teach", "check", "--topic", "circle"],
+        ["teach", "check", file],
+        ["teach", "check", file, "--topic", "circle", "--reference", "cubic_s"],
+        ["teach", "check", tmp_path, "--topic", "circle"],
+        ["teach", "check", "--topic", "circel", "--text", "no"],
+        ["teach", "check", "--topic", "circle", "--text", "perhaps"],
+        ["teach", "exercise", "evaluatoin"],
+        ["teach", "exercise", "circle", "--html", "--latex"],
     ):
         result = run(*arguments)
         assert isinstance(result.exception, ValueError), arguments

@@ -4,9 +4,9 @@ import re
 from xml.etree import ElementTree
 
 import pytest
+from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
-from typer.testing import CliRunner
 
 from exactspline.classroom.triangles import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
 from exactspline.cli import app
@@ -144,15 +144,15 @@ def test_every_printing_has_the_same_numbers(curve):
 
 def test_the_command_wants_something_to_do():
     for arguments in (
-        ["triangle", "cubic_s"],
-        ["triangle", "cubic_s", "--at", "2"],
-        ["triangle", "cubic_s", "--at", "half"],
-        ["triangle", "cubic_s", "--product", "x,z"],
-        ["triangle", "cubic_s", "--at", "0", "--html", "--json"],
-        ["triangle", "cubic_s", "--insert", "1/2", "--times", "4"],
+        ["teach", "triangle", "cubic_s"],
+        ["teach", "triangle", "cubic_s", "--at", "2"],
+        ["teach", "triangle", "cubic_s", "--at", "half"],
+        ["teach", "triangle", "cubic_s", "--product", "x,z"],
+        ["teach", "triangle", "cubic_s", "--at", "0", "--html", "--json"],
+        ["teach", "triangle", "cubic_s", "--insert", "1/2", "--times", "4"],
     ):
         result = CliRunner().invoke(app, arguments)
         assert isinstance(result.exception, ExactSplineError), arguments
-    done = CliRunner().invoke(app, ["triangle", "cubic_s", "--at", "1/3", "--latex"])
+    done = CliRunner().invoke(app, ["teach", "triangle", "cubic_s", "--at", "1/3", "--latex"])
     assert done.exit_code == 0
     assert r"\begin{array}" in done.output

@@ -1,20 +1,12 @@
 """The command line as a user meets it: tables, JSON, exit status, one-line errors."""
 
 import json
-import os
-import subprocess
-import sys
 
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 from exactspline.cli import app
-
-
-def run(*arguments):
-    """The command in a process of its own, as a user runs it."""
-    command = [sys.executable, "-m", "exactspline", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False, env=os.environ | {"COLUMNS": "200"})
+from tests.support.command import run, run_alone
 
 
 def test_prove_as_json_follows_the_schema():
@@ -26,7 +18,7 @@ def test_prove_as_json_follows_the_schema():
 
 
 def test_prove_on_a_curve_shows_the_cancelled_factor():
-    done = run("prove", "--curve", "rational_cubic", "--claim", "C4.1")
+    done = run_alone("prove", "--curve", "rational_cubic", "--claim", "C4.1")
     assert done.returncode == 0
     assert "f0 = w^-3 · f2" in done.stdout
     assert "all as recorded" in done.stdout
@@ -43,14 +35,14 @@ def test_equal_weights_are_told_to_be_polynomial(tmp_path):
 
 
 def test_degrees_and_curves():
-    assert "3d − 3" in run("degrees", "--curve", "ellipse", "--formulas").stdout
+    assert "3d − 3" in run("formula", "degrees", "--curve", "ellipse", "--formulas").stdout
     found = {
         row["formula"]: row
-        for row in json.loads(run("degrees", "--curve", "ellipse", "--formulas", "--json").stdout)["rows"]
+        for row in json.loads(run("formula", "degrees", "--curve", "ellipse", "--formulas", "--json").stdout)["rows"]
     }
     f2 = found["f2"]
     assert (f2["nominal"], f2["represented"], f2["true"], f2["control_points"]) == ("3d − 3", 3, 0, 16)
-    names = [row["name"] for row in json.loads(run("curves", "--json").stdout)["rows"]]
+    names = [row["name"] for row in json.loads(run("list", "curves", "--json").stdout)["rows"]]
     assert {
         "circle",
         "ellipse",
@@ -66,7 +58,9 @@ def test_degrees_and_curves():
 @pytest.mark.parametrize("name", ["straight_line", "planar_in_space", "space_line", "jump", "twisted_cubic"])
 def test_degrees_go_on_where_an_object_does_not_exist(name):
     for option in ([], ["--formulas"]):
-        rows = json.loads(CliRunner().invoke(app, ["degrees", "--curve", name, "--json", *option]).stdout)["rows"]
+        rows = json.loads(CliRunner().invoke(app, ["formula", "degrees", "--curve", name, "--json", *option]).stdout)[
+            "rows"
+        ]
         assert len(rows) > 5
 
 
@@ -165,7 +159,7 @@ def test_bad_texts_give_one_line_and_status_2(what, tmp_path):
     text, message = TEXTS[what]
     file = tmp_path / "bad.json"
     file.write_text(text)
-    done = run("degrees", "--curve", file)
+    done = run("formula", "degrees", "--curve", file)
     assert (done.returncode, done.stderr.count("\n")) == (2, 1)
     assert message in done.stderr
 
@@ -188,7 +182,7 @@ def test_bad_files_give_one_line_and_status_2(tmp_path):
 
 
 def test_one_bad_curve_in_a_batch_is_reported_and_the_rest_goes_on(tmp_path):
-    done = run("prove", "--claim", "C4.1", "--curve", tmp_path / "none.json", "--curve", "cusp")
+    done = run_alone("prove", "--claim", "C4.1", "--curve", tmp_path / "none.json", "--curve", "cusp")
     assert done.returncode == 2
     assert "cusp: polynomial" in done.stdout
     assert "none.json" in done.stderr
@@ -206,10 +200,12 @@ def test_digits_show_decimals_beside_exact_numbers():
 
 
 def test_reduce_on_a_formula_of_the_library():
-    (part,) = json.loads(CliRunner().invoke(app, ["reduce", "curvature_squared_derivative", "--json"]).stdout)["rows"]
+    (part,) = json.loads(
+        CliRunner().invoke(app, ["formula", "reduce", "curvature_squared_derivative", "--json"]).stdout
+    )["rows"]
     assert (part["naive"], part["reduced"], part["true"]) == ("48d", "[X X′ X″ X‴]·f2", "11d − 18")
-    assert part["meaning"]["f2"] == "may have roots of its own"
-    table = run("reduce", "rectifying_developable").stdout
+    assert part["meaning"]["f2"] == "may have zeros"
+    table = run("formula", "reduce", "rectifying_developable").stdout
     assert "10d − 18" in table
     assert "positive where the curve is regular" in table
 
@@ -239,22 +235,22 @@ def test_reduce_on_a_function_of_a_stranger(tmp_path, monkeypatch):
         "strange_formulas:pedal",
         str(tmp_path / "strange_formulas.py") + ":pedal",
     ):
-        done = run("reduce", target, "--trust")
+        done = run_alone("formula", "reduce", target, "--trust")
         assert done.returncode == 0
         assert "4d − 4" in done.stdout
     (tmp_path / "checked.py").write_text(OWN.partition("def broken")[0])
-    assert "4d − 4" in run("reduce", "checked.py:pedal").stdout
+    assert "4d − 4" in run_alone("formula", "reduce", "checked.py:pedal").stdout
 
 
 def test_a_module_runs_with_trust_alone_and_it_is_said(tmp_path, monkeypatch):
     """Before: any module was imported without --trust, and nothing said that it ran unchecked."""
     (tmp_path / "mine.py").write_text("open('ran', 'w').close()\n\n\ndef speed(c):\n    return c.gamma.d(1)\n")
     monkeypatch.chdir(tmp_path)
-    done = run("reduce", "mine:speed")
+    done = run_alone("formula", "reduce", "mine:speed")
     assert (done.returncode, done.stdout) == (2, "")
     assert "--trust" in done.stderr
     assert not (tmp_path / "ran").exists()
-    done = run("reduce", "mine:speed", "--trust")
+    done = run_alone("formula", "reduce", "mine:speed", "--trust")
     assert done.returncode == 0
     assert "formulas that ran unchecked (--trust): mine" in done.stdout
 
@@ -279,7 +275,7 @@ def test_reduce_reports_errors_of_the_user_in_one_line(target, message, tmp_path
     (tmp_path / "wrong.py").write_text("def f(c:\n")
     (tmp_path / "leaves.py").write_text("raise SystemExit(0)\n")
     monkeypatch.chdir(tmp_path)
-    done = run("reduce", target, "--trust")
+    done = run("formula", "reduce", target, "--trust")
     assert (done.returncode, done.stdout) == (2, "")
     assert message in done.stderr
     assert done.stderr.count("error:") == 1
@@ -287,7 +283,7 @@ def test_reduce_reports_errors_of_the_user_in_one_line(target, message, tmp_path
 
 
 def test_the_generic_degree_table():
-    found = json.loads(CliRunner().invoke(app, ["degrees", "--generic", "--json"]).stdout)["rows"]
+    found = json.loads(CliRunner().invoke(app, ["formula", "degrees", "--generic", "--json"]).stdout)["rows"]
     rows = {row["object"]: row for row in found if row["curves"] == "rational"}
     row = rows["critical curvature"]
     assert (row["naive"], row["paper"], row["true"]) == ("48d", "9d − 6", "8d − 12")
@@ -300,7 +296,7 @@ def test_certificates_from_the_command_line():
     from exactspline.verification.minimality.checker import check
 
     chosen = ["--curve", "ellipse_skew", "--curve", "circle"]
-    rows = json.loads(CliRunner().invoke(app, ["degrees", "--certify", *chosen]).stdout)["rows"]
+    rows = json.loads(CliRunner().invoke(app, ["formula", "degrees", "--certify", *chosen]).stdout)["rows"]
     checked = {row["key"]: check(row["certificate"]) for row in rows if not row["missing"]}
     assert checked["ellipse_skew: critical_curvature"] == 4
     assert any("vanishes" in row["missing"] for row in rows)

@@ -5,7 +5,7 @@ seam.
 import json
 
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 from exactspline.cli import app
 from exactspline.geometry.analysis import analyse

@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 from exactspline.cli import app
 from exactspline.errors import ClaimError

@@ -6,9 +6,10 @@ from importlib.metadata import version
 
 import jsonschema
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
-from exactspline.cli import COMMANDS, app
+from exactspline.cli import app
+from exactspline.cli.commands import leaves
 from exactspline.cli.schema import schema_of, schemas
 from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
@@ -33,27 +34,29 @@ DOCUMENTS = {
     "show": ["show", "C4.2b", "--json"],
     "claims": ["show", "--json"],
     "errata": ["errata", "--json"],
-    "degrees": ["degrees", "--curve", "straight_between_arcs", "--json"],
-    "generic": ["degrees", "--generic", "--json"],
-    "patch degrees": ["degrees", "--paper", "surfaces", "--patch", "1,2", "parabolic", "L", "--json"],
-    "formula degrees": ["degrees", "--paper", "lifted", "--generic", "evolute_lifted", "--json"],
-    "identity": ["prove", "--identity", "f1 = w f2", "--json"],
-    "certificates": ["degrees", "--certify", "--curve", "circle"],
-    "reduce": ["reduce", "rectifying_developable", "--json"],
-    "derivable": ["derive", "--json"],
+    "degrees": ["formula", "degrees", "--curve", "straight_between_arcs", "--json"],
+    "generic": ["formula", "degrees", "--generic", "--json"],
+    "patch degrees": ["formula", "degrees", "--paper", "surfaces", "--patch", "1,2", "parabolic", "L", "--json"],
+    "formula degrees": ["formula", "degrees", "--paper", "lifted", "--generic", "evolute_lifted", "--json"],
+    "identity": ["identity", "f1 = w f2", "--json"],
+    "certificates": ["formula", "degrees", "--certify", "--curve", "circle"],
+    "reduce": ["formula", "reduce", "rectifying_developable", "--json"],
+    "derivable": ["list", "formulas", "--json"],
     "inspect": ["inspect", "six_segment_cubic", "planar_in_space", "--json"],
     "inspect surface": ["inspect", "monkey_saddle", "folded_map", "--json"],
     "bisector": ["bisector", "ellipse", "--point=-1,1/3", "--json"],
-    "conditioning": ["conditioning", "ellipse_skew", "--json"],
-    "curves": ["curves", "--json"],
-    "surfaces": ["curves", "--surfaces", "--json"],
-    "glossary": ["glossary", "--json"],
-    "oracle": ["oracle", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
-    "questions": ["oracle", "--list", "--json"],
-    "topics": ["exercise", "--json"],
-    "exercise": ["exercise", "all", "--solutions", "--json"],
-    "check-answer": ["check-answer", "cubic_s", "--reference", "cubic_s", "--json"],
+    "conditioning": ["formula", "conditioning", "ellipse_skew", "--json"],
+    "curves": ["list", "curves", "--json"],
+    "surfaces": ["list", "surfaces", "--json"],
+    "papers": ["list", "papers", "--json"],
+    "glossary": ["list", "words", "--json"],
+    "oracle": ["inspect", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
+    "questions": ["list", "questions", "--json"],
+    "topics": ["teach", "exercise", "--json"],
+    "exercise": ["teach", "exercise", "all", "--solutions", "--json"],
+    "check-answer": ["teach", "check", "cubic_s", "--reference", "cubic_s", "--json"],
     "triangle": [
+        "teach",
         "triangle",
         "rational_cubic",
         "--at",
@@ -98,7 +101,7 @@ def test_keys_of_the_whole_ledger_on_one_curve_are_unique():
 @pytest.mark.parametrize("term", [*WORDS, "nominal", "true", "minimal", "lifted", "k", "m", "j", "X", "P", "γ"])
 def test_the_glossary_has_every_word_of_the_tables(term):
     assert meaning(term) in terms().values()
-    assert run("glossary", term).stdout.startswith(f"{term}: ")
+    assert run("list", "words", term).stdout.startswith(f"{term}: ")
 
 
 @pytest.mark.parametrize(
@@ -108,11 +111,11 @@ def test_the_glossary_has_every_word_of_the_tables(term):
         (["prove", "--claim", "C4.2z"], "C4.2"),
         (["errata", "spann"], "span"),
         (["derive", "evolut", "circle"], "evolute"),
-        (["reduce", "g22"], "g2"),
+        (["formula", "reduce", "g22"], "g2"),
         (["inspect", "elipse"], "ellipse"),
-        (["conditioning", "circle", "--construction", "zero_curvatur"], "zero_curvature"),
+        (["formula", "conditioning", "circle", "--construction", "zero_curvatur"], "zero_curvature"),
         (["prove", "--verdict", "vacous"], "VACUOUS"),
-        (["glossary", "nominl"], "nominal"),
+        (["list", "words", "nominl"], "nominal"),
         (["schema", "proof"], "prove"),
     ],
 )
@@ -125,9 +128,8 @@ def test_an_unknown_name_gets_the_nearest_ones(arguments, near):
 
 
 def test_help_shows_examples_and_exit_statuses():
-    for command in COMMANDS:
-        name = command.replace("_", "-")
-        told = run(name, "--help").stdout
+    for name in leaves():
+        told = run(*name.split(), "--help").stdout
         assert "Exit status: 0 success" in told
         assert f"  exactspline {name}" in told
     assert "..." not in run("--help").stdout.split("Commands:")[1]
@@ -146,7 +148,8 @@ def test_a_curve_on_standard_input():
 
 
 def test_quiet_leaves_the_legend_out():
-    loud, quiet = run("degrees", "--generic").stdout, run("degrees", "--generic", "--quiet").stdout
+    asked = "formula", "degrees", "rectifying_developable", "--generic"
+    loud, quiet = run(*asked).stdout, run(*asked, "--quiet").stdout
     assert loud.startswith(quiet)
     assert "nominal" not in quiet
 
@@ -160,23 +163,23 @@ def test_an_equation_is_found_by_its_number():
 
 def test_a_researcher_finds_an_answer_by_its_words():
     assert "the rectifying developable" in run("show", "rectifying developable").stdout
-    table = run("degrees", "rectifying_developable", "--generic", "--csv").stdout.splitlines()
+    table = run("formula", "degrees", "rectifying_developable", "--generic", "--csv").stdout.splitlines()
     assert len(table) == 3
     assert all("rectifying developable" in line for line in table[1:])
     assert "10d − 18" in table[1]
-    own = json.loads(run("degrees", "evolute", "--curve", "ellipse_skew", "--json").stdout)["rows"]
+    own = json.loads(run("formula", "degrees", "evolute", "--curve", "ellipse_skew", "--json").stdout)["rows"]
     assert {row["formula"] for row in own} == {"evolute"}
     assert {row["variant"]: row["true"] for row in own}["minimal"] == 6
-    assert "the nearest are" in str(run("degrees", "evolvent", "--curve", "circle").exception)
+    assert "the nearest are" in str(run("formula", "degrees", "evolvent", "--curve", "circle").exception)
 
 
 def test_options_that_contradict_each_other_are_bad_input():
-    assert "--json and --csv" in str(run("curves", "--json", "--csv").exception)
+    assert "--json and --csv" in str(run("list", "curves", "--json", "--csv").exception)
     assert "--judge and --curve" in str(run("prove", "--judge", "sympy", "--curve", "circle").exception)
 
 
 def test_nothing_that_vanishes_or_does_not_exist_has_a_degree():
-    rows = run("degrees", "--curve", "straight_line", "--csv").stdout.splitlines()[1:]
+    rows = run("formula", "degrees", "--curve", "straight_line", "--csv").stdout.splitlines()[1:]
     assert not any(re.search(r",-\d", row) for row in rows)
     assert sum("zero" in row for row in rows) > 5
     evolutes = [row for row in rows if row.startswith("straight_line,evolute,")]

@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 from gmpy2 import isqrt, mpq
-from typer.testing import CliRunner
 
 import exactspline as xs
 from exactspline import example_surface, load_paper, paper
@@ -315,10 +315,10 @@ def test_derive_writes_the_value_on_a_surface():
     [
         ["derive", "surfaces:jacobian", "sphere"],
         ["derive", "surfaces:gaussian_curvature", "ellipse"],
-        ["degrees", "--patch", "3,3"],
-        ["degrees", "--paper", "surfaces"],
-        ["degrees", "--paper", "surfaces", "--patch", "3"],
-        ["degrees", "--paper", "surfaces", "--patch", "0,2", "parabolic"],
+        ["formula", "degrees", "--patch", "3,3"],
+        ["formula", "degrees", "--paper", "surfaces"],
+        ["formula", "degrees", "--paper", "surfaces", "--patch", "3"],
+        ["formula", "degrees", "--paper", "surfaces", "--patch", "0,2", "parabolic"],
     ],
 )
 def test_what_does_not_fit_is_told(words):
@@ -327,7 +327,9 @@ def test_what_does_not_fit_is_told(words):
 
 
 def test_degrees_on_a_patch_by_command():
-    done = CliRunner().invoke(app, ["degrees", "--paper", "surfaces", "--patch", "2,2", "parabolic", "--json"])
+    done = CliRunner().invoke(
+        app, ["formula", "degrees", "--paper", "surfaces", "--patch", "2,2", "parabolic", "--json"]
+    )
     rows = json.loads(done.output)["rows"]
     assert [(row["patches"], row["true"], row["agrees"]) for row in rows] == [
         ("rational", [8, 8], True),

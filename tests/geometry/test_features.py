@@ -4,8 +4,8 @@ import json
 
 import mpmath
 import pytest
+from click.testing import CliRunner
 from gmpy2 import mpq
-from typer.testing import CliRunner
 
 from exactspline import BSpline, Nurbs
 from exactspline.cli import app

@@ -6,8 +6,8 @@ import json
 
 import mpmath
 import pytest
+from click.testing import CliRunner
 from gmpy2 import mpq
-from typer.testing import CliRunner
 
 from exactspline import BSpline, Nurbs
 from exactspline.cli import app
@@ -250,7 +250,7 @@ def test_a_curve_in_a_coordinate_plane_is_a_plane_curve_too(tmp_path, monkeypatc
     assert [f["kind"] for f in data["inflections"]["points"]] == ["inflection"]
     rows = json.loads(run(app, ["prove", "--curve", str(file), "--json"]).output)["rows"]
     assert {row["curve"] for row in rows if row["id"].startswith("C4.1")} == {"flat in the plane z = 5"}
-    rows = json.loads(run(app, ["degrees", "--curve", str(file), "--json"]).output)["rows"]
+    rows = json.loads(run(app, ["formula", "degrees", "--curve", str(file), "--json"]).output)["rows"]
     assert list(dict.fromkeys(row["curve"] for row in rows)) == ["flat", "flat in the plane z = 5"]
 
 

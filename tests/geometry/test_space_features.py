@@ -6,10 +6,10 @@ import json
 
 import mpmath
 import pytest
+from click.testing import CliRunner
 from gmpy2 import mpq
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from typer.testing import CliRunner
 
 from exactspline import Nurbs
 from exactspline.cli import app

@@ -5,8 +5,8 @@ definitions that share no formula with them; and statements that are false.
 import json
 
 import pytest
+from click.testing import CliRunner
 from gmpy2 import isqrt, mpq
-from typer.testing import CliRunner
 
 from exactspline import NurbsSurface, example_surface, inspect_surface
 from exactspline.cli import app

@@ -6,8 +6,8 @@ Before, "C⁻¹ knot" was said of every knot of full multiplicity and nothing of
 import json
 
 import pytest
+from click.testing import CliRunner
 from gmpy2 import mpq
-from typer.testing import CliRunner
 
 from exactspline import NurbsSurface, example_surface, inspect_surface
 from exactspline.cli import app

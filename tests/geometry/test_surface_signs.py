@@ -11,8 +11,8 @@ from contextlib import contextmanager
 from time import process_time
 
 import pytest
+from click.testing import CliRunner
 from gmpy2 import mpq
-from typer.testing import CliRunner
 
 from exactspline import NurbsSurface, TensorSpline, example_surface, inspect_surface, jacobian_sign
 from exactspline.cli import app
@@ -356,10 +356,9 @@ def test_a_singular_point_on_a_seam_is_one():
 # ---- many surfaces
 
 
-@pytest.mark.parametrize("start", [0, 48])
-def test_a_sample_of_the_campaign(start):
+def test_a_sample_of_the_campaign():
     """``python -m tests.campaigns.surfaces 1000`` has all of it. Passed before: K ≤ 0 proved where K > 0."""
-    table = run(16, start=start)
+    table = run(16, start=0)
     assert sum(own["surfaces"] for own in table.values()) == 16
     assert {name: (own["different"], own["slow"]) for name, own in table.items()} == dict.fromkeys(table, (0, 0))
     # two of each family: as many of `corners` may be incomplete as there are
@@ -397,11 +396,11 @@ def test_degrees_on_patches_name_what_is_missing():
     """Passed before: one formula of too many terms was the end of all of them; none of a kind was an empty table."""
     begun = process_time()
     names = ["parabolic", "stationary_curvature"]
-    result = CliRunner().invoke(app, ["degrees", "--paper", "surfaces", "--patch", "2,2", *names])
+    result = CliRunner().invoke(app, ["formula", "degrees", "--paper", "surfaces", "--patch", "2,2", *names])
     assert result.exit_code == 0
     assert process_time() - begun < 15  # 2.4 s are measured: the product is refused before it is multiplied out
     assert "551775" in result.stdout
     assert "32 × 32" in result.stdout
-    result = CliRunner().invoke(app, ["degrees", "--paper", "surfaces", "--patch", "2,2", "ridges_of_forms"])
+    result = CliRunner().invoke(app, ["formula", "degrees", "--paper", "surfaces", "--patch", "2,2", "ridges_of_forms"])
     assert isinstance(result.exception, FormulaError)
     assert "ridges_of_forms (forms)" in str(result.exception)

@@ -16,6 +16,7 @@ import pytest
 
 from exactspline.display.figures import FIGURES
 from exactspline.display.plot.canvas import new_figure, settle
+from tests.support import figures
 from tests.support.looking import CHECKS, CHROMIUM, Ready, Seen, broken_links, look, served, started, unreadable
 
 ROOT = Path(__file__).parents[2]
@@ -121,8 +122,8 @@ def write_by_commands(folder: Path) -> None:
         pages = [f"{option}={folder / name}_{option.strip('-')}.html" for option in ("--html", "--report")]
         run("prove", *chosen, "--curve", "cubic_s", *pages)
     made = {
-        "triangle": run("triangle", "cubic_s", "--at", "1/3", "--html"),
-        "exercises": run("exercise", "all", "--html", "--solutions"),
+        "triangle": run("teach", "triangle", "cubic_s", "--at", "1/3", "--html"),
+        "exercises": run("teach", "exercise", "all", "--html", "--solutions"),
     }
     for name, text in made.items():
         (folder / f"{name}.html").write_text(text, encoding="utf-8")
@@ -228,4 +229,4 @@ def titled(width: float, title: str) -> Any:
 
 @pytest.mark.parametrize("number", FIGURES)
 def test_the_words_in_the_figures_can_be_read(number):
-    assert unreadable(drawn(FIGURES[number]().figure)) == []
+    assert unreadable(drawn(figures.drawn(number).figure)) == []

@@ -5,12 +5,13 @@ import re
 from contextlib import suppress
 
 import pytest
+from click.testing import CliRunner
 from gmpy2 import mpq
 from mpmath import mp, pi
-from typer.testing import CliRunner
 
 from exactspline.classroom.triangles import de_boor_triangle, insertion_triangle
-from exactspline.cli import COMMANDS, app
+from exactspline.cli import app
+from exactspline.cli.commands import leaves
 from exactspline.cli.common import load_curve
 from exactspline.display.evidence import worded
 from exactspline.errors import CurveFileError, DomainError, ExactSplineError, KnotError, NumberError
@@ -69,7 +70,7 @@ def test_claims_that_say_nothing_of_a_curve_say_why_and_print_no_table():
 
 
 def test_the_decimals_of_irrational_answers_are_those_of_the_number():
-    row = run("oracle", "circle", "--ask", "length", "--digits", "40").stdout
+    row = run("inspect", "circle", "--ask", "length", "--digits", "40").stdout
     shown = next(word for word in row.split() if word.startswith("6.28")).removesuffix("…")
     with mp.workdps(60):
         assert str(2 * pi).startswith(shown)
@@ -89,8 +90,8 @@ def test_how_often_a_knot_can_be_inserted_is_told():
 
 
 def test_help_names_arguments_without_the_types_of_python():
-    for command in COMMANDS:
-        told = run(command.replace("_", "-"), "--help").stdout
+    for command in leaves():
+        told = run(*command.split(), "--help").stdout
         usage = told.splitlines()[0]
         assert "[[" not in usage
         assert "...]" not in usage
@@ -100,14 +101,10 @@ def test_help_names_arguments_without_the_types_of_python():
 
 @pytest.mark.parametrize(
     ("command", "said"),
-    [
-        ("sweep", "130 interrupted"),
-        ("check-answer", "1 the answer is not right"),
-        ("inspect", "0 success; 2 bad input"),
-    ],
+    [("sweep", "130 interrupted"), ("teach check", "1 the answer is not right"), ("inspect", "0 success; 2 bad input")],
 )
 def test_help_says_what_the_exit_statuses_of_a_command_mean(command, said):
-    told = " ".join(run(command, "--help").stdout.split())
+    told = " ".join(run(*command.split(), "--help").stdout.split())
     assert said in told
     assert ("1 a verdict" in told) == (command == "sweep")
 

@@ -10,7 +10,7 @@ import pytest
 
 pytest.importorskip("matplotlib")
 
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 from exactspline.cli import app
 from exactspline.display.figures import FIGURES, folder, make
@@ -21,6 +21,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.splines.examples import example
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import all_claims
+from tests.support.figures import figure
 
 runner = CliRunner()
 #: What the claims of a caption call what the figure's own caption says in a part of the sentence.
@@ -41,8 +42,8 @@ def counts_of(number):
 
 
 @pytest.mark.parametrize("number", FIGURES)
-def test_a_caption_says_what_was_counted_and_files_are_whole(number, tmp_path):
-    made = make(number, tmp_path)
+def test_a_caption_says_what_was_counted_and_files_are_whole(number):
+    made = figure(number)
     for part in counts_of(number):
         value, word = re.search(r"\d+", part)[0], re.sub(r"[\d ]+", " ", part).strip()
         assert re.search(rf"\b{value} (and \d+ )?{word}|{word} {value}\b", made.caption), part
@@ -77,7 +78,7 @@ def test_the_axes_of_the_figures_hold_the_objects():
 
 
 def test_the_command_writes_into_a_new_folder(tmp_path):
-    result = runner.invoke(app, ["figures", "--out", str(tmp_path / "new" / "folder"), "--figure", "3"])
+    result = runner.invoke(app, ["paper", "figures", "--out", str(tmp_path / "new" / "folder"), "--figure", "3"])
     assert result.exit_code == 0
     assert sorted(p.name for p in (tmp_path / "new" / "folder").iterdir()) == ["figure3.png", "figure3.svg"]
     assert "Fig. 3" in result.output

@@ -7,6 +7,7 @@ import pytest
 from exactspline.verification.claims import claims_of
 from reading.cutter import spans, squeezed
 from reading.readings import READINGS, TEXT, needs_reason, readings, runs, spans_of_text, table
+from reading.second import drawn, second_readings
 
 CLAIMS = {claim.key: claim for claim in claims_of("chen_riesenfeld_cohen_2007")}
 READ = readings()
@@ -124,3 +125,33 @@ def test_the_rule_of_reasons_sees_each_of_its_words():
     assert needs_reason("κ vanishes")
     assert needs_reason("twice 2")
     assert not needs_reason("However, more is possible.")
+
+
+# ---- the second reader
+
+
+def test_the_second_reader_read_what_was_drawn():
+    assert [(one.page, one.order, one.digest) for one in second_readings()] == [
+        (one.page, one.order, one.digest) for one in drawn()
+    ]
+    assert 10 * len(drawn()) > len(READ)
+
+
+def test_where_two_readers_differ_it_is_said_what_became_of_it():
+    for one, recorded in zip(second_readings(), drawn(), strict=True):
+        assert one.outcome in ("", "mended", "kept"), recorded.place
+        assert bool(one.outcome) == bool(one.why), recorded.place
+        assert one.read in recorded.read or one.outcome == "kept", recorded.place
+        assert one.holds or one.read != "claims", recorded.place
+
+
+def test_what_the_second_reader_found_false_is_refuted_by_a_claim_that_the_span_makes():
+    false = [
+        recorded
+        for one, recorded in zip(second_readings(), drawn(), strict=True)
+        if one.holds.startswith(("false", "the formula is true with λ"))
+    ]
+    assert len(false) == 5
+    for recorded in false:
+        same_place = {CLAIMS[key].id for key in recorded.claims}
+        assert any("REFUTED" in CLAIMS[key].expected and CLAIMS[key].id in same_place for key in CLAIMS), recorded.place

@@ -5,7 +5,7 @@ import json
 
 import jsonschema
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 import exactspline as xs
 from exactspline.batch.inspections import asked_by_sweeps, checked_names, inspected
@@ -187,7 +187,7 @@ def test_answers_say_of_which_curve_they_are(tmp_path):
         other = curve | {"control_points": [[0, 0], [2 if name == "a.json" else 3, 1]]}
         (tmp_path / name).write_text(json.dumps({"curves": [curve, other]}))
         files.append(str(tmp_path / name))
-    for command in (["oracle", *files, "--ask", "bounding_box"], ["inspect", *files]):
+    for command in (["inspect", *files, "--ask", "bounding_box"], ["inspect", *files]):
         rows = json.loads(CliRunner().invoke(app, [*command, "--json"]).stdout)["rows"]
         assert len({row["key"] for row in rows}) == 4
         assert [(row["source"], row["index"]) for row in rows] == [(file, i) for file in files for i in (0, 1)]

@@ -10,7 +10,7 @@ import time
 from dataclasses import replace
 
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
 import exactspline as xs
 from exactspline.cli import app
@@ -28,6 +28,7 @@ from exactspline.verification.errata import errata
 from exactspline.verification.kinds import Vanishing
 from exactspline.verification.ledger import proved
 from exactspline.verification.verdict import PROVED, REFUTED
+from tests.support.decided import errors_in_print
 from tests.verification.test_own_paper import plane_formulas, written
 
 FALSE = {"id": "1", "kind": "identity", "statement": "f is g", "curve": "plane", "left": "f", "right": "g"}
@@ -68,7 +69,7 @@ def test_a_check_to_paste_runs_nothing_but_itself(kind, tmp_path, monkeypatch, c
 
 
 def test_checks_of_papers_that_come_along_still_run(capsys):
-    found = [each for entry in errata() for each in entry.statements]
+    found = [each for entry in errors_in_print() for each in entry.statements]
     for each in found[:6]:
         exec("\n".join(each.check), {})
     assert len(capsys.readouterr().out.splitlines()) >= 6
@@ -281,18 +282,18 @@ def test_the_kernel_says_why_it_says_nothing(tmp_path):
 
 def test_the_theorem_of_one_claim_is_written(tmp_path):
     """Before, `prove --claim ID --emit-coq DIR` was refused."""
-    done = run("prove", "--claim", "C4.1a", "--emit-coq", tmp_path / "coq")
+    done = run("coq", "--claim", "C4.1a", tmp_path / "coq")
     assert done.exit_code == 0
     assert "2 theorems" in done.output
     (file,) = (tmp_path / "coq" / "claims").iterdir()
     assert len(re.findall("^Theorem", file.read_text(encoding="utf-8"), re.MULTILINE)) == 2
     assert f"claims/{file.name}" in (tmp_path / "coq" / "_CoqProject").read_text(encoding="utf-8")
-    told = run("prove", "--claim", "C4.1c", "--emit-coq", tmp_path / "none")
+    told = run("coq", "--claim", "C4.1c", tmp_path / "none")
     assert isinstance(told.exception, ClaimError)
     assert "are not equalities" in str(told.exception)
     assert not (tmp_path / "none").exists()
     folder = written(tmp_path / "p", FORMULAS, [FALSE])
-    assert "users' folders" in str(run("prove", "--paper", folder, "--emit-coq", tmp_path / "none").exception)
+    assert "users' folders" in str(run("coq", "--paper", folder, tmp_path / "none").exception)
 
 
 def test_one_identity_that_says_nothing_is_no_success(tmp_path, monkeypatch):
@@ -300,5 +301,5 @@ def test_one_identity_that_says_nothing_is_no_success(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     written(tmp_path / "p", plane_formulas(zero="c.w - c.w", f="c.w * c.w", g="c.w * 1"), [])
     for text in ("p:zero = p:zero * p:f", "p:zero = p:zero"):
-        done = run("prove", "--identity", text.replace("p:", f"{tmp_path}/p/formulas.py:", 1).replace("p:", ""))
+        done = run("identity", text.replace("p:", f"{tmp_path}/p/formulas.py:", 1).replace("p:", ""))
         assert (done.exit_code, xs.verify("f1", "f2", example("straight_line")).verdict) == (1, "VACUOUS")

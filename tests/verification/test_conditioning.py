@@ -7,15 +7,14 @@ from functools import cache
 
 import mpmath
 import pytest
-import typer
+from click.testing import CliRunner
 from flint import fmpz_poly
 from gmpy2 import mpq
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from typer.testing import CliRunner
 
 from exactspline import BSpline
-from exactspline.cli.conditioning import conditioning as command
+from exactspline.cli import app
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.constructions import construction
 from exactspline.polynomials.bernstein import ONE, bezier, from_bezier
@@ -293,9 +292,7 @@ def test_coefficients_beyond_the_range_of_doubles_are_told():
 
 
 def run(*arguments):
-    app = typer.Typer()
-    app.command()(command)
-    return CliRunner().invoke(app, arguments)
+    return CliRunner().invoke(app, ["formula", "conditioning", *arguments])
 
 
 def test_the_command_shows_both_witnesses():

@@ -214,7 +214,7 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     file = tmp_path / "cubic.v"
     assert run("inspect", "cubic_s", "--digits", "1", "--emit-coq", file).returncode == 0
     assert file.read_text(encoding="utf-8") == theorem_of(example("cubic_s"))
-    told = run("prove", "--emit-coq", tmp_path / "all")
+    told = run("coq", tmp_path / "all")
     assert told.returncode == 0
     assert f"in {len(library().files)} files" in told.stdout
     assert (tmp_path / "all" / "Base.v").is_file()

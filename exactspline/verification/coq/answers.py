@@ -87,7 +87,7 @@ def theorem_of(curve: Nurbs) -> str:
     parts = [
         f"(** Where forms of the curve {comment(curve.name or 'without a name')} vanish: proved from its knots and "
         "control points.\n\n    Written by [exactspline inspect --emit-coq]; do not edit. It is compiled after the "
-        "files that\n    [exactspline prove --emit-coq DIR] writes: coqc -R DIR ExactSpline FILE.v. *)\n",
+        "files that\n    [exactspline coq DIR] writes: coqc -R DIR ExactSpline FILE.v. *)\n",
         "Require Import ZArith QArith List Reals.\nFrom ExactSpline Require Import Base Answers.",
         *[f"From ExactSpline.formulas Require {name}." for name in sorted(own)],
         "Import ListNotations.\nLocal Open Scope Q_scope.\n",

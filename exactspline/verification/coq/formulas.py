@@ -18,7 +18,7 @@ from exactspline.verification.coq.tracing import body
 
 HEADER = """(** {title}: {about}.
 
-    Written by [exactspline prove --emit-coq]; do not edit. *)
+    Written by [exactspline coq]; do not edit. *)
 """
 
 

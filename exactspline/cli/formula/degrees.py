@@ -1,14 +1,13 @@
-"""``exactspline degrees``: degrees and control points of the constructions."""
+"""``formula degrees``: degrees and control points of the constructions."""
 
 from __future__ import annotations
 
 from functools import partial
 from typing import Annotated
 
-import typer
-
 from exactspline.cli.common import CurveFiles, Papers, Trust, also_in_their_planes, described, loaded, tracked
 from exactspline.cli.output import Output, document, print_json, printing
+from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.errors import FormulaError, ShapeError, nearest
 
 
@@ -16,22 +15,20 @@ from exactspline.errors import FormulaError, ShapeError, nearest
 def degrees(
     out: Output,
     name: Annotated[
-        list[str] | None,
-        typer.Argument(help="Only these constructions or formulas (evolute, rectifying_developable, …)."),
+        list[str] | None, Argument(help="Only these constructions or formulas (evolute, rectifying_developable, …).")
     ] = None,
     curve: CurveFiles = None,
     formulas: Annotated[
-        bool, typer.Option("--formulas", help="Every formula of the library instead of the constructions.")
+        bool, Option("--formulas", help="Every formula of the library instead of the constructions.")
     ] = False,
     generic: Annotated[
-        bool, typer.Option("--generic", help="For all curves: what is proved for the generic curve of degree d.")
+        bool, Option("--generic", help="For all curves: what is proved for the generic curve of degree d.")
     ] = False,
     certify: Annotated[
-        bool, typer.Option("--certify", help="Proofs that the minimal forms cannot be lowered, as JSON data.")
+        bool, Option("--certify", help="Proofs that the minimal forms cannot be lowered, as JSON data.")
     ] = False,
     patch: Annotated[
-        str,
-        typer.Option("--patch", metavar="M,N", help="With --paper: formulas of surfaces on patches of degrees M, N."),
+        str, Option("--patch", metavar="M,N", help="With --paper: formulas of surfaces on patches of degrees M, N.")
     ] = "",
     paper: Papers = None,
     trust: Trust = False,
@@ -71,7 +68,7 @@ def degrees(
         by="curve",
     )
     if not good:
-        raise typer.Exit(2)
+        raise Exit(2)
 
 
 def _of_papers(
@@ -116,7 +113,7 @@ def _of_papers(
         by="curve",
     )
     if not good:
-        raise typer.Exit(2)
+        raise Exit(2)
 
 
 def _on_patches(out: Output, paper: list[str], trust: bool, names: list[str], patch: str) -> None:
@@ -140,7 +137,7 @@ def _on_patches(out: Output, paper: list[str], trust: bool, names: list[str], pa
         lambda: [patch_sheet(rows, degrees)],
     )
     if not all(row.agrees for row in rows):
-        raise typer.Exit(1)
+        raise Exit(1)
 
 
 def _is_one_of(title: str, names: list[str]) -> bool:
@@ -155,7 +152,7 @@ def _plain(name: str) -> str:
 def _check_names(names: list[str], known: list[str]) -> None:
     for name in names:
         if not any(_is_one_of(title, [name]) for title in known):
-            remedy = nearest(name, dict.fromkeys(known), listed_by="exactspline derive")
+            remedy = nearest(name, dict.fromkeys(known), listed_by="list formulas")
             raise FormulaError(f"the table has no {name!r}", remedy=remedy)
 
 
@@ -174,7 +171,7 @@ def _certify(names: list[str] | None) -> None:
         )
         keys = [f"{name} of a {'polynomial' if p else 'rational'} curve of degree {d}" for name, d, p in tasks]
         print_json(document("witnesses", [{"key": key} | vars(a) for key, a in zip(keys, found, strict=True)]))
-        raise typer.Exit(0 if all(a.agrees for a in found) else 1)
+        raise Exit(0 if all(a.agrees for a in found) else 1)
     chosen, good = loaded(names)
     rows = []
     for c in chosen:
@@ -186,7 +183,7 @@ def _certify(names: list[str] | None) -> None:
                 rows.append(head | {"certificate": None, "missing": str(error)})
     print_json(document("certificates", rows))
     if not good:
-        raise typer.Exit(2)
+        raise Exit(2)
 
 
 def _generic(out: Output, names: list[str]) -> None:
@@ -205,4 +202,4 @@ def _generic(out: Output, names: list[str]) -> None:
         by="curves",
     )
     if any(row.differ for rows in kinds.values() for row in rows):
-        raise typer.Exit(1)
+        raise Exit(1)

@@ -1,14 +1,13 @@
-"""``triangle``: the algorithms of the classroom as tables of fractions."""
+"""``teach triangle``: the algorithms of the classroom as tables of fractions."""
 
 from __future__ import annotations
 
 import sys
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from exactspline.cli.common import CURVE_HELP, load_curve
 from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.cli.parameters import Argument, Option
 
 if TYPE_CHECKING:
     from exactspline.display.triangles import Scheme
@@ -19,22 +18,20 @@ if TYPE_CHECKING:
 @printing
 def triangle(
     out: Output,
-    curve: Annotated[str, typer.Argument(metavar="CURVE", help=CURVE_HELP)],
+    curve: Annotated[str, Argument(metavar="CURVE", help=CURVE_HELP)],
     at: Annotated[
-        list[str] | None, typer.Option("--at", metavar="T", help="De Boor's triangle at a parameter. May be repeated.")
+        list[str] | None, Option("--at", metavar="T", help="De Boor's triangle at a parameter. May be repeated.")
     ] = None,
-    insert: Annotated[
-        list[str] | None, typer.Option("--insert", metavar="T", help="Insert a knot. May be repeated.")
-    ] = None,
-    times: Annotated[int, typer.Option("--times", metavar="N", min=1, help="Insert it this many times.")] = 1,
+    insert: Annotated[list[str] | None, Option("--insert", metavar="T", help="Insert a knot. May be repeated.")] = None,
+    times: Annotated[int, Option("--times", metavar="N", min=1, help="Insert it this many times.")] = 1,
     elevate: Annotated[
-        int, typer.Option("--elevate", metavar="N", min=0, max=100, help="Raise the degree by N, segment by segment.")
+        int, Option("--elevate", metavar="N", min=0, max=100, help="Raise the degree by N, segment by segment.")
     ] = 0,
     product: Annotated[
-        str, typer.Option("--product", metavar="X,Y", help="Multiply two of the functions x, y, z, w of the curve.")
+        str, Option("--product", metavar="X,Y", help="Multiply two of the functions x, y, z, w of the curve.")
     ] = "",
-    latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX (needs amsmath).")] = False,
-    html: Annotated[bool, typer.Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
+    latex: Annotated[bool, Option("--latex", help="Print LaTeX (needs amsmath).")] = False,
+    html: Annotated[bool, Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
 ) -> None:
     """The triangle of fractions of de Boor's algorithm, of knot insertion and degree elevation, and the table of a
     product.

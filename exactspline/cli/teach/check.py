@@ -1,4 +1,4 @@
-"""``check-answer``: a student's answer, proved right, or shown where it differs."""
+"""``teach check``: a student's answer, proved right, or shown where it differs."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from exactspline.cli.common import Trust, load_curve
 from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.errors import CurveFileError
 
 if TYPE_CHECKING:
@@ -19,19 +18,19 @@ if TYPE_CHECKING:
 
 
 @printing
-def check_answer(
+def check(
     out: Output,
     answer: Annotated[
-        str, typer.Argument(help="A file with the answer, - for standard input, or FILE.py:NAME for a formula.")
+        str, Argument(help="A file with the answer, - for standard input, or FILE.py:NAME for a formula.")
     ] = "",
-    topic: Annotated[str, typer.Option("--topic", metavar="TOPIC", help="The exercise's topic.")] = "",
-    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="The exercise's seed.")] = 0,
-    text: Annotated[str, typer.Option("--text", metavar="ANSWER", help="The answer itself, in place of a file.")] = "",
+    topic: Annotated[str, Option("--topic", metavar="TOPIC", help="The exercise's topic.")] = "",
+    seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The exercise's seed.")] = 0,
+    text: Annotated[str, Option("--text", metavar="ANSWER", help="The answer itself, in place of a file.")] = "",
     reference: Annotated[
-        str, typer.Option("--reference", metavar="WHAT", help="A curve, or a formula where the answer is a formula.")
+        str, Option("--reference", metavar="WHAT", help="A curve, or a formula where the answer is a formula.")
     ] = "",
     factor: Annotated[
-        str, typer.Option("--factor", metavar="F", help="A formula may be that factor times the reference: w^3.")
+        str, Option("--factor", metavar="F", help="A formula may be that factor times the reference: w^3.")
     ] = "1",
     trust: Trust = False,
 ) -> None:
@@ -55,7 +54,7 @@ def check_answer(
 
     out.give("check-answer", lambda: [row], sheets, lambda: _tell(found))
     if not found:
-        raise typer.Exit(1)
+        raise Exit(1)
 
 
 def _tell(found: Finding) -> None:

@@ -1,13 +1,12 @@
-"""``exercise``: sheets of exercises with small answers, and their solutions."""
+"""``teach exercise``: sheets of exercises with small answers, and their solutions."""
 
 from __future__ import annotations
 
 import sys
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.cli.parameters import Argument, Option
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
@@ -16,17 +15,15 @@ if TYPE_CHECKING:
 @printing
 def exercise(
     out: Output,
-    topic: Annotated[str, typer.Argument(help="A topic, or all; without it the topics are listed.")] = "",
-    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="The first exercise's number.")] = 0,
-    count: Annotated[
-        int, typer.Option("--count", metavar="K", min=1, max=500, help="This many exercises per topic.")
-    ] = 1,
-    solutions: Annotated[bool, typer.Option("--solutions", help="With a sheet of solutions.")] = False,
-    latex: Annotated[bool, typer.Option("--latex", help="Print a LaTeX document.")] = False,
-    html: Annotated[bool, typer.Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
+    topic: Annotated[str, Argument(help="A topic, or all; without it the topics are listed.")] = "",
+    seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The first exercise's number.")] = 0,
+    count: Annotated[int, Option("--count", metavar="K", min=1, max=500, help="This many exercises per topic.")] = 1,
+    solutions: Annotated[bool, Option("--solutions", help="With a sheet of solutions.")] = False,
+    latex: Annotated[bool, Option("--latex", help="Print a LaTeX document.")] = False,
+    html: Annotated[bool, Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
 ) -> None:
     """Exercises with small numbers, the same ones for the same seed; the answers are computed, and checked by
-    check-answer.
+    teach check.
     """
     from exactspline.classroom.topics import TOPICS, exercises
     from exactspline.display.exercises import exercise_data, html_page, latex_document
@@ -54,13 +51,14 @@ def exercise(
     def people() -> None:
         from exactspline.display import console
         from exactspline.display.exercises import text_lines
+        from exactspline.errors import command_name
 
         # these are paragraphs in a pipe, too
         width = min(console.width(), 80)
         sys.stdout.write("\n".join(text_lines(made, width, solutions=solutions)) + "\n")
         if not (solutions or out.quiet):
             first = made[0]
-            command = f"exactspline check-answer --topic {first.topic} --seed {first.seed} --text '…'"
+            command = f"{command_name()} teach check --topic {first.topic} --seed {first.seed} --text '…'"
             sys.stdout.write("\n")
             console.lines(console.console(), f"Check an answer: {command}")
 

@@ -1,48 +1,33 @@
-"""``oracle``: exact answers about curves, for those who compute in doubles."""
+"""``inspect --ask``: exact answers about curves, for those who compute in doubles."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
-import typer
-
-from exactspline.cli.common import CURVE_HELP, Read, distinguish, read_curves
-from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.cli.common import Read, distinguish, read_curves
+from exactspline.cli.output import OptionsError, Output
+from exactspline.cli.parameters import Exit
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
 
 
-@printing
-def oracle(
-    out: Output,
-    curve: Annotated[list[str] | None, typer.Argument(metavar="CURVE", help=CURVE_HELP)] = None,
-    ask: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--ask", metavar="QUESTION", help="value@1/2, derivative:2@0, inflections, …; may be repeated (see --list)."
-        ),
-    ] = None,
-    digits: Annotated[
-        int, typer.Option("--digits", metavar="N", min=1, max=1000, help="Digits of the certified intervals.")
-    ] = 30,
-    certificates: Annotated[
-        bool, typer.Option("--certificates", help="Put the certificates of the zero sets into the JSON.")
-    ] = False,
-    questions: Annotated[bool, typer.Option("--list", help="List the questions.")] = False,
-) -> None:
-    """Answer questions about curves: the exact value, a certified interval, the correctly rounded double."""
-    if questions:
-        _list(out)
-        return
-    if not ask or not curve:
-        raise OptionsError("nothing is asked", remedy="name a curve and --ask QUESTION, or see --list")
-    given, good = read_curves(curve)
-    rows = [_answered(read, asked, digits, certificates) for read in given for asked in ask]
+#: The most digits of the certified intervals of an answer.
+DIGITS = 1000
+
+
+def answer_questions(out: Output, curves: list[str], asked: list[str], digits: int, certificates: bool) -> None:
+    """Print the answers to questions about curves: the exact value, a certified interval, the correctly rounded
+    double.
+    """
+    if digits > DIGITS:
+        raise OptionsError(f"--digits {digits}", remedy=f"answers have at most {DIGITS}")
+    given, good = read_curves(curves)
+    rows = [_answered(read, question, digits, certificates) for read in given for question in asked]
     distinguish(rows)
     out.give("oracle", lambda: rows, lambda: [_sheet(row, digits) for row in rows], by="answer")
     if not good or any(row["error"] for row in rows):
-        raise typer.Exit(2)
+        raise Exit(2)
 
 
 def _answered(read: Read, asked: str, digits: int, certificates: bool) -> dict[str, Any]:
@@ -91,18 +76,3 @@ def _shown(fact: object) -> str:
     if isinstance(fact, bool):
         return "yes" if fact else "no"
     return " ".join(map(str, fact)) if isinstance(fact, list) else "–" if fact is None else str(fact)
-
-
-def _list(out: Output) -> None:
-    from exactspline.batch.oracle_questions import QUESTIONS
-    from exactspline.display.sheet import Sheet
-
-    rows = [{"key": name, "asked": kind.asked, "meaning": kind.meaning} for name, kind in QUESTIONS.items()]
-
-    def sheets() -> list[Sheet]:
-        made = Sheet("question", "meaning", prose=["meaning"])
-        for kind in QUESTIONS.values():
-            made.add_row(kind.asked, kind.meaning)
-        return [made]
-
-    out.give("questions", lambda: rows, sheets)

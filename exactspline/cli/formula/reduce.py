@@ -1,4 +1,4 @@
-"""``reduce``: the reduction of a formula of the library or of the user, found by factorization."""
+"""``formula reduce``: the reduction of a formula of the library or of the user, found by factorization."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
-
 from exactspline.cli.common import Trust, tracked
 from exactspline.cli.output import Output, printing
+from exactspline.cli.parameters import Argument, Option
 from exactspline.errors import ExactSplineError, FormulaError
 
 if TYPE_CHECKING:
@@ -22,19 +21,19 @@ def reduce(
     out: Output,
     name: Annotated[
         str,
-        typer.Argument(
+        Argument(
             help="A formula of the library, or your own: FOLDER:NAME, file.py:function or, with --trust, "
             "module:function. Without it: all."
         ),
     ] = "",
     dimension: Annotated[
         int | None,
-        typer.Option(
+        Option(
             "--dimension", metavar="N", min=2, max=7, help="Dimension of the curve; by default that of the formula."
         ),
     ] = None,
-    polynomial: Annotated[bool, typer.Option("--polynomial", help="Polynomial curves only: w = 1.")] = False,
-    everything: Annotated[bool, typer.Option("--all", help="Every formula of the library.")] = False,
+    polynomial: Annotated[bool, Option("--polynomial", help="Polynomial curves only: w = 1.")] = False,
+    everything: Annotated[bool, Option("--all", help="Every formula of the library.")] = False,
     trust: Trust = False,
 ) -> None:
     """Find the reduction of a formula: its factors with their meaning, the reduced form, naive, nominal and true

@@ -1,18 +1,16 @@
-"""``glossary``: what the words and signs of the tables mean."""
+"""``list words``: what the words and signs of the tables mean."""
 
 from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
 from exactspline.cli.output import Output, printing
+from exactspline.cli.parameters import Argument
 
 
 @printing
-def glossary(
-    out: Output,
-    term: Annotated[list[str] | None, typer.Argument(help="Words or signs; without any, all of them.")] = None,
+def words(
+    out: Output, term: Annotated[list[str] | None, Argument(help="Words or signs; without any, all of them.")] = None
 ) -> None:
     """Explain the words and signs of the tables: nominal, true, minimal, k, m, j, X, P, every verdict."""
     from exactspline.display.glossary import glossary as topics

@@ -1,14 +1,13 @@
-"""``figures``: the figures of the paper as files."""
+"""``paper figures``: the figures of the paper as files."""
 
 from __future__ import annotations
 
 from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from exactspline.cli.common import tell_how_surfaces_are_drawn, tracked
 from exactspline.cli.output import Output, printing
+from exactspline.cli.parameters import Option
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
@@ -18,11 +17,11 @@ if TYPE_CHECKING:
 def figures(
     out: Output,
     folder: Annotated[
-        str, typer.Option("--out", metavar="FOLDER", help="The folder to write into; it is created if necessary.")
+        str, Option("--out", metavar="FOLDER", help="The folder to write into; it is created if necessary.")
     ],
     figure: Annotated[
         list[int] | None,
-        typer.Option("--figure", metavar="N", help="The number of a figure; may be repeated. All of them without it."),
+        Option("--figure", metavar="N", help="The number of a figure; may be repeated. All of them without it."),
     ] = None,
 ) -> None:
     """Draw the figures of the paper (SVG and PNG, surfaces also as HTML that turns); counts in captions are computed

@@ -1,14 +1,13 @@
-"""``conditioning``: the forms of a zero set compared by condition number and by their errors in double precision."""
+"""``formula conditioning``: the forms of a zero set compared by condition number and errors in double precision."""
 
 from __future__ import annotations
 
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
-
 from exactspline.cli.common import CURVE_HELP, described, loaded, tracked
 from exactspline.cli.output import Output, printing
+from exactspline.cli.parameters import Argument, Exit, Option
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
@@ -21,16 +20,16 @@ WITNESSES = ("conditioning_reduced_worse", "conditioning_reduced_better")
 def conditioning(
     out: Output,
     curve: Annotated[
-        list[str] | None, typer.Argument(help=f"{CURVE_HELP} Without any, a witness for each direction.")
+        list[str] | None, Argument(help=f"{CURVE_HELP} Without any, a witness for each direction.")
     ] = None,
     construction: Annotated[
-        str, typer.Option("--construction", metavar="NAME", help="zero_curvature or critical_curvature.")
+        str, Option("--construction", metavar="NAME", help="zero_curvature or critical_curvature.")
     ] = "critical_curvature",
     search: Annotated[
-        int, typer.Option("--search", metavar="N", min=0, max=10_000, help="Search N random curves of each family too.")
+        int, Option("--search", metavar="N", min=0, max=10_000, help="Search N random curves of each family too.")
     ] = 0,
     seed: Annotated[
-        int, typer.Option("--seed", metavar="N", help="The seed of the search: the same seed gives the same result.")
+        int, Option("--seed", metavar="N", help="The seed of the search: the same seed gives the same result.")
     ] = 0,
 ) -> None:
     """Condition numbers of every zero in every form: naive, paper, minimal; and the error of double precision in
@@ -56,7 +55,7 @@ def conditioning(
         lambda: _print(out, pairs, tallies),
     )
     if not good:
-        raise typer.Exit(2)
+        raise Exit(2)
 
 
 NUMBERS = ("degree", "condition", "minimal / this", "at most", "double error")

@@ -1,0 +1,160 @@
+"""Every command: where it stands, what it does in a few words, examples of its use, what its exit status means."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A command (``module:function`` of this package), or a group of commands."""
+
+    short: str
+    examples: tuple[str, ...]
+    home: str = ""
+    status_1: str = ""
+    status_2: str = "bad input"
+    commands: dict[str, Entry] = field(default_factory=dict)
+
+
+DIFFERS = "a verdict differs from the record"
+
+FORMULA = {
+    "degrees": Entry(
+        "Degrees and control points.",
+        ("formula degrees --generic", "formula degrees evolute --curve my.json"),
+        "formula.degrees:degrees",
+        "a degree differs from the printed one",
+    ),
+    "reduce": Entry(
+        "Factor a formula, your own too.",
+        ("formula reduce rectifying_developable", "formula reduce my_formulas.py:pedal"),
+        "formula.reduce:reduce",
+    ),
+    "conditioning": Entry(
+        "Condition numbers of the zeros of each form.",
+        ("formula conditioning", "formula conditioning my.json"),
+        "formula.conditioning:conditioning",
+    ),
+}
+PAPER = {
+    "new": Entry("Begin a paper of your own.", ("paper new my-paper",), "paper.new:new"),
+    "figures": Entry(
+        "Draw the figures of the paper.",
+        ("paper figures --out pictures", "paper figures --out pictures --figure 2"),
+        "paper.figures:figures",
+    ),
+}
+TEACH = {
+    "triangle": Entry(
+        "De Boor, step by step, in fractions.",
+        (
+            "teach triangle cubic_s --at 1/3",
+            "teach triangle my.json --insert 1/2 --times 2 --html > insertion.html",
+            "teach triangle parabola --elevate 1 --product x,y --latex",
+        ),
+        "teach.triangle:triangle",
+    ),
+    "exercise": Entry(
+        "Exercises with small answers.",
+        (
+            "teach exercise",
+            "teach exercise evaluation --seed 1 --count 6 --solutions",
+            "teach exercise all --html --solutions > sheet.html",
+        ),
+        "teach.exercise:exercise",
+    ),
+    "check": Entry(
+        "Is a student's answer right?",
+        (
+            "teach check --topic evaluation --seed 0 --text '1, -1'",
+            "teach check my.json --reference cubic_s",
+            "teach check mine.py:kappa --reference f2 --factor w",
+        ),
+        "teach.check:check",
+        "the answer is not right",
+    ),
+}
+LIST = {
+    "curves": Entry("The example curves.", ("list curves", "list curves --json"), "list.curves:curves"),
+    "surfaces": Entry("The example surfaces.", ("list surfaces",), "list.surfaces:surfaces"),
+    "formulas": Entry("What can be derived.", ("list formulas",), "list.formulas:formulas"),
+    "papers": Entry("The papers that come along.", ("list papers",), "list.papers:papers"),
+    "questions": Entry("What can be asked of a curve.", ("list questions",), "list.questions:questions"),
+    "words": Entry("Words and signs, explained.", ("list words", "list words nominal"), "list.words:words"),
+}
+COMMANDS = {
+    "prove": Entry(
+        "Decide every claim of a paper.",
+        (
+            "prove",
+            "prove --paper my-paper --report report.html",
+            "prove --curve my.json",
+            "prove --section 4.2 --verdict refuted",
+        ),
+        "prove:prove",
+        DIFFERS,
+    ),
+    "show": Entry("Spell out one claim.", ("show", 'show "eq. (12)"', "show C4.2 --latex"), "show:show", DIFFERS),
+    "errata": Entry("List the errors of the paper.", ("errata", "errata C4.2b"), "errata:errata"),
+    "identity": Entry(
+        "Decide one identity.",
+        ('identity "f1 = w * f2"', 'identity "file.py:left = w^3 * file.py:right"'),
+        "identity:identity",
+        "the identity does not hold",
+    ),
+    "inspect": Entry(
+        "Features of curves and surfaces, certified.",
+        (
+            "inspect ellipse",
+            "inspect my.json --digits 50",
+            "inspect font.ttf:ampersand --plot glyph.svg",
+            "inspect circle --ask value@1/3 --ask length",
+        ),
+        "inspect:inspect",
+    ),
+    "derive": Entry(
+        "Evolutes, focal curves, … exactly.",
+        ("derive evolute my.json -o evolute.json", "derive f2 cubic_s"),
+        "derive:derive",
+    ),
+    "bisector": Entry(
+        "Bisectors of curves and points.",
+        ("bisector ellipse --point 1,1/2", "bisector twisted_cubic helix_like -o surface.json"),
+        "bisector:bisector",
+    ),
+    "formula": Entry("What a formula is like.", ("formula reduce f0", "formula degrees evolute"), commands=FORMULA),
+    "sweep": Entry(
+        "Many curves, one line each.",
+        (
+            "sweep fonts/ drawings/*.dxf -o lines.jsonl --jobs 2",
+            "sweep --random degree=2-5 count=1000 seed=1 --find inflections",
+            "sweep curves/ --claim C4.1 -o verdicts.parquet",
+        ),
+        "sweep:sweep",
+        f"{DIFFERS}, or the program failed on a curve",
+        "bad input, or a curve that cannot be read; 130 interrupted",
+    ),
+    "convert": Entry(
+        "Convert files of curves.",
+        ("convert drawing.dxf curves.json", "convert font.ttf:ampersand ampersand.json"),
+        "convert:convert",
+    ),
+    "paper": Entry("Papers: your own, and figures.", ("paper new my-paper",), commands=PAPER),
+    "coq": Entry("Theorems for the proof assistant Coq.", ("coq theorems", "coq theorems --claim C4.1"), "coq:coq"),
+    "teach": Entry("Triangles, exercises, answers.", ("teach triangle cubic_s --at 1/3",), commands=TEACH),
+    "list": Entry("Curves, surfaces, formulas, papers, words.", ("list curves",), commands=LIST),
+    "schema": Entry("The JSON Schema of a command.", ("schema", "schema prove"), "schema:schema"),
+}
+
+
+def leaves(commands: dict[str, Entry] = COMMANDS, above: str = "") -> dict[str, Entry]:
+    """Every command that does something, by the words that call it.
+
+    >>> [name for name in leaves() if name.startswith("teach")]
+    ['teach triangle', 'teach exercise', 'teach check']
+    """
+    found: dict[str, Entry] = {}
+    for name, entry in commands.items():
+        found |= leaves(entry.commands, f"{above}{name} ") if entry.commands else {f"{above}{name}": entry}
+    return found

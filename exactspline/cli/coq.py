@@ -1,0 +1,41 @@
+"""``coq``: claims as theorems for the proof assistant Coq."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Annotated
+
+from exactspline.cli.common import Papers, Trust, claims_of_papers
+from exactspline.cli.parameters import Argument
+from exactspline.cli.prove import Claims, Sections, named_claims, of_sections
+
+if TYPE_CHECKING:
+    from exactspline.verification.claim import Claim
+
+
+def coq(
+    folder: Annotated[str, Argument(help="The folder to write into.")],
+    claim: Claims = None,
+    section: Sections = None,
+    paper: Papers = None,
+    trust: Trust = False,
+) -> None:
+    """Write the claims of equalities as theorems of Coq: all of them, or those of some claims, sections or papers."""
+    some = bool(claim or section or paper)
+    claims = of_sections(named_claims(claim or [], claims_of_papers(paper, trust)), section or []) if some else None
+    _emit(folder, claims)
+
+
+def _emit(directory: str, claims: Sequence[Claim] | None) -> None:
+    """Write the theorems, and print their number and which claims have none."""
+    from pathlib import Path
+
+    from exactspline.display import console
+    from exactspline.verification.coq.emission import emit
+
+    made = emit(Path(directory), claims)
+    shown = console.console()
+    theorems = [each for own in made.theorems.values() for each in own if not each.reason]
+    console.lines(shown, f"{len(theorems)} theorems in {len(made.files)} files, listed in {directory}/_CoqProject")
+    for each in made.unstated:
+        console.lines(shown, f"{each.claim.key}: no theorem, {each.why}")

@@ -1,0 +1,1 @@
+"""What formulas are like: ``formula degrees``, ``formula reduce``, ``formula conditioning``."""

@@ -1,0 +1,1 @@
+"""What there is: ``list curves``, ``list formulas``, ``list words``, …."""

@@ -1,0 +1,1 @@
+"""Papers: ``paper new``, ``paper figures``."""

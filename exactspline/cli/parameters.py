@@ -1,0 +1,109 @@
+"""Commands from typed functions: options and arguments stand in annotations, click parses them."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Sequence
+from typing import Any, get_args, get_origin, get_type_hints
+
+import click
+from click.exceptions import Exit
+
+__all__ = ["Argument", "Exit", "Option", "command_of"]
+
+#: The words that complete what was typed so far.
+Completion = Callable[[str], Sequence[str]]
+
+
+class Option:
+    """An option of a command: its names, what stands for its value in the help, the range of a number."""
+
+    def __init__(
+        self,
+        *names: str,
+        help: str,
+        metavar: str | None = None,
+        min: int | None = None,
+        max: int | None = None,
+        completion: Completion | None = None,
+    ) -> None:
+        self.names, self.help, self.metavar = names, help, metavar
+        self.min, self.max, self.completion = min, max, completion
+
+
+class Argument:
+    """An argument of a command, called by the name of the parameter unless another stands in the help."""
+
+    def __init__(self, *, help: str, metavar: str | None = None, completion: Completion | None = None) -> None:
+        self.help, self.metavar, self.completion = help, metavar, completion
+
+
+def command_of(function: Callable[..., object], name: str, short_help: str, epilog: str) -> click.Command:
+    """The command that calls a function with what was typed: its parameters are read from the annotations."""
+    hints = get_type_hints(function, include_extras=True)
+    return _Command(
+        name,
+        callback=function,
+        params=[_parameter(each, hints[each.name]) for each in inspect.signature(function).parameters.values()],
+        help=inspect.getdoc(function),
+        short_help=short_help,
+        epilog=epilog,
+    )
+
+
+class _Command(click.Command):
+    """A command whose help explains its arguments, too."""
+
+    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """What it does, then its arguments."""
+        super().format_help_text(ctx, formatter)
+        rows = [(each.make_metavar(ctx), each.told) for each in self.params if isinstance(each, _Told)]
+        if rows:
+            with formatter.section("Arguments"):
+                formatter.write_dl(rows)
+
+
+class _Told(click.Argument):
+    """An argument with a line in the help."""
+
+    told = ""
+
+
+def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
+    annotated, mark = get_args(hint)
+    parts = [part for part in get_args(annotated) or (annotated,) if part is not type(None)]
+    several = get_origin(annotated) is list or any(get_origin(part) is list for part in parts)
+    required = given.default is inspect.Parameter.empty
+    fields: dict[str, Any] = {"required": required}
+    if several:
+        fields["callback"] = _listed
+    elif not required:
+        fields["default"] = given.default
+    if mark.completion:
+        fields["shell_complete"] = lambda ctx, parameter, typed: list(mark.completion(typed))
+    if isinstance(mark, Argument):
+        metavar = mark.metavar or given.name.upper()
+        made = _Told([given.name], nargs=-1 if several else 1, metavar=_shown(metavar, several, required), **fields)
+        made.told = mark.help
+        return made
+    if bool in parts:
+        return click.Option([given.name, *mark.names], is_flag=True, help=mark.help, default=False)
+    number = int in parts
+    return click.Option(
+        [given.name, *mark.names],
+        multiple=several,
+        type=click.IntRange(mark.min, mark.max) if number and mark.min is not None else int if number else str,
+        help=mark.help,
+        metavar=mark.metavar,
+        show_default=not several and bool(given.default) and not required,
+        **fields,
+    )
+
+
+def _shown(metavar: str, several: bool, required: bool) -> str:
+    dots = "..." if several else ""
+    return f"{metavar}{dots}" if required else f"[{metavar}]{dots}"
+
+
+def _listed(ctx: click.Context, parameter: click.Parameter, values: tuple[Any, ...]) -> list[Any] | None:
+    return list(values) or None

@@ -1,0 +1,1 @@
+"""For teachers: ``teach triangle``, ``teach exercise``, ``teach check``."""
