@@ -44,12 +44,12 @@ class Derived(Displayed):
     variant: Variant
     pieces: tuple[Piece, ...]
     missing: tuple[tuple[Interval, Absence], ...]
-    #: Whether it is a ruled surface: then the values are directrix and generator side by side.
+    #: Whether it is a ruled surface; the values are then those of the directrix and the generator.
     ruled: bool = False
 
     @property
     def degree(self) -> int:
-        """The highest degree of the pieces as they are represented."""
+        """The highest represented degree of the pieces."""
         degrees: list[int] = [piece.value.degree for piece in self.pieces]
         return max(degrees)
 
@@ -76,7 +76,7 @@ class Derived(Displayed):
         return "; ".join([f"on {there}", *gaps])
 
     def __call__(self, t: Number) -> mpq | tuple[mpq, ...]:
-        """Value at a parameter, by the first piece that holds it; `ShapeError` where there is none."""
+        """Value at a parameter, by the first piece that contains it; raises `ShapeError` where there is none."""
         t = rational(t)
         for piece in self.pieces:
             if piece.interval[0] <= t <= piece.interval[1]:
@@ -94,9 +94,9 @@ def _shown(interval: Interval) -> str:
 def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """A construction or a formula on a curve.
 
-    `what` is a construction (``evolute``, ``zero_curvature``, …) or any formula, itself or by its name (``f2``, ``g0``,
-    …; then `variant` is ``minimal`` or ``naive``, the formula as it stands). Where an object does not exist (the
-    evolute of a straight piece) the other pieces are returned and the missing ones named.
+    `what` is the name of a construction (``evolute``, ``zero_curvature``, …), a formula, or the name of a formula
+    (``f2``, ``g0``, …). For a formula `variant` is ``minimal`` or ``naive`` (the formula as written). Where an object
+    does not exist (the evolute of a straight piece) the other pieces are returned and the missing ones named.
 
     >>> from exactspline.splines.examples import example
     >>> derive("evolute", example("circle"))("1/2")
@@ -116,7 +116,7 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
         if not isinstance(variant, str) or variant not in (Variant.MINIMAL, Variant.NAIVE):
             raise FormulaError(
                 f"{name} has no variant {shown(variant)}",
-                remedy=f"a formula has the variants {Variant.MINIMAL} and {Variant.NAIVE} (as it stands)",
+                remedy=f"a formula has the variants {Variant.MINIMAL} and {Variant.NAIVE} (as written)",
             )
         needed = formula.kind
         compute = (
@@ -127,9 +127,9 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     if needed not in (CURVE, PLANE, SPACE) or curve.dimension not in needed.dimensions:
         of = f"{needed.name} curve" if needed.made_of_a_curve else needed.name
         raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {of}")
-    found = formula(curve)
-    ruled = isinstance(found, RuledSurface)
-    exists, breaks = _exists(found), curve.breakpoints
+    value = formula(curve)
+    ruled = isinstance(value, RuledSurface)
+    exists, breaks = _exists(value), curve.breakpoints
     missing = tuple(
         (interval, _why_missing(made, curve, interval))
         for interval in intervals_where(breaks, [not here for here in exists])
@@ -195,7 +195,7 @@ def circle_centres(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> De
 
 
 def _exists(value: Any) -> list[bool]:
-    """Segment by segment whether a denominator, and the generator of a ruled surface, are not identically zero."""
+    """Segment by segment, whether a denominator, and the generator of a ruled surface, are not identically zero."""
     if isinstance(value, RuledSurface):
         ends = [_exists(part) for part in (value.directrix, value.generator)]
         generator = zip(*[c.polynomials for c in numerator(value.generator)], strict=True)

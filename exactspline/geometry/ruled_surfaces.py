@@ -62,8 +62,8 @@ def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINI
     value = construction(name).formula(variant)(space(curve))
     if not isinstance(value, RuledSurface):
         raise ShapeError(f"{name} is not a ruled surface", remedy="choose a developable, a scroll or the focal surface")
-    found: SplineSurface = in_lowest_terms(value) if variant == Variant.MINIMAL else value
-    return found
+    surface: SplineSurface = in_lowest_terms(value) if variant == Variant.MINIMAL else value
+    return surface
 
 
 def point_at(surface: SplineSurface, s: Number, ruling: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
@@ -102,10 +102,10 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
         raise DomainError(f"[{text(low)}, {text(high)}] is not an interval of ruling parameters", remedy="give a < b")
     meshes = split(surface.directrix)[0][0].mesh, Mesh([low, high])
     ruling = lifted(BSpline.identity(low, high), meshes, 1)
-    found = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling
-    components = [*numerator(found), *([found.denominator] if isinstance(found, Rational) else [])]
+    points = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling
+    components = [*numerator(points), *([points.denominator] if isinstance(points, Rational) else [])]
     components = with_common_knots(components)
-    return Rational(Vector(*components[:3]), components[3]) if isinstance(found, Rational) else Vector(*components)
+    return Rational(Vector(*components[:3]), components[3]) if isinstance(points, Rational) else Vector(*components)
 
 
 def _lifted(part: Any, meshes: tuple[Mesh, Mesh]) -> Any:

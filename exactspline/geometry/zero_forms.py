@@ -14,8 +14,8 @@ def zero_form(curve: Nurbs, name: str, variant: Variant | str = Variant.MINIMAL)
     certified zeros.
 
     >>> from exactspline.splines.examples import example
-    >>> form, found = zero_form(example("cubic_s"), "zero_curvature")
-    >>> form.degree, len(found)
+    >>> form, zeros = zero_form(example("cubic_s"), "zero_curvature")
+    >>> form.degree, len(zeros)
     (1, 1)
 
     Raises `ShapeError` for a curve of another dimension.

@@ -284,7 +284,7 @@ def test_results_of_another_sweep_are_not_touched(tmp_path):
             record(place, sources, **how)
     foreign = tmp_path / "notes.txt"
     foreign.write_text("my notes, no line break")
-    with pytest.raises(ResultsError, match="not a result of a sweep"):
+    with pytest.raises(ResultsError, match="was not written by a sweep"):
         record(foreign)
     assert (place.read_bytes(), foreign.read_text()) == (before, "my notes, no line break")
 

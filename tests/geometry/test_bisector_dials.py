@@ -141,8 +141,8 @@ def test_what_a_spent_bound_leaves_out_is_named_once():
     found = special_pairs(first, second, Budget(10**9, 0))
     assert found == SpecialPairs(
         left_out=(
-            "what is beside the surface on [0, 1] × [0, 1] and 8 rectangles more: the bound on the whole answer was "
-            "reached before",
+            "the parts other than the surface on [0, 1] × [0, 1] and 8 rectangles more: the bound on the whole answer "
+            "was reached before",
         )
     )
 

@@ -259,7 +259,7 @@ def test_what_is_no_batch_is_refused():
         features_of_many([[0, 1], [2, 3]])
     with pytest.raises(ShapeError):
         features_of_many(np.zeros((3, 4, 2)), np.ones((3, 3)))
-    with pytest.raises(ShapeError, match="no array"):
+    with pytest.raises(ShapeError, match="not an array"):
         features_of_many([[(0, 0), (1, 1)], [(0, 0)]])
     for numbers in (np.zeros((1, 2, 2), dtype=complex), [[("0", "1"), ("1", "2")]], np.zeros((1, 2, 2), dtype=bool)):
         with pytest.raises(NumberError, match="of the type"):

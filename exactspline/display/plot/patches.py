@@ -1,8 +1,7 @@
-"""A surface coloured by the sign of its curvature, with parabolic curves, umbilics and lines of curvature; beside it
-the same in the plane of its parameters.
+"""A surface coloured by the sign of its curvature, with parabolic curves, umbilics and lines of curvature; and the same
+in the plane of its parameters.
 
-Regions, curves and points are those that were certified; colours between them and lines of curvature are drawn from
-floats.
+Regions, curves and points are certified; colours between them and lines of curvature are computed in floats.
 """
 
 from __future__ import annotations
@@ -27,16 +26,16 @@ if TYPE_CHECKING:
 
 #: Colours of elliptic, hyperbolic and flat points.
 ELLIPTIC, HYPERBOLIC, FLAT = "#F3C46B", "#7FBFE6", "#D9D9D9"
-#: Rows and columns of faces, in all and at least this many per patch.
+#: Rows and columns of faces, in total and at least per patch.
 GRID, LEAST = 72, 6
-#: How much of the axes a surface fills, beside the norm of its extents, by which matplotlib scales.
+#: How much of the axes a surface fills, relative to the norm of its extents, by which matplotlib scales.
 FILLED = 0.93
-#: Points of an arc that is drawn.
+#: The number of points of a drawn arc.
 STEPS = 4
 
 
-def surface_figure(found: SurfaceInspection) -> Figure:
-    """The picture of a surface that was inspected: in space, and its parameters.
+def surface_figure(inspection: SurfaceInspection) -> Figure:
+    """The picture of an inspected surface: in space, and in the plane of its parameters.
 
     >>> from exactspline import example_surface, inspect_surface
     >>> [ax.name for ax in surface_figure(inspect_surface(example_surface("biquadratic"))).axes]
@@ -44,24 +43,24 @@ def surface_figure(found: SurfaceInspection) -> Figure:
 
     Raises `PlotError` without matplotlib.
     """
-    remedy = "give what exactspline.inspect_surface returns"
-    found = as_instance(found, SurfaceInspection, "an inspection of a surface", remedy)
+    remedy = "give the result of exactspline.inspect_surface"
+    inspection = as_instance(inspection, SurfaceInspection, "an inspection of a surface", remedy)
     figure = new_figure(PAGE, 5)
     grid = figure.add_gridspec(1, 2, width_ratios=(1.35, 1))
     space, plane = figure.add_subplot(grid[0], projection="3d"), figure.add_subplot(grid[1])
-    samples = Samples.of(found.surface, GRID, LEAST)
-    lines = lines_of_curvature(samples) if has_lines(found) else ([], [])
-    _in_space(space, found, samples, lines)
-    _in_the_plane(plane, found, samples, lines)
-    figure.suptitle(found.surface.name.replace("_", " ") or "surface")
-    _legend(figure, found, bool(lines[0]))
+    samples = Samples.of(inspection.surface, GRID, LEAST)
+    lines = lines_of_curvature(samples) if has_lines(inspection) else ([], [])
+    _in_space(space, inspection, samples, lines)
+    _in_the_plane(plane, inspection, samples, lines)
+    figure.suptitle(inspection.surface.name.replace("_", " ") or "surface")
+    _legend(figure, inspection, bool(lines[0]))
     return figure
 
 
-def has_lines(found: SurfaceInspection) -> bool:
+def has_lines(inspection: SurfaceInspection) -> bool:
     """Whether lines of curvature are determined on some patch."""
     none = (PatchKind.PLANAR, PatchKind.CURVE, PatchKind.POINT)
-    return any(not one.umbilics.everywhere and one.kind not in none for one in found.patches)
+    return any(not one.umbilics.everywhere and one.kind not in none for one in inspection.patches)
 
 
 # ---- colours
@@ -78,11 +77,11 @@ def colour_of(one: PatchInspection, sign: float) -> str:
     return FLAT
 
 
-def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -> None:
-    """The shaded surface with what is on it."""
+def _in_space(ax: Any, inspection: SurfaceInspection, samples: Samples, lines: Any) -> None:
+    """The shaded surface with its curves and points."""
     np, to_rgb = library("numpy"), library("matplotlib.colors").to_rgb
     faces, shades = [], []
-    for one in found.patches:
+    for one in inspection.patches:
         points, signs = samples.points[one.patch], samples.signs[one.patch]
         for i in range(points.shape[0] - 1):
             for j in range(points.shape[1] - 1):
@@ -101,11 +100,14 @@ def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -
         for line in family:
             for run in seen.runs(samples.lifted(line)):
                 ax.plot(*run.T, color=color, linewidth=0.5, zorder=2)
-    surface = found.surface
-    for curve in parabolic_runs(found):
+    surface = inspection.surface
+    for curve in parabolic_runs(inspection):
         for run in seen.runs([[float(x) for x in surface(*p)] for p in curve]):
             ax.plot(*run.T, color=BLACK, linewidth=1.6, zorder=3)
-    for places, color, marker in ((umbilic_spots(found), VERMILLION, "o"), (singular_spots(found), GREEN, "s")):
+    for places, color, marker in (
+        (umbilic_spots(inspection), VERMILLION, "o"),
+        (singular_spots(inspection), GREEN, "s"),
+    ):
         spots = [surface(*p) for p in places]
         dots = [p for p in spots if seen.of([[float(x) for x in p]])[0]]
         _dots(ax, dots, color, marker)
@@ -118,9 +120,9 @@ def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -
     ax.set_axis_off()
 
 
-def _in_the_plane(ax: Axes, found: SurfaceInspection, samples: Samples, lines: Any) -> None:
-    """The regions of the parameters."""
-    for one in found.patches:
+def _in_the_plane(ax: Axes, inspection: SurfaceInspection, samples: Samples, lines: Any) -> None:
+    """The regions in the plane of the parameters."""
+    for one in inspection.patches:
         us, vs, signs = samples.us[one.patch[0]], samples.vs[one.patch[1]], samples.signs[one.patch]
         if one.kind in (PatchKind.MIXED, PatchKind.UNDECIDED):
             largest = abs(signs).max() or 1.0
@@ -130,54 +132,54 @@ def _in_the_plane(ax: Axes, found: SurfaceInspection, samples: Samples, lines: A
     for family, color in zip(lines, (GREY, "white"), strict=True):
         for line in family:
             ax.plot(line[:, 0], line[:, 1], color=color, linewidth=0.5, zorder=2)
-    for k, mesh in enumerate(found.surface.meshes):
+    for k, mesh in enumerate(inspection.surface.meshes):
         for t in mesh.breaks[1:-1]:
             (ax.axvline if k == 0 else ax.axhline)(float(t), color="white", linewidth=0.8, linestyle=":", zorder=2.5)
-    for run in parabolic_runs(found):
+    for run in parabolic_runs(inspection):
         draw(ax, run, color=BLACK, linewidth=1.6, zorder=3)
-    _dots(ax, list(umbilic_spots(found)), VERMILLION, "o")
-    _dots(ax, list(singular_spots(found)), GREEN, "s")
-    (a, b), (c, d) = found.surface.domain
+    _dots(ax, list(umbilic_spots(inspection)), VERMILLION, "o")
+    _dots(ax, list(singular_spots(inspection)), GREEN, "s")
+    (a, b), (c, d) = inspection.surface.domain
     ax.set_xlim(float(a), float(b))
     ax.set_ylim(float(c), float(d))
     ax.set_xlabel("u")
     ax.set_ylabel("v")
 
 
-# ---- what was certified
+# ---- certified curves and points
 
 
-def parabolic_runs(found: SurfaceInspection) -> Iterator[list[Point]]:
+def parabolic_runs(inspection: SurfaceInspection) -> Iterator[list[Point]]:
     """All parabolic curves, in the parameters of the surface."""
-    yield from _curves(found)
-    yield from _lines(found)
+    yield from _curves(inspection)
+    yield from _lines(inspection)
 
 
-def _curves(found: SurfaceInspection) -> Iterator[list[Point]]:
+def _curves(inspection: SurfaceInspection) -> Iterator[list[Point]]:
     """The parabolic curves inside patches, arc by arc."""
-    for one in found.patches:
+    for one in inspection.patches:
         if one.curve is not None:
             for part in one.parabolic:
                 for arc in part.arcs:
                     yield [_placed(point, one) for point in one.curve.points(arc, STEPS)]
 
 
-def _lines(found: SurfaceInspection) -> Iterator[list[Point]]:
+def _lines(inspection: SurfaceInspection) -> Iterator[list[Point]]:
     """Parabolic isoparametric lines."""
-    for line in found.parabolic_lines:
+    for line in inspection.parabolic_lines:
         at = enclosing(line.value, 8).middle
         ts = [line.interval.at(mpq(k, GRID)) for k in range(GRID + 1)]
         yield [(t, at) if line.along is Along.U else (at, t) for t in ts]
 
 
-def umbilic_spots(found: SurfaceInspection) -> Iterator[Point]:
+def umbilic_spots(inspection: SurfaceInspection) -> Iterator[Point]:
     """The umbilics, in the parameters of the surface."""
-    return (_middle(umbilic.place) for umbilic in found.umbilics)
+    return (_middle(umbilic.place) for umbilic in inspection.umbilics)
 
 
-def singular_spots(found: SurfaceInspection) -> Iterator[Point]:
+def singular_spots(inspection: SurfaceInspection) -> Iterator[Point]:
     """The singular points, in the parameters of the surface."""
-    return map(_middle, found.singular_points)
+    return map(_middle, inspection.singular_points)
 
 
 def _middle(place: Place) -> Point:
@@ -194,10 +196,10 @@ def _dots(ax: Any, points: list[Any], color: str, marker: str) -> None:
         draw(ax, points, color=color, marker=marker, linestyle="", markersize=6, markeredgecolor="white", zorder=4)
 
 
-def _legend(figure: Figure, found: SurfaceInspection, lines: bool) -> None:
-    """What the colours and marks mean: those that occur."""
+def _legend(figure: Figure, inspection: SurfaceInspection, lines: bool) -> None:
+    """The meanings of the colours and marks that occur."""
     patch, line = library("matplotlib.patches").Patch, library("matplotlib.lines").Line2D
-    kinds = set(found.kinds)
+    kinds = set(inspection.kinds)
     shown = [
         (
             bool(kinds & {PatchKind.ELLIPTIC, PatchKind.ELLIPTIC_BUT, PatchKind.SPHERICAL, PatchKind.MIXED}),
@@ -208,14 +210,14 @@ def _legend(figure: Figure, found: SurfaceInspection, lines: bool) -> None:
         (bool(kinds & {PatchKind.PLANAR, PatchKind.DEVELOPABLE}), "K = 0", FLAT),
     ]
     handles: list[Any] = [patch(facecolor=color, label=label) for there, label, color in shown if there]
-    if next(_curves(found), None) or found.parabolic_lines:
+    if next(_curves(inspection), None) or inspection.parabolic_lines:
         handles.append(line([], [], color=BLACK, linewidth=1.6, label="parabolic curve"))
     if lines:
         handles.append(line([], [], color=GREY, linewidth=0.7, label="lines of curvature"))
-    if found.umbilics.points:
-        count = len(found.umbilics)
+    if inspection.umbilics.points:
+        count = len(inspection.umbilics)
         label = f"{count} umbilic{'s' if count > 1 else ''}"
         handles.append(line([], [], color=VERMILLION, marker="o", linestyle="", label=label))
-    if found.singular_points.points:
+    if inspection.singular_points.points:
         handles.append(line([], [], color=GREEN, marker="s", linestyle="", label="singular point"))
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False, fontsize="small")

@@ -36,15 +36,15 @@ class Visibility:
         view = (cos(e) * cos(a), cos(e) * sin(a), sin(e))
         right, up = (-sin(a), cos(a), 0.0), (-sin(e) * cos(a), -sin(e) * sin(a), cos(e))
         self.frame = self.np.array([right, up, view]).T
-        own = [patch @ self.frame for patch in patches]
-        corners = self.np.concatenate([patch.reshape(-1, 3) for patch in own])
+        seen_patches = [patch @ self.frame for patch in patches]
+        corners = self.np.concatenate([patch.reshape(-1, 3) for patch in seen_patches])
         self.low = corners.min(axis=0)
         extent = corners.max(axis=0) - self.low
         self.size = float(extent.max()) or 1.0
         #: The larger of its width and height as it is seen.
         self.seen = float(extent[:2].max()) or 1.0
         cell = self.size / CELLS
-        points = self.np.concatenate([_dense(self.np, patch, cell).reshape(-1, 3) for patch in own])
+        points = self.np.concatenate([_dense(self.np, patch, cell).reshape(-1, 3) for patch in seen_patches])
         shape = (CELLS + 1, CELLS + 1)
         self.depth = self.np.full(shape, -self.np.inf)
         cells = self._cells(points)
@@ -56,19 +56,19 @@ class Visibility:
 
     def of(self, points: Floats | Sequence[Sequence[float]]) -> list[bool]:
         """Which of the points are seen."""
-        own = self.np.asarray(points, dtype=float) @ self.frame
-        cells = self._cells(own)
-        seen: list[bool] = (own[:, 2] >= self.depth[cells[:, 0], cells[:, 1]] - TOLERANCE * self.size).tolist()
+        seen_points = self.np.asarray(points, dtype=float) @ self.frame
+        cells = self._cells(seen_points)
+        seen: list[bool] = (seen_points[:, 2] >= self.depth[cells[:, 0], cells[:, 1]] - TOLERANCE * self.size).tolist()
         return seen
 
     def runs(self, points: Floats | Sequence[Sequence[float]]) -> Iterator[Floats]:
         """The parts of a line that are seen."""
-        own: Floats = self.np.asarray(points, dtype=float)
+        seen_points: Floats = self.np.asarray(points, dtype=float)
         start = 0
-        for seen, run in groupby(self.of(own)):
+        for seen, run in groupby(self.of(seen_points)):
             count = len(list(run))
             if seen and count > 1:
-                yield own[start : start + count]
+                yield seen_points[start : start + count]
             start += count
 
 

@@ -19,9 +19,9 @@ from exactspline.splines.nurbs import Nurbs
 def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> CurveBisector | PointBisector | Rational[BSpline]:
     """The points of equal *critical* distances to a curve and to another curve or a point (its coordinates).
 
-    Of two space curves a surface in patches; of a space curve and a point ruled surfaces in pieces; of a plane curve
-    and a point a plane curve ``p/w`` (0/1 where there is none), of whose points `exactspline.trimmed_bisector` keeps
-    those of equal distances.
+    For two space curves it is a surface in patches; for a space curve and a point, ruled surfaces in pieces; for a
+    plane curve and a point, a plane curve ``p/w`` (0/1 where there is none), of which `exactspline.trimmed_bisector`
+    keeps the points of equal distances.
 
     >>> from exactspline import example
     >>> type(bisector(example("twisted_cubic"), example("rational_space_cubic"))).__name__
@@ -32,7 +32,7 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> CurveBisector | 
     >>> bisector(line, (0, 2))("1/2")
     (mpq(0,1), mpq(1,1))
 
-    Raises `ShapeError` where dimensions do not fit.
+    Raises `ShapeError` where the dimensions do not match.
     """
     first = curve_of(first)
     if isinstance(second, Nurbs):

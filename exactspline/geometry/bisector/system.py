@@ -130,7 +130,7 @@ class System:
     @cached_property
     def factor(self) -> fmpz_mpoly:
         """The common factor of determinant and numerators: along its zeros the system is singular, and the minors do
-        not say that it has no solution. Zero where all of them vanish.
+        not exclude solutions. Zero where all of them vanish.
         """
         return greatest_common_divisor([self.determinant, *self.numerators])
 
@@ -150,5 +150,5 @@ def divides(factor: fmpz_mpoly, v: Vector[fmpz_mpoly]) -> bool:
 
 def irreducible_factors(p: fmpz_mpoly) -> list[fmpz_mpoly]:
     """The irreducible factors that depend on a parameter, each once, their first coefficient positive."""
-    found = [q for q in factorize(p).bases if q.total_degree() > 0]
-    return sorted((q if q.leading_coefficient() > 0 else -q for q in found), key=str)
+    factors = [q for q in factorize(p).bases if q.total_degree() > 0]
+    return sorted((q if q.leading_coefficient() > 0 else -q for q in factors), key=str)
