@@ -174,9 +174,9 @@ def foot_second_order(c):
 
 
 @formula("§6.2, footnote c", on="point")
-def foot_motion(c):
-    """``γ′·δ′``: the movement of the directrix along the tangent at the foot."""
-    return dot(c.gamma.d(1), point_bisector_directrix_polynomial(c).d(1))
+def directrix_velocity_along_tangent(c):
+    """``δ′·γ′``."""
+    return dot(point_bisector_directrix_polynomial(c).d(1), c.gamma.d(1))
 
 
 @formula("eq. (31)", on="point")
