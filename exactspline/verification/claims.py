@@ -245,7 +245,9 @@ def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, 
     """
     known = all_claims() if claims is None else tuple(claims)
     chosen = tuple(c for c in known if c.key == wanted or matches(c.id, wanted))
-    chosen = chosen or tuple(c for c in known if stands_at(c.source, wanted) or stands_at(c.place, wanted))
+    chosen = chosen or tuple(
+        c for c in known if any(stands_at(each, wanted) for each in (c.source, c.place, c.section))
+    )
     if len(wanted) >= SHORTEST:
         chosen = chosen or tuple(c for c in known if wanted.lower() in c.statement.lower())
     if not chosen:
