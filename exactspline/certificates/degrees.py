@@ -31,7 +31,7 @@ def _segment(segment: dict[str, Any], kind: str) -> int:
     require(type(n) is int and type(p) is int, "a degree or a prime that is not an integer")
     forms = [_integers(form) for form in segment["forms"]]
     require(all(len(form) == n + 1 for form in forms) and any(any(form) for form in forms), "a form of another degree")
-    require(_is_prime(p), "no prime")
+    require(is_prime(p), "no prime")
     others = [] if kind == "quotient" else [_integers(segment["weight"])]
     require(kind == "quotient" or len(forms) == 1, "a zero set has one form")
     require(any(form[-1] % p for form in [*forms, *others]), "the prime divides every highest coefficient")
@@ -47,7 +47,7 @@ def _segment(segment: dict[str, Any], kind: str) -> int:
         require(sum(x * (-1) ** i for i, x in enumerate(forms[0])) != 0, "the degree in the parameter is lower")
         q = segment["irreducible modulo"]
         require(
-            q is None or (type(q) is int and _is_prime(q) and forms[0][-1] % q != 0 and _irreducible(forms[0], q)),
+            q is None or (type(q) is int and is_prime(q) and forms[0][-1] % q != 0 and is_irreducible(forms[0], q)),
             "not irreducible modulo the prime named",
         )
     return int(n)
@@ -63,7 +63,7 @@ def _integers(given: Any) -> Polynomial:
 BASES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)
 
 
-def _is_prime(n: int) -> bool:
+def is_prime(n: int) -> bool:
     """The Miller–Rabin test."""
     if n < 2 or any(n % q == 0 and n != q for q in BASES):
         return False
@@ -110,7 +110,7 @@ def _gcd(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
     return a
 
 
-def _irreducible(form: Polynomial, p: int) -> bool:
+def is_irreducible(form: Polynomial, p: int) -> bool:
     """Rabin's test: x^(pⁿ) ≡ x modulo f, and x^(p^(n/q)) − x is coprime to f for every prime q that divides n."""
     f, n = [x % p for x in form], len(form) - 1
     if n == 1:

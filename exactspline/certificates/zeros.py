@@ -99,11 +99,11 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
     )
     product, searched = [1], [1]
     for g, k in factors:
-        searched = _times(searched, g)
+        searched = product_of(searched, g)
         for _ in range(k):
-            product = _times(product, g)
+            product = product_of(product, g)
     while len(product) < len(inner):
-        product = _times(product, [1, 1])
+        product = product_of(product, [1, 1])
     require(
         len(product) == len(inner)
         and product[0] != 0
@@ -128,11 +128,12 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
         if changes:
             g, k = next((g, k) for g, k in factors if _changes(_restricted(g, a, b)) % 2)
             zeros.append((a, b, g, k, _end_signs(local)))
-    require(not sturm or _sturm(inner) == len(zeros), "the Sturm sequence counts other zeros")
+    require(not sturm or sturm_count(inner) == len(zeros), "the Sturm sequence counts other zeros")
     return (start, _end_signs(inner)[0]), (end, _end_signs(inner)[1]), zeros
 
 
-def _times(p: list[int], q: list[int]) -> list[int]:
+def product_of(p: list[int], q: list[int]) -> list[int]:
+    """The product of two polynomials."""
     return [
         sum(p[j] * q[i - j] for j in range(max(0, i - len(q) + 1), min(i + 1, len(p))))
         for i in range(len(p) + len(q) - 1)
@@ -167,7 +168,7 @@ def _changes(values: list[int]) -> int:
     return sum(a != b for a, b in pairwise(x > 0 for x in values if x))
 
 
-def _sturm(c: list[int]) -> int:
+def sturm_count(c: list[int]) -> int:
     """The number of distinct positive zeros of ``Σ c_i zⁱ``, by a Sturm sequence of primitive remainders."""
     chain = [c, [i * x for i, x in enumerate(c)][1:]]
     while chain[-1]:

@@ -79,7 +79,7 @@ def isolated(rows: Rows) -> tuple[Isolated, Flags]:
     for level in range(DEPTH + 1):
         signs = np.where(values > errors, 1, np.where(values < -errors, -1, 0))
         blind = (signs[:, 0] == 0) | (signs[:, -1] == 0)
-        most = _most_changes(signs)
+        most = most_changes(signs)
         one = (most == 1) & ~blind
         parts.append((index[one], low[one], low[one] + width[one], signs[one, 0]))
         undecided[index[blind]] = True
@@ -88,7 +88,7 @@ def isolated(rows: Rows) -> tuple[Isolated, Flags]:
             undecided[index[again]] = True
             break
         index, low, width = index[again], low[again], width[again]
-        left, right = _split(Rows(values[again], errors[again]))
+        left, right = split_in_two(Rows(values[again], errors[again]))
         values, errors = (np.concatenate(pair) for pair in zip(left, right, strict=True))
         index = np.concatenate([index, index])
         low = np.concatenate([low, low + width * SPLIT])
@@ -118,12 +118,12 @@ def without_zeros(rows: Rows) -> Flags:
             certain[index[again]] = False
             break
         index = np.concatenate([index[again]] * 2)
-        pair = _split(Rows(values[again], errors[again]))
+        pair = split_in_two(Rows(values[again], errors[again]))
         part = Rows(*(np.concatenate(column) for column in zip(*pair, strict=True)))
     return certain
 
 
-def _most_changes(signs: NDArray[np.int64]) -> NDArray[np.int64]:
+def most_changes(signs: NDArray[np.int64]) -> NDArray[np.int64]:
     """The maximal number of sign changes of a row over all choices of the uncertain signs."""
     ends_up, ends_down = (np.where(signs[:, 0] == s, -1000, 0) for s in (-1, 1))
     for column in signs.T[1:]:
@@ -132,7 +132,7 @@ def _most_changes(signs: NDArray[np.int64]) -> NDArray[np.int64]:
     return np.maximum(ends_up, ends_down)
 
 
-def _split(rows: Rows) -> tuple[Rows, Rows]:
+def split_in_two(rows: Rows) -> tuple[Rows, Rows]:
     """The forms to the left and right of `SPLIT`, by de Casteljau's algorithm."""
     (value, error), n = rows, rows.values.shape[1] - 1
     left, right = [(value[:, 0], error[:, 0])], [(value[:, -1], error[:, -1])]
