@@ -270,7 +270,8 @@ class _Ledger:
                 called = command_name()
                 told = f"{called} prove --rows prints every row; {called} errata the errors, each with its witness"
                 console.lines(shown, f"{told} and a check; {called} show CLAIM one claim.")
-            console.legend(shown, self._words())
+            counted = [] if listed or self.curves is not None else ["statement", "error", "row"]
+            console.legend(shown, [*self._words(), *counted])
 
     def _words(self) -> list[str]:
         from exactspline.display.ledger import WORDS

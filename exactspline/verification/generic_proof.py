@@ -127,16 +127,17 @@ def transposed(formula: Formula) -> Formula:
 
 def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
     """The reduction of a formula, made once; its degrees are counted in the first parameter or in the one named."""
-    found = _reduction(formula, dimension, polynomial, naming())
+    found = cached_reduction(formula, dimension, polynomial, naming())
     if isinstance(found, ExactSplineError):
         raise found
     return found if parameter is None else counted_in(found, formula, parameter)
 
 
 @cache
-def _reduction(
+def cached_reduction(
     formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]
 ) -> Reduction | ExactSplineError:
+    """The reduction of a formula, computed once."""
     try:
         return reduce(formula, dimension=dimension, polynomial=polynomial)
     except (FormulaError, ReachError) as error:  # of a formula that is too long this is known after long work only
