@@ -1,9 +1,9 @@
-"""The claims of the papers as data: what is claimed of which formulas, where it stands, and the verdict that is on
-record.
+"""The claims of the papers as data: what is claimed of which formulas, its place in the source, and the recorded
+verdict.
 
 The tables are stored beside the formulas of each paper. An entry names formulas of `exactspline.papers` and never
 transcribes one; it is read as an object of its kind (`exactspline.verification.kinds`), and anything without meaning is
-refused. Several entries may share the id of the paper's claim; each has a key of its own.
+refused. Several entries may share the id of the paper's claim; each has a unique key.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from exactspline.verification.kinds import KINDS
 
 #: The largest length of a text of a claim.
 LONGEST = 2000
-#: A shorter text is not searched for in statements.
+#: Texts shorter than this are not searched for in statements.
 SHORTEST = 4
 
 
@@ -55,7 +55,7 @@ def claim_of(table: Table, source: Paper) -> Claim:
 
 
 def _completed(entry: dict[str, Any], source: Paper) -> dict[str, Any]:
-    """An entry with its defaults: where words or a place are given it is printed, else it is ours."""
+    """An entry with its defaults: with words or a place its status is printed, otherwise ours."""
     told = dict(entry)
     told.setdefault("status", "printed" if told.get("words") or told.get("place") else "ours")
     told.setdefault("source", told.get("place") or source.title)
@@ -81,7 +81,7 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
     for field, value in told.items():
         if problem := _shape(str(known[field].type), value):
             raise ClaimError(f"{shown(value)} is {problem}", where=field, remedy="look at the table of kinds of claims")
-        if field != "words" and "$" in str(value):  # a quotation keeps the LaTeX of its source
+        if field != "words" and "$" in str(value):  # quotations keep the LaTeX of their source
             raise ClaimError(
                 "'$' in a text", where=field, remedy="write formulas as text, like κ′ or γ; pages show them"
             )
@@ -109,10 +109,10 @@ def _shape(declared: str, value: object) -> str:
 
 
 def _check_words_of_key(claim: Claim) -> None:
-    """Each word of a key also occurs elsewhere in the entry, so that a misspelled key is noticed."""
+    """Each word of a key also occurs elsewhere in the entry, so that a misspelled key is detected."""
     words = dict.fromkeys(claim.key.removeprefix(claim.begin_of_key + "-").split("-"))
     known = set(claim.kind.replace("-", " ").split())
-    for field in reversed(declared(type(claim)).entries):  # those of its own kind first: mostly they are all it takes
+    for field in reversed(declared(type(claim)).entries):  # the fields of its kind first: mostly they suffice
         if words.keys() <= known:
             return
         if field not in ("id", "key", "words", "context", "note"):
@@ -127,7 +127,7 @@ def _check_words_of_key(claim: Claim) -> None:
 
 
 def key_words(value: object) -> set[str]:
-    """The words of a field that may stand in a key.
+    """The words of a field that may occur in a key.
 
     >>> from exactspline.language.choices import Parameter
     >>> sorted(key_words(("4d − 2", Parameter.SECOND)))
@@ -152,7 +152,7 @@ def claims_of(source: Paper | str) -> tuple[Claim, ...]:
     Raises `ClaimError` for an invalid entry, and for a key that occurs twice.
     """
     given = paper(source) if isinstance(source, str) else source
-    return _claims(as_instance(given, Paper, "a paper", "give its name, or what exactspline.paper returns"))
+    return _claims(as_instance(given, Paper, "a paper", "give its name, or the result of exactspline.paper"))
 
 
 @cache
@@ -180,8 +180,8 @@ def all_claims() -> tuple[Claim, ...]:
 
 
 def claims(*ids: str, paper: Paper | str | None = None) -> tuple[Claim, ...]:
-    """The claims of a paper (of the default papers where none is named) with these ids or keys, all of them without
-    any; an id also selects all that begin with it (``C3`` all of §3).
+    """The claims of a paper (by default of the default papers) with these ids or keys; without any, all claims. An id
+    also selects all ids that begin with it (``C3`` all of §3).
 
     >>> [claim.key for claim in claims("C4.1a")]
     ['C41a-f1-f2', 'C41a-f0-f2']
@@ -197,8 +197,8 @@ def claims_in(sources: Iterable[Paper]) -> tuple[Claim, ...]:
 
 
 def select(ids: Iterable[str], claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
-    """The claims with the given ids or keys, all of them for none; an id also selects all that begin with it (``C3``
-    all of §3). They are sought among `claims`, by default among those of the default papers.
+    """The claims with the given ids or keys; without any, all claims. An id also selects all ids that begin with it
+    (``C3`` all of §3). They are searched for among `claims`, by default those of the default papers.
 
     Raises `ClaimError` with the nearest ids.
     """
@@ -223,7 +223,7 @@ def expect_claim(given: object) -> Claim:
 
 
 def matches(claim_id: str, wanted: str) -> bool:
-    """Whether an id is the wanted one or a part of it.
+    """Whether an id is the requested one or a part of it.
 
     >>> matches("C3a", "c3"), matches("C4.1a", "C4.1"), matches("T17", "T1")
     (True, True, False)
@@ -240,8 +240,8 @@ def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, 
     >>> located("rectifying developable")[0].id
     'C5.4a'
 
-    They are sought among `claims`, by default among those of the default papers. Raises
-    `ClaimError` with the nearest ids.
+    They are searched for among `claims`, by default those of the default papers. Raises `ClaimError` with the nearest
+    ids.
     """
     known = all_claims() if claims is None else tuple(claims)
     chosen = tuple(c for c in known if c.key == wanted or matches(c.id, wanted))
@@ -255,7 +255,7 @@ def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, 
 
 
 def _stands(source: str, wanted: str) -> bool:
-    """Whether a place is the wanted one: the equation with this number, a remark, a figure, a section."""
+    """Whether a place is the requested one: the equation with this number, a remark, a figure, a section."""
     a, b = (" ".join(text.lower().replace("equation", "eq.").split()) for text in (source, wanted))
     if b.startswith("(") and b.endswith(")"):
         return b in a

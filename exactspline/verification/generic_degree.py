@@ -35,7 +35,7 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
     """The degree of a formula in lowest terms on the generic argument of its kind, for symbolic d: an upper bound on
     every one.
 
-    Of two curves the degree in the parameter of the first is meant.
+    For two curves it is the degree in the parameter of the first.
 
     >>> from exactspline.papers import find
     >>> lowest_degree(find("plane_bisector"), 2)
@@ -45,8 +45,8 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
 
 
 def joined_degree(found: Reduction, parameter: Parameter = Parameter.FIRST) -> Degree:
-    """The degree of a value in lowest terms, of a ruled surface with directrix and generator over one denominator;
-    −1 for what vanishes. A denominator 1 counts nothing.
+    """The degree of a value in lowest terms; for a ruled surface with directrix and generator over one denominator; −1
+    for a value that vanishes. A denominator 1 is not counted.
     """
     *components, denominator = found.joined
     top = [jet for jet in components if not jet.is_zero]

@@ -41,7 +41,7 @@ class FormAtRoot:
 
 @dataclass(frozen=True)
 class RootConditions:
-    """A zero of the minimal form inside a segment, and every form there."""
+    """A zero of the minimal form inside a segment, and the data of every form there."""
 
     root: Root
     forms: tuple[FormAtRoot, ...]
@@ -64,8 +64,8 @@ class RootConditions:
 
 @dataclass(frozen=True)
 class Conditioning:
-    """All zeros of a construction inside the segments of a curve, the extraneous zeros of a form, and what is left out,
-    in words.
+    """All zeros of a construction inside the segments of a curve, the extraneous zeros of a form, and what was not
+    compared, in words.
     """
 
     curve: str
@@ -76,7 +76,7 @@ class Conditioning:
 
     @property
     def verdicts(self) -> dict[str, str]:
-        """Form by form, at how many zeros the reduced (minimal) form is worse or better conditioned than it."""
+        """For each form, at how many zeros the reduced (minimal) form is worse or better conditioned than it."""
         forms = [f.form for row in self.roots[:1] for f in row.forms if f.form != Variant.MINIMAL]
         return {form: self._verdict(form) for form in forms}
 
@@ -112,7 +112,7 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     rows = []
     tried = {form: _in_doubles(f, inside, found[form]) if doubles else {} for form, f in splines.items()}
     for root in inside:
-        # a rational zero becomes an exact one, and its condition number with it
+        # a rational zero becomes exact, and so does its condition number
         root.minimal_polynomial()
         same = {form: next(r for r in among if r == root) for form, among in found.items()}
         forms = [
@@ -134,7 +134,7 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
 def _at_root(
     form: str, f: BSpline, minimal: BSpline, root: Root, multiplicity: int, double: Double | None
 ) -> FormAtRoot:
-    """One form at a zero; `double` is what double precision gives, where it was tried."""
+    """One form at a zero; `double` is the result of double precision, where it was tried."""
     i = _segment_of(f, root)
     own, n = f.forms[i], f.degree
     factor = quotient(own, n, minimal.forms[i], minimal.degree)
@@ -148,7 +148,7 @@ def _at_root(
 
 
 def _in_doubles(f: BSpline, roots: Sequence[Root], among: ZeroSet) -> dict[Root, Double]:
-    """What double precision gives for zeros of a form, of which `among` are all."""
+    """The results of double precision for zeros of a form; `among` are all its zeros."""
     found: dict[Root, Double] = {}
     for i, own in groupby(roots, key=lambda root: _segment_of(f, root)):
         form, here = f.forms[i], list(own)
@@ -163,8 +163,8 @@ def _segment_of(f: BSpline, root: Root) -> int:
 
 
 def _bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
-    """An interval of the local parameter with this zero of the form and no other, reaching halfway to the next
-    ones or to the ends of the segment.
+    """An interval of the local parameter that contains this zero of the form and no other, reaching halfway to the
+    adjacent zeros or to the ends of the segment.
     """
     assert root.segment is not None
     x, _ = local(root)

@@ -18,7 +18,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.coq.explicit import RationalFunction
 from exactspline.verification.coq.formulas import Formulas, comment
 
-#: The forms by the dimension of the curve: the name of the theorem, the formula, and what vanishes with it.
+#: The forms by the dimension of the curve: the name of the theorem, the formula, and the quantity that vanishes with
+#: it.
 FORMS = {
     2: (
         ("curvature", "f2", "the curvature"),
@@ -40,7 +41,7 @@ class Answer:
 
     @property
     def points(self) -> list[tuple[mpq, mpq]]:
-        """The intervals, or the points, in which the zeros lie one by one."""
+        """The intervals or points, each containing exactly one zero."""
         found: list[tuple[mpq, mpq]] = []
         for i, (f, cells) in enumerate(zip(self.polynomials, self.cells, strict=True)):
             last = i == len(self.cells) - 1
@@ -55,7 +56,7 @@ class Answer:
 
     @property
     def stretches(self) -> list[tuple[mpq, mpq]]:
-        """The spans on which the form is 0."""
+        """The spans on which the form vanishes identically."""
         return [(cells[0].low, cells[0].high) for cells in self.cells if cells[0].sign is None]
 
 
@@ -78,7 +79,7 @@ def answers(curve: Nurbs) -> list[Answer]:
 
 
 def theorem_of(curve: Nurbs) -> str:
-    """A file whose theorems speak of this curve, from its control points."""
+    """A file with theorems about this curve, given by its control points."""
     found = answers(curve)
     formulas = Formulas(papers())
     rows = homogeneous(curve)

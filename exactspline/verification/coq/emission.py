@@ -21,8 +21,8 @@ from exactspline.verification.coq.terms import THEORY
 from exactspline.verification.coq.theorems import STATED, theorem
 from exactspline.verification.vocabulary import Verdict
 
-#: The files written by hand: those that the theorems about papers need, one that shows that what they assume can be
-#: fulfilled, and one for answers about one curve.
+#: The files written by hand: those required by the theorems about papers, one that shows that their assumptions are
+#: consistent, and one for answers about one curve.
 BY_HAND = (*THEORY, "Models", "Answers")
 #: The logical name of the directory.
 ROOT = "ExactSpline"
@@ -30,7 +30,7 @@ ROOT = "ExactSpline"
 
 @dataclass(frozen=True)
 class Stated:
-    """A claim in one dimension as a theorem: its name and its text, or why there is none."""
+    """A claim in one dimension as a theorem: its name and its text, or the reason why there is none."""
 
     claim: Claim
     name: str
@@ -39,7 +39,7 @@ class Stated:
 
     @property
     def why(self) -> str:
-        """Why there is none, for people."""
+        """The reason why there is none, as text."""
         return "" if self.reason is None else self.reason.problem
 
 
@@ -58,7 +58,7 @@ class Library:
         _write(directory / "_CoqProject", f"{listed}\n")
 
     def of(self, claims: Iterable[Claim]) -> Library:
-        """The theorems of some claims alone, and the files that they require.
+        """The theorems of some claims only, and the files that they require.
 
         Raises `ClaimError` where none of them has a theorem, with the reasons.
         """
@@ -98,7 +98,7 @@ def _write(path: Path, text: str) -> None:
 
 
 def theory(name: str) -> str:
-    """A file written by hand."""
+    """The text of a file written by hand."""
     return resources.files(__package__).joinpath("theory", f"{name}.v").read_text(encoding="utf-8")
 
 
@@ -121,7 +121,7 @@ def library() -> Library:
 
 
 def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
-    """The claims of a paper by the file in which they stand."""
+    """The claims of a paper by the file that contains them."""
     groups: dict[str, list[Claim]] = {}
     for table, claim in zip(paper.claim_tables(), claims_of(paper.name), strict=True):
         stem = Path(table.place.split(",")[0]).stem
@@ -130,7 +130,9 @@ def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
 
 
 def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
-    """A claim of an equality as theorems, one per dimension: that it holds, or, as its record says, that it fails."""
+    """A claim of an equality as theorems, one per dimension: that it holds, or that it fails, depending on the recorded
+    verdict.
+    """
     if not isinstance(claim, STATED):
         return []
     kind = kind_of(claim.curve)
@@ -157,7 +159,7 @@ def claims_file(paper: Paper, found: Iterable[Stated]) -> str:
 
 
 def claims_header(name: str, text: str) -> str:
-    """How a file with theorems about a paper begins, from their text."""
+    """The header of a file with theorems about a paper, derived from their text."""
     own = next(each for each in papers() if each.name == name)
     used = [each for each in papers() if each is not own and f"{each.name}." in text]
     others = [f"From {ROOT}.formulas Require {each.name}." for each in used]
@@ -184,7 +186,7 @@ def why_unstated(claim: Claim) -> ExactSplineError:
 
 
 def emit(directory: Path, claims: Iterable[Claim] | None = None) -> Library:
-    """Write theorems into a directory: of these claims, of all papers without any."""
+    """Write theorems into a directory: those of these claims, by default of all papers."""
     made = library() if claims is None else library().of(claims)
     made.write(directory)
     return made

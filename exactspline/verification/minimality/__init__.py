@@ -1,9 +1,9 @@
 """Certificates that the degree of a form cannot be lowered: no common factor on any segment, and full degree.
 
-A quotient is certified segment by segment: modulo a prime, multiples of the components of numerator and denominator add
-up to 1, so they have no common factor, and one of them reaches the full degree at the right end. The form of a zero set
-is certified to have its full degree in the parameter and no common factor with w; where a prime is found modulo which
-it is irreducible, every polynomial over ℚ that vanishes at one of its zeros is a multiple of it.
+A quotient is certified segment by segment: modulo a prime, polynomial multiples of the components of numerator and
+denominator add up to 1, so that they have no common factor, and one of them has full degree. The form of a zero set is
+certified to have its full degree in the parameter and no common factor with w; if it is irreducible modulo some prime
+that was found, every polynomial over ℚ that vanishes at one of its zeros is a multiple of it.
 `exactspline.verification.minimality.checker` checks the data with the standard library alone.
 """
 
@@ -31,7 +31,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.generic_degree import minimum_at
 
 FORMAT = "exactspline minimality 1"
-#: Primes near 2⁶¹ for common factors; small ones for irreducibility, where the residue must be irreducible by chance.
+#: Primes near 2⁶¹ for common factors; small ones for irreducibility, since only for some primes the residue is
+#: irreducible.
 LARGE_PRIMES = (2305843009213693951, 2305843009213693921, 2305843009213693907, 2305843009213693723)
 SMALL_PRIMES = tuple(p for p in range(101, 2000) if all(p % q for q in range(2, 45)))
 #: Beyond this degree no prime of irreducibility is searched for.
@@ -118,8 +119,8 @@ def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[
 
 
 def _bezout(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, list[list[str]]]:
-    """A prime and polynomials modulo it that combine the forms to 1; the prime divides no highest coefficient of a form
-    of full degree.
+    """A prime, and polynomials modulo it whose products with the forms add up to 1; the prime divides no leading
+    coefficient of a form of full degree.
     """
     for p in LARGE_PRIMES:
         if all(int(c[n]) % p == 0 for c, n in zip(forms, degrees, strict=True)):
@@ -136,7 +137,7 @@ def _bezout(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, li
 
 
 def _irreducible(c: fmpz_poly, n: int) -> int | None:
-    """A prime modulo which the form is irreducible and of full degree, if one is found."""
+    """A prime modulo which the form is irreducible and of full degree, or None."""
     if not 1 <= n <= LARGEST or c.degree() < n:
         return None
     if [e for _, e in factorize(c).powers] != [1]:
@@ -181,7 +182,7 @@ class Attained:
 
     @property
     def agrees(self) -> bool:
-        """Whether proved and attained degree are one."""
+        """Whether the proved and the attained degree agree."""
         return self.proved == self.attained
 
 

@@ -10,16 +10,16 @@ Polynomial = list[int]
 
 
 def check(certificate: dict[str, object]) -> int:
-    """The largest degree over the segments, of which the certificate proves that it cannot be lowered; a ValueError
-    names the flaw.
+    """The largest degree over the segments; the certificate proves that it cannot be lowered. A ValueError names the
+    flaw.
 
-    A common factor over ℚ would be one modulo the prime, of the same degree, because the prime spares the highest
-    coefficient of a form of full degree; but the cofactors combine the forms to 1. A common zero at the right end (u =
-    0) would make all highest coefficients vanish.
+    A common factor over ℚ would be one modulo the prime, of the same degree, because the prime does not divide the
+    leading coefficient of a form of full degree; but with the cofactors the forms combine to 1. At a common zero at the
+    right end (u = 0) all leading coefficients would vanish.
     """
     try:
         return _checked(certificate)
-    except (TypeError, AttributeError, LookupError) as error:  # data of another shape: a field missing, or no list
+    except (TypeError, AttributeError, LookupError) as error:  # data of another shape: a missing field, or not a list
         raise ValueError(f"not a certificate of minimality: {type(error).__name__}: {error}") from error
 
 
@@ -76,19 +76,19 @@ def _integer(told: Any) -> int:
 
 
 def _digits(told: str) -> int:
-    """Piece by piece: Python refuses to read thousands of digits at once."""
+    """Read digits piece by piece, since Python limits the number of digits that it converts."""
     if len(told) <= 600:
         return int(told)
     half = len(told) // 2
     return int(_digits(told[:-half]) * 10**half + _digits(told[-half:]))
 
 
-#: The first primes: with them as bases Miller and Rabin's test decides all n below 3·10²⁴.
+#: The first primes: with these bases the Miller–Rabin test decides all n below 3·10²⁴.
 BASES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)
 
 
 def _is_prime(n: int) -> bool:
-    """Miller and Rabin's test."""
+    """The Miller–Rabin test."""
     if n < 2 or any(n % q == 0 and n != q for q in BASES):
         return False
     odd, twos = n - 1, 0
