@@ -78,12 +78,12 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
 
 def recorded(claim: Claim, name: str, value: object) -> Verdict:
     """A verdict that can be recorded: a contradiction between two routes is an error of this library."""
-    found = word(Verdict, value, name)
-    if found == CONTRADICTION:
+    verdict = word(Verdict, value, name)
+    if verdict == CONTRADICTION:
         raise ClaimError(
             "a contradiction as the recorded verdict", where=name, remedy="one of two routes is wrong: report this"
         )
-    return found
+    return verdict
 
 
 def formula_name(claim: Claim, name: str, value: str) -> Name:
@@ -138,15 +138,15 @@ def example_list(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ..
 
 def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) -> tuple[Assumption, ...]:
     """Assumptions by their names, each about the arguments of the claim."""
-    found = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
-    for each in found:
+    assumptions = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
+    for each in assumptions:
         if claim.curve != ArgumentKind.TABLE and not each.speaks_of(kind_of(claim.curve)):
             raise ClaimError(
                 f"the assumption {each.name!r} does not apply to {str(claim.curve)!r}",
                 where=name,
                 remedy=f"it is about {', '.join(map(repr, each.kinds))}",
             )
-    return found
+    return assumptions
 
 
 def _assumed(claim: Claim, text: str) -> Assumption:
@@ -339,8 +339,8 @@ class Claim(Immutable, Displayed):
         """Whether it applies to single curves (or surfaces) of that dimension and kind: splines have no roots."""
         kind = kind_of(self.curve)
         made = kind.made_of_a_surface if surface else kind.made_of_a_curve
-        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and made
-        return told and dimension in self.dimensions and polynomial in self.of.worlds
+        decidable = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and made
+        return decidable and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod
@@ -357,8 +357,8 @@ class Claim(Immutable, Displayed):
         rational and polynomial curves of every dimension to which it applies.
         """
         with sharing():
-            found = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
-        return self.reading, worst(found)
+            findings = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
+        return self.reading, worst(findings)
 
     @property
     def equality(self) -> Statement | None:

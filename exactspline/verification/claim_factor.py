@@ -27,7 +27,7 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
 
     Raises `ClaimError` when it cannot be read, or is zero or divided by zero.
     """
-    found, left = [], FACTORS
+    parts, remaining = [], FACTORS
     for part in as_text(text, "a factor").split():
         match = re.fullmatch(r"([A-Za-z]\w*|-?\d+(?:/\d+)?)(?:\^(-?\d+))?", part)
         if not match:
@@ -37,15 +37,15 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
         if not match[1][0].isalpha() and re.fullmatch(r"-?0+(/\d+)?|-?\d+/0+", match[1]):
             raise ClaimError(f"the factor {text!r} is zero or divided by zero", where=part, remedy="remove the zero")
         exponent = int(match[2] or 1) if len(match[2] or "") < LETTERS else FACTORS + 1
-        left -= abs(exponent)
-        if left < 0 or len(match[1]) > LETTERS:
+        remaining -= abs(exponent)
+        if remaining < 0 or len(match[1]) > LETTERS:
             raise ClaimError(
                 f"the factor {shown(text)} is too large", where=part[:60], remedy=f"at most {FACTORS} factors in all"
             )
-        found.append((match[1], exponent))
-    if not found:
+        parts.append((match[1], exponent))
+    if not parts:
         raise ClaimError("the factor is empty", remedy='write "1"')
-    return found
+    return parts
 
 
 def factor_formulas(text: str, find: Callable[[str], Formula] = find_anywhere) -> list[Formula]:

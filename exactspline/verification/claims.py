@@ -56,29 +56,29 @@ def claim_of(table: Table, source: Paper) -> Claim:
 
 def _completed(entry: dict[str, Any], source: Paper) -> dict[str, Any]:
     """An entry with its defaults: with words or a place its status is printed, otherwise ours."""
-    told = dict(entry)
-    told.setdefault("status", "printed" if told.get("words") or told.get("place") else "ours")
-    told.setdefault("source", told.get("place") or source.title)
-    if "id" in told and "key" not in told:
-        told["key"] = f"{re.sub(r'[ .]+', '', str(told['id']))}-{told.get('kind', '')}".replace(" ", "-")
-    return told
+    completed = dict(entry)
+    completed.setdefault("status", "printed" if completed.get("words") or completed.get("place") else "ours")
+    completed.setdefault("source", completed.get("place") or source.title)
+    if "id" in completed and "key" not in completed:
+        completed["key"] = f"{re.sub(r'[ .]+', '', str(completed['id']))}-{completed.get('kind', '')}".replace(" ", "-")
+    return completed
 
 
 def _read(entry: dict[str, Any], source: Paper) -> Claim:
-    told = _completed(entry, source)
-    name = told.pop("kind", None)
+    fields = _completed(entry, source)
+    name = fields.pop("kind", None)
     if name is None:
         raise ClaimError("the field 'kind' is missing", where="kind", remedy=f"there are {', '.join(KINDS)}")
     if not isinstance(name, str) or name not in KINDS:
         raise ClaimError(f"the kind {name!r} is unknown", where="kind", remedy=nearest(str(name), list(KINDS)))
     kind = KINDS[name]
     known = declared(kind).entries
-    for field in told:
+    for field in fields:
         if field not in known:
             raise ClaimError(
                 f"claims of the kind {name!r} have no field {field!r}", where=field, remedy=nearest(field, list(known))
             )
-    for field, value in told.items():
+    for field, value in fields.items():
         if problem := _shape(str(known[field].type), value):
             raise ClaimError(f"{shown(value)} is {problem}", where=field, remedy="look at the table of kinds of claims")
         if field != "words" and "$" in str(value):  # quotations keep the LaTeX of their source
@@ -86,9 +86,9 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
                 "'$' in a text", where=field, remedy="write formulas as text, like κ′ or γ; pages show them"
             )
     for field in declared(kind).needed:
-        if field not in told:
+        if field not in fields:
             raise ClaimError(f"the field {field!r} is missing", where=field, remedy="add it")
-    values: dict[str, Any] = {f: tuple(v) if isinstance(v, list) else v for f, v in told.items()}
+    values: dict[str, Any] = {f: tuple(v) if isinstance(v, list) else v for f, v in fields.items()}
     claim = kind(paper=source.name, **values)
     if claim.error and claim.error not in source.errors:
         raise ClaimError(
@@ -157,7 +157,7 @@ def claims_of(source: Paper | str) -> tuple[Claim, ...]:
 
 @cache
 def _claims(source: Paper) -> tuple[Claim, ...]:
-    found, places = [], dict[str, str]()
+    claims, places = [], dict[str, str]()
     for table in source.claim_tables():
         claim = claim_of(table, source)
         if claim.key in places:
@@ -165,8 +165,8 @@ def _claims(source: Paper) -> tuple[Claim, ...]:
                 f"the key {claim.key!r} is taken by {places[claim.key]}", where=table.place, remedy="choose another one"
             )
         places[claim.key] = table.place
-        found.append(claim)
-    return tuple(found)
+        claims.append(claim)
+    return tuple(claims)
 
 
 @cache
@@ -222,17 +222,17 @@ def expect_claim(given: object) -> Claim:
     )
 
 
-def matches(claim_id: str, wanted: str) -> bool:
+def matches(claim_id: str, requested: str) -> bool:
     """Whether an id is the requested one or a part of it.
 
     >>> matches("C3a", "c3"), matches("C4.1a", "C4.1"), matches("T17", "T1")
     (True, True, False)
     """
-    a, b = claim_id.lower(), wanted.lower()
+    a, b = claim_id.lower(), requested.lower()
     return a == b or (a.startswith(b) and not (b[-1].isdigit() and a[len(b)].isdigit()))
 
 
-def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
+def located(requested: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
     """The claims with this id or one that begins with it, those at this place of the paper, or those that mention it.
 
     >>> [claim.id for claim in located("eq. (8)")][:2], located("C4.1c")[0].id
@@ -244,19 +244,19 @@ def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, 
     ids.
     """
     known = all_claims() if claims is None else tuple(claims)
-    chosen = tuple(c for c in known if c.key == wanted or matches(c.id, wanted))
-    chosen = chosen or tuple(c for c in known if _stands(c.source, wanted) or _stands(c.place, wanted))
-    if len(wanted) >= SHORTEST:
-        chosen = chosen or tuple(c for c in known if wanted.lower() in c.statement.lower())
+    chosen = tuple(c for c in known if c.key == requested or matches(c.id, requested))
+    chosen = chosen or tuple(c for c in known if _stands(c.source, requested) or _stands(c.place, requested))
+    if len(requested) >= SHORTEST:
+        chosen = chosen or tuple(c for c in known if requested.lower() in c.statement.lower())
     if not chosen:
         ids = dict.fromkeys(claim.id for claim in known)
-        raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, ids, listed_by="show"))
+        raise ClaimError(f"no claim has the id {requested!r}", remedy=nearest(requested, ids, listed_by="show"))
     return chosen
 
 
-def _stands(source: str, wanted: str) -> bool:
+def _stands(source: str, requested: str) -> bool:
     """Whether a place is the requested one: the equation with this number, a remark, a figure, a section."""
-    a, b = (" ".join(text.lower().replace("equation", "eq.").split()) for text in (source, wanted))
+    a, b = (" ".join(text.lower().replace("equation", "eq.").split()) for text in (source, requested))
     if b.startswith("(") and b.endswith(")"):
         return b in a
     position = a.find(b)

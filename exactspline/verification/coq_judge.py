@@ -49,20 +49,20 @@ def findings(claims: Iterable[Claim]) -> dict[tuple[str, str], Finding]:
     the record; the kernel rejects a wrong one.
     """
     claims = list(claims)
-    wanted = {(claim.paper, claim.key) for claim in claims}
+    requested = {(claim.paper, claim.key) for claim in claims}
     made, installed = library(), bool(shutil.which("coqc"))
     chosen = {
-        name: tuple(each for each in own if (each.claim.paper, each.claim.key) in wanted)
+        name: tuple(each for each in own if (each.claim.paper, each.claim.key) in requested)
         for name, own in made.theorems.items()
     }
     # without a theorem there is nothing for which the theory would be compiled
     compiled = _compiled(made, chosen) if installed and any(chosen.values()) else {}
-    found: dict[tuple[str, str], list[Finding]] = {}
+    by_claim: dict[tuple[str, str], list[Finding]] = {}
     for each in (each for own in chosen.values() for each in own):
         said = _finding(each, compiled, installed=installed)
-        found.setdefault((each.claim.paper, each.claim.key), []).append(said)
+        by_claim.setdefault((each.claim.paper, each.claim.key), []).append(said)
     unstated = {(c.paper, c.key): [Finding(UNDECIDED, witness=NoTheorem(why_unstated(c)))] for c in claims}
-    return {key: _together(own) for key, own in (unstated | found).items()}
+    return {key: _together(own) for key, own in (unstated | by_claim).items()}
 
 
 def _finding(each: Stated, compiled: Axioms, *, installed: bool) -> Finding:
@@ -89,7 +89,7 @@ def _together(own: list[Finding]) -> Finding:
 
 def _compiled(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> Axioms:
     """The axioms of the accepted theorems, by name."""
-    found: Axioms = {}
+    axioms: Axioms = {}
     with tempfile.TemporaryDirectory() as room:
         place = Path(room)
         made.write(place)
@@ -99,12 +99,12 @@ def _compiled(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> Axioms:
             accepted = compile_file(place, name)
             theorems = [each for each in chosen.get(name, ()) if each.reason is None]
             if accepted:
-                found |= assumptions(place, name, [each.name for each in theorems])
+                axioms |= assumptions(place, name, [each.name for each in theorems])
                 continue
             for each in theorems:
                 if _alone(place, name, each):
-                    found |= assumptions(place, f"{name}_{each.name}", [each.name])
-    return found
+                    axioms |= assumptions(place, f"{name}_{each.name}", [each.name])
+    return axioms
 
 
 def compile_file(place: Path, name: str) -> bool:

@@ -84,9 +84,9 @@ def extra_zero(a: BSpline, b: BSpline) -> Place | None:
             return segment(a, i)
         low, high = a.breakpoints[i : i + 2]
         rest, n = _without(p, q)
-        found = zero_on_segment(rest, n)
-        if found and not (found[0] == found[1] == 1 and q and q[b.degree] == 0):
-            return between(Interval(low, high).part(found))
+        zero = zero_on_segment(rest, n)
+        if zero and not (zero[0] == zero[1] == 1 and q and q[b.degree] == 0):
+            return between(Interval(low, high).part(zero))
         if p[a.degree] == 0 and q and q[b.degree] != 0:
             return At(high, from_left=True)
     return None

@@ -113,11 +113,11 @@ def _in_pieces(c: Construction, variant: Variant, nominal: str, curve: Nurbs, se
     """The row of an object that does not exist on every segment: of its pieces, with the reason for the gaps."""
     lowest = str(minimum(c.name, curve.dimension, curve.polynomial)) if variant == Variant.MINIMAL else "–"
     try:
-        found = derive(c.name, curve, variant)
+        derived = derive(c.name, curve, variant)
     except ShapeError as error:
         return DegreeRow(c.name, variant, nominal, None, None, None, lowest, str(error), seconds=seconds)
-    counts = found.degree, found.true_degree, found.control_points
-    return DegreeRow(c.name, variant, nominal, *counts, lowest, found.existence, seconds=seconds)
+    counts = derived.degree, derived.true_degree, derived.control_points
+    return DegreeRow(c.name, variant, nominal, *counts, lowest, derived.existence, seconds=seconds)
 
 
 def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -> str:
@@ -125,10 +125,10 @@ def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -
     if not (variant == Variant.MINIMAL or is_polynomial(formula, dimension)):
         return "–"
     try:
-        found = true_degree(reduction_of(formula, dimension, polynomial).main.lowest[0])
+        degree = true_degree(reduction_of(formula, dimension, polynomial).main.lowest[0])
     except (FormulaError, ReachError):
         return "–"
-    return f"{found.k}, {found.m}, {found.j}"
+    return f"{degree.k}, {degree.m}, {degree.j}"
 
 
 #: Ruled surfaces whose generators are measured: naive, reduced as in the paper, lifted.

@@ -35,8 +35,8 @@ def divisors(claim: Claim) -> tuple[str, ...]:
     [('p₂',), ('p₂', 'w₁ p₂'), ('p₂',), (), ()]
     """
     formulas = [claim.find(name) for name in claim.named]
-    found = dict.fromkeys(text for formula in formulas for n in claim.dimensions for text in _of(formula, n, claim))
-    return tuple(found)
+    texts = dict.fromkeys(text for formula in formulas for n in claim.dimensions for text in _of(formula, n, claim))
+    return tuple(texts)
 
 
 def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:

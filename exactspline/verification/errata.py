@@ -107,8 +107,10 @@ def _refuted(claim: Claim) -> Refuted | None:
         return None
     place = ", ".join(dict.fromkeys(part for part in (claim.source, claim.place.split(",")[0]) if part))
     relation = true_relation(claim, finding)
-    found, witness = (relation, None) if relation else (finding.computed, finding.witness)
-    return Refuted(claim.id, claim.key, place, claim.words, numbered(claim), claim.claims, found, witness, check(claim))
+    computed, witness = (relation, None) if relation else (finding.computed, finding.witness)
+    return Refuted(
+        claim.id, claim.key, place, claim.words, numbered(claim), claim.claims, computed, witness, check(claim)
+    )
 
 
 def true_relation(claim: Claim, finding: Finding) -> Relating | None:

@@ -140,12 +140,12 @@ def zero_of(f: BSpline) -> Place | None:
         if not p:
             return segment(f, i)
         a, b = f.breakpoints[i : i + 2]
-        if found := zero_on_segment(p, f.degree):
-            return between(Interval(a, b).part(found))
+        if zero := zero_on_segment(p, f.degree):
+            return between(Interval(a, b).part(zero))
     return None
 
 
-def between(found: Interval) -> At | Between:
+def between(interval: Interval) -> At | Between:
     """The place of a zero."""
-    s, t = found
+    s, t = interval
     return At(s) if s == t else Between(s, t)

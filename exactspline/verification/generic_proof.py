@@ -64,10 +64,10 @@ def _naive_denominator(formula: Formula, ring: JetRing, polynomial: bool) -> Fac
     """The irreducible factors of a denominator, without cancellation."""
     argument = FactoredJetReading(ring.order).argument(ring.kind, ring.dimension, polynomial=polynomial)
     below: FactoredJet | None = split(formula(argument))[1]
-    found, one = Factorization[Named](), ring.context.constant(1)
+    factors, one = Factorization[Named](), ring.context.constant(1)
     for base, exponent in () if below is None else below.powers:
-        found = found * factored(ring, base, one).powers ** exponent
-    return found
+        factors = factors * factored(ring, base, one).powers ** exponent
+    return factors
 
 
 def harmful(factor: Factor, assumed: Iterable[Assumption]) -> tuple[list[Name], tuple[Name, ...]]:
@@ -126,10 +126,10 @@ def transposed(formula: Formula) -> Formula:
 
 def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
     """The reduction of a formula, computed once; its degrees are counted in the given parameter."""
-    found = _reduction(formula, dimension, polynomial, naming())
-    if isinstance(found, ExactSplineError):
-        raise found
-    return found if parameter is None else counted_in(found, formula, parameter)
+    reduction = _reduction(formula, dimension, polynomial, naming())
+    if isinstance(reduction, ExactSplineError):
+        raise reduction
+    return reduction if parameter is None else counted_in(reduction, formula, parameter)
 
 
 @cache

@@ -29,15 +29,15 @@ def own_curves(source: Paper) -> dict[str, Nurbs]:
 
     Raises `CurveFileError` with the file.
     """
-    found = {}
+    curves = {}
     for file in source.curve_files():
         if file.name.endswith(".json"):
             name = file.name.removesuffix(".json")
             try:
-                found[name] = curve_from_text(file.read_text(encoding="utf-8"), name)
+                curves[name] = curve_from_text(file.read_text(encoding="utf-8"), name)
             except ExactSplineError as error:
                 raise error.at(f"{source.name}/curves/{file.name}") from None
-    return found
+    return curves
 
 
 def curve_names(source: Paper) -> list[str]:

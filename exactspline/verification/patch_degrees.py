@@ -127,9 +127,9 @@ def patch_table(formulas: Iterable[Formula], degrees: tuple[int, int]) -> list[C
         raise FormulaError(f"patches of the degrees {shown(degrees)}", remedy="two integers ≥ 1, as in (2, 3)")
     known = [f for f in given if f.kind in (SURFACE, PLANAR_MAP)]
     if not known:
-        told = ", ".join(f"{f.name} ({f.kind.name})" for f in given[:NAMED]) or "none"
+        given_kinds = ", ".join(f"{f.name} ({f.kind.name})" for f in given[:NAMED]) or "none"
         raise FormulaError(
-            f"no formula of surfaces among {told}", remedy="patches have those of surfaces and planar maps"
+            f"no formula of surfaces among {given_kinds}", remedy="patches have those of surfaces and planar maps"
         )
     return [partial(_row, f, degrees, polynomial) for f in known for polynomial in (False, True)]
 
@@ -153,10 +153,10 @@ def _measured(part: Part, surface: Surface[TensorSpline]) -> tuple[int, int]:
     core = [substitute(jet, surface) for jet in part.core]
     if any(f.is_zero for f, _ in factors) or all(f.is_zero for f in core):
         return -1, -1
-    found = [(f.true_degree, e) for f, e in factors]
+    degrees = [(f.true_degree, e) for f, e in factors]
     largest = Degrees(max(f.true_degree.s for f in core), max(f.true_degree.t for f in core))
-    found.append((largest, 1))
-    return sum(n.s * e for n, e in found), sum(n.t * e for n, e in found)
+    degrees.append((largest, 1))
+    return sum(n.s * e for n, e in degrees), sum(n.t * e for n, e in degrees)
 
 
 def _pair(u: int, v: int) -> tuple[int, int] | None:

@@ -138,10 +138,10 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
         curve = jets_with_roots(equation.formulas, factor, n)
     else:
         curve = RationalJetReading(max(order_of(f, n) for f in equation.formulas)).argument(kind, n)
-    found = equation.decide(curve)
+    finding = equation.decide(curve)
     nothing = kind.adjoins_roots or sides[1](curve).is_zero
     quotient = None if nothing else find_factor(sides[0](curve), sides[1](curve))
-    return Proof(sides[0].name, sides[1].name, factor, n, found, quotient, kind.adjoins_roots)
+    return Proof(sides[0].name, sides[1].name, factor, n, finding, quotient, kind.adjoins_roots)
 
 
 def proof_of(text: str, *, trust: bool = False) -> Proof:
@@ -192,18 +192,18 @@ def degree(
 
     Raises `FormulaError` for an unknown formula, and where the degree theorem does not apply to its argument.
     """
-    (wanted,) = _formulas(formula)
+    (named,) = _formulas(formula)
     dimension, polynomial = _given_dimension(dimension), as_flag(polynomial, POLYNOMIAL)
-    n = wanted.kind.dimensions[0] if dimension is None else dimension
-    known = wanted.kind.parameters(n)
+    n = named.kind.dimensions[0] if dimension is None else dimension
+    known = named.kind.parameters(n)
     counted = known[0] if parameter is None else choice(Parameter, parameter, "parameter")
     if counted not in known:
         raise FormulaError(
-            f"the degree of {wanted.name} in {counted}", remedy=f"it is a function of {' and '.join(known)}"
+            f"the degree of {named.name} in {counted}", remedy=f"it is a function of {' and '.join(known)}"
         )
-    nominal = wanted(DegreeReading(parameter=counted).argument(wanted.kind, n, polynomial=polynomial)).degree
-    found = reduce(wanted, dimension=n, polynomial=polynomial, parameter=counted)
-    return DegreeAnswer(wanted.name, n, nominal, found.main.generic_lowest)
+    nominal = named(DegreeReading(parameter=counted).argument(named.kind, n, polynomial=polynomial)).degree
+    reduction = reduce(named, dimension=n, polynomial=polynomial, parameter=counted)
+    return DegreeAnswer(named.name, n, nominal, reduction.main.generic_lowest)
 
 
 def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
@@ -235,8 +235,8 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     for denominator, f in ((k, sides[0]), (m, sides[1])):
         if denominator is not None and denominator.vanishes_somewhere:
             raise FormulaError(f"{f.name} does not exist on all of this curve", remedy="restrict the curve")
-    found = Equation(sides[0], sides[1], factor).decide(curve, VERIFIED)
-    return Check(sides[0].name, sides[1].name, factor, found)
+    finding = Equation(sides[0], sides[1], factor).decide(curve, VERIFIED)
+    return Check(sides[0].name, sides[1].name, factor, finding)
 
 
 def reduction(
@@ -254,10 +254,10 @@ def reduction(
 
     Raises `FormulaError` for an unknown formula, `ShapeError` where it is not defined in this dimension.
     """
-    wanted = find(formula) if isinstance(formula, str) else formula
+    named = find(formula) if isinstance(formula, str) else formula
     counted = None if parameter is None else choice(Parameter, parameter, "parameter")
     dimension, polynomial = _given_dimension(dimension), as_flag(polynomial, POLYNOMIAL)
-    return reduce(wanted, dimension=dimension, polynomial=polynomial, parameter=counted)
+    return reduce(named, dimension=dimension, polynomial=polynomial, parameter=counted)
 
 
 def _given_dimension(dimension: int | None) -> int | None:

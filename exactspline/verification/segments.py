@@ -128,11 +128,11 @@ def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> 
 def _polynomial(points: tuple[mpq, ...], ring: JetRing, parameter: str, width: mpq) -> JetFraction:
     """A segment by its Bézier points, as a polynomial in the parameter minus its value at the start of the segment."""
     n, t = len(points) - 1, ring[parameter].polynomial
-    found = ring.context.constant(0)
+    polynomial = ring.context.constant(0)
     for k in range(n, -1, -1):
         c = comb(n, k) * sum((-1) ** (k - j) * comb(k, j) * points[j] for j in range(k + 1)) / width**k
-        found = found * t + to_fmpq(mpq(c))
-    return JetFraction(ring, found, ring.context.constant(1))
+        polynomial = polynomial * t + to_fmpq(mpq(c))
+    return JetFraction(ring, polynomial, ring.context.constant(1))
 
 
 def at_equal_parameters(value: JetFraction) -> JetFraction:

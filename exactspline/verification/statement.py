@@ -66,7 +66,7 @@ class Statement(Displayed):
         return self.finding.verdict == self.claim.expected
 
 
-def statements(wanted: str) -> Iterator[Statement]:
+def statements(claim_id: str) -> Iterator[Statement]:
     """The statements of the claim with this id (or of all that it begins), each decided anew.
 
     >>> [(s.sides[0].name, s.sides[-1].name, str(s.finding.factor)) for s in statements("C4.1a")]
@@ -74,7 +74,7 @@ def statements(wanted: str) -> Iterator[Statement]:
 
     Raises `ClaimError` with the existing ids.
     """
-    return (statement(claim) for claim in select([wanted]))
+    return (statement(claim) for claim in select([claim_id]))
 
 
 def statement(claim: Claim) -> Statement:
@@ -122,8 +122,8 @@ def _dimension(formula: Formula, claim: Claim) -> int:
 def _degrees(name: str, claim: Claim, polynomial: bool) -> str:
     """The degree of a formula, for surfaces in each parameter."""
     parameters = (claim.parameter,) if isinstance(claim, DegreeClaim) else claim.find(name).kind.counted
-    found = [_degree(name, claim, polynomial, parameter) for parameter in parameters]
-    return ", ".join("–" if degree is None else str(degree) for degree in found) or "–"
+    degrees = [_degree(name, claim, polynomial, parameter) for parameter in parameters]
+    return ", ".join("–" if degree is None else str(degree) for degree in degrees) or "–"
 
 
 def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> Degree | None:

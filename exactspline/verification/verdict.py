@@ -49,9 +49,9 @@ def left(why: Evidence) -> Finding:
     return Finding(UNDECIDED, witness=LeftToTheProof(why), reason=Reason.LEFT)
 
 
-def sampled(found: Finding, part: Evidence, stopped_by: ExactSplineError | None = None) -> Finding:
+def sampled(finding: Finding, part: Evidence, stopped_by: ExactSplineError | None = None) -> Finding:
     """A finding that something holds, where it was tried on a part only: no verdict."""
-    return replace(found, verdict=UNDECIDED, witness=HeldOn(part, stopped_by), reason=Reason.SAMPLED)
+    return replace(finding, verdict=UNDECIDED, witness=HeldOn(part, stopped_by), reason=Reason.SAMPLED)
 
 
 def vacuous(computed: Evidence = Fact.NOTHING, factor: Found | None = None) -> Finding:
@@ -64,12 +64,12 @@ def inapplicable(why: Evidence, computed: Found | None = None, relation: Relatio
     return Finding(INAPPLICABLE, computed, witness=why, relation=relation)
 
 
-def worst(found: list[Finding]) -> Finding:
+def worst(findings: list[Finding]) -> Finding:
     """The least favourable finding: a contradiction, a refutation, then an undecided one, then one that holds on the
     curves tried.
     """
     order = (CONTRADICTION, REFUTED, UNDECIDED, INAPPLICABLE, VACUOUS, VERIFIED, PROVED)
-    return min(found, key=lambda finding: order.index(finding.verdict))
+    return min(findings, key=lambda finding: order.index(finding.verdict))
 
 
 def compared(proof: Finding, refutation: Finding) -> Finding:

@@ -24,8 +24,8 @@ def local(root: Root, digits: int = DIGITS) -> Interval:
     the segment.
     """
     assert root.segment is not None
-    found = root.refine(digits + max(0, len(str(int(1 / root.segment.width)))))
-    return Interval(*map(root.segment.local, found))
+    interval = root.refine(digits + max(0, len(str(int(1 / root.segment.width)))))
+    return Interval(*map(root.segment.local, interval))
 
 
 def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:

@@ -62,10 +62,10 @@ def double_precision_roots(form: Form, n: int, zeros: Sequence[tuple[mpq, Interv
         for x, (low, high) in zeros
         for j in range(STARTS)
     ]
-    found = _bisected(points, starts)
+    ends = _bisected(points, starts)
     result = []
     for k, (x, _) in enumerate(zeros):
-        errors = [abs(from_float(y) - x) for y in found[k * STARTS : (k + 1) * STARTS] if y is not None]
+        errors = [abs(from_float(y) - x) for y in ends[k * STARTS : (k + 1) * STARTS] if y is not None]
         result.append(Double(max(errors)) if errors else Double(None, "no change of sign in doubles"))
     return result
 
@@ -118,20 +118,20 @@ def _bisected(points: list[float], starts: Sequence[tuple[float, float]]) -> lis
     """
     first = _values(points, [low for low, _ in starts])
     last = _values(points, [high for _, high in starts])
-    found: list[float | None] = [None] * len(starts)
+    ends: list[float | None] = [None] * len(starts)
     going = {
         k: start for k, start in enumerate(starts) if first[k] != 0 and last[k] != 0 and (first[k] > 0) != (last[k] > 0)
     }
     while going:
         middles = {k: (low + high) / 2 for k, (low, high) in going.items()}
         for k in [k for k, (low, high) in going.items() if not low < middles[k] < high]:
-            found[k] = going.pop(k)[0]
+            ends[k] = going.pop(k)[0]
             del middles[k]
         for (k, middle), at in zip(middles.items(), _values(points, list(middles.values())), strict=True):
             low, high = going[k]
             if at == 0:
-                found[k] = middle
+                ends[k] = middle
                 del going[k]
             else:
                 going[k] = (middle, high) if (at > 0) == (first[k] > 0) else (low, middle)
-    return found
+    return ends

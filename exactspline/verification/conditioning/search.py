@@ -72,8 +72,8 @@ def search_witnesses(seed: int = 0, count: int = 10, *, doubles: bool = False) -
     denominator with it. The same seed always gives the same curves. With `doubles` the errors of double precision are
     compared too, which takes about a second per curve.
 
-    >>> found = search_witnesses(seed=1, count=2)
-    >>> [(t.family, t.worse > 0, t.better > 0) for t in found if t.form == "direct"]
+    >>> tallies = search_witnesses(seed=1, count=2)
+    >>> [(t.family, t.worse > 0, t.better > 0) for t in tallies if t.form == "direct"]
     [('positive weights', True, False), ('a weight near zero', True, False), ('a denominator near zero', False, True)]
 
     Raises `ShapeError` when `count` is negative.

@@ -67,18 +67,18 @@ class Library:
         files = {name: text for name, text in self.files.items() if name not in self.theorems}
         theorems: dict[str, tuple[Stated, ...]] = {}
         for name, own in self.theorems.items():
-            if found := tuple(each for each in own if (each.claim.paper, each.claim.key) in keys):
-                theorems[name] = found
-                if any(each.reason is None for each in found):
-                    files[name] = claims_file(found[0].claim.source_paper, found)
+            if kept := tuple(each for each in own if (each.claim.paper, each.claim.key) in keys):
+                theorems[name] = kept
+                if any(each.reason is None for each in kept):
+                    files[name] = claims_file(kept[0].claim.source_paper, kept)
         known = {(each.claim.paper, each.claim.key) for own in theorems.values() for each in own}
         without = [Stated(c, "", "", why_unstated(c)) for c in chosen if (c.paper, c.key) not in known]
         if without:
             theorems[""] = tuple(without)
         made = Library(files, theorems)
         if len(made.unstated) == sum(map(len, theorems.values())):
-            told = dict.fromkeys(f"{each.claim.key}: {each.why}" for each in made.unstated)
-            raise ClaimError("no theorem", where="; ".join(list(told)[:3]), remedy="name an equality of a paper")
+            reasons = dict.fromkeys(f"{each.claim.key}: {each.why}" for each in made.unstated)
+            raise ClaimError("no theorem", where="; ".join(list(reasons)[:3]), remedy="name an equality of a paper")
         return made
 
     @property
@@ -111,12 +111,12 @@ def library() -> Library:
     theorems: dict[str, tuple[Stated, ...]] = {}
     for paper in formulas.papers:
         for table, claims in by_table(paper):
-            found = tuple(each for claim in claims for each in stated(claim, paper, formulas))
-            if found:
+            theorems_of_table = tuple(each for claim in claims for each in stated(claim, paper, formulas))
+            if theorems_of_table:
                 name = f"claims/{paper.name}_{table}"
-                theorems[name] = found
-                if any(each.reason is None for each in found):
-                    files[name] = claims_file(paper, found)
+                theorems[name] = theorems_of_table
+                if any(each.reason is None for each in theorems_of_table):
+                    files[name] = claims_file(paper, theorems_of_table)
     return Library(files, theorems)
 
 
@@ -139,22 +139,22 @@ def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
     if not written_for(kind):
         return [Stated(claim, "", "", FormulaError(f"arguments of the kind {kind.name!r} are not written"))]
     make = refutation if claim.expected == Verdict.REFUTED else theorem
-    found = []
+    theorems = []
     for dimension in kind.dimensions:
         try:
             text = make(claim, dimension, lambda formula: formulas.named(formula, paper))
         except ExactSplineError as error:
-            found.append(Stated(claim, "", "", error))
+            theorems.append(Stated(claim, "", "", error))
             continue
         match = re.search(r"^Theorem (\S+)", text, re.MULTILINE)
         assert match is not None
-        found.append(Stated(claim, match[1], text))
-    return found
+        theorems.append(Stated(claim, match[1], text))
+    return theorems
 
 
-def claims_file(paper: Paper, found: Iterable[Stated]) -> str:
+def claims_file(paper: Paper, theorems: Iterable[Stated]) -> str:
     """The file of the theorems of one table of claims."""
-    texts = [each.text for each in found if each.reason is None]
+    texts = [each.text for each in theorems if each.reason is None]
     return "\n".join([claims_header(paper.name, "".join(texts)), *texts])
 
 

@@ -144,7 +144,7 @@ def surface(tree: Node) -> bool:
 
 def calls(tree: Node) -> list[Formula]:
     """The formulas that a tree calls directly."""
-    found: dict[Formula, None] = {}
+    called: dict[Formula, None] = {}
     seen, todo = set[int](), [tree]
     while todo:
         node = todo.pop()
@@ -152,7 +152,7 @@ def calls(tree: Node) -> list[Formula]:
             continue
         seen.add(id(node))
         if node.op is Operation.NAMED:
-            found[node.value.formula] = None
+            called[node.value.formula] = None
         else:
             todo += node.args
-    return list(found)
+    return list(called)

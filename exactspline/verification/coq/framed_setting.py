@@ -226,14 +226,14 @@ class FramedSetting(Setting):
     @property
     def own_rules(self) -> list[str]:
         """The derivatives of the roots and their inverses."""
-        found = []
+        rules = []
         if self.differentiates_roots:
             for root in self.used:
                 place = self.position(root)
                 half = self._half(root)
-                found.append(f"({place}%positive, ({half}) * var {place - 1})")
-                found.append(f"({place - 1}%positive, - (({half}) * var {place - 1} ^ 3))")
-        return found
+                rules.append(f"({place}%positive, ({half}) * var {place - 1})")
+                rules.append(f"({place - 1}%positive, - (({half}) * var {place - 1} ^ 3))")
+        return rules
 
     @property
     def symbols(self) -> tuple[Symbol, ...]:

@@ -154,10 +154,10 @@ class Proof:
     def _divides_with_derivative(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
         """``4 B = b S − S′ S′`` implies that S does not vanish where B does not; this applies to ‖γ′‖² and ‖γ′ × γ″‖²
         (in the plane ``[γ′ γ″]²``)."""
-        found = self._whole(polynomial, premise)
-        if found is None:
+        whole_factor = self._whole(polynomial, premise)
+        if whole_factor is None:
             return False
-        whole, power, rest, derivative = found
+        whole, power, rest, derivative = whole_factor
         self.recognize(factored(mpq(2)))
         if whole not in self._polynomials:
             self._prove(whole)

@@ -129,11 +129,11 @@ class ImplicitSetting(Setting):
     @property
     def own_rules(self) -> list[str]:
         """The velocity of the curve, and the chain rule."""
-        found = [f"({self.position(x)}%positive, {v})" for x, v in zip(self._axes, self._velocity, strict=True)]
+        rules = [f"({self.position(x)}%positive, {v})" for x, v in zip(self._axes, self._velocity, strict=True)]
         for x in self._axes:
             terms = [f"{self._second(x, y)} * {v}" for y, v in zip(self._axes, self._velocity, strict=True)]
-            found.append(f"({self.position(f'f{x}')}%positive, {' + '.join(terms)})")
-        return found
+            rules.append(f"({self.position(f'f{x}')}%positive, {' + '.join(terms)})")
+        return rules
 
     @property
     def deep(self) -> str:

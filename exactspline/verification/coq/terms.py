@@ -51,12 +51,12 @@ _FIELDS = re.compile(r"^  (\w+) :(?!=)|[{;] (\w+) :(?!=)", re.MULTILINE)
 @cache
 def reserved() -> frozenset[str]:
     """Words that formulas cannot have as names: those of the language and of the files written by hand."""
-    found = {*_LANGUAGE.split(), *_VARIABLES.split()}
+    words = {*_LANGUAGE.split(), *_VARIABLES.split()}
     for name in THEORY:
         text = resources.files(__package__).joinpath("theory", f"{name}.v").read_text(encoding="utf-8")
-        found |= set(_DEFINED.findall(text)) | {name for pair in _FIELDS.findall(text) for name in pair if name}
-        found |= set(re.findall(r":= (\w+) \{", text))
-    return frozenset(found)
+        words |= set(_DEFINED.findall(text)) | {name for pair in _FIELDS.findall(text) for name in pair if name}
+        words |= set(re.findall(r":= (\w+) \{", text))
+    return frozenset(words)
 
 
 def identifier(name: str) -> str:
@@ -163,12 +163,12 @@ class Writer:
 
         Raises `FormulaError` for a tree that depends on two of them.
         """
-        found = paths(node)
-        if len(found) > 1:
+        parts = paths(node)
+        if len(parts) > 1:
             raise FormulaError(
                 "a derivative of a value that depends on two parameters", remedy="name the parameter: d(1, by=…)"
             )
-        return "s" if self.table else f"(along {self.part(found.pop() if found else '')})"
+        return "s" if self.table else f"(along {self.part(parts.pop() if parts else '')})"
 
     def taken(self, node: Node) -> str:
         """A component of a vector, or several."""
@@ -205,5 +205,5 @@ def leaves(tree: Node) -> set[str]:
 
 def paths(node: Node) -> set[str]:
     """The parts of the argument whose operands occur in a tree."""
-    found = (name.rpartition(".")[0] for name in leaves(node))
-    return {f"{path}." if path else "" for path in found}
+    parts = (name.rpartition(".")[0] for name in leaves(node))
+    return {f"{path}." if path else "" for path in parts}

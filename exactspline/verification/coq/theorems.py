@@ -57,8 +57,8 @@ def by_hand(key: str) -> list[str]:
     """The steps written by hand that finish the proof of a claim where the computation would be too large; empty for
     most.
     """
-    found = _by_hand().get(key)
-    return found["steps"].strip().splitlines() if found else []
+    steps = _by_hand().get(key)
+    return steps["steps"].strip().splitlines() if steps else []
 
 
 @cache

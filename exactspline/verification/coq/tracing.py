@@ -45,10 +45,10 @@ class Calling(Traced):
         self._known: dict[Called, Call] = {} if known is None else known
 
     def __getattr__(self, name: str) -> Node | Traced:
-        found = super().__getattr__(name)
-        if isinstance(found, Traced):
+        value = super().__getattr__(name)
+        if isinstance(value, Traced):
             return Calling(self._kind.parts[name], self._dimension, path=f"{name}.", known=self._known)
-        return found
+        return value
 
     def calls(self, formula: Callee) -> Node:
         """A node with the formula; a formula called twice is traced once."""

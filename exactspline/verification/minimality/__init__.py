@@ -51,8 +51,8 @@ def certificate(name: str, curve: Nurbs) -> dict[str, object]:
 
     Raises `ShapeError` where the object does not exist or vanishes, `ReductionError` should the proof fail.
     """
-    made, found = construction(name), derive(name, curve, Variant.MINIMAL)
-    segments = [segment for piece in found.pieces for segment in _segments(made, piece, curve)]
+    made, derived = construction(name), derive(name, curve, Variant.MINIMAL)
+    segments = [segment for piece in derived.pieces for segment in _segments(made, piece, curve)]
     if not segments:
         raise ShapeError(f"{name} vanishes identically", remedy="there is nothing to certify")
     kind = "zero set" if made.zero_set else "quotient"
@@ -69,13 +69,13 @@ def _segments(made: Construction, piece: Piece, curve: Nurbs) -> list[dict[str, 
         breaks = value.denominator.breakpoints
         rows = lowest_terms(value)
         return [_quotient([text(t) for t in breaks[i : i + 2]], forms, n) for i, (forms, n) in enumerate(rows)]
-    found = []
+    segments = []
     for i, (c, _) in enumerate(value.forms):
         if c:
             a, b = value.breakpoints[i : i + 2]
             lowest, times = divide_u_plus_v(c, value.degree)
             weight = curve.w.restrict(a, b)
-            found.append(
+            segments.append(
                 _zero_form(
                     [text(a), text(b)],
                     lowest,
@@ -83,7 +83,7 @@ def _segments(made: Construction, piece: Piece, curve: Nurbs) -> list[dict[str, 
                     divide_u_plus_v(weight.polynomials[0], weight.degree)[0],
                 )
             )
-    return found
+    return segments
 
 
 def _over_one(components: list[Any]) -> Rational[BSpline]:
@@ -189,8 +189,8 @@ class Attained:
 def attained(name: str, d: int, *, polynomial: bool = False) -> Attained:
     """The construction on the witness of degree d against the degree theorem.
 
-    >>> found = attained("critical_curvature", 2)
-    >>> found.proved, found.attained, found.certificate["segments"][0]["irreducible modulo"] is not None
+    >>> result = attained("critical_curvature", 2)
+    >>> result.proved, result.attained, result.certificate["segments"][0]["irreducible modulo"] is not None
     (4, 4, True)
     """
     from exactspline.verification.minimality.checker import check

@@ -23,10 +23,13 @@ def check(certificate: dict[str, object]) -> int:
         raise ValueError(f"not a certificate of minimality: {type(error).__name__}: {error}") from error
 
 
-def _checked(told: Any) -> int:
-    _require(told["format"] == "exactspline minimality 1", "unknown format")
-    _require(told["kind"] in ("zero set", "quotient") and bool(told["segments"]), "unknown kind, or nothing to check")
-    return max(_segment(segment, told["kind"]) for segment in told["segments"])
+def _checked(certificate: Any) -> int:
+    _require(certificate["format"] == "exactspline minimality 1", "unknown format")
+    _require(
+        certificate["kind"] in ("zero set", "quotient") and bool(certificate["segments"]),
+        "unknown kind, or nothing to check",
+    )
+    return max(_segment(segment, certificate["kind"]) for segment in certificate["segments"])
 
 
 def _segment(segment: dict[str, Any], kind: str) -> int:
@@ -61,26 +64,26 @@ def _require(condition: bool, flaw: str) -> None:
         raise ValueError(flaw)
 
 
-def _integers(told: Any) -> Polynomial:
+def _integers(coefficients: Any) -> Polynomial:
     """The integers of a list, each written in decimal digits."""
-    _require(type(told) is list, "coefficients that are not a list")
-    return [_integer(x) for x in told]
+    _require(type(coefficients) is list, "coefficients that are not a list")
+    return [_integer(x) for x in coefficients]
 
 
-def _integer(told: Any) -> int:
+def _integer(digits_of_integer: Any) -> int:
     """An integer written in decimal digits."""
-    _require(type(told) is str, "a number that is not written as text")
-    digits = told.removeprefix("-")
+    _require(type(digits_of_integer) is str, "a number that is not written as text")
+    digits = digits_of_integer.removeprefix("-")
     _require(digits.isascii() and digits.isdigit(), "a text that is not an integer")
-    return -_digits(digits) if told != digits else _digits(digits)
+    return -_digits(digits) if digits_of_integer != digits else _digits(digits)
 
 
-def _digits(told: str) -> int:
+def _digits(digits: str) -> int:
     """Read digits piece by piece, since Python limits the number of digits that it converts."""
-    if len(told) <= 600:
-        return int(told)
-    half = len(told) // 2
-    return int(_digits(told[:-half]) * 10**half + _digits(told[-half:]))
+    if len(digits) <= 600:
+        return int(digits)
+    half = len(digits) // 2
+    return int(_digits(digits[:-half]) * 10**half + _digits(digits[-half:]))
 
 
 #: The first primes: with these bases the Miller–Rabin test decides all n below 3·10²⁴.
