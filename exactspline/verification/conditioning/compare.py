@@ -94,8 +94,8 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     `doubles` the error of double precision is measured too.
 
     >>> from exactspline.splines.examples import example
-    >>> zeros_of_form = conditioning(example("rational_cubic_s"), "zero_curvature", doubles=False)
-    >>> [(str(f.form), f.degree, f.one_sign) for f in zeros_of_form.roots[0].forms], zeros_of_form.roots[0].compare("naive")
+    >>> result = conditioning(example("rational_cubic_s"), "zero_curvature", doubles=False)
+    >>> [(str(f.form), f.degree, f.one_sign) for f in result.roots[0].forms], result.roots[0].compare("naive")
     ([('naive', 18, True), ('paper', 6, True), ('minimal', 3, True)], 1)
 
     Raises `FormulaError` for a construction that is not a zero set, `ShapeError` for a curve that is not in the plane.
@@ -106,22 +106,22 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     if curve.dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
     splines = {form: cast(BSpline, made.on(curve, form)) for form in (*made.unlifted, Variant.MINIMAL)}
-    zeros_of_form = {form: zeros(f) for form, f in splines.items()}
-    minimal = zeros_of_form[Variant.MINIMAL]
+    zeros_by_form = {form: zeros(f) for form, f in splines.items()}
+    minimal = zeros_by_form[Variant.MINIMAL]
     inside = [root for root in minimal if not root.at_knot]
     rows = []
-    tried = {form: _in_doubles(f, inside, zeros_of_form[form]) if doubles else {} for form, f in splines.items()}
+    tried = {form: _in_doubles(f, inside, zeros_by_form[form]) if doubles else {} for form, f in splines.items()}
     for root in inside:
         # a rational zero becomes exact, and so does its condition number
         root.minimal_polynomial()
-        same = {form: next(r for r in among if r == root) for form, among in zeros_of_form.items()}
+        same = {form: next(r for r in among if r == root) for form, among in zeros_by_form.items()}
         forms = [
             _at_root(form, f, splines[Variant.MINIMAL], root, same[form].multiplicity, tried[form].get(root))
             for form, f in splines.items()
         ]
         rows.append(RootConditions(root, tuple(forms)))
     extraneous = {
-        form: tuple(r for r in among if not r.at_knot and r not in inside) for form, among in zeros_of_form.items()
+        form: tuple(r for r in among if not r.at_knot and r not in inside) for form, among in zeros_by_form.items()
     }
     left_out = [f"the zero at the knot {text(r.low)} (condition number 0 in every form)" for r in minimal if r.at_knot]
     left_out += [f"the jump at the knot {text(j.parameter)}" for j in minimal.jumps]

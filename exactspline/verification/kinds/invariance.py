@@ -144,8 +144,8 @@ class Invariance(Claim):
         moved, expected = statement.sides(curve)
         short = sum(len(x.top) + len(x.bottom) for x in (*moved, *expected)) < SHORT
         factor = find_factor(moved, expected) if short and any(not x.is_zero for x in expected) else None
-        told = UnderMap(Name(name), factor)
-        return Finding(REFUTED, told, witness=self.refuted_on_examples().witness or told)
+        changed = UnderMap(Name(name), factor)
+        return Finding(REFUTED, changed, witness=self.refuted_on_examples().witness or changed)
 
     @property
     def tries_all(self) -> bool:
