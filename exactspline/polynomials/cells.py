@@ -2,8 +2,8 @@
 of one sign (no zero), opposite signs at the ends (a zero), a derivative with Bernstein coefficients of one sign (at
 most one zero).
 
-The certificate (`certificate_of`) is the input of the proofs in ``verification/coq/theory/Answers.v``; a multiple
-zero has a witness, the factor that has it once and the cofactor that has none.
+The cells are the input of the proofs in ``verification/coq/theory/Answers.v``; a multiple zero has a witness: the
+factor that has it once and the cofactor that has none.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from exactspline.numbers.exact import mpq, text, to_fmpq
 from exactspline.polynomials.bernstein import of_parameter
 from exactspline.polynomials.factors import factorize_square_free
 
-FORMAT = "exactspline cells 1"
 #: How often an interval is halved before the search stops.
 DEPTH = 400
 
@@ -40,17 +39,6 @@ class Cell:
     power: int = 1
     rest: fmpq_poly | None = None
     rest_sign: bool = True
-
-    def data(self) -> dict[str, object]:
-        """The cell as JSON data with exact strings."""
-        found: dict[str, object] = {"low": text(self.low), "high": text(self.high)}
-        found["says"] = "zero" if self.sign is None else "one zero" if self.one else "no zero"
-        if self.sign is not None:
-            found["positive"] = self.sign
-        if self.factor is not None and self.rest is not None:
-            found |= {"factor": _texts(self.factor), "power": self.power}
-            found |= {"rest": _texts(self.rest), "rest positive": self.rest_sign}
-        return found
 
 
 def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
@@ -120,7 +108,3 @@ def _one_zero(f: fmpq_poly, a: mpq, b: mpq) -> bool | None:
 
 def _at(f: fmpq_poly, t: mpq) -> fmpq:
     return f(to_fmpq(t))
-
-
-def _texts(polynomial: fmpq_poly) -> list[str]:
-    return [str(c) for c in polynomial.coeffs()]

@@ -1,4 +1,4 @@
-"""Zero sets written out as proofs: JSON data with exact strings, for `exactspline.roots.checker` or any other reader.
+"""Zero sets written out as proofs: JSON data with exact strings, for `exactspline.certificates` or any other reader.
 
 A segment carries the integers ``c_i`` of its form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` (t from 0 to 1 on the segment), the leaves of
 a subdivision of [0, 1] with the number, 0 or 1, of sign changes that the Bernstein coefficients have there, the
@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from exactspline.certificates import ZEROS
+from exactspline.certificates import certificate as written
 from exactspline.numbers.exact import mpq, text
 from exactspline.polynomials.isolation import Isolation
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
-
-FORMAT = "exactspline zeros 1"
 
 
 def certificate(
@@ -35,8 +35,7 @@ def certificate(
     >>> zeros(BSpline.bezier([1, -2, 1])).certificate()["segments"][0]["leaves"]
     [['0', '1/2', 1], ['1/2', '1', 1]]
     """
-    return {
-        "format": FORMAT,
+    data: dict[str, object] = {
         "degree": f.degree,
         "periodic": periodic,
         "breakpoints": [text(t) for t in f.mesh.breaks],
@@ -56,6 +55,7 @@ def certificate(
         "jumps": [{"at": text(t), "signs": [left, right]} for t, left, right in jumps],
         "intervals": [[text(low), text(high)] for low, high in intervals],
     }
+    return written(ZEROS, data)
 
 
 def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, object]:

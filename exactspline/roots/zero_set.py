@@ -145,7 +145,7 @@ class ZeroSet(Immutable, Displayed):
         return result
 
     def certificate(self) -> dict[str, object]:
-        """A proof, as JSON data with exact strings, that these are all zeros (see `exactspline.roots.checker`)."""
+        """A proof, as JSON data with exact strings, that these are all zeros (see `exactspline.certificates`)."""
         return certificate(
             self.spline,
             self.isolations,

@@ -12,14 +12,14 @@ from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.given import checked_degree, exact_points
 from exactspline.splines.knots import KnotVector, Mesh
-from exactspline.splines.tensor_parts import Degrees
+from exactspline.splines.tensor_patches import Degrees
 
 Net = list[list[mpq]]
 Points = tuple[tuple[mpq, ...], ...]
 
 
 def checked_degrees(degrees: object) -> Degrees:
-    """Two degrees as given by a user; `ShapeError` for anything else."""
+    """Two degrees as given by a user; raises `ShapeError` for anything else."""
     if not isinstance(degrees, (tuple, list)) or len(degrees) != 2:
         raise ShapeError(
             f"{shown(degrees)} are not two degrees", where="degrees", remedy="give one for s and one for t"

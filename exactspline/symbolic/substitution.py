@@ -19,7 +19,7 @@ from exactspline.readings.jet import Jet
 def substitute(jet: Jet, curve: Curve[T] | Pair[T] | Surface[T]) -> T:
     """A jet polynomial on a concrete curve: its variables are replaced by the derivatives of p and w.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.jet import JetReading
     >>> jets, curve = JetReading(1).argument(CURVE, 2), example("rational_cubic")

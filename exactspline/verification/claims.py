@@ -245,7 +245,9 @@ def located(requested: str, claims: Iterable[Claim] | None = None) -> tuple[Clai
     """
     known = all_claims() if claims is None else tuple(claims)
     chosen = tuple(c for c in known if c.key == requested or matches(c.id, requested))
-    chosen = chosen or tuple(c for c in known if _stands(c.source, requested) or _stands(c.place, requested))
+    chosen = chosen or tuple(
+        c for c in known if any(_stands(each, requested) for each in (c.source, c.place, c.section))
+    )
     if len(requested) >= SHORTEST:
         chosen = chosen or tuple(c for c in known if requested.lower() in c.statement.lower())
     if not chosen:

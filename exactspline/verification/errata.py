@@ -208,7 +208,7 @@ def _shown(claim: Claim) -> tuple[str, ...]:
         )
     if isinstance(claim, Count) and source.package:
         return (
-            "from exactspline.papers import find; from exactspline.splines.examples import example",
+            "from exactspline.papers import find; from exactspline.interchange.examples import example",
             "from exactspline.verification.measure import measure",
             f'print(measure({found(claim.formula)}, example("{claim.example}")))',
         )

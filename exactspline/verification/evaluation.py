@@ -38,7 +38,7 @@ class Evaluation:
     """One curve with the values of formulas on it. It belongs to one run of the ledger: curves can be shared between
     threads, evaluations are not.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> own = Evaluation(example("cusp"))
     >>> own.handed("plane") is own.handed("plane"), own.handed("plane") is own.curve
     (True, False)

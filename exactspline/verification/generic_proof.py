@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from functools import cache
 
 from exactspline.errors import ExactSplineError, FormulaError, ReachError, as_flag, as_integer
+from exactspline.interchange.examples import example, example_surface
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands, Pair
 from exactspline.language.choices import Parameter
@@ -21,7 +22,6 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.taylor_surface import DoubleTaylorReading
-from exactspline.splines.examples import example, example_surface
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.factorization import POLYNOMIAL, Factor, Named, factored, find_factor, jets_for, naming
 from exactspline.symbolic.reduction import Reduction, counted_in, reduce

@@ -16,7 +16,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import Paper
 from exactspline.readings.degree import DegreeReading
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.tensor_parts import Degrees
+from exactspline.splines.tensor_patches import Degrees
 from exactspline.symbolic.covariants import degree_on_patch
 from exactspline.symbolic.reduction import Part
 from exactspline.symbolic.substitution import substitute

@@ -37,6 +37,7 @@ from exactspline.geometry.surface.inspection import inspect_surface
 from exactspline.geometry.surface.joints import SurfaceJointKind
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.singular import SingularPoints
+from exactspline.interchange.examples import example
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.common_zeros import isolate
 from exactspline.polynomials.elimination import discriminant
@@ -45,7 +46,6 @@ from exactspline.polynomials.two_parameters import S, T
 from exactspline.questions.answers import CurvePiece
 from exactspline.reals.ball import InBalls
 from exactspline.reals.digits import Digits
-from exactspline.splines.examples import example
 from exactspline.splines.tensor import TensorSpline
 from tests.support.bisector_oracle import FAMILIES
 

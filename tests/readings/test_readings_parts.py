@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.errors import FormulaError
+from exactspline.interchange.examples import example
 from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, SURFACE, kind_of
 from exactspline.language.vector import Vector, cross, det, dot, join, perp
 from exactspline.papers import find
@@ -28,7 +29,6 @@ from exactspline.readings.sympy_expression import FIRST, _Fractions, _quotient
 from exactspline.readings.taylor import Series, taylor
 from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.readings.tree import TreeReading, trace
-from exactspline.splines.examples import example
 from tests.support.numeric_reading import NumericSeries, arithmetic, numeric_curve
 
 T = BSpline.identity(0, 1)

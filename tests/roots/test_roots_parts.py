@@ -8,6 +8,8 @@ from flint import fmpq, fmpq_poly, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline, zeros
+from exactspline.certificates import check_certificate
+from exactspline.certificates.zeros import _sturm, _times
 from exactspline.errors import DomainError
 from exactspline.numbers.intervals import Interval, rounded_outwards
 from exactspline.polynomials import cells
@@ -15,7 +17,6 @@ from exactspline.polynomials.factors import factorize_square_free
 from exactspline.polynomials.isolation import LocalPolynomial
 from exactspline.polynomials.refinement import enclosures
 from exactspline.reals.real import Real, between
-from exactspline.roots import checker
 from exactspline.roots.root import knot_root
 from exactspline.roots.values import narrowed, sign_at, signed_root, value_at
 
@@ -159,14 +160,14 @@ def test_a_sturm_sequence_counts_the_distinct_positive_zeros(zeros_of, expected)
     for complex_pairs in ([], [[1, 0, 1]], [[1, 0, 1], [5, 4, 1]], [[5, -4, 1]]):
         c = [-2]
         for factor in [*[[-z, 1] for z in zeros_of], *complex_pairs]:
-            c = checker._times(c, factor)
-        assert checker._sturm(c) == expected
+            c = _times(c, factor)
+        assert _sturm(c) == expected
 
 
 def test_a_certificate_of_a_spline_that_vanishes():
     nothing = BSpline(0, [0, 1, 2], [0, 0])
     told = zeros(nothing).certificate()
-    assert checker.check_certificate(told) == {"roots": 0, "jumps": 0, "intervals": 1}
+    assert check_certificate(told) == {"roots": 0, "jumps": 0, "intervals": 1}
 
 
 @pytest.mark.parametrize("k", range(1, 12))

@@ -6,6 +6,7 @@ from gmpy2 import mpq
 
 from exactspline import BSpline
 from exactspline.errors import KnotError, ReductionError
+from exactspline.interchange.examples import example, load, load_surface
 from exactspline.language.kinds import TABLE
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
@@ -17,9 +18,8 @@ from exactspline.programs.compiled import needed
 from exactspline.programs.given import operands_of
 from exactspline.programs.instructions import Instruction
 from exactspline.reals.real import square_root
-from exactspline.splines.examples import example, load, load_surface
 from exactspline.splines.lowest_terms import primitive_part
-from exactspline.splines.surface_weight import DEPTH, _zero_at_corners
+from exactspline.splines.surface import DEPTH, _zero_at_corners
 from exactspline.splines.tensor import lifted
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
 from exactspline.verification.curve_check import table_1_splines

@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline
+from exactspline.interchange.examples import example
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import CURVE, PAIR, SPACE
 from exactspline.language.ruled import ruled
@@ -14,7 +15,6 @@ from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.jet import JetReading
-from exactspline.splines.examples import example
 from exactspline.symbolic import covariants, factorization
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, product_of, true_degree

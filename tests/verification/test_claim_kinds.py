@@ -8,9 +8,9 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
+from exactspline.interchange.examples import example
 from exactspline.papers import find
 from exactspline.readings.degree import DegreeReading, parse_degree
-from exactspline.splines.examples import example
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation

@@ -9,6 +9,7 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs, zeros
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
 from exactspline.language.parts import split
@@ -18,7 +19,6 @@ from exactspline.papers import all_formulas, find
 from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction

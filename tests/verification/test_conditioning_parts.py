@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs, zeros
+from exactspline.interchange.examples import example
 from exactspline.polynomials.bernstein import from_bezier
-from exactspline.splines.examples import example
 from exactspline.verification.conditioning import compare, double_precision
 from exactspline.verification.conditioning.compare import Conditioning, FormAtRoot, RootConditions, conditioning
 from exactspline.verification.conditioning.condition_number import condition_number, local, quotient

@@ -8,6 +8,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, analyse
 from exactspline.errors import ClaimError
+from exactspline.interchange.examples import example
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE
@@ -18,7 +19,6 @@ from exactspline.papers import find
 from exactspline.readings.degree import Degree
 from exactspline.readings.rational_jet import JetFraction, RationalJetReading
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.examples import example
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claims import _stands, select

@@ -3,8 +3,8 @@
 import pytest
 from flint import fmpz_poly, nmod_poly
 
+from exactspline.certificates.degrees import _is_prime
 from exactspline.verification.minimality import _bezout
-from exactspline.verification.minimality.checker import _is_prime
 
 
 @pytest.mark.parametrize(

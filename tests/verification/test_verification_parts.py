@@ -10,13 +10,13 @@ from exactspline import BSpline, Nurbs
 from exactspline.display.errata import erratum_data
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, InapplicableError
+from exactspline.interchange.examples import example
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, SURFACE, kind_of
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.numbers.intervals import Interval
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.jet import JetReading
-from exactspline.splines.examples import example
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.covariants import degree_at
 from exactspline.symbolic.reduction import reduce, reduction

@@ -114,13 +114,6 @@ def numerator_term_6(c):
     return velocity(c.first)[2] * second_normal(c)[1] * middle_height(c)
 
 
-@formula("eq. (25), D0", on="pair")
-def numerator_of_six_terms(c):
-    """The sum of the six terms of D0, with their signs."""
-    pairs = numerator_term_1(c) - numerator_term_2(c), numerator_term_4(c) - numerator_term_3(c)
-    return pairs[0] + pairs[1] + (numerator_term_5(c) - numerator_term_6(c))
-
-
 @formula("eq. (23), D0", on="pair")
 def numerator_first_component(c):
     """D0 by Cramer's rule for (22)."""
@@ -145,6 +138,12 @@ def numerator_pair_2(c):
 def numerator_pair_3(c):
     """The two terms of D0 with the height of the third row."""
     return numerator_term_5(c) - numerator_term_6(c)
+
+
+@formula("eq. (25), D0", on="pair")
+def numerator_of_six_terms(c):
+    """The sum of the six terms of D0, with their signs."""
+    return numerator_pair_1(c) + numerator_pair_2(c) + numerator_pair_3(c)
 
 
 @formula("eq. (25), the denominators of its first row")
@@ -172,6 +171,12 @@ def foot_second_order(c):
     """
     offset = point_bisector_directrix_polynomial(c) - c.gamma
     return norm2(c.gamma.d(1)) - dot(offset, c.gamma.d(2))
+
+
+@formula("§6.2, footnote c", on="point")
+def directrix_velocity_along_tangent(c):
+    """``δ′·γ′``."""
+    return dot(point_bisector_directrix_polynomial(c).d(1), c.gamma.d(1))
 
 
 @formula("eq. (31)", on="point")

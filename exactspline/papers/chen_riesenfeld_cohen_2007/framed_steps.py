@@ -17,6 +17,7 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f0
 from exactspline.papers.chen_riesenfeld_cohen_2007.space import (
     binormal,
     binormal_squared,
+    focal_curve,
     normal,
     radius_vector,
     torsion,
@@ -149,6 +150,12 @@ def focal_third_term(c):
 def focal_curve_by_parameter(c):
     """``γ + (1/κ)N + (1/τ)(1/κ)′B``, with the derivative with respect to the parameter."""
     return c.gamma + radius_vector(c) + focal_third_term(c)
+
+
+@formula("eq. (19)", on="framed space")
+def focal_third_term_by_arc_length(c):
+    """``‖γ′‖ (C − γ − (1/κ)N)``, C the centre of the osculating sphere."""
+    return (focal_curve(c) - c.gamma - radius_vector(c)) * c.sigma
 
 
 @formula("§5.6", on="framed space")

@@ -93,7 +93,7 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     inside a segment are compared; a zero at a knot, a jump or an interval of zeros is listed in `left_out`. With
     `doubles` the error of double precision is measured too.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> result = conditioning(example("rational_cubic_s"), "zero_curvature", doubles=False)
     >>> [(str(f.form), f.degree, f.one_sign) for f in result.roots[0].forms], result.roots[0].compare("naive")
     ([('naive', 18, True), ('paper', 6, True), ('minimal', 3, True)], 1)

@@ -15,12 +15,7 @@ from typing import Any
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, as_path, as_text
-from exactspline.numbers.exact import mpq, rational
-from exactspline.splines.bspline import BSpline
-from exactspline.splines.control_points import exact_points
-from exactspline.splines.expected import curve_of
-from exactspline.splines.given import checked_degree
-from exactspline.splines.json_files import (
+from exactspline.interchange.json_files import (
     CURVE,
     MAX_BYTES,
     check_fields,
@@ -31,6 +26,11 @@ from exactspline.splines.json_files import (
     whole_degree,
     written_point,
 )
+from exactspline.numbers.exact import mpq, rational
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.control_points import exact_points
+from exactspline.splines.expected import curve_of
+from exactspline.splines.given import checked_degree
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
@@ -65,7 +65,7 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
 
 
 def curve_from_data(given: Mapping[str, object], name: str = "") -> Nurbs:
-    """The curve in JSON data, numbers as text (`exactspline.splines.json_files.parsed`)."""
+    """The curve in JSON data, numbers as text (`exactspline.interchange.json_files.parsed`)."""
     data: dict[str, Any] = dict(given)
     if "pieces" in data:
         data = _one_piece(data)

@@ -11,10 +11,8 @@ import os
 from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.numbers.exact import Number
-from exactspline.splines.curve_files import write_json
-from exactspline.splines.expected import surface_of
-from exactspline.splines.json_files import (
+from exactspline.interchange.curve_files import write_json
+from exactspline.interchange.json_files import (
     SURFACE,
     check_fields,
     json_object,
@@ -24,6 +22,8 @@ from exactspline.splines.json_files import (
     whole_degree,
     written_point,
 )
+from exactspline.numbers.exact import Number
+from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import NurbsSurface
 
 #: Another spelling of ``control_points``.
@@ -116,7 +116,7 @@ def save_surface(surface: NurbsSurface, path: str | os.PathLike[str]) -> None:
     """Write a surface as a surface file, all numbers as exact text; the file is written whole or not at all.
 
     >>> import tempfile
-    >>> from exactspline.splines.examples import example_surface
+    >>> from exactspline.interchange.examples import example_surface
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     save_surface(example_surface("sphere"), f"{folder}/sphere.json")
     ...     read_surface(f"{folder}/sphere.json") == example_surface("sphere")

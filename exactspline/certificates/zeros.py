@@ -1,92 +1,54 @@
-"""Checks a certificate of a zero set without anything of exactspline: standard library only, its own arithmetic, two
-routes.
+"""Checks a certificate of the zeros of a spline with the standard library alone and by two routes: Descartes' rule on
+every leaf, by de Casteljau's algorithm on integers, then the number of zeros of every segment by a Sturm sequence.
+"""
 
-Descartes' rule on every leaf, by de Casteljau's algorithm on integers, then the number of zeros of every segment again
-by a Sturm sequence."""
-
+from collections.abc import Mapping
 from fractions import Fraction
 from itertools import pairwise
 from math import comb, gcd, lcm
 from typing import Any
 
+from exactspline.certificates.numbers import count, fraction, integer, require
 
-def check_certificate(certificate: dict[str, object], sturm: bool = True) -> dict[str, int]:
-    """Number of roots, jumps and intervals that the certificate proves; a ValueError names what is wrong with it, and
-    then it proves nothing.
+
+def check_zeros(certificate: Mapping[str, object], sturm: bool = True) -> dict[str, int]:
+    """Number of roots, jumps and intervals that a certificate proves (see `exactspline.roots.certificate`).
 
     With `sturm` false the second route is skipped (it is slow for degrees beyond 100).
     """
-    try:
-        return _checked(certificate, sturm)
-    except (TypeError, AttributeError, LookupError) as error:  # data of another shape: a field missing, or no list
-        raise ValueError(f"not a certificate of a zero set: {type(error).__name__}: {error}") from error
+    return _checked(certificate, sturm)
 
 
 def _checked(told: Any, sturm: bool) -> dict[str, int]:
-    _require(told["format"] == "exactspline zeros 1", "unknown format")
-    _require(type(told["periodic"]) is bool, "periodic is neither true nor false")
-    n, breaks = _count(told["degree"]), [_fraction(t) for t in told["breakpoints"]]
-    _require(
+    require(type(told["periodic"]) is bool, "periodic is neither true nor false")
+    n, breaks = count(told["degree"]), [fraction(t) for t in told["breakpoints"]]
+    require(
         all(a < b for a, b in pairwise(breaks)) and len(breaks) == len(told["segments"]) + 1 > 1,
         "breakpoints do not fit the segments",
     )
     parts = []
     for segment in told["segments"]:
-        c = [_integer(x) for x in segment["coefficients"]]
+        c = [integer(x) for x in segment["coefficients"]]
         # a form that vanishes for every curve may have a negative degree, and then no coefficients
-        _require(len(c) == max(n + 1, 0), "wrong number of coefficients")
+        require(len(c) == max(n + 1, 0), "wrong number of coefficients")
         parts.append(_segment(c, segment, sturm) if any(c) else None)
     roots, jumps, intervals = _whole(breaks, parts, told["periodic"])
-    _require(len(told["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")
+    require(len(told["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")
     for i, (claim, (low, high, where, facts)) in enumerate(zip(told["roots"], roots, strict=True)):
-        a, b = _fraction(claim["low"]), _fraction(claim["high"])
-        _require(
+        a, b = fraction(claim["low"]), fraction(claim["high"])
+        require(
             low <= a <= b <= high and (where is None or _inside(where, a, b)), f"no root in the interval of root {i}"
         )
         claimed = _sides(claim["multiplicities"]), _sides(claim["signs"])
-        _require(claimed == facts, f"wrong multiplicity or sign of root {i}")
-    _require([(_fraction(j["at"]), _sides(j["signs"])) for j in told["jumps"]] == jumps, "wrong jumps")
-    _require([tuple(map(_fraction, s)) for s in told["intervals"]] == intervals, "wrong intervals")
+        require(claimed == facts, f"wrong multiplicity or sign of root {i}")
+    require([(fraction(j["at"]), _sides(j["signs"])) for j in told["jumps"]] == jumps, "wrong jumps")
+    require([tuple(map(fraction, s)) for s in told["intervals"]] == intervals, "wrong intervals")
     return {"roots": len(roots), "jumps": len(jumps), "intervals": len(intervals)}
-
-
-def _require(condition: bool, flaw: str) -> None:
-    if not condition:
-        raise ValueError(flaw)
-
-
-def _count(told: Any) -> int:
-    _require(type(told) is int, "not an integer, where one is counted")
-    return int(told)
 
 
 def _sides(told: list[Any]) -> tuple[int | None, ...]:
     """A number for each side of a point, None where the domain ends."""
-    return tuple(None if x is None else _count(x) for x in told)
-
-
-def _integer(told: Any) -> int:
-    """An integer written in decimal digits."""
-    _require(type(told) is str, "a number that is not written as text")
-    digits = told.removeprefix("-")
-    _require(digits.isascii() and digits.isdigit(), "a text that is not an integer")
-    return -_digits(digits) if told != digits else _digits(digits)
-
-
-def _digits(told: str) -> int:
-    """Piece by piece: Python refuses to read thousands of digits at once."""
-    if len(told) <= 600:
-        return int(told)
-    half = len(told) // 2
-    return int(_digits(told[:-half]) * 10**half + _digits(told[-half:]))
-
-
-def _fraction(told: Any) -> Fraction:
-    _require(type(told) is str, "a number that is not written as text")
-    above, line, below = told.partition("/")
-    denominator = _integer(below) if line else 1
-    _require(denominator > 0, "a denominator that is not positive")
-    return Fraction(_integer(above), denominator)
+    return tuple(None if x is None else count(x) for x in told)
 
 
 def _inside(where: tuple[list[int], Fraction, Fraction], a: Fraction, b: Fraction) -> bool:
@@ -98,10 +60,10 @@ def _inside(where: tuple[list[int], Fraction, Fraction], a: Fraction, b: Fractio
 
 def _whole(breaks: list[Fraction], parts: list[Any], periodic: bool) -> tuple[list[Any], list[Any], list[Any]]:
     """Roots (with a test of an interval), jumps and intervals, from what is known of every segment."""
-    roots, jumps, runs, count = list[Any](), list[Any](), list[list[int]](), len(parts)
-    for i in range(count + (not periodic)):
+    roots, jumps, runs, segments = list[Any](), list[Any](), list[list[int]](), len(parts)
+    for i in range(segments + (not periodic)):
         left = None if i == 0 and not periodic else (parts[i - 1][1] if parts[i - 1] else (None, 0))
-        right = None if i == count else (parts[i][0] if parts[i] else (None, 0))
+        right = None if i == segments else (parts[i][0] if parts[i] else (None, 0))
         sides = [s for s in (left, right) if s]
         if all(m for m, _ in sides):
             facts = (left and left[0], right and right[0]), (left and left[1], right and right[1])
@@ -110,15 +72,15 @@ def _whole(breaks: list[Fraction], parts: list[Any], periodic: bool) -> tuple[li
             left and right and ((left[0] == 0) != (right[0] == 0) or (left[0] == right[0] == 0 and left[1] != right[1]))
         ):
             jumps.append((breaks[i], (left[1], right[1])))
-        if i < count and parts[i]:
+        if i < segments and parts[i]:
             low, width = breaks[i], breaks[i + 1] - breaks[i]
             for a, b, g, multiplicity, signs in parts[i][2]:
                 roots.append((low + width * a, low + width * b, (g, low, width), ((multiplicity,) * 2, signs)))
-        elif i < count:
+        elif i < segments:
             runs = [*runs[:-1], [runs[-1][0], i + 1]] if runs and runs[-1][1] == i else [*runs, [i, i + 1]]
-    if periodic and len(runs) > 1 and runs[0][0] == 0 and runs[-1][1] == count:
+    if periodic and len(runs) > 1 and runs[0][0] == 0 and runs[-1][1] == segments:
         runs[-1][1] += runs.pop(0)[1]
-    return roots, jumps, [(breaks[a], breaks[b] if b <= count else breaks[b - count]) for a, b in runs]
+    return roots, jumps, [(breaks[a], breaks[b] if b <= segments else breaks[b - segments]) for a, b in runs]
 
 
 def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[int, int], tuple[int, int], list[Any]]:
@@ -127,10 +89,10 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
     """
     start, end = (next(i for i, x in enumerate(d) if x) for d in (c, c[::-1]))
     inner = c[start : len(c) - end]
-    factors = [([_integer(x) for x in g], _count(k)) for g, k in segment["factors"]] or [(inner, 1)]
+    factors = [([integer(x) for x in g], count(k)) for g, k in segment["factors"]] or [(inner, 1)]
     # a power of 0 or less, or a factor that vanishes, would have zeros that the form has not, or hide those it has
-    _require(all(k > 0 for _, k in factors), "a factor whose power is not positive")
-    _require(
+    require(all(k > 0 for _, k in factors), "a factor whose power is not positive")
+    require(
         factors == [(inner, 1)]
         or (all(len(g) > 1 for g, _ in factors) and sum(k * (len(g) - 1) for g, k in factors) < len(inner)),
         "factors of degree 0, or of too high a degree together",
@@ -142,29 +104,29 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
             product = _times(product, g)
     while len(product) < len(inner):
         product = _times(product, [1, 1])
-    _require(
+    require(
         len(product) == len(inner)
         and product[0] != 0
         and all(x * product[0] == y * inner[0] for x, y in zip(inner, product, strict=True)),
         "the factors do not multiply to the form",
     )
-    points = {_fraction(t) for t in segment["points"]}
-    leaves = [(_fraction(a), _fraction(b), _count(changes)) for a, b, changes in segment["leaves"]]
-    _require(all(a < b for a, b, _ in leaves), "a leaf that is empty or reversed")
-    _require([a for a, _, _ in leaves] + [1] == [0] + [b for _, b, _ in leaves], "the leaves do not cover the segment")
-    _require(points <= {a for a, _, _ in leaves if a}, "a point is not between two leaves")
+    points = {fraction(t) for t in segment["points"]}
+    leaves = [(fraction(a), fraction(b), count(changes)) for a, b, changes in segment["leaves"]]
+    require(all(a < b for a, b, _ in leaves), "a leaf that is empty or reversed")
+    require([a for a, _, _ in leaves] + [1] == [0] + [b for _, b, _ in leaves], "the leaves do not cover the segment")
+    require(points <= {a for a, _, _ in leaves if a}, "a point is not between two leaves")
     zeros = []
     for a, b, changes in leaves:
         values, own = _restricted(searched, a, b), _restricted(inner, a, b)
-        _require(_changes(values) == changes <= 1, "wrong number of sign changes on a leaf")
-        _require(a == 0 or (values[0] == 0) == (a in points), "a zero between two leaves that is not a point, or none")
+        require(_changes(values) == changes <= 1, "wrong number of sign changes on a leaf")
+        require(a == 0 or (values[0] == 0) == (a in points), "a zero between two leaves that is not a point, or none")
         if a in points:
             order = next(i for i, x in enumerate(own) if x)
             zeros.append((a, a, inner, order, (_beside(_restricted(inner, Fraction(0), a))[1], _beside(own)[0])))
         if changes:
             g, k = next((g, k) for g, k in factors if _changes(_restricted(g, a, b)) % 2)
             zeros.append((a, b, g, k, _beside(own)))
-    _require(not sturm or _sturm(inner) == len(zeros), "the Sturm sequence counts other zeros")
+    require(not sturm or _sturm(inner) == len(zeros), "the Sturm sequence counts other zeros")
     return (start, _beside(inner)[0]), (end, _beside(inner)[1]), zeros
 
 
