@@ -2,8 +2,8 @@
 as ints, decimals or text.
 
 A control point is a list of coordinates, or ``{"vector": [x, y]}`` for a direction (see `Direction`), whose weight is
-0. A number in JSON is read as the decimal it shows: 0.1 is 1/10. What ``derive`` and ``bisector`` wrote is read too:
-where it is one curve in one piece, and any piece copied out of it, over the part of the domain that the piece has.
+0. A number in JSON is read as the decimal it shows: 0.1 is 1/10. Output of ``derive`` and ``bisector`` is read too: if
+it is one curve in one piece, or a piece copied out of it, over the domain of that piece.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def read_curve(path: str | os.PathLike[str]) -> Nurbs:
     """The curve in a file.
 
     Raises `CurveFileError` (missing, a directory, unreadable, too large, not JSON, a field missing or unknown) or the
-    error of the field at fault, the file named in front.
+    error of the field at fault, preceded by the name of the file.
     """
     place, text = text_of_file(path)
     try:
@@ -88,7 +88,7 @@ def curve_from_data(given: Mapping[str, object], name: str = "") -> Nurbs:
 
 
 def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
-    """The only piece of what `derive` or `bisector` wrote."""
+    """The only piece in the output of `derive` or `bisector`."""
     pieces = data["pieces"] if isinstance(data["pieces"], list) else []
     curves = [p for p in pieces if isinstance(p, dict) and p.get("kind") in ("polynomial", "rational")]
     if data.get("layout") or len(pieces) != 1 or not curves:
@@ -101,7 +101,7 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
         raise CurveFileError(
             "is a part of these control points that ends at an irrational parameter",
             where="pieces[0]",
-            remedy="low and high say where; a curve file can only end at a rational parameter",
+            remedy="see low and high; a curve file can only end at a rational parameter",
         )
     of = f" of {data['curve']}" if data.get("curve") else ""
     named: dict[str, Any] = {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"}
@@ -109,7 +109,7 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
-    """The curve in a piece, over the part of its knots' domain that the piece says it has.
+    """The curve in a piece, over the part of its knots' domain that the piece covers.
 
     Its homogeneous control points are ``(w x, w y, …, w)``.
     """
@@ -141,7 +141,7 @@ def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
 
 
 def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq]) -> tuple[mpq, mpq]:
-    """Where a piece begins and ends: said by ``low`` and ``high``, or else by ``interval``, or else by its knots."""
+    """The ends of a piece: from ``low`` and ``high``, otherwise from ``interval``, otherwise from its knots."""
     interval = piece.get("interval")
     if interval is not None and (not isinstance(interval, list) or len(interval) != 2):
         raise CurveFileError("is not an interval", where="interval", remedy="write [low, high]")

@@ -1,4 +1,4 @@
-"""What curve files and surface files share: JSON text whose numbers are kept digit by digit, points, degrees."""
+"""Shared by curve files and surface files: JSON text whose numbers are kept digit by digit, points, degrees."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
 
 
 def json_object(text: str, remedy: str) -> dict[str, object]:
-    """The JSON object that a text holds; `remedy` tells what to write instead of anything else."""
+    """The JSON object that a text holds; `remedy` is the advice in the error for anything else."""
     data = parsed(as_text(text, "JSON"))
     if not isinstance(data, dict):
         raise CurveFileError("the JSON text is not an object", remedy=remedy)
@@ -57,7 +57,7 @@ def json_object(text: str, remedy: str) -> dict[str, object]:
 def check_fields(data: Mapping[str, object], what: str) -> None:
     """Raise `CurveFileError` unless these are the fields of a curve or of a surface (`what`)."""
     if what == CURVE and isinstance(data.get("degree"), list):
-        raise CurveFileError("is a surface, where a curve is wanted", remedy="`exactspline inspect` reads surfaces")
+        raise CurveFileError("is a surface, where a curve is expected", remedy="`exactspline inspect` reads surfaces")
     remedy = f"{what} has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}"
     for field in REQUIRED:
         if field not in data:
@@ -88,7 +88,9 @@ def points_of(rows: Sequence[object], place: str = "control_points") -> list[Ite
 
 
 def whole_degree(degree: object) -> int:
-    """A degree as written in JSON: an int where the number is whole, otherwise its text, which is refused later."""
+    """A degree as written in JSON: an int where the number is an integer, otherwise its text, which is
+    rejected later.
+    """
     if not isinstance(degree, _Decimal):
         return cast(int, degree)
     exact = rational(str(degree))
@@ -141,6 +143,6 @@ def _refuse(word: str) -> NoReturn:
 
 
 def written_point(point: tuple[mpq, ...]) -> dict[str, list[str]] | list[str]:
-    """A control point as it is written: coordinates as exact text, a direction as an object."""
+    """A control point as written: coordinates as exact text, a direction as an object."""
     coordinates = [text_of(x) for x in point]
     return {"vector": coordinates} if isinstance(point, Direction) else coordinates

@@ -34,7 +34,7 @@ def read_surface(path: str | os.PathLike[str]) -> NurbsSurface:
     """The surface in a file.
 
     Raises `CurveFileError` (missing, a directory, unreadable, too large, not JSON, a field missing or unknown) or the
-    error of the field at fault, the file named in front.
+    error of the field at fault, preceded by the name of the file.
     """
     place, text = text_of_file(path)
     try:

@@ -126,9 +126,9 @@ def _cheapest(breaks: Sequence[mpq], low: mpq, high: mpq, inner: Sequence[mpq]) 
     return best
 
 
-#: The knots that count on a span, from 0 at its left end to 1 at its right end.
+#: The knots that affect a span, scaled such that its left end is 0 and its right end is 1.
 Pattern = tuple[mpq, ...]
-#: A matrix is made for a pattern that was met this many times as its degree, and for this many patterns.
+#: A matrix is computed for a pattern that occurred this many times its degree, and for at most this many patterns.
 PATTERNS = 4096
 #: Above this degree there are no matrices.
 MOST = 12
@@ -140,8 +140,8 @@ def common_forms(
     t: Sequence[mpq], n: int, columns: Sequence[Sequence[mpq]], spans: Sequence[int]
 ) -> list[tuple[list[fmpz_poly], fmpz]] | None:
     """The forms over the spans [t_j, t_{j+1}] of the splines of degree n with knots t and columns of control points,
-    one after the other, over their least common denominator. None where knots around spans differ so much that it is
-    not worth a matrix each.
+    one after the other, over their least common denominator. None where the knots around spans differ so much that a
+    matrix for each is not worthwhile.
 
     >>> from exactspline.numbers.exact import mpq
     >>> for _ in range(4):
@@ -177,7 +177,7 @@ def _pattern(t: Sequence[mpq], n: int, j: int) -> Pattern:
 
 
 def _worth_it(n: int, patterns: Sequence[Pattern]) -> bool:
-    """Whether there are matrices for all patterns; if not, these have been met once more."""
+    """Whether there are matrices for all patterns; if not, their occurrences are counted."""
     if all(_met[n, pattern] > n for pattern in patterns):
         return True
     if len(_met) > PATTERNS:

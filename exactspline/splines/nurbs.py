@@ -50,7 +50,7 @@ class ValuesAlong(FunctionsOutside):
     dimension: int
 
     def derivative(self, order: int, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
-        """The derivative of the given order at a rational parameter, exactly; at a knot the one from the `side`.
+        """The derivative of the given order at a rational parameter, exactly; at a knot the limit from the `side`.
 
         >>> from exactspline import Nurbs
         >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])

@@ -36,7 +36,7 @@ class Piecewise(Protocol):
         forms: Iterable[Form],
         provenance: Provenance | None = None,
     ) -> Self:
-        """The one with these forms."""
+        """The piecewise polynomial with these forms."""
 
     @property
     def forms(self) -> Forms:
@@ -267,8 +267,8 @@ def composed(outer: S, inner: S) -> S:
 
 
 def _typical(inner: Piecewise, outer: Piecewise, low: mpq, high: mpq) -> mpq:
-    """A value of the inner spline on (low, high) that is not a knot of the outer one, where it has any: it may touch
-    knots there but crosses none.
+    """A value of the inner spline on (low, high) that is not a knot of the outer one, where there are such values: it
+    may touch knots there but does not cross any.
     """
     values = [inner(low + (high - low) * mpq(k, inner.degree + 4)) for k in range(1, inner.degree + 4)]
     return next((x for x in values if x not in outer.mesh.breaks), values[0])
@@ -315,7 +315,7 @@ def _preimages(inner: Piecewise, knot: mpq) -> list[mpq]:
 
 
 def _rational(zero: LocalZero, knot: mpq, segment: Interval) -> mpq:
-    """The local parameter at which a knot of the outer spline is met, or the error where it is irrational."""
+    """The local parameter at which a knot of the outer spline is crossed, or the error where it is irrational."""
     if zero.low == zero.high:
         return zero.low
     factors = factorize(zero.factor.polynomial).bases

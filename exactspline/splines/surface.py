@@ -30,17 +30,18 @@ from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_net import checked_degrees, checked_knots
 from exactspline.words import choice
 
-#: Boxes on one patch before the search stops.
+#: The limit of boxes on one patch before the search stops.
 BOXES = 4000
 #: Halvings until the box of a zero is small enough to be reported.
 DEPTH = 16
 
 
 def check_weight(w: TensorSpline) -> None:
-    """Raise `WeightError` unless the denominator has one sign on its closed rectangle, one-sided limits at jumps too.
+    """Raise `WeightError` unless the denominator has one sign on its closed rectangle, including one-sided limits at
+    jumps.
 
-    The error carries a box (a point where both ends of its sides agree) with a zero in it, or one that is too small to
-    be decided; either way it is the ``witness``.
+    The ``witness`` of the error is a box that contains a zero (a point where the ends of its sides agree), or one that
+    is too small to be decided.
     """
     sign = 0
     for i, j in product(range(len(w.meshes[0])), range(len(w.meshes[1]))):
@@ -77,7 +78,7 @@ def _sign_or_box(form: PatchForm) -> int | tuple[Box, bool]:
 
 
 def _zero_at_corners(part: Sized) -> Box | None:
-    """A corner of a part that is a zero, or a small box between corners of both signs, in which there is one."""
+    """A corner of a part that is a zero, or a small box between corners of both signs, which contains one."""
     while True:
         for value, (x, y) in zip(part.forms[0].corners, product(*part.box), strict=True):
             if value == 0:
