@@ -69,7 +69,7 @@ def _sign_or_box(form: PatchForm) -> int | tuple[Box, bool]:
         if not todo:
             return sign
         part = todo.popleft()
-        if place := _zero_at_corners(part):
+        if place := zero_at_corners(part):
             return place, True
         sign = 1 if part.forms[0].corners[0] > 0 else -1
         if part.forms[0].sign is None:
@@ -77,7 +77,7 @@ def _sign_or_box(form: PatchForm) -> int | tuple[Box, bool]:
     return todo[0].box, False
 
 
-def _zero_at_corners(part: Sized) -> Box | None:
+def zero_at_corners(part: Sized) -> Box | None:
     """A corner of a part that is a zero, or a small box between corners of both signs, which contains one."""
     while True:
         for value, (x, y) in zip(part.forms[0].corners, product(*part.box), strict=True):

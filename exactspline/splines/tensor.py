@@ -174,7 +174,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         return self._sum(other, minus, DIFFERENCE)
 
     def _sum(self, other: object, operation: Callable[[Any, Any], Any], name: int) -> TensorSpline:
-        right = other if type(other) is TensorSpline else self.beside(other)
+        right = other if type(other) is TensorSpline else self.coerced(other)
         if right is None:
             refused: TensorSpline = NotImplemented
             return refused

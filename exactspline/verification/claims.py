@@ -246,7 +246,7 @@ def located(requested: str, claims: Iterable[Claim] | None = None) -> tuple[Clai
     known = all_claims() if claims is None else tuple(claims)
     chosen = tuple(c for c in known if c.key == requested or matches(c.id, requested))
     chosen = chosen or tuple(
-        c for c in known if any(_stands(each, requested) for each in (c.source, c.place, c.section))
+        c for c in known if any(stands_at(each, requested) for each in (c.source, c.place, c.section))
     )
     if len(requested) >= SHORTEST:
         chosen = chosen or tuple(c for c in known if requested.lower() in c.statement.lower())
@@ -256,7 +256,7 @@ def located(requested: str, claims: Iterable[Claim] | None = None) -> tuple[Clai
     return chosen
 
 
-def _stands(source: str, requested: str) -> bool:
+def stands_at(source: str, requested: str) -> bool:
     """Whether a place is the requested one: the equation with this number, a remark, a figure, a section."""
     a, b = (" ".join(text.lower().replace("equation", "eq.").split()) for text in (source, requested))
     if b.startswith("(") and b.endswith(")"):

@@ -90,10 +90,10 @@ def _joined(status: Status, sources: Iterable[Paper] | None) -> Iterator[Erratum
                 why = tuple(dict.fromkeys(claim.note for claim in fails if claim.note))
                 yield Erratum(source.name, error, title, refuted, _truth(own), why)
         if status == Status.PRINTED and not source.default:
-            yield from _unrecorded(claims)
+            yield from unrecorded(claims)
 
 
-def _unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
+def unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
     """Unrecorded failures: each statement is a separate error."""
     for claim in claims:
         if not claim.error and claim.expected != REFUTED and (found := _refuted(claim)):

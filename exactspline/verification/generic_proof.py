@@ -126,16 +126,17 @@ def transposed(formula: Formula) -> Formula:
 
 def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
     """The reduction of a formula, computed once; its degrees are counted in the given parameter."""
-    reduction = _reduction(formula, dimension, polynomial, naming())
+    reduction = cached_reduction(formula, dimension, polynomial, naming())
     if isinstance(reduction, ExactSplineError):
         raise reduction
     return reduction if parameter is None else counted_in(reduction, formula, parameter)
 
 
 @cache
-def _reduction(
+def cached_reduction(
     formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]
 ) -> Reduction | ExactSplineError:
+    """The reduction of a formula, computed once."""
     try:
         return reduce(formula, dimension=dimension, polynomial=polynomial)
     except (

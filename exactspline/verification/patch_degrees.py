@@ -142,12 +142,12 @@ def _row(formula: Formula, degrees: tuple[int, int], polynomial: bool) -> PatchR
         part = reduction_of(formula, dimension, polynomial).main
     except (FormulaError, ReachError) as error:  # too many terms to multiply out: the other formulas are not affected
         return PatchRow(formula.name, patches, (u, v), None, None, str(error))
-    attained = _measured(part, witness(dimension, degrees, polynomial=polynomial))
+    attained = measured_degrees(part, witness(dimension, degrees, polynomial=polynomial))
     true = [degree_of_reduced(part, degrees, parameter) for parameter in BOTH]
     return PatchRow(formula.name, patches, (u, v), _pair(*true), _pair(*attained))
 
 
-def _measured(part: Part, surface: Surface[TensorSpline]) -> tuple[int, int]:
+def measured_degrees(part: Part, surface: Surface[TensorSpline]) -> tuple[int, int]:
     """The true degrees of a reduced form on a surface: the sum of those of its factors."""
     factors = [(substitute(jet, surface), e) for jet, e in part.kept]
     core = [substitute(jet, surface) for jet in part.core]

@@ -137,7 +137,7 @@ def _at_root(
     form: str, f: BSpline, minimal: BSpline, root: Root, multiplicity: int, double: Double | None
 ) -> FormAtRoot:
     """One form at a zero; `double` is the result of double precision, where it was tried."""
-    i = _segment_of(f, root)
+    i = segment_with(f, root)
     own, n = f.forms[i], f.degree
     factor = quotient(own, n, minimal.forms[i], minimal.degree)
     growth, one_sign = None, False
@@ -152,19 +152,20 @@ def _at_root(
 def _in_doubles(f: BSpline, roots: Sequence[Root], among: ZeroSet) -> dict[Root, Double]:
     """The results of double precision for zeros of a form; `among` are all its zeros."""
     doubles: dict[Root, Double] = {}
-    for i, own in groupby(roots, key=lambda root: _segment_of(f, root)):
+    for i, own in groupby(roots, key=lambda root: segment_with(f, root)):
         form, here = f.forms[i], list(own)
-        zeros = [(local(root)[0], _bracket(form, f.degree, root, among)) for root in here]
+        zeros = [(local(root)[0], bracket(form, f.degree, root, among)) for root in here]
         doubles |= zip(here, double_precision_roots(form, f.degree, zeros), strict=True)
     return doubles
 
 
-def _segment_of(f: BSpline, root: Root) -> int:
+def segment_with(f: BSpline, root: Root) -> int:
+    """The number of the segment on which a zero is."""
     assert root.segment is not None
     return f.breakpoints.index(root.segment[0])
 
 
-def _bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
+def bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
     """An interval of the local parameter that contains this zero of the form and no other, reaching halfway to the
     adjacent zeros or to the ends of the segment.
     """

@@ -110,14 +110,14 @@ class Count(ExampleClaim):
         zero_set = zeros(only_component(self, self.formula, lowest[0]), periodic=own.curve.closed)
         if what == Counter.ROOTS:
             return None if zero_set.intervals else len(zero_set)
-        return _extrema(zero_set, own)
+        return count_of_extrema(zero_set, own)
 
 
 #: What is counted at knots.
 CONTINUITIES = {Counter.NOMINAL_CONTINUITY, Counter.TRUE_CONTINUITY}
 
 
-def _extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
+def count_of_extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
     """The number of extrema of the curvature, if a formula with these zeros changes its sign there and nowhere else;
     else None: the formula does not determine them.
     """
