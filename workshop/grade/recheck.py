@@ -13,8 +13,8 @@ from itertools import pairwise
 from math import factorial, isqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from exactspline.certificates import check_certificate
 from exactspline.numbers.exact import mpq
-from exactspline.roots.checker import check_certificate
 
 if TYPE_CHECKING:
     from workshop.grade.data import Answer, CurveData, ExactCurve
