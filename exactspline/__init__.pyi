@@ -25,16 +25,16 @@ from .reals.real import square_root as square_root
 # files and examples
 from .interchange.files import read as read
 from .interchange.files import write as write
-from .splines.curve_files import curve_from_text as curve_from_text
-from .splines.curve_files import save as save
-from .splines.surface_files import save_surface as save_surface
-from .splines.surface_files import surface_from_text as surface_from_text
-from .splines.examples import example as example
-from .splines.examples import example_names as example_names
-from .splines.examples import example_surface as example_surface
-from .splines.examples import example_surface_names as example_surface_names
-from .splines.examples import load as load
-from .splines.examples import load_surface as load_surface
+from .interchange.curve_files import curve_from_text as curve_from_text
+from .interchange.curve_files import save as save
+from .interchange.surface_files import save_surface as save_surface
+from .interchange.surface_files import surface_from_text as surface_from_text
+from .interchange.examples import example as example
+from .interchange.examples import example_names as example_names
+from .interchange.examples import example_surface as example_surface
+from .interchange.examples import example_surface_names as example_surface_names
+from .interchange.examples import load as load
+from .interchange.examples import load_surface as load_surface
 
 # evaluation
 from .roots.values import at as at

@@ -10,10 +10,10 @@ from pathlib import Path
 
 from exactspline.batch.families import Family
 from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import read_in_pieces
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.records import Skipped
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 
 #: The sources of a corpus: curves, families, and the names of files, folders and example curves.

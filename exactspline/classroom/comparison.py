@@ -15,10 +15,10 @@ from exactspline.classroom.differences import (
 )
 from exactspline.classroom.parts import Point
 from exactspline.errors import ExactSplineError
+from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.numbers.exact import mpq
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.questions import prove, verify
 from exactspline.verification.vocabulary import Name

@@ -15,7 +15,7 @@ NOTHING, ZERO = "–", "zero"
 def degree_sheet(curve: Nurbs, rows: Iterable[DegreeRow], title: str = "") -> Sheet:
     """The degrees and sizes of constructions or formulas on a curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.verification.degree_tables import construction_table
     >>> line = example("straight_line")
     >>> rows = degree_sheet(line, [call() for call in construction_table(line)]).rows

@@ -203,7 +203,7 @@ def reasons(claims: Iterable[Claim], curve: Nurbs | NurbsSurface) -> str:
     """The reasons why claims do not apply to a curve or a surface, counted.
 
     >>> from exactspline.verification.claims import select
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> reasons(select(["C4.1c", "T10"]), example("twisted_cubic"))
     '3 of Table 1, 6 of plane curves, 1 of rational curves'
     """
@@ -238,16 +238,16 @@ def said(row: Row) -> str:
 
 
 def headline(rows: Sequence[Row]) -> str:
-    """The answer in a sentence: how many statements of the paper are refuted, on how many rows, how many hold, and how
-    many are neither.
+    """The answer in a sentence: how many statements of the paper are refuted, of how many errors and on how many rows,
+    how many hold, and how many are neither.
     """
     printed = [row for row in rows if row.status == Status.PRINTED]
     general = Counter(row.verdict for row in printed if not row.curve)
     lines = sum(row.verdict == REFUTED for row in printed)
     holds = sum(general[verdict] for verdict in HOLDS)
-    refutations = (
-        f"{counted(general[REFUTED], 'statement')} of the paper refuted on {counted(lines, 'row')}; {holds} hold"
-    )
+    errors = len({(row.paper, row.claim.error) for row in printed if row.verdict == REFUTED and not row.curve})
+    refuted = f"{counted(general[REFUTED], 'statement')} of the paper refuted"
+    refutations = f"{refuted} ({counted(errors, 'error')}, {counted(lines, 'row')}); {holds} hold"
     rest = [f"{general[v]} {v.lower()}" for v in Verdict if general[v] and v not in (*HOLDS, REFUTED)]
     return "; ".join([refutations, ", ".join(rest) if rest else "none is undecided"])
 

@@ -28,7 +28,7 @@ VIEW = ((mpq(4, 5), mpq(-3, 5), mpq(0)), (mpq(-1, 4), mpq(-1, 3), mpq(9, 10)))
 def curve_picture(curve: Nurbs) -> str:
     """A curve in the plane or (in a fixed view) in space, with its control polygon; empty for other dimensions.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve_picture(example("circle")).count("<polyline")
     5
     """

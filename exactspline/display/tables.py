@@ -176,7 +176,7 @@ def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = (
 def degree_table(curve: Nurbs) -> Grid:
     """The constructions of a curve in every form: degrees, control points, time.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> degree_table(example("ellipse"))["control points"][:3]
     ['52', '16', '16']
     """
@@ -208,7 +208,7 @@ def degree_table(curve: Nurbs) -> Grid:
 def measured(curve: Nurbs, *names: str) -> Grid:
     """Formulas on a curve (by default all that apply to it): nominal, represented and true degree, control points.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> measured(example("ellipse"), "f2")["degree in d"]
     ['3d − 3']
     """
@@ -289,7 +289,7 @@ def _printed(s: Statement) -> tuple[str, ...]:
 def approaches_table(curve: Nurbs) -> Grid:
     """The approaches to critical curvature side by side on one curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> approaches_table(example("six_segment_cubic"))["extraneous"]
     ['2', '0', '0', '0', '0']
     """

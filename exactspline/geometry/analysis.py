@@ -36,7 +36,7 @@ class Analysis(SpaceFacts):
     All parameters are certified roots. A point where γ′ = 0 is a singular point and nothing else. On a closed curve the
     seam is a knot like any other and counts once, at the start of the domain; no parameter is outside the domain.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> found = analyse(example("ellipse"))
     >>> [f.kind.value for f in found.curvature_extrema], found.inflections, found.corners
     (['maximum', 'minimum', 'maximum', 'minimum'], nowhere, ())
@@ -271,7 +271,7 @@ class Analysis(SpaceFacts):
 def analyse(curve: Nurbs) -> Analysis:
     """The analysis of a curve: made once, kept with the curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve = example("cusp")
     >>> analyse(curve) is analyse(curve), [f.kind.value for f in analyse(curve).singular_points]
     (True, ['cusp'])
@@ -292,7 +292,7 @@ QUESTIONS: dict[str, Entry] = questions_of(Analysis)
 def questions_about(curve: Nurbs) -> dict[str, Entry]:
     """The questions that can be asked of a curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ["torsion_zeros" in questions_about(example(name)) for name in ("circle", "twisted_cubic")]
     [False, True]
 

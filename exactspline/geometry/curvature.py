@@ -39,7 +39,7 @@ def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
     This holds exactly where ‖γ′‖² is a positive constant times a square: the curve is a Pythagorean hodograph there
     (claim C4.1d; Farouki and Sakkalis 1990).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [(piece.radicand, piece.value(piece.interval[0])) for piece in curvature_function(example("circle"))][:2]
     [(1, mpq(1,1)), (1, mpq(1,1))]
 

@@ -67,7 +67,7 @@ class Derived(Displayed):
     def existence(self) -> str:
         """Where it exists, and where it does not and why, in words.
 
-        >>> from exactspline.splines.examples import example
+        >>> from exactspline.interchange.examples import example
         >>> print(derive("evolute", example("straight_between_arcs")).existence)
         on [0, 1] and [2, 3]; not on [1, 2]: the curve is straight (its curvature vanishes identically)
         """
@@ -98,7 +98,7 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     (``f2``, ``g0``, …). For a formula `variant` is ``minimal`` or ``naive`` (the formula as written). Where an object
     does not exist (the evolute of a straight piece) the other pieces are returned and the missing ones named.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> derive("evolute", example("circle"))("1/2")
     (mpq(0,1), mpq(0,1))
 
@@ -146,7 +146,7 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
 def evolute(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """The evolute of a plane curve, in lowest terms (its degree for all: `exactspline formula degrees --generic`).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> evolute(example("ellipse_skew")).pieces[0].value.degree
     6
 
@@ -159,7 +159,7 @@ def focal_curve(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Deriv
     """The centres of the osculating spheres of a space curve, in lowest terms (their degree for all curves:
     `exactspline formula degrees --generic`).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> focal_curve(example("twisted_cubic")).pieces[0].value.degree
     5
 
@@ -172,7 +172,7 @@ def torsion_function(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> 
     """The torsion of a space curve as a function of the parameter, in lowest terms (its degree for all curves:
     `exactspline formula degrees --generic`).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> torsion_function(example("twisted_cubic")).pieces[0].value.degree
     4
 
@@ -185,7 +185,7 @@ def circle_centres(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> De
     """The centres of the osculating circles of a space curve, in lowest terms (their degree for all curves:
     `exactspline formula degrees --generic`).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> circle_centres(example("twisted_cubic")).pieces[0].value.degree
     8
 

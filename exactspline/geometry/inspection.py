@@ -64,7 +64,7 @@ class Inspection:
 def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> Inspection:
     """The features of a curve in the plane or in space by one approach (`Approach`) to critical curvature.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [len(inspect_curve(example(name)).critical_points) for name in ("ellipse", "rational_space_cubic")]
     [4, 2]
 
@@ -77,7 +77,7 @@ def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> 
 def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpline, ZeroSet]]:
     """The functions that an inspection solves: names, titles, functions and their zeros.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [name for name, *_ in solved(example("twisted_cubic"), "minimal")]
     ['zero_torsion', 'space_critical_curvature', 'zero_curvature']
     """
@@ -112,7 +112,7 @@ class ApproachResult:
 def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
     """All approaches on one curve, their results compared exactly with the minimal form.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [(str(a.name), a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
     [('squaring', 24, 8, 2), ('direct', 6, 6, 0), ('reduced', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
     """

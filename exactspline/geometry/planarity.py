@@ -55,7 +55,7 @@ def plane_of(curve: Nurbs) -> Plane | None:
     """The plane in which a space curve lies, None when there is none; for a straight curve a coordinate plane (or one
     parallel to it) where it lies in one, otherwise None.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> print(plane_of(example("planar_in_space"))), plane_of(example("twisted_cubic"))
     x − z = −1
     (None, None)
@@ -83,7 +83,7 @@ def planar_pieces(curve: Nurbs) -> list[tuple[CurvePiece, Plane]]:
 
     Two of them can share a straight piece.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [str(piece) for piece, _ in planar_pieces(example("planar_in_space"))]
     ['[0, 1]']
     """
@@ -204,7 +204,7 @@ def as_plane_curve(curve: Nurbs) -> Nurbs | None:
 def with_plane_curves(curves: Iterable[Nurbs]) -> list[Nurbs]:
     """The curves; each one with a constant coordinate is followed by itself as a plane curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> len(with_plane_curves([example("planar_in_space"), example("circle")]))
     2
     """

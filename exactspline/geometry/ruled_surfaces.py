@@ -50,7 +50,7 @@ def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINI
     """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
     `exactspline.splines.lowest_terms.in_lowest_terms`).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve = example("rational_space_cubic")
     >>> [ruled_surface("tangent_developable", curve, variant).degree for variant in ("naive", "paper", "minimal")]
     [9, 5, 4]
@@ -69,7 +69,7 @@ def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINI
 def point_at(surface: SplineSurface, s: Number, ruling: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
     """The point of the parameters s and ζ, exactly; `ZeroDivisionError` at a pole.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> point_at(ruled_surface("tangent_developable", example("twisted_cubic")), 1, 2)
     (mpq(3,1), mpq(5,1), mpq(7,1))
     """
@@ -89,7 +89,7 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
     their control points, with those of the denominator as weights, are the net of a NURBS surface in homogeneous
     coordinates.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> tangents = ruled_surface("tangent_developable", example("rational_space_cubic"), "paper")
     >>> patch = as_tensor_product(tangents, -1, 2)
     >>> patch.denominator.degree, patch("1/2", "3/2") == point_at(tangents, "1/2", "3/2")
@@ -117,7 +117,7 @@ def _lifted(part: Any, meshes: tuple[Mesh, Mesh]) -> Any:
 def is_developable(surface: SplineSurface) -> bool:
     """Whether the tangent plane is constant along every ruling: ``[δ′ G G′]`` vanishes identically, decided exactly.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve = example("rational_space_cubic")
     >>> [is_developable(ruled_surface(name, curve)) for name in ("rectifying_developable", "binormal_scroll")]
     [True, False]
@@ -145,7 +145,7 @@ def same_surface(a: SplineSurface, b: SplineSurface) -> RulingRelation | None:
 
     Where ``ζ = shift + scale λ``, the points are the same: ``a(s, ζ) = b(s, λ)``.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve = example("rational_space_cubic")
     >>> naive, paper = (ruled_surface("binormal_scroll", curve, variant) for variant in ("naive", "paper"))
     >>> relation = same_surface(naive, paper)

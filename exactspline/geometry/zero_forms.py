@@ -13,7 +13,7 @@ def zero_form(curve: Nurbs, name: str, variant: Variant | str = Variant.MINIMAL)
     """The form of a zero-set construction on a curve, with the sign it has for a positive weight function, and its
     certified zeros.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> form, zeros = zero_form(example("cubic_s"), "zero_curvature")
     >>> form.degree, len(zeros)
     (1, 1)

@@ -10,11 +10,11 @@ from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, as_instance, as_items, as_path, as_text, written
+from exactspline.interchange.examples import example_names, example_text
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
-from exactspline.splines.examples import example_names, example_text
 from exactspline.splines.nurbs import Nurbs
 
 #: How many bytes of a file are used to recognize its format.

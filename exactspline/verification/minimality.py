@@ -42,7 +42,7 @@ LARGEST = 60
 def certificate(name: str, curve: Nurbs) -> dict[str, object]:
     """The certificate of a construction on a curve, as JSON data.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.certificates import check_certificate
     >>> check_certificate(certificate("evolute", example("circle")))
     {'degree': 0}
@@ -98,7 +98,7 @@ def _coefficients(c: fmpz_poly, n: int) -> list[str]:
 
 
 def _quotient(interval: list[str], forms: list[fmpz_poly], n: int) -> dict[str, object]:
-    prime, cofactors = _bezout(forms, [n] * len(forms))
+    prime, cofactors = bezout_combination(forms, [n] * len(forms))
     return {
         "interval": interval,
         "degree": n,
@@ -109,7 +109,7 @@ def _quotient(interval: list[str], forms: list[fmpz_poly], n: int) -> dict[str, 
 
 
 def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[str, object]:
-    prime, cofactors = _bezout([c, w], [n, w.degree()])
+    prime, cofactors = bezout_combination([c, w], [n, w.degree()])
     segment = {
         "interval": interval,
         "degree": n,
@@ -119,7 +119,7 @@ def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[
     return segment | {"prime": prime, "cofactors": cofactors, "irreducible modulo": _irreducible(c, n)}
 
 
-def _bezout(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, list[list[str]]]:
+def bezout_combination(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, list[list[str]]]:
     """A prime and polynomials modulo it that combine the forms to 1; the prime divides no highest coefficient of a form
     of full degree.
     """

@@ -27,9 +27,9 @@ from exactspline.batch.summary import Summary
 from exactspline.batch.work import Work
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, ExactSplineError, FormulaError
+from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.files import read, read_in_pieces
 from exactspline.numbers.exact import mpq
-from exactspline.splines.curve_files import curve_data
 from exactspline.verification.ledger import audit
 from tests.support.interchange_seeds import SVG, truetype
 

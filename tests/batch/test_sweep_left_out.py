@@ -17,7 +17,7 @@ from exactspline.batch.recorded import Where, recorded
 from exactspline.batch.results import ResultsError
 from exactspline.batch.summary import Summary
 from exactspline.batch.work import Work
-from exactspline.splines.curve_files import curve_data
+from exactspline.interchange.curve_files import curve_data
 from tests.batch.test_sweep import run
 
 

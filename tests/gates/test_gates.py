@@ -287,7 +287,7 @@ UNBOUNDED = {
     "splines/lowest_terms.py: _common": "integers",
     "splines/lowest_terms.py: _greatest_common_divisor": "integers",
     "splines/lowest_terms.py: primitive": "integers",
-    "splines/spans.py: common_forms": "integers",
+    "splines/blossom.py: common_forms": "integers",
     "splines/tensor_lowest_terms.py: in_lowest_terms": "integers",
     "verification/minimality.py: _bezout": "modulo a prime, in one variable",
 }

@@ -15,7 +15,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.values_along import curvature
 from exactspline.geometry.zero_forms import zero_form
-from exactspline.splines.examples import example, example_names
+from exactspline.interchange.examples import example, example_names
 from tests.geometry.test_shared_curves import FILES, read_curve
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]

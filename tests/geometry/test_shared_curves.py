@@ -13,7 +13,7 @@ from exactspline.errors import ShapeError
 from exactspline.geometry.constructions import constructions_for
 from exactspline.geometry.derived import derive
 from exactspline.geometry.planarity import with_plane_curves
-from exactspline.splines.curve_files import read_curve
+from exactspline.interchange.curve_files import read_curve
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.verification.claims import all_claims
 from exactspline.verification.generic_degree import symbolic_minimum

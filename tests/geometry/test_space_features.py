@@ -19,8 +19,8 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.kinds import JointKind
 from exactspline.geometry.values_along import curvature, torsion
+from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
-from exactspline.splines.examples import example, example_names
 from tests.geometry.test_shared_curves import FILES, read_curve
 from tests.support.answers import pieces, places
 from tests.support.space_curves import MIRRORED, SCALED, TURNED, backwards, moved, power_curve

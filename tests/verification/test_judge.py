@@ -6,13 +6,13 @@ import pytest
 
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
+from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, det
 from exactspline.papers import find, paper
 from exactspline.readings.leading_terms import generic_true_degree
-from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.combined import combined

@@ -13,6 +13,7 @@ from random import Random
 from typing import Any
 
 from exactspline.errors import FormulaError, InapplicableError
+from exactspline.interchange.examples import example
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Symbol
@@ -25,7 +26,6 @@ from exactspline.readings.degree import DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor_surface import DoubleSeries
-from exactspline.splines.examples import example
 from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.claims import claims_in
@@ -167,7 +167,7 @@ def _baseline(claim: Claim) -> Result:
     return {"verdict": "ok", "time": sum(r.seconds for r in found), "as_recorded": [r.as_recorded for r in found]}
 
 
-def _refuted(claim: Claim, rows: Callable[[Claim], Iterator[Row]]) -> str:
+def refuted(claim: Claim, rows: Callable[[Claim], Iterator[Row]]) -> str:
     """How a claim fails with the current formulas; empty when everything is as recorded."""
     try:
         wrong = next((row for row in rows(claim) if not row.as_recorded), None)
@@ -198,7 +198,7 @@ def judged(chosen: list[Mutant], seconds: float, jobs: int) -> Iterator[tuple[Mu
         if refutation := next(filter(None, map(wrong_at_a_point, filter(sound.__contains__, chosen_claims))), ""):
             return {"verdict": "killed", "by": refutation}
         for made in (quick, slow):
-            if refutation := next(filter(None, (_refuted(claim, made) for claim in chosen_claims)), ""):
+            if refutation := next(filter(None, (refuted(claim, made) for claim in chosen_claims)), ""):
                 return {"verdict": "killed", "by": refutation}
         changed, live(*place).__code__ = live(*place).__code__, original
         before = list(_meanings(place))
@@ -217,13 +217,13 @@ def _meanings(place: Place) -> Iterator[tuple[str, Any]]:
     for formula in formulas:
         for dimension in formula.kind.dimensions:
             for polynomial in () if formula.kind.adjoins_roots else (False, True):
-                yield formula.name, _degrees(formula, dimension, polynomial)
+                yield formula.name, degrees_counted(formula, dimension, polynomial)
             if formula in formulas_here or not formulas_here:
                 c = RationalJetReading(order_of(formula, dimension)).argument(formula.kind, dimension)
-                yield formula.name, [_jet(part) for part in split(formula(c))[0]]
+                yield formula.name, [in_the_jets(part) for part in split(formula(c))[0]]
 
 
-def _degrees(formula: Formula, dimension: int, polynomial: bool) -> list[str]:
+def degrees_counted(formula: Formula, dimension: int, polynomial: bool) -> list[str]:
     """The degrees counted as in Table 1, in each parameter; empty where a value depending on an argument has
     no degree.
     """
@@ -238,7 +238,8 @@ def _degrees(formula: Formula, dimension: int, polynomial: bool) -> list[str]:
     return degrees
 
 
-def _jet(x: Any) -> Any:
+def in_the_jets(x: Any) -> Any:
+    """What two parts have alike exactly if they are one function of the derivatives, written alike."""
     if isinstance(x, Adjoined):
-        return [_jet(part) for part in (x.plain, x.rooted, x.square)]
+        return [in_the_jets(part) for part in (x.plain, x.rooted, x.square)]
     return str(x.top), str(x.bottom)

@@ -90,16 +90,20 @@ class Mutant:
         """The module that it changes."""
         return self.file.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
 
-    def apply(self) -> None:
-        """Put it in the place of the live function; `ValueError` where that cannot be done."""
+    def code(self) -> CodeType:
+        """The changed function, compiled."""
         tree = copy.deepcopy(parsed(self.file))
         node = dict(functions(tree))[self.function]
         change = list(changes(node))[self.number]
         _Replaced(change[0], change[1][2]).visit(node)
         ast.fix_missing_locations(tree)
-        code = compile(tree, str(ROOT / self.file), "exec")
+        return _found(compile(tree, str(ROOT / self.file), "exec"), self.function.split("."))
+
+    def apply(self) -> None:
+        """Put it in the place of the live function; `ValueError` where that cannot be done."""
+        new = self.code()
         function = live(self.module, self.function)
-        old, new = function.__code__, _found(code, self.function.split("."))
+        old = function.__code__
         function.__code__ = new
         inner = dict(zip(_inner(old), _inner(new), strict=False))
         for made in made_inside():

@@ -15,9 +15,9 @@ from exactspline.display.plot.frames import three_ticks
 from exactspline.display.plot.html import Scene
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
+from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
 from exactspline.papers import find
-from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.values import RationalSurface
 

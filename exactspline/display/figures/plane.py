@@ -11,6 +11,7 @@ from exactspline.display.plot.html import Scene
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.zero_forms import zero_form
+from exactspline.interchange.examples import example
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.papers import find
@@ -18,7 +19,6 @@ from exactspline.polynomials.factorization import superscript
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineVector

@@ -76,7 +76,7 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
     ``matplotlib.figure.Figure``; raises what the functions above raise.
 
     >>> from exactspline.geometry.constructions import construction
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.roots.zero_set import zeros
     >>> f = construction("zero_curvature").on(example("cubic_s"), "paper")
     >>> [ax.get_title() for ax in inspect_figure(example("cubic_s"), [("zero curvature", f, zeros(f))]).axes]
@@ -109,7 +109,7 @@ def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
     """One picture of several curves, a drawing or a glyph, with the points that answer some questions: where it has
     corners and cusps, where its curvature and where a coordinate is extremal, and its inflections.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax, = features_figure([example("cubic_s"), example("cusp")]).axes
     >>> [text.get_text() for text in ax.get_legend().get_texts()][-1]
     'inflections (1)'
@@ -145,7 +145,7 @@ def plot_approaches(
     In this way their zeros and signs can be compared although their sizes differ by many powers of ten; the legend
     shows the cost of each.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_approaches(example("ellipse"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()][1]
     'squaring: degree 96, 388 control points'

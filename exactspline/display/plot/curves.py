@@ -63,7 +63,7 @@ def plot_curve(
     The polygon is interrupted where the curve has a knot of multiplicity degree + 1, and at a control point of weight 0
     (a direction, not a point).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_curve(example("circle"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['control polygon (9 points)', 'circle', 'knots']
@@ -104,7 +104,7 @@ def plot_features(
     """Mark parameters on a curve: exact numbers, certified roots, or any object with one of them as its `parameter`;
     `hollow` markers have their colour at the edge.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_features(example("circle"), ["1/2", 3], plot_curve(example("circle")), label="marked")
     >>> [float(x) for x in ax.lines[-1].get_xdata()]
     [0.6, 0.0]
@@ -134,7 +134,7 @@ def plot_evolute(curve: Nurbs, ax: Axes | None = None, *, label: str = "evolute"
     """The evolute of a plane curve, piece by piece where it exists, interrupted at poles; the axes show the part near
     the curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_evolute(example("ellipse"))
     >>> float(max(x for line in ax.lines for x in line.get_xdata()))
     1.5
@@ -205,7 +205,7 @@ def plot_quotient(
 
     The curve ends at its poles; points and control points outside `box` (by default: far from most others) are omitted.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> ax = plot_quotient(find("evolute_reduced")(example("ellipse")))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]

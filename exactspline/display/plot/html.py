@@ -143,7 +143,7 @@ def _rounded(x: mpq | float) -> float:
 def turning_page(scenes: Sequence[Scene], title: str) -> str:
     """The page: the scenes side by side, rotated together with the mouse, a finger or the arrow keys.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> from exactspline.display.plot.meshes import ruled_mesh
     >>> mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))

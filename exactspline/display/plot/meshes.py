@@ -115,7 +115,7 @@ def ruled_mesh(
     every ruling is cut there instead: the same part of the surface, whatever its parameters; horizontal rulings are
     omitted.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))
     >>> mesh.points, mesh.hidden

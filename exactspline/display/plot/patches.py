@@ -7,12 +7,13 @@ Regions, curves and points are certified; colours between them and lines of curv
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
+from math import cos, pi, radians, sin
 from typing import TYPE_CHECKING, Any
 
 from exactspline.display.plot.canvas import BLACK, GREEN, GREY, PAGE, VERMILLION, draw, library, new_figure
 from exactspline.display.plot.curvature_lines import Samples, lines_of_curvature
 from exactspline.display.plot.surfaces import shaded
-from exactspline.display.plot.visibility import Visibility
 from exactspline.errors import as_instance
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.places import Place, enclosing
@@ -32,6 +33,8 @@ GRID, LEAST = 72, 6
 FILLED = 0.93
 #: The number of points of a drawn arc.
 STEPS = 4
+#: The width of a surface in points, about, the sides of the polygon that is a dot, and the width of every edge.
+POINTS, SIDES_OF_DOT, EDGE = 230, 16, 0.2
 
 
 def surface_figure(inspection: SurfaceInspection) -> Figure:
@@ -89,39 +92,74 @@ def _in_space(ax: Any, inspection: SurfaceInspection, samples: Samples, lines: A
                 faces.append(corner)
                 middle = signs[i : i + 2, j : j + 2].mean()
                 shades.append(shaded(corner, to_rgb(colour_of(one, middle))))
-    collection = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection
-    ax.add_collection3d(
-        collection(faces, facecolors=shades, edgecolors=shades, linewidths=0.2, rasterized=True, zorder=1)
-    )
-    ax.computed_zorder = False
-    ax.set_proj_type("ortho")
-    seen = Visibility(samples.points.values(), ax.elev, ax.azim)
-    for family, color in zip(lines, (GREY, "white"), strict=True):
-        for line in family:
-            for run in seen.runs(samples.lifted(line)):
-                ax.plot(*run.T, color=color, linewidth=0.5, zorder=2)
-    surface = inspection.surface
-    for curve in parabolic_runs(inspection):
-        for run in seen.runs([[float(x) for x in surface(*p)] for p in curve]):
-            ax.plot(*run.T, color=BLACK, linewidth=1.6, zorder=3)
-    for places, color, marker in (
-        (umbilic_spots(inspection), VERMILLION, "o"),
-        (singular_spots(inspection), GREEN, "s"),
-    ):
-        spots = [surface(*p) for p in places]
-        dots = [p for p in spots if seen.of([[float(x) for x in p]])[0]]
-        _dots(ax, dots, color, marker)
     lows, highs = (pick([p for face in faces for p in face], axis=0) for pick in (np.min, np.max))
+    paint = _Paint(ax, faces, float((highs - lows).max()) or 1.0)
+    surface = inspection.surface
+    marks = [
+        (paint.line(samples.lifted(line), 0.5), color)
+        for family, color in zip(lines, (GREY, "white"), strict=True)
+        for line in family
+    ]
+    marks += [(paint.line([surface(*p) for p in run], 1.6), BLACK) for run in parabolic_runs(inspection)]
+    marks += [(paint.spot(surface(*p), 6, SIDES_OF_DOT), VERMILLION) for p in umbilic_spots(inspection)]
+    marks += [(paint.spot(surface(*p), 6, 4), GREEN) for p in singular_spots(inspection)]
+    colors = [*shades, *[to_rgb(color) for polygons, color in marks for _ in polygons]]
+    collection = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection
+    every = [*faces, *[polygon for polygons, _ in marks for polygon in polygons]]
+    ax.add_collection3d(
+        collection(every, facecolors=colors, edgecolors=colors, linewidths=EDGE, rasterized=True, zorder=1)
+    )
+    ax.set_proj_type("ortho")
     # a surface that is a point has no extent: a box around it
     extent = np.maximum(highs - lows, (highs - lows).max() / 1000 or 1)
     for axis, low, length in zip("xyz", lows, extent, strict=True):
         getattr(ax, f"set_{axis}lim")(low, low + length)
-    ax.set_box_aspect(extent, zoom=FILLED * float(np.linalg.norm(extent)) / (seen.seen or 1))
+    ax.set_box_aspect(extent, zoom=FILLED * float(np.linalg.norm(extent)) / paint.seen)
     ax.set_axis_off()
 
 
+class _Paint:
+    """Lines and dots on a surface as small polygons that face the viewer and lie a little before it: matplotlib, which
+    orders polygons from back to front, then covers them where the surface covers them.
+    """
+
+    def __init__(self, ax: Any, faces: Any, size: float) -> None:
+        self.np: Any = library("numpy")
+        e, a = radians(ax.elev), radians(ax.azim)
+        self.view = self.np.array([cos(e) * cos(a), cos(e) * sin(a), sin(e)])
+        self.right = self.np.array([-sin(a), cos(a), 0.0])
+        self.up = self.np.cross(self.view, self.right)
+        corners = self.np.array(faces)
+        flat = corners.reshape(-1, 3) @ self.np.array([self.right, self.up]).T
+        #: The larger of the surface's width and height as it is seen.
+        self.seen = float((flat.max(axis=0) - flat.min(axis=0)).max()) or size
+        #: How far before the surface: as far as faces reach.
+        depths = corners @ self.view
+        self.lift = self.view * float((depths.max(axis=1) - depths.min(axis=1)).max())
+        #: The length of a point of the picture.
+        self.point = self.seen / POINTS
+
+    def line(self, points: Any, width: float) -> list[Any]:
+        """A line of a width in points."""
+        own = self.np.array([[float(x) for x in p] for p in points])
+        ribbon = []
+        for p, q in pairwise(own):
+            across = self.np.cross(q - p, self.view)
+            length = float(self.np.linalg.norm(across))
+            if length:
+                half = across / length * self.point * (width - EDGE) / 2
+                ribbon.append(self.np.array([p - half, p + half, q + half, q - half]) + self.lift)
+        return ribbon
+
+    def spot(self, place: Any, width: float, sides: int) -> list[Any]:
+        """A regular polygon around a point."""
+        turns = [2 * pi * (k + 0.5) / sides for k in range(sides)]
+        ring = self.np.array([cos(t) * self.right + sin(t) * self.up for t in turns]) * self.point * width / 2
+        return [self.np.array([float(x) for x in place]) + 2 * self.lift + ring]
+
+
 def _in_the_plane(ax: Axes, inspection: SurfaceInspection, samples: Samples, lines: Any) -> None:
-    """The regions in the plane of the parameters."""
+    """The regions of the parameters."""
     for one in inspection.patches:
         us, vs, signs = samples.us[one.patch[0]], samples.vs[one.patch[1]], samples.signs[one.patch]
         if one.kind in (PatchKind.MIXED, PatchKind.UNDECIDED):

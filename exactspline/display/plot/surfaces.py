@@ -149,7 +149,7 @@ def plot_ruled_surface(
     Where its denominator has a zero the surface goes to infinity: it is cut there, and points far from most of it are
     not shown (or those outside `box`, given by two opposite corners).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> ax = plot_ruled_surface(find("tangent_developable_reduced")(example("rational_space_cubic")), (0, 1))
     >>> ax.name, ax.get_legend().get_texts()[-1].get_text()
@@ -204,7 +204,7 @@ def plot_bisector(
     surface in two parameters. `formula` is the name of a formula of §6 for such arguments; by default the polynomial
     one.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_bisector(example("ellipse"), ("1/2", "1/4"))
     >>> ax.get_legend().get_texts()[-1].get_text()
     'bisector: degree 7'
@@ -215,7 +215,8 @@ def plot_bisector(
     check_options(control_net=control_net, box=box)
     kind, default, handed = _argument(curve_of(curve), other)
     ax = axes_for(ax, 2 if kind is PLANE_POINT else 3)
-    bisector = find(as_text(formula, "the name of a formula") or default)
+    name = as_text(formula, "the name of a formula")
+    bisector = find(name or default)
     if bisector.kind is not kind:
         raise FormulaError(
             f"{bisector.name} is not a bisector of these",

@@ -80,7 +80,7 @@ def point_bisector(
     component of ``D1 × (p − wQ)``, has no zero; the curve is split so that the pieces cover all but the singular
     parameters, at which none can be moved.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> found = point_bisector(example("ellipse_in_space"), (1, 1, 2))
     >>> [(piece.moved, str(piece.interval)) for piece in found.pieces][:2]
     [('x', '[0, 1/2]'), ('y', '[1/2, 3/2]')]

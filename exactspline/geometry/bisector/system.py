@@ -54,7 +54,7 @@ def _piece(interval: Interval, parts: list[list[list[int]]]) -> Piece:
 def piece(curve: Nurbs, i: int) -> Piece:
     """Segment i of a curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> piece(example("twisted_cubic"), 0).tangent
     [1, 2*x, 3*x^2]
     """

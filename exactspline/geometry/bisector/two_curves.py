@@ -157,7 +157,7 @@ def curve_bisector(
     `variant` is ``naive`` (22), ``levelled`` (26), ``paper`` (27), ``symmetric`` (27 for both curves) or ``minimal``
     (that in lowest terms).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> found = curve_bisector(example("rational_space_cubic"), example("twisted_cubic"))
     >>> found.patches[0].value.degree, len(found.pairs), found.left_out
     (Degrees(s=10, t=8), 3, ())
