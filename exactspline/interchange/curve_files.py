@@ -102,7 +102,7 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
         raise CurveFileError(
             "is a part of these control points that ends at an irrational parameter",
             where="pieces[0]",
-            remedy="low and high say where; a curve file can only end at a rational parameter",
+            remedy="see low and high; a curve file can only end at a rational parameter",
         )
     of = f" of {data['curve']}" if data.get("curve") else ""
     named: dict[str, Any] = {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"}
