@@ -175,7 +175,7 @@ def _features(p: Floats, w: Floats | None, wrong: dict[int, ExactSplineError]) -
     if w is not None:
         undecided |= _subnormal(w).any(axis=1)
     features: list[Found] = []
-    done = filtered(p.shape[1] - 1, _operands(p, w))
+    done = filtered(p.shape[1] - 1, scaled_operands(p, w))
     if done is None:
         undecided[:] = True
     else:
@@ -216,7 +216,7 @@ def _subnormal(a: Floats) -> Flags:
     return subnormal
 
 
-def _operands(p: Floats, w: Floats | None) -> list[Floats]:
+def scaled_operands(p: Floats, w: Floats | None) -> list[Floats]:
     """The scaled coefficients of numerators (and denominators) of curves scaled down by powers of two."""
     scale = np.array([float(comb(p.shape[1] - 1, i)) for i in range(p.shape[1])])
     x = _small(p, axis=(1, 2))

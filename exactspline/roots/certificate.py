@@ -1,11 +1,12 @@
-"""Zero sets written out as proofs: JSON data with exact strings, for `exactspline.certificates` or any other reader.
+"""Certificates of zero sets: JSON data with exact strings, for `exactspline.certificates` or any other checker.
 
-A segment carries the integers ``c_i`` of its form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` (t from 0 to 1 on the segment), the leaves of
-a subdivision of [0, 1] with the number, 0 or 1, of sign changes that the Bernstein coefficients have there, the
-midpoints that are zeros themselves, and, where multiple zeros asked for it, factors whose powers multiply to the form
-up to a constant, the zeros at the ends and powers of ``u + v``; the leaves then belong to the product of the factors,
-each taken once. The roots, with the intervals reached so far, are those of the whole spline. An interval on which it
-vanishes is given by its two ends, the end before the beginning where it crosses the seam of a periodic spline.
+A segment contains the integers ``c_i`` of its form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` (t from 0 to 1 on the segment), the leaves
+of a subdivision of [0, 1], each with the number, 0 or 1, of sign changes of the Bernstein coefficients on it, and the
+midpoints that are zeros themselves. If required by multiple zeros, it also contains factors whose powers multiply to
+the form, up to a constant, the zeros at the ends and powers of ``u + v``; the leaves then refer to the product of the
+factors, each taken once. The roots, with the intervals computed so far, are those of the whole spline. An interval on
+which it vanishes is given by its two ends; if it crosses the seam of a periodic spline, its end is smaller than its
+beginning.
 """
 
 from __future__ import annotations
@@ -29,7 +30,8 @@ def certificate(
     *,
     periodic: bool,
 ) -> dict[str, object]:
-    """The proof of a zero set as JSON data; of jumps the parameter with the signs on both sides, of intervals the ends.
+    """The proof of a zero set as JSON data; `jumps` are given by the parameter and the signs on both sides, `intervals`
+    by their ends.
 
     >>> from exactspline import zeros
     >>> zeros(BSpline.bezier([1, -2, 1])).certificate()["segments"][0]["leaves"]

@@ -1,4 +1,4 @@
-"""A second judge: claims for all curves decided once more by sympy, an algebra that shares nothing with the jets."""
+"""A second judge: claims for all curves decided again by sympy, which shares no code with the jets."""
 
 from __future__ import annotations
 
@@ -26,15 +26,16 @@ class Sympy:
     name = Name(SympyReading.name)
 
     def decide(self, claim: Claim) -> Finding:
-        """The worst of all the cases, rational and polynomial curves of every dimension."""
+        """The worst finding over all cases: rational and polynomial curves of every dimension."""
         equality = claim.equality
         if equality is None:
             return Finding(UNDECIDED, witness=Fact.NOT_OF_THIS_JUDGE)
         cases = [(n, polynomial) for polynomial in claim.of.worlds for n in claim.dimensions]
-        return worst([equality.decide(_argument(claim, n, polynomial)) for n, polynomial in cases])
+        return worst([equality.decide(argument_for(claim, n, polynomial)) for n, polynomial in cases])
 
 
-def _argument(claim: Claim, dimension: int, polynomial: bool) -> Any:
+def argument_for(claim: Claim, dimension: int, polynomial: bool) -> Any:
+    """The argument of a formula in this reading."""
     kind = kind_of(claim.curve)
     if kind.adjoins_roots:
         factor = claim.factor if isinstance(claim, Identity) else "1"

@@ -10,11 +10,11 @@ import pytest
 
 from exactspline import BSpline, Nurbs
 from exactspline.certificates import check_certificate
-from exactspline.certificates.degrees import _irreducible
+from exactspline.certificates.degrees import is_irreducible
 from exactspline.errors import ReductionError, ShapeError
 from exactspline.geometry.constructions import all_constructions
 from exactspline.interchange.examples import example
-from exactspline.verification.minimality import _bezout, attained, certificate, witness
+from exactspline.verification.minimality import attained, bezout_combination, certificate, witness
 
 
 @pytest.mark.parametrize("polynomial", [False, True], ids=["rational", "polynomial"])
@@ -113,7 +113,7 @@ def test_a_degree_too_high_is_caught():
         from flint import fmpz_poly
 
         forms = [fmpz_poly([int(x) for x in f]) for f in (segment["forms"][0], segment["weight"])]
-        segment["prime"], segment["cofactors"] = _bezout(forms, [f.degree() for f in forms])
+        segment["prime"], segment["cofactors"] = bezout_combination(forms, [f.degree() for f in forms])
         segment["irreducible modulo"] = None
 
     with pytest.raises(ValueError, match="lower"):
@@ -123,7 +123,7 @@ def test_a_degree_too_high_is_caught():
 def test_a_common_factor_has_no_certificate():
     f, g = BSpline.bezier([1, 2, 5]).polynomials[0], BSpline.bezier([3, -1]).polynomials[0]
     with pytest.raises(ReductionError, match="common factor"):
-        _bezout([f * g, g * g], [3, 2])
+        bezout_combination([f * g, g * g], [3, 2])
 
 
 def test_rabin_test_against_flint():
@@ -134,7 +134,7 @@ def test_rabin_test_against_flint():
         for _ in range(40):
             form = [numbers.randint(0, p - 1) for _ in range(numbers.randint(2, 7))] + [1]
             factors = nmod_poly(form, p).factor()[1]
-            assert _irreducible(form, p) == ([e for _, e in factors] == [1])
+            assert is_irreducible(form, p) == ([e for _, e in factors] == [1])
 
 
 def test_witnesses_are_the_same_every_time():

@@ -26,12 +26,12 @@ from types import FunctionType
 from typing import Any
 
 from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.papers import Paper, Table, paper
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
-from exactspline.interchange.examples import example, example_names
 from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.claims import claim_of, claims_of
@@ -110,7 +110,8 @@ def _of_claimed(key: str, entry: dict[str, Any]) -> Iterator[Change]:
     for match in re.finditer(r"(?<![a-z])\d+", claimed) if entry["kind"] in ("degree", "count") else ():
         for by in (1, -1):
             new = f"{claimed[: match.start()]}{max(int(match[0]) + by, 0)}{claimed[match.end() :]}"
-            yield Change(key, kind, f"{claimed} → {new}", {"claimed": new})
+            if new != claimed:
+                yield Change(key, kind, f"{claimed} → {new}", {"claimed": new})
     if entry["kind"] == "degree":
         for new, said in ((f"{claimed} + 1", "degree"), (f"{claimed} − 1", "degree")):
             yield Change(key, said, f"{claimed} → {new}", {"claimed": new})
@@ -285,7 +286,7 @@ def judge(change: Change) -> Result:
         claim = changed_claim(change)
         # without a condition it must hold on every curve that there is, cusps and flat points included
         after = verdict(claim, example_names() if "assumes" in change.fields else CURVES)
-    except (ClaimError, TypeError, AttributeError) as error:  # a vector less a number, a derivative of a number
+    except (ClaimError, TypeError, AttributeError, IndexError) as error:  # a vector less a number
         return {"verdict": "refused", "by": str(error)[:120]}
     if after != before.expected:
         return {"verdict": "killed", "by": str(after)}

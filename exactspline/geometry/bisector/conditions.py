@@ -155,7 +155,7 @@ class Conditions:
             else:
                 candidates = [*_candidates(as_mpoly(family.whole, family.stride), segment)]
             holds = partial(self._holds, family.rows, e, n, segment)
-            intervals = _intersection(intervals, _cells(candidates, _roots(e, segment), segment, holds))
+            intervals = _intersection(intervals, cells_between(candidates, _roots(e, segment), segment, holds))
         return _on_parts(intervals, open_parts, segment)
 
     def _builder(self, forms: list[fmpz_poly], n: int, own: int | None) -> Callable[[int], _Family]:
@@ -268,7 +268,7 @@ def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
     ]
 
 
-def _cells(
+def cells_between(
     candidates: list[Parameter], poles: list[Root], segment: tuple[mpq, mpq], holds: Callable[[mpq], bool]
 ) -> list[tuple[Parameter, Parameter]]:
     """The closed intervals between candidates on which the condition holds; neighbours are one, unless B is infinite

@@ -36,7 +36,7 @@ def graph_intervals(
     intervals: list[tuple[Parameter, Parameter]] = []
     for a, b in pairwise(cuts):
         x = between(a, b)
-        y = _value(top, x) / _value(bottom, x)
+        y = value_at(top, x) / value_at(bottom, x)
         if range_[0] <= y <= range_[1]:
             if intervals and intervals[-1][1] == a:
                 intervals[-1] = (intervals[-1][0], b)
@@ -68,7 +68,8 @@ def _less(top: fmpz_poly, bottom: fmpz_poly, y: mpq) -> fmpz_poly:
     return top * int(y.denominator) - bottom * int(y.numerator)
 
 
-def _value(p: fmpz_poly, x: mpq) -> mpq:
+def value_at(p: fmpz_poly, x: mpq) -> mpq:
+    """The value of an integer polynomial at a rational number."""
     n, m = max(p.degree(), 0), int(x.denominator)
     value = substituted(p, n, fmpz_poly([m]), fmpz_poly([int(x.numerator)]))[0]
     return mpq(int(value), m**n)

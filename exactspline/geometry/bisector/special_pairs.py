@@ -276,7 +276,7 @@ def _without_repetition(special: SpecialPairs, first: Nurbs, second: Nurbs) -> S
 
     def shared(pair: SinglePair) -> bool:
         return any(
-            own == side[0] and _runs_on(curve, side[0])
+            own == side[0] and runs_on(curve, side[0])
             for own, side, curve in zip(pair.place, pair.sides, curves, strict=True)
         )
 
@@ -293,7 +293,7 @@ def _without_repetition(special: SpecialPairs, first: Nurbs, second: Nurbs) -> S
         if fixed is None or not line.pieces:
             return False
         start, curve = line.sides[fixed][0], curves[fixed]
-        return bool(line.pieces[0].other == start and _runs_on(curve, start))
+        return bool(line.pieces[0].other == start and runs_on(curve, start))
 
     return replace(
         special,
@@ -304,7 +304,7 @@ def _without_repetition(special: SpecialPairs, first: Nurbs, second: Nurbs) -> S
 
 def _reaches(t: Parameter, own: Interval, other: Interval, curve: Nurbs) -> bool:
     """Whether a parameter of one segment also belongs to another one with the same tangent."""
-    return own == other or (not isinstance(t, Root) and t in own and t in other and _runs_on(curve, t))
+    return own == other or (not isinstance(t, Root) and t in own and t in other and runs_on(curve, t))
 
 
 def _lies_on(line: LineComponent, s: Parameter, t: Parameter) -> bool:
@@ -314,7 +314,7 @@ def _lies_on(line: LineComponent, s: Parameter, t: Parameter) -> bool:
     return not line.pieces or any(one.low <= (s, t)[one.of] <= one.high for one in line.pieces)
 
 
-def _runs_on(curve: Nurbs, t: mpq) -> bool:
+def runs_on(curve: Nurbs, t: mpq) -> bool:
     """Whether a segment ends where another one begins, with the same point and tangent direction (or with γ′ = 0 on
     both sides).
     """

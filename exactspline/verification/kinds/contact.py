@@ -77,13 +77,13 @@ class Contact(Claim):
             return vacuous()
         if is_singular(formula, dimension, polynomial):
             return Finding(UNDECIDED, Fact.NO_CONTACT, witness=Fact.SINGULAR_CONTACT)
-        found = self._order(value, on_diagonal)
-        if found is None:
+        order_found = self._order(value, on_diagonal)
+        if order_found is None:
             return Finding(PROVED, ContactOrder(self.order, self.relation))
-        if found > self.order:
-            return Finding(REFUTED, AtLeast(found), witness=DerivativeAt(found, is_zero=True))
-        witness = self.refuted_on_examples().witness or DerivativeAt(found)
-        return Finding(REFUTED, ContactOrder(found - 1), witness=witness)
+        if order_found > self.order:
+            return Finding(REFUTED, AtLeast(order_found), witness=DerivativeAt(order_found, is_zero=True))
+        witness = self.refuted_on_examples().witness or DerivativeAt(order_found)
+        return Finding(REFUTED, ContactOrder(order_found - 1), witness=witness)
 
     def _order(self, value: list[Any], on_diagonal: Diagonal) -> int | None:
         """None where the contact is as claimed; else the order of the derivative at fault: one that does not vanish, or
@@ -165,19 +165,19 @@ def is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
                 "the formula speaks of derivatives of the second curve", remedy="contact is that of the point at s̄"
             )
     names = [name for name in BARRED[:dimension] if name in second]
-    rows = [[_partial(x, ring.index[name, (0,)]) for name in names] for x in value]
+    rows = [[partial_derivative(x, ring.index[name, (0,)]) for name in names] for x in value]
     met = [[on_diagonal(entry) for entry in row] for row in rows]
-    return _rank(met) < _rank(rows)
+    return rank_of(met) < rank_of(rows)
 
 
-def _partial(x: JetFraction, i: int) -> JetFraction:
+def partial_derivative(x: JetFraction, i: int) -> JetFraction:
     """The derivative by one variable, up to the square of the denominator."""
     top, bottom = (JetFraction(x.ring, p, x.ring.context.constant(1)) for p in (x.top, x.bottom))
     d_top, d_bottom = (JetFraction(x.ring, p.derivative(i), x.ring.context.constant(1)) for p in (x.top, x.bottom))
     return d_top * bottom - top * d_bottom
 
 
-def _rank(rows: list[list[JetFraction]]) -> int:
+def rank_of(rows: list[list[JetFraction]]) -> int:
     """The rank of a matrix, by elimination."""
     rows, rank = [list(row) for row in rows], 0
     for column in range(len(rows[0])):
