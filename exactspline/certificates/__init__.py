@@ -1,8 +1,8 @@
-"""Certificates: proofs written out as JSON data with exact strings, and their checker, which uses the standard library
-alone and shares no code with what writes them.
+"""Certificates: proofs as JSON data with exact strings, and their checker, which uses only the standard library and
+shares no code with the programs that write them.
 
-A certificate has a `format`, says of `what` it is a proof, and carries the data for it: of all ``zeros`` of a spline
-(written by `exactspline.roots.certificate`), or that the ``degree`` of forms cannot be lowered (written by
+A certificate has a `format`, states in `what` what it proves, and contains the data of the proof: of all ``zeros`` of a
+spline (written by `exactspline.roots.certificate`), or that the ``degree`` of forms cannot be lowered (written by
 `exactspline.verification.minimality`).
 """
 
@@ -25,16 +25,16 @@ def certificate(what: str, data: Mapping[str, object]) -> dict[str, object]:
 
 
 def check_certificate(certificate: Mapping[str, object], sturm: bool = True) -> dict[str, int]:
-    """What a certificate proves: the numbers of roots, jumps and intervals, or the largest degree over the segments.
+    """Check a certificate and return what it proves: the numbers of roots, jumps and intervals, or the largest degree
+    over the segments.
 
-    With `sturm` false the zeros are not counted a second time by Sturm sequences (which is slow for degrees beyond
-    100).
+    With ``sturm=False`` the zeros are not counted again by Sturm sequences (which are slow for degrees above 100).
 
     >>> from exactspline import BSpline, zeros
     >>> check_certificate(zeros(BSpline.bezier([1, -2, 1])).certificate())
     {'roots': 2, 'jumps': 0, 'intervals': 0}
 
-    Raises `ValueError` with what is wrong with it, and then it proves nothing.
+    Raises `ValueError` with a description of the flaw if the certificate is invalid.
     """
     try:
         if certificate["format"] != FORMAT:
@@ -44,5 +44,5 @@ def check_certificate(certificate: Mapping[str, object], sturm: bool = True) -> 
         if certificate["what"] == DEGREE:
             return check_degrees(certificate)
         raise ValueError("a proof of something unknown")
-    except (TypeError, AttributeError, LookupError) as error:  # data of another shape: a field missing, or no list
+    except (TypeError, AttributeError, LookupError) as error:  # a field is missing or has another type
         raise ValueError(f"not a certificate: {type(error).__name__}: {error}") from error

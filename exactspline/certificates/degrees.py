@@ -1,5 +1,5 @@
-"""Checks a certificate that the degree of forms cannot be lowered with the standard library alone: polynomials modulo a
-prime are lists of integers here.
+"""Checks, with only the standard library, a certificate that the degree of forms cannot be lowered. Polynomials modulo
+a prime are lists of integers here.
 """
 
 from collections.abc import Mapping
@@ -11,19 +11,19 @@ Polynomial = list[int]
 
 
 def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
-    """The largest degree over the segments, of which a certificate proves that it cannot be lowered (see
+    """The largest degree over the segments, after checking the proof that it cannot be lowered (see
     `exactspline.verification.minimality`).
 
-    A common factor over ℚ would be one modulo the prime, of the same degree, because the prime spares the highest
-    coefficient of a form of full degree; but the cofactors combine the forms to 1. A common zero at the right end (u =
-    0) would make all highest coefficients vanish.
+    A common factor over ℚ would also be a common factor modulo the prime, of the same degree, because the prime does
+    not divide the leading coefficient of some form; but the cofactors combine the forms to 1. A common zero at the
+    right end (u = 0) would make all leading coefficients vanish.
     """
     return _checked(certificate)
 
 
-def _checked(told: Any) -> dict[str, int]:
-    require(told["kind"] in ("zero set", "quotient") and bool(told["segments"]), "unknown kind, or nothing to check")
-    return {"degree": max(_segment(segment, told["kind"]) for segment in told["segments"])}
+def _checked(data: Any) -> dict[str, int]:
+    require(data["kind"] in ("zero set", "quotient") and bool(data["segments"]), "unknown kind, or nothing to check")
+    return {"degree": max(_segment(segment, data["kind"]) for segment in data["segments"])}
 
 
 def _segment(segment: dict[str, Any], kind: str) -> int:
@@ -53,18 +53,18 @@ def _segment(segment: dict[str, Any], kind: str) -> int:
     return int(n)
 
 
-def _integers(told: Any) -> Polynomial:
-    """The integers of a list, each written in decimal digits."""
-    require(type(told) is list, "coefficients that are not a list")
-    return [integer(x) for x in told]
+def _integers(given: Any) -> Polynomial:
+    """The integers in a list, each written in decimal digits."""
+    require(type(given) is list, "coefficients that are not a list")
+    return [integer(x) for x in given]
 
 
-#: The first primes: with them as bases Miller and Rabin's test decides all n below 3·10²⁴.
+#: The first primes: with them as bases, the Miller–Rabin test is correct for all n below 3·10²⁴.
 BASES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)
 
 
 def is_prime(n: int) -> bool:
-    """Miller and Rabin's test."""
+    """The Miller–Rabin test."""
     if n < 2 or any(n % q == 0 and n != q for q in BASES):
         return False
     odd, twos = n - 1, 0

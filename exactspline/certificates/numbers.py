@@ -1,16 +1,16 @@
-"""Numbers in certificates: integers and fractions written as text, to be read without anything of the library."""
+"""Numbers in certificates: parsing of integers and fractions written as text, without using the library."""
 
 from fractions import Fraction
 
 
 def require(condition: bool, flaw: str) -> None:
-    """Raises `ValueError` with the flaw where a condition does not hold."""
+    """Raise `ValueError` with the flaw unless a condition holds."""
     if not condition:
         raise ValueError(flaw)
 
 
 def count(given: object) -> int:
-    """An integer that counts something."""
+    """A count, given as an integer."""
     if type(given) is not int:
         raise ValueError("not an integer, where one is counted")
     return given
@@ -31,7 +31,7 @@ def _text(given: object) -> str:
 
 
 def _value(digits: str) -> int:
-    """Piece by piece: Python refuses to read thousands of digits at once."""
+    """The value of digits, converted in parts: Python does not convert thousands of digits in one step."""
     if len(digits) <= 600:
         return int(digits)
     half = len(digits) // 2
@@ -39,7 +39,7 @@ def _value(digits: str) -> int:
 
 
 def fraction(given: object) -> Fraction:
-    """A fraction written in decimal digits, an integer too."""
+    """A fraction or an integer written in decimal digits."""
     above, line, below = _text(given).partition("/")
     denominator = integer(below) if line else 1
     require(denominator > 0, "a denominator that is not positive")

@@ -1,5 +1,5 @@
-"""Checks a certificate of the zeros of a spline with the standard library alone and by two routes: Descartes' rule on
-every leaf, by de Casteljau's algorithm on integers, then the number of zeros of every segment by a Sturm sequence.
+"""Checks a certificate of the zeros of a spline, with only the standard library and in two ways: Descartes' rule on
+every leaf, by de Casteljau's algorithm on integers, and the number of zeros of every segment by a Sturm sequence.
 """
 
 from collections.abc import Mapping
@@ -12,43 +12,43 @@ from exactspline.certificates.numbers import count, fraction, integer, require
 
 
 def check_zeros(certificate: Mapping[str, object], sturm: bool = True) -> dict[str, int]:
-    """Number of roots, jumps and intervals that a certificate proves (see `exactspline.roots.certificate`).
+    """The numbers of roots, jumps and intervals that a certificate proves (see `exactspline.roots.certificate`).
 
-    With `sturm` false the second route is skipped (it is slow for degrees beyond 100).
+    With ``sturm=False`` the second check is skipped (it is slow for degrees above 100).
     """
     return _checked(certificate, sturm)
 
 
-def _checked(told: Any, sturm: bool) -> dict[str, int]:
-    require(type(told["periodic"]) is bool, "periodic is neither true nor false")
-    n, breaks = count(told["degree"]), [fraction(t) for t in told["breakpoints"]]
+def _checked(data: Any, sturm: bool) -> dict[str, int]:
+    require(type(data["periodic"]) is bool, "periodic is neither true nor false")
+    n, breaks = count(data["degree"]), [fraction(t) for t in data["breakpoints"]]
     require(
-        all(a < b for a, b in pairwise(breaks)) and len(breaks) == len(told["segments"]) + 1 > 1,
+        all(a < b for a, b in pairwise(breaks)) and len(breaks) == len(data["segments"]) + 1 > 1,
         "breakpoints do not fit the segments",
     )
     parts = []
-    for segment in told["segments"]:
+    for segment in data["segments"]:
         c = [integer(x) for x in segment["coefficients"]]
-        # a form that vanishes for every curve may have a negative degree, and then no coefficients
+        # a form that vanishes on every curve may have a negative degree, and then it has no coefficients
         require(len(c) == max(n + 1, 0), "wrong number of coefficients")
         parts.append(_segment(c, segment, sturm) if any(c) else None)
-    roots, jumps, intervals = _whole(breaks, parts, told["periodic"])
-    require(len(told["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")
-    for i, (claim, (low, high, where, facts)) in enumerate(zip(told["roots"], roots, strict=True)):
+    roots, jumps, intervals = _whole(breaks, parts, data["periodic"])
+    require(len(data["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")
+    for i, (claim, (low, high, where, facts)) in enumerate(zip(data["roots"], roots, strict=True)):
         a, b = fraction(claim["low"]), fraction(claim["high"])
         require(
             low <= a <= b <= high and (where is None or _inside(where, a, b)), f"no root in the interval of root {i}"
         )
         claimed = _sides(claim["multiplicities"]), _sides(claim["signs"])
         require(claimed == facts, f"wrong multiplicity or sign of root {i}")
-    require([(fraction(j["at"]), _sides(j["signs"])) for j in told["jumps"]] == jumps, "wrong jumps")
-    require([tuple(map(fraction, s)) for s in told["intervals"]] == intervals, "wrong intervals")
+    require([(fraction(j["at"]), _sides(j["signs"])) for j in data["jumps"]] == jumps, "wrong jumps")
+    require([tuple(map(fraction, s)) for s in data["intervals"]] == intervals, "wrong intervals")
     return {"roots": len(roots), "jumps": len(jumps), "intervals": len(intervals)}
 
 
-def _sides(told: list[Any]) -> tuple[int | None, ...]:
-    """A number for each side of a point, None where the domain ends."""
-    return tuple(None if x is None else count(x) for x in told)
+def _sides(given: list[Any]) -> tuple[int | None, ...]:
+    """A number for each side of a point, None at an end of the domain."""
+    return tuple(None if x is None else count(x) for x in given)
 
 
 def _inside(where: tuple[list[int], Fraction, Fraction], a: Fraction, b: Fraction) -> bool:
@@ -59,7 +59,7 @@ def _inside(where: tuple[list[int], Fraction, Fraction], a: Fraction, b: Fractio
 
 
 def _whole(breaks: list[Fraction], parts: list[Any], periodic: bool) -> tuple[list[Any], list[Any], list[Any]]:
-    """Roots (with a test of an interval), jumps and intervals, from what is known of every segment."""
+    """Roots (with the data to test an interval), jumps and intervals, from the results for the segments."""
     roots, jumps, runs, segments = list[Any](), list[Any](), list[list[int]](), len(parts)
     for i in range(segments + (not periodic)):
         left = None if i == 0 and not periodic else (parts[i - 1][1] if parts[i - 1] else (None, 0))
@@ -90,7 +90,7 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
     start, end = (next(i for i, x in enumerate(d) if x) for d in (c, c[::-1]))
     inner = c[start : len(c) - end]
     factors = [([integer(x) for x in g], count(k)) for g, k in segment["factors"]] or [(inner, 1)]
-    # a power of 0 or less, or a factor that vanishes, would have zeros that the form has not, or hide those it has
+    # a factor that vanishes or has a power ≤ 0 could add zeros that the form does not have, or hide some that it has
     require(all(k > 0 for _, k in factors), "a factor whose power is not positive")
     require(
         factors == [(inner, 1)]
@@ -117,17 +117,19 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
     require(points <= {a for a, _, _ in leaves if a}, "a point is not between two leaves")
     zeros = []
     for a, b, changes in leaves:
-        values, own = _restricted(searched, a, b), _restricted(inner, a, b)
+        values, local = _restricted(searched, a, b), _restricted(inner, a, b)
         require(_changes(values) == changes <= 1, "wrong number of sign changes on a leaf")
         require(a == 0 or (values[0] == 0) == (a in points), "a zero between two leaves that is not a point, or none")
         if a in points:
-            order = next(i for i, x in enumerate(own) if x)
-            zeros.append((a, a, inner, order, (_beside(_restricted(inner, Fraction(0), a))[1], _beside(own)[0])))
+            order = next(i for i, x in enumerate(local) if x)
+            zeros.append(
+                (a, a, inner, order, (_end_signs(_restricted(inner, Fraction(0), a))[1], _end_signs(local)[0]))
+            )
         if changes:
             g, k = next((g, k) for g, k in factors if _changes(_restricted(g, a, b)) % 2)
-            zeros.append((a, b, g, k, _beside(own)))
+            zeros.append((a, b, g, k, _end_signs(local)))
     require(not sturm or sturm_count(inner) == len(zeros), "the Sturm sequence counts other zeros")
-    return (start, _beside(inner)[0]), (end, _beside(inner)[1]), zeros
+    return (start, _end_signs(inner)[0]), (end, _end_signs(inner)[1]), zeros
 
 
 def product_of(p: list[int], q: list[int]) -> list[int]:
@@ -157,7 +159,7 @@ def _casteljau(b: list[int], t: Fraction) -> tuple[list[int], list[int]]:
     return left, right[::-1]
 
 
-def _beside(values: list[int]) -> tuple[int, int]:
+def _end_signs(values: list[int]) -> tuple[int, int]:
     signs = [1 if x > 0 else -1 for x in values if x]
     return signs[0], signs[-1]
 
@@ -167,7 +169,7 @@ def _changes(values: list[int]) -> int:
 
 
 def sturm_count(c: list[int]) -> int:
-    """Number of distinct positive zeros of ``Σ c_i zⁱ``, by a Sturm sequence of primitive remainders."""
+    """The number of distinct positive zeros of ``Σ c_i zⁱ``, by a Sturm sequence of primitive remainders."""
     chain = [c, [i * x for i, x in enumerate(c)][1:]]
     while chain[-1]:
         p, q = list(chain[-2]), chain[-1]

@@ -88,9 +88,9 @@ class Zero:
         half = mpq(1, 2)
         sides = []
         for k, g in enumerate(pair):
-            own, other = g.derivative(k).range, g.derivative(1 - k).range
-            scale = mpq(int(own[0] + own[1]), 2)
-            radius = (int(own[1]) - scale + int(max(-other[0], other[1]))) / scale / 2
+            diagonal, off_diagonal = g.derivative(k).range, g.derivative(1 - k).range
+            scale = mpq(int(diagonal[0] + diagonal[1]), 2)
+            radius = (int(diagonal[1]) - scale + int(max(-off_diagonal[0], off_diagonal[1]))) / scale / 2
             middle = half - g.value(half, half) / scale
             sides.append(Interval(max(mpq(0), middle - radius), min(mpq(1), middle + radius)))
         first, second = (_rounded(side.part(local), side) for local, side in zip(sides, box, strict=True))
@@ -170,8 +170,10 @@ def _contracts(pair: tuple[PatchForm, PatchForm]) -> bool:
     """
     part, whole = KEPT
     for k, g in enumerate(pair):
-        own, other = g.derivative(k).range, g.derivative(1 - k).range
-        if not own[0] > 0 or whole * (own[1] - own[0] + 2 * max(-other[0], other[1])) > part * (own[0] + own[1]):
+        diagonal, off_diagonal = g.derivative(k).range, g.derivative(1 - k).range
+        if not diagonal[0] > 0 or whole * (
+            diagonal[1] - diagonal[0] + 2 * max(-off_diagonal[0], off_diagonal[1])
+        ) > part * (diagonal[0] + diagonal[1]):
             return False
     return True
 

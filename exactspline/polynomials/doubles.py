@@ -141,8 +141,8 @@ def split_in_two(rows: Rows) -> tuple[Rows, Rows]:
             first, second = (1 - SPLIT) * value[:, :-1], SPLIT * value[:, 1:]
             value = first + second
             carried = (1 - SPLIT) * error[:, :-1] + SPLIT * error[:, 1:]
-            own = 3 * ROUNDING * (np.abs(first) + np.abs(second))
-            error = (carried + own) * (1 + 8 * ROUNDING) + 8 * UNDERFLOW
+            rounding = 3 * ROUNDING * (np.abs(first) + np.abs(second))
+            error = (carried + rounding) * (1 + 8 * ROUNDING) + 8 * UNDERFLOW
             left.append((value[:, 0], error[:, 0]))
             right.append((value[:, -1], error[:, -1]))
     return _stacked(left), _stacked(right[::-1])

@@ -88,16 +88,16 @@ class PatchForm:
     @property
     def corners(self) -> tuple[fmpz, fmpz, fmpz, fmpz]:
         """The values at the corners: (0, 0), (0, 1), (1, 0), (1, 1)."""
-        own, (m, n) = self.entries, self.degree
-        return own[0], own[n], own[m * (n + 1)], own[-1]
+        entries, (m, n) = self.entries, self.degree
+        return entries[0], entries[n], entries[m * (n + 1)], entries[-1]
 
     def halves(self, direction: int) -> tuple[PatchForm, PatchForm]:
         """The form on the two halves of the square (direction 0: in x), with a common constant."""
         m = self.degree[direction]
-        own, (first, second) = self.matrix, _halving(m)
+        matrix, (first, second) = self.matrix, _halving(m)
         if direction == 0:
-            return PatchForm(first * own), PatchForm(second * own)
-        return PatchForm(own * first.transpose()), PatchForm(own * second.transpose())
+            return PatchForm(first * matrix), PatchForm(second * matrix)
+        return PatchForm(matrix * first.transpose()), PatchForm(matrix * second.transpose())
 
     def part(self, box: Box) -> PatchForm:
         """The form on a box, which may extend beyond the square; the constant depends only on box and degree."""
@@ -123,10 +123,10 @@ class PatchForm:
 
     def edge(self, direction: int, end: int) -> list[fmpz]:
         """The Bernstein coefficients along the edge on which x (direction 0) or y is 0 or 1."""
-        (m, n), own = self.degree, self.entries
+        (m, n), entries = self.degree, self.entries
         if direction == 0:
-            return own[m * (n + 1) :] if end else own[: n + 1]
-        return own[n :: n + 1] if end else own[:: n + 1]
+            return entries[m * (n + 1) :] if end else entries[: n + 1]
+        return entries[n :: n + 1] if end else entries[:: n + 1]
 
     def without_border(self) -> tuple[PatchForm, Borders]:
         """The form without its factors x, 1 − x, y and 1 − y, and the multiplicity of each; not for the zero form.
@@ -202,10 +202,10 @@ def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
     done: list[tuple[Box, list[Box]]] = []
     todo = [(list(boxes), 0, 0)]
     while todo:
-        own, direction, kept = todo.pop()
+        members, direction, kept = todo.pop()
         groups: list[list[Box]] = []
         reached = mpq(0)
-        for box in sorted(own, key=lambda one: one[direction]):
+        for box in sorted(members, key=lambda one: one[direction]):
             low, high = box[direction]
             if groups and low <= reached:
                 groups[-1].append(box)
@@ -215,7 +215,7 @@ def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
                 reached = high
         kept = kept + 1 if len(groups) == 1 else 1
         if kept > 1:
-            done.append((hull(own), own))
+            done.append((hull(members), members))
         else:
             todo += [(group, 1 - direction, kept) for group in reversed(groups)]
     return done
@@ -235,11 +235,11 @@ def _without_ends(matrix: fmpz_mat) -> tuple[fmpz_mat, int, int]:
     kept = n - low - high
     # C(n, i) b_i are the coefficients without binomials; those of the quotient are divided by its own
     common = lcm(*[comb(kept, k) for k in range(kept + 1)])
-    found = [
+    quotient = [
         [x * int(comb(n, low + k) * (common // comb(kept, k))) for x in row]
         for k, row in enumerate(rows[low : n + 1 - high])
     ]
-    return PatchForm(fmpz_mat(found)).primitive().matrix, low, high
+    return PatchForm(fmpz_mat(quotient)).primitive().matrix, low, high
 
 
 def _lowest(matrix: fmpz_mat) -> fmpz_mat:
@@ -340,8 +340,8 @@ def _powers(p: fmpz_poly, n: int) -> list[fmpz_poly]:
 
 
 def _padded(p: fmpz_poly, n: int) -> list[fmpz]:
-    own: list[fmpz] = p.coeffs()
-    return own + [fmpz(0)] * (n + 1 - len(own))
+    coefficients: list[fmpz] = p.coeffs()
+    return coefficients + [fmpz(0)] * (n + 1 - len(coefficients))
 
 
 def _weights(n: int, x: mpq) -> tuple[fmpz_mat, mpq]:

@@ -79,9 +79,9 @@ def packed(parts: Sequence[fmpz_poly], stride: int) -> fmpz_poly:
     """
     coefficients: list[fmpz] = []
     for row in parts:
-        own = row.coeffs()
-        coefficients += own
-        coefficients += [fmpz(0)] * (stride - len(own))
+        row_coefficients = row.coeffs()
+        coefficients += row_coefficients
+        coefficients += [fmpz(0)] * (stride - len(row_coefficients))
     return fmpz_poly(coefficients)
 
 

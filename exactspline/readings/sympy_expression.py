@@ -55,13 +55,13 @@ class SympyExpression(FieldOperand):
         return self._made(_number(value), frozenset())
 
     def __add__(self, other: object) -> Self:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         return self._made(self.expression + right.expression, self.parameters | right.parameters)
 
     def __mul__(self, other: object) -> Self:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         return self._made(self.expression * right.expression, self.parameters | right.parameters)

@@ -189,7 +189,7 @@ def _moving(ring: JetRing, parameter: Parameter) -> list[tuple[int, int]]:
             f"the degree theorem does not apply to the kind {ring.kind.name!r}", remedy="use the nominal degree"
         )
     dependent = [(n, orders, ring.symbols[name].parameters) for n, (name, orders) in enumerate(ring.variables)]
-    return [(n, orders[own.index(parameter)]) for n, orders, own in dependent if parameter in own]
+    return [(n, orders[parameters.index(parameter)]) for n, orders, parameters in dependent if parameter in parameters]
 
 
 def _beyond(ring: JetRing, degrees: Mapping[Parameter, int]) -> list[int]:

@@ -149,7 +149,7 @@ def at_a_point(f: Formula, dimension: int) -> tuple[object, ...] | None:
 
 
 #: Not multiplied out: a product of more terms than `FormulaError` allows. A claim ties it to what it equals.
-TOO_LONG = {"radius_derivative_line_5"}
+TOO_LONG = {"radius_derivative_line_5", "focal_third_term_by_arc_length", "focal_curve_by_both_derivatives"}
 
 
 @cache
@@ -185,7 +185,6 @@ PARTS = [
     {"rotated_tangent", "velocity_turned", "velocity_turned_by_D1"},
     {"curvature_vector_in_plane", "tangent_by_arc_length", "curvature_vector_by_radius"},
     {"towards_the_centre", "radius_vector_in_plane"},
-    {"curvature_times_unit_normal", "curvature_vector_line_2"},
     {"mapped_x", "x43"},
     {"mapped_y", "y_by_x43"},
 ]

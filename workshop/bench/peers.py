@@ -88,7 +88,7 @@ class SympyOperand(RingOperand):
         self.poly, self.variable = poly, variable
 
     def __add__(self, other: object) -> SympyOperand:
-        right = self.beside(other)
+        right = self.coerced(other)
         return NotImplemented if right is None else SympyOperand(self.poly + right.poly, self.variable)
 
     def __mul__(self, other: object) -> SympyOperand:

@@ -25,9 +25,8 @@ from time import monotonic
 from types import FunctionType
 from typing import Any
 
-from exactspline.splines.examples import example, example_names
-
 from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.papers import Paper, Table, paper

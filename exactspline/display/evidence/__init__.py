@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from exactspline.display.evidence import general, kinds, types
+from exactspline.display.evidence import classroom, general, kinds, types
 from exactspline.display.evidence.answers import opinion
 from exactspline.display.evidence.dispatch import worded, words
 
-__all__ = ["general", "kinds", "opinion", "types", "worded", "words"]
+__all__ = ["classroom", "general", "kinds", "opinion", "types", "worded", "words"]

@@ -9,7 +9,6 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.bisector import (
     middle_height,
     middle_normal,
     normal_height,
-    normal_height_polynomial,
     point_bisector_determinant_polynomial,
     point_bisector_directrix,
     point_bisector_directrix_levelled,
@@ -17,6 +16,7 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.bisector import (
     point_bisector_directrix_printed,
     point_bisector_generator,
     point_bisector_generator_polynomial,
+    point_middle_height_polynomial,
     second_height,
     second_normal,
     through_point_height,
@@ -197,33 +197,10 @@ def point_bisector_by_numerator(c):
     return ruled(point_bisector_directrix_levelled(c), point_bisector_generator_polynomial(c))
 
 
-@formula("display below eq. (34)", on="point")
-def through_point_height_polynomial(c):
-    """``wQ·(D1 × (p − wQ))``."""
-    return dot(c.point * c.w, point_bisector_generator_polynomial(c))
-
-
-@formula("display below eq. (34)", on="point")
-def point_middle_normal_polynomial(c):
-    """``p − wQ``."""
-    return c.p - c.point * c.w
-
-
 @formula("eq. (34), as printed", on="point")
-def point_middle_height_printed(c):
-    """``½(‖p‖² − w‖Q‖²)``."""
-    return (norm2(c.p) - c.w * norm2(c.point)) / 2
-
-
-@formula("eq. (34), as printed", on="point")
-def directrix_numerators_printed(c):
-    """The numerators of Cramer's rule for (34)."""
-    rows = (
-        (D1(c), normal_height_polynomial(c)),
-        (point_bisector_generator_polynomial(c), through_point_height_polynomial(c)),
-        (point_middle_normal_polynomial(c), point_middle_height_printed(c)),
-    )
-    return cramer(rows[0], rows[1], rows[2])
+def point_middle_height_printed_in_full(c):
+    """``½(‖p‖² − w²‖Q‖²) + ½w(w − 1)‖Q‖²``: the last height of (34) and the error of the printed one."""
+    return point_middle_height_polynomial(c) + c.w * (c.w - 1) * norm2(c.point) / 2
 
 
 @formula("§6.2.1, below eq. (34)", on="point")
@@ -236,6 +213,12 @@ def directrix_denominator(c):
 def point_bisector_printed(c):
     """The surface of (34) with the last height as printed."""
     return ruled(point_bisector_directrix_printed(c), cross(D1(c), c.gamma - c.point))
+
+
+@formula("eq. (34), as printed", on="point")
+def point_bisector_printed_by_numerator(c):
+    """The surface of (34) with the last height as it is printed and the numerator of its generator."""
+    return ruled(point_bisector_directrix_printed(c), point_bisector_generator_polynomial(c))
 
 
 @formula("§6.2.2", on="point")
