@@ -16,7 +16,7 @@ import json
 import re
 import sys
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -98,9 +98,10 @@ def entries() -> dict[str, Table]:
 
 
 def changes_of(key: str) -> list[Change]:
-    """Every change of a statement."""
+    """Every change of a statement; where its own formulas have too few kinds of changes, also in those they call."""
     entry = entries()[key].entry
-    return [*_of_claimed(key, entry), *_of_factor(key, entry), *_of_names(key, entry), *_of_formulas(key, entry)]
+    found = [*_of_claimed(key, entry), *_of_factor(key, entry), *_of_names(key, entry), *_of_formulas(key, entry)]
+    return found if len({change.kind for change in found}) >= EACH else [*found, *_of_called(key, entry)]
 
 
 def _of_claimed(key: str, entry: dict[str, Any]) -> Iterator[Change]:
@@ -171,18 +172,36 @@ def _of_names(key: str, entry: dict[str, Any]) -> Iterator[Change]:
 def _of_formulas(key: str, entry: dict[str, Any]) -> Iterator[Change]:
     """One change in the body of a formula that it names."""
     for side in NAMED:
-        for name in [names] if isinstance(names := entry.get(side, ()), str) else names:
-            formula = _formula(name)
-            if formula is None:
-                continue
-            file = formula.function.__module__.replace(".", "/") + ".py"
-            node = node_of(file, formula.function.__name__)
-            for number, (_, (kind, says, new)) in enumerate(changes(node)):
-                if isinstance(new, ast.Name) and not _is_known(new.id, formula):
-                    continue
-                told = KIND.get(kind, kind)
-                told = "derivative" if kind == "constant" and _is_order(node, number) else told
-                yield Change(key, told, f"{name}: {says} (change {number})", {}, f"{side} {name}", number)
+        for name in _listed(entry.get(side, ())):
+            if formula := _formula(name):
+                yield from _of_body(key, formula, f"{side} {name}")
+
+
+def _of_called(key: str, entry: dict[str, Any]) -> Iterator[Change]:
+    """One change in the body of a formula that one that it names calls, for that one alone."""
+    for side in NAMED:
+        for name in _listed(entry.get(side, ())):
+            if formula := _formula(name):
+                function: Any = formula.function
+                for called in dict.fromkeys(function.__code__.co_names):
+                    if isinstance(helper := function.__globals__.get(called), Formula):
+                        yield from _of_body(key, helper, f"{side} {name}>{called}")
+
+
+def _of_body(key: str, formula: Formula, side: str) -> Iterator[Change]:
+    function: Any = formula.function
+    node = node_of(_file(function), function.__name__)
+    for number, (_, (kind, says, new)) in enumerate(changes(node)):
+        if isinstance(new, ast.Name) and not _is_known(new.id, formula):
+            continue
+        told = KIND.get(kind, kind)
+        told = "derivative" if kind == "constant" and _is_order(node, number) else told
+        yield Change(key, told, f"{side.split(' ')[1]}: {says} (change {number})", {}, side, number)
+
+
+def _file(function: Any) -> str:
+    """The file of a function of the library."""
+    return f"{function.__module__.replace('.', '/')}.py"
 
 
 def _is_known(name: str, formula: Formula) -> bool:
@@ -202,7 +221,7 @@ def _formula(name: str) -> Formula | None:
     """The formula of the paper with that name, where it stands as a function of its own in a file of the library."""
     try:
         found = paper(PAPER).find(name)
-        node_of(found.function.__module__.replace(".", "/") + ".py", found.function.__name__)
+        node_of(_file(found.function), found.function.__name__)
     except (ExactSplineError, KeyError):
         return None
     return found
@@ -237,8 +256,9 @@ def changed_claim(change: Change) -> Claim:
     source, table = paper(PAPER), entries()[change.claim]
     entry = {name: value for name, value in table.entry.items() if name not in BESIDE}
     if change.side:
-        side, name = change.side.split(" ")
-        entry[side] = _renamed(entry[side], name, _put_in(source, name, change.number))
+        side, path = change.side.split(" ")
+        name, _, called = path.partition(">")
+        entry[side] = _renamed(entry[side], name, _put_in(source, name, called, change.number))
     return _read(source, table.place, entry | change.fields)
 
 
@@ -253,17 +273,31 @@ def _renamed(names: Any, name: str, other: str) -> Any:
     return other if isinstance(names, str) else [other if each == name else each for each in names]
 
 
-def _put_in(source: Paper, name: str, number: int) -> str:
-    """A changed copy of a formula among those of the paper, which nothing calls; its name."""
+def _put_in(source: Paper, name: str, called: str, number: int) -> str:
+    """A changed copy of a formula (or one that calls a changed copy of another) among those of the paper, which nothing
+    else calls; its name.
+    """
     original = source.find(name)
     function: Any = original.function
-    file = function.__module__.replace(".", "/") + ".py"
-    code = Mutant(file, function.__name__, "", 0, 0, "", number).code()
-    copy = FunctionType(code, function.__globals__, f"{name}_changed", function.__defaults__, function.__closure__)
-    copy.__kwdefaults__, copy.__module__ = function.__kwdefaults__, function.__module__
-    made = Formula(copy, original.source, original.kind, original.symbol)
+    if called:
+        helper = _copy(function.__globals__[called], number)
+        made = _copy(original, instead={called: helper})
+    else:
+        made = _copy(original, number)
     source.formulas[made.name] = made
     return made.name
+
+
+def _copy(original: Formula, number: int | None = None, instead: Mapping[str, Formula] | None = None) -> Formula:
+    """A copy of a formula with a change, or with other formulas for some that it calls."""
+    function: Any = original.function
+    code = function.__code__
+    if number is not None:
+        code = Mutant(_file(function), function.__name__, "", 0, 0, "", number).code()
+    known = {**function.__globals__, **(instead or {})}
+    copy = FunctionType(code, known, f"{function.__name__}_changed", function.__defaults__, function.__closure__)
+    copy.__kwdefaults__, copy.__module__ = function.__kwdefaults__, function.__module__
+    return Formula(copy, original.source, original.kind, original.symbol)
 
 
 def verdict(claim: Claim, curves: Iterable[str] = CURVES) -> Verdict:
@@ -301,8 +335,13 @@ def judge(change: Change) -> Result:
 
 
 def _both(change: Change) -> tuple[Formula, Formula]:
-    source, (_, name) = paper(PAPER), change.side.split(" ")
+    source, name = paper(PAPER), _named(change)
     return source.find(name), source.find(f"{name}_changed")
+
+
+def _named(change: Change) -> str:
+    """The formula of the statement that was changed, or that calls what was."""
+    return change.side.split(" ")[1].partition(">")[0]
 
 
 def _equal(one: Formula, other: Formula) -> bool:
@@ -325,7 +364,7 @@ def _refuting(change: Change) -> str:
     """The key of another claim that is refuted: one that names the formula, of its changed copy, or one of a formula
     that calls it, with the change in its place. Empty where there is none.
     """
-    source, (_, name) = paper(PAPER), change.side.split(" ")
+    source, name = paper(PAPER), _named(change)
     for table in source.claim_tables():
         sides = [side for side in NAMED if name in _listed(table.entry.get(side, ()))]
         recorded = table.entry.get("expected", "PROVED")
@@ -339,9 +378,11 @@ def _refuting(change: Change) -> str:
         except ExactSplineError:
             continue
     function: Any = source.find(name).function
+    if called := change.side.partition(">")[2]:
+        function = function.__globals__[called].function
     place = function.__module__, function.__name__
     callers = sorted((claim for claim in speaking([place]) if claim.paper == PAPER), key=lambda each: each.key)
-    Mutant(place[0].replace(".", "/") + ".py", place[1], "", 0, 0, "", change.number).apply()
+    Mutant(_file(function), place[1], "", 0, 0, "", change.number).apply()
     return next(filter(None, (refuted(claim, quick) for claim in callers)), "")
 
 
