@@ -76,6 +76,9 @@ class Line:
     #: What the certified filter said; None where it was not asked, and of lines that were read.
     way: Way | None = field(default=None, compare=False)
 
+    def __repr__(self) -> str:
+        return f"<Line {self.index}: {self.curve}>"
+
     def data(self) -> dict[str, object]:
         """The line as data, as `line_schema` describes it."""
         own = {name: getattr(self, name) for name in DATA}

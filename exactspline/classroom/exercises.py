@@ -27,6 +27,9 @@ class Exercise:
     answer: Answer
     solution: tuple[Part, ...]
 
+    def __repr__(self) -> str:
+        return f"<Exercise {self.topic}, seed {self.seed}>"
+
 
 #: What a topic draws: task, answer and solution; None where the numbers are not simple enough; then it draws again.
 Drawn = tuple[tuple[Part, ...], Answer, tuple[Part, ...]] | None

@@ -9,6 +9,7 @@ from exactspline.interchange.limits import work
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 
 Points = Sequence[Sequence[mpq]]
 
@@ -19,18 +20,19 @@ class Collector:
     def __init__(self, format_name: str, source: Source) -> None:
         self.format, self.source, self.limits = format_name, source, source.limits
         self.curves: list[NamedCurve] = []
+        self.surfaces: list[NurbsSurface] = []
         self.skipped: list[Skipped] = []
         self._notes: dict[str, None] = {}
         self._objects = 0
 
     def reading(self) -> Reading:
         """Everything that was found."""
-        return Reading(self.format, tuple(self.curves), tuple(self.skipped), tuple(self._notes))
+        return Reading(self.format, tuple(self.curves), tuple(self.skipped), tuple(self._notes), tuple(self.surfaces))
 
     def taken(self) -> Reading:
         """What was found since the last time."""
         found = self.reading()
-        self.curves, self.skipped, self._notes = [], [], {}
+        self.curves, self.surfaces, self.skipped, self._notes = [], [], [], {}
         return found
 
     def skip(self, what: str, where: str, why: str, *, curve: bool = True) -> None:

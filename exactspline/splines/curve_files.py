@@ -178,10 +178,10 @@ def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
     """Write a curve as a curve file, all numbers as exact text; the file is written whole or not at all.
 
     >>> import tempfile
-    >>> from exactspline import example, load
+    >>> from exactspline import example, read
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     save(example("circle"), f"{folder}/circle.json")
-    ...     load(f"{folder}/circle.json") == example("circle")
+    ...     read(f"{folder}/circle.json").curve == example("circle")
     True
 
     Raises `ExactSplineError` where the file cannot be written.

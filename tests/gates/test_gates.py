@@ -287,16 +287,9 @@ NOT_SHOWN = {
     "Variant": "a word that may also be given as text",
     "ZeroSet": "a value that others have",
     "curvature_function": "the reference alone",
-    "example_names": "the reference alone",
-    "example_surface_names": "the reference alone",
     "greville_abscissae": "the reference alone",
-    "load_surface": "the reference alone",
     "ruled_surface": "the reference alone",
-    "save": "the reference alone",
-    "save_surface": "the reference alone",
-    "surface_from_text": "the reference alone",
     "torsion_function": "the reference alone",
-    "trimmed_bisector": "the reference alone",
     "verify": "the reference alone",
 }
 

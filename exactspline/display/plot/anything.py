@@ -5,10 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from exactspline.display.plot.canvas import axes_for
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.functions import plot_function
-from exactspline.display.plot.surfaces import plot_ruled_surface, plot_surface
+from exactspline.display.plot.patches import surface_figure
+from exactspline.display.plot.surfaces import plot_bisector, plot_ruled_surface, plot_surface
 from exactspline.errors import ShapeError
+from exactspline.geometry.bisector.point_and_curve import PointBisector, RuledPiece
+from exactspline.geometry.bisector.two_curves import CurveBisector
+from exactspline.geometry.derived import Derived
+from exactspline.geometry.surface.inspection import SurfaceInspection
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
@@ -23,7 +29,8 @@ if TYPE_CHECKING:
 
 
 def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
-    """Draw a curve, a function, a zero set, a derived curve or a surface into matplotlib's axes (None: those of a new
+    """Draw a curve, a function, a zero set, a derived curve, a surface, its analysis (in a figure of its own) or a
+    bisector into matplotlib's axes (None: those of a new
     figure), which are returned. `how` as for the function of `exactspline.display.plot` that draws such things.
 
     >>> from exactspline import BSpline, example, zeros
@@ -44,6 +51,14 @@ def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
         return plot_ruled_surface(thing, ax=ax, **options)
     if isinstance(thing, NurbsSurface):
         return plot_surface(thing.S, ax, **options)
+    if isinstance(thing, SurfaceInspection) and ax is None:
+        return surface_figure(thing, **options).axes[0]
+    if isinstance(thing, CurveBisector):
+        return plot_bisector(*thing.curves, ax, **options)
+    if isinstance(thing, PointBisector | Derived):
+        for piece in thing.pieces:
+            ax = plot(piece.surface if isinstance(piece, RuledPiece) else piece.value, ax, **options)
+        return axes_for(ax)
     parts = thing.numerator if isinstance(thing, Rational) else thing
     if isinstance(parts, Vector):
         draw: Callable[..., Axes] = (

@@ -38,8 +38,8 @@ STEPS = 4
 def surface_figure(found: SurfaceInspection) -> Figure:
     """The picture of a surface that was inspected: in space, and its parameters.
 
-    >>> from exactspline import example_surface, inspect_surface
-    >>> [ax.name for ax in surface_figure(inspect_surface(example_surface("biquadratic"))).axes]
+    >>> from exactspline import analyse, example
+    >>> [ax.name for ax in surface_figure(analyse(example("biquadratic"))).axes]
     ['3d', 'rectilinear']
 
     Raises `PlotError` without matplotlib.

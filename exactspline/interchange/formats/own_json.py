@@ -20,6 +20,7 @@ from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.control_points import Direction
 from exactspline.splines.curve_files import curve_data, curve_from_data
 from exactspline.splines.json_files import CURVE, check_fields, parsed
+from exactspline.splines.surface_files import surface_from_data
 
 _EXPONENT = re.compile(r"[+-]?\d{1,7}", re.ASCII)
 
@@ -48,11 +49,13 @@ def read(source: Source) -> Reading:
     if not isinstance(entries, list):
         raise CurveFileError("the JSON text holds no curves", remedy='write one curve or {"curves": […]}')
     for number, entry in enumerate(entries, 1):
-        where = f"curve {number}"
+        is_surface = isinstance(entry, dict) and isinstance(entry.get("degree"), list)
+        what = "surface" if is_surface else "curve"
+        where = f"{what} {number}"
         try:
-            _curve(found, entry, where)
+            (_surface if is_surface else _curve)(found, entry, where)
         except ExactSplineError as error:
-            found.skip("curve", where, str(error))
+            found.skip(what, where, str(error), curve=not is_surface)
     return found.reading()
 
 
@@ -74,6 +77,12 @@ def _curve(found: Collector, entry: Any, where: str) -> None:
         name=str(entry.get("name") or "") or found.source.name,
         notes=[f"{key}: {entry[key]}" for key in ("note", "source") if entry.get(key)],
     )
+
+
+def _surface(found: Collector, entry: Any, where: str) -> None:
+    rows = entry.get("control_points", entry.get("points", ()))
+    found.count(sum(len(row) for row in rows if isinstance(row, list)) if isinstance(rows, list) else 1)
+    found.surfaces.append(surface_from_data(entry, found.source.name or where))
 
 
 def _list(value: Any) -> list[Any]:
