@@ -224,6 +224,28 @@ def as_integer(given: SupportsIndex, what: str, least: int = 0, most: int = 10**
     raise ShapeError(f"{shown(given)}, where {what} is expected", remedy=f"give an integer from {least} to {most}")
 
 
+def as_flag(given: object, what: str) -> bool:
+    """The choice itself; `ShapeError` for anything but True and False.
+
+    >>> as_flag("no", "whether the ends are one knot")
+    Traceback (most recent call last):
+    exactspline.errors.ShapeError: 'no', where it is asked whether the ends are one knot; give True or False
+    """
+    if isinstance(given, bool):
+        return given
+    raise ShapeError(f"{shown(given)}, where it is asked {what}", remedy="give True or False")
+
+
+def as_texts(given: Iterable[str], what: str, one: str) -> list[str]:
+    """The texts of a sequence; `ShapeError` for anything else, and for a text alone.
+
+    >>> as_texts("f2", "names of formulas", "the name of a formula")
+    Traceback (most recent call last):
+    exactspline.errors.ShapeError: a str, where names of formulas are expected; give a list
+    """
+    return [as_text(each, one) for each in as_items(given, what)]
+
+
 def as_instance(given: object, kind: type[T], what: str, remedy: str) -> T:
     """The object itself; `ShapeError` for one of another class.
 

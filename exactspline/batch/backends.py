@@ -17,7 +17,7 @@ from functools import cache
 from importlib.util import find_spec
 from typing import TypeVar
 
-from exactspline.errors import ExactSplineError, nearest
+from exactspline.errors import ExactSplineError, as_text, nearest
 
 #: Seconds after which a process looks again whether the one that started it still runs.
 LOOK = 1
@@ -43,7 +43,7 @@ class BackendError(ExactSplineError):
 
 def check_backend(name: str) -> None:
     """Raise `BackendError` where a backend is unknown or its package is missing."""
-    if name not in BACKENDS:
+    if as_text(name, "the name of a backend") not in BACKENDS:
         raise BackendError(f"there is no backend called {name!r}", remedy=nearest(name, BACKENDS))
     if (needed := BACKENDS[name]) and find_spec(needed) is None:
         raise BackendError(

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from exactspline.batch.lines import EVERYWHERE, Found
-from exactspline.errors import FormulaError, nearest
+from exactspline.errors import FormulaError, as_texts, nearest
 from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
@@ -42,7 +42,7 @@ def checked_names(names: Iterable[str]) -> tuple[str, ...]:
     Raises `FormulaError` with the nearest names.
     """
     known, chosen = asked_by_sweeps(), dict[str, None]()
-    for name in names:
+    for name in as_texts(names, "names of questions", "the name of a question"):
         if name != "all" and name not in known:
             raise FormulaError(f"nothing called {name!r} can be looked for", remedy=nearest(name, [*known, "all"]))
         chosen |= dict.fromkeys(known if name == "all" else [name])

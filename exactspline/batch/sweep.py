@@ -8,7 +8,7 @@ from exactspline.batch.backends import check_backend, mapped
 from exactspline.batch.corpus import Source, items
 from exactspline.batch.lines import Line
 from exactspline.batch.work import DIGITS, Work
-from exactspline.errors import ShapeError
+from exactspline.errors import as_integer, as_text
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -37,8 +37,7 @@ def sweep(
 
     Raises `FormulaError`, `ClaimError` or `BackendError` for unknown names, before anything is computed.
     """
-    if jobs < 1:
-        raise ShapeError(f"{jobs} processes", remedy="at least one")
+    jobs, scheduler = as_integer(jobs, "a number of processes", 1), as_text(scheduler, "the address of a scheduler")
     work = Work.of(find, claims, digits)
     check_backend(backend)
     given = [curves] if isinstance(curves, (Nurbs, str)) or not isinstance(curves, Iterable) else curves

@@ -14,7 +14,7 @@ from exactspline.batch.backends import ALONE
 from exactspline.batch.corpus import Item, Problem
 from exactspline.batch.inspections import USUAL, asked_by_sweeps, checked_names, inspected
 from exactspline.batch.lines import Found, Judged, Line
-from exactspline.errors import FormulaError
+from exactspline.errors import as_integer, as_texts
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -49,9 +49,8 @@ class Work:
 
         Raises `FormulaError` or `ClaimError` with the nearest names.
         """
-        if not 0 <= digits <= MOST_DIGITS:
-            raise FormulaError(f"{digits} digits", remedy=f"0 to {MOST_DIGITS} digits can be asked for")
-        located = _located(tuple(claims))
+        digits = as_integer(digits, "a number of digits", 0, MOST_DIGITS)
+        located = _located(as_texts(claims, "ids of claims", "the id of a claim"))
         usual = () if located else USUAL
         return cls(checked_names(usual if find is None else find), located, digits)
 

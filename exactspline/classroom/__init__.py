@@ -1,4 +1,4 @@
-"""Exercises with small answers, drawn from a seed and answered by the library; answers of students, checked exactly."""
+"""Exercises with simple answers, generated from a seed and solved by the library; exact checks of students' answers."""
 
 import lazy_loader
 

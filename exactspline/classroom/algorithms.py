@@ -1,4 +1,4 @@
-"""Exercises on the algorithms: de Boor, derivative, knots, degree, product, power basis."""
+"""Exercises on algorithms: de Boor, derivatives, knot insertion, degree elevation, products, power basis."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from exactspline.splines.nurbs import Nurbs
 
 
 def _knots(rng: Random, degree: int) -> list[int]:
-    """Clamped knots over [0, 2] or more, at most two of them inside."""
+    """Clamped knots over [0, 2] or a longer interval, with at most two interior knots."""
     breaks = [0, *sorted(rng.sample(range(1, 5), rng.randint(0, 2)))]
     return [0] * degree + breaks + [breaks[-1] + rng.randint(1, 2)] * (degree + 1)
 
@@ -27,7 +27,7 @@ def _curve(rng: Random, degree: int) -> Nurbs:
 
 
 def _inner(rng: Random, curve: Nurbs | BSpline) -> mpq:
-    """A parameter inside a segment: its middle, or a third of it."""
+    """A parameter inside a segment: its midpoint or a third point."""
     i = rng.randrange(len(curve.breakpoints) - 1)
     a, b = curve.breakpoints[i : i + 2]
     return a + (b - a) * mpq(rng.choice((Fraction(1, 2), Fraction(1, 3), Fraction(2, 3), Fraction(1, 2))))
@@ -106,7 +106,7 @@ def insertion(rng: Random) -> Drawn:
         points_of(curve),
         ". Insert the knot ",
         Math("t", (t,)),
-        ": what are all its control points then?",
+        ". What are all control points of the result?",
     )
     return task, Points(finer), ("Over the knots ", knots_of(finer), " by Boehm's algorithm: ", triangle)
 
@@ -128,7 +128,7 @@ def elevation(rng: Random) -> Drawn:
 
 
 def subdivision(rng: Random) -> Drawn:
-    """The Bézier points of the first part of a curve that is cut."""
+    """The Bézier points of the first part of a subdivided curve."""
     curve = _bezier(rng, rng.choice((2, 3)))
     t = _inner(rng, curve)
     points = cleared(curve.control_points, [row for c in de_boor_triangle(curve, t).columns for row in c])
@@ -175,19 +175,19 @@ def product(rng: Random) -> Drawn:
 
 
 def _coefficients(f: BSpline) -> tuple[mpq, ...]:
-    """In powers of t, by the derivatives at 0; without zeros at the end."""
-    found, factorial, g = [], 1, f
+    """The coefficients of the powers of t, from the derivatives at 0, without trailing zeros."""
+    coefficients, factorial, g = [], 1, f
     for k in range(f.degree + 1):
         factorial *= max(k, 1)
-        found.append(g(0) / factorial)
+        coefficients.append(g(0) / factorial)
         g = g.d()
-    while found and not found[-1]:
-        found.pop()
-    return tuple(found)
+    while coefficients and not coefficients[-1]:
+        coefficients.pop()
+    return tuple(coefficients)
 
 
 def power(rng: Random) -> Drawn:
-    """From Bézier points to powers of t."""
+    """Conversion from Bézier points to powers of t."""
     curve = _bezier(rng, rng.choice((2, 3)))
     made = tuple(_coefficients(f) for f in curve.p)
     if not all(small(c) and len(c) > 1 for c in made):
@@ -207,7 +207,7 @@ def power(rng: Random) -> Drawn:
 
 
 def bezier(rng: Random) -> Drawn:
-    """From powers of t to Bézier points."""
+    """Conversion from powers of t to Bézier points."""
     curve = _bezier(rng, rng.choice((2, 3)))
     made = tuple(_coefficients(f) for f in curve.p)
     if not all(small(c) and len(c) > 1 for c in made) or max(map(len, made)) != curve.degree + 1:
@@ -230,13 +230,13 @@ def bezier(rng: Random) -> Drawn:
 
 
 def continuity(rng: Random) -> Drawn:
-    """How smooth a function is at a knot."""
+    """The smoothness of a function at a knot."""
     degree = rng.choice((2, 3))
-    smooth, told = rng.randint(0, degree + 1), rng.randint(1, degree + 1)
-    told = max(smooth, told)
+    smooth, multiplicity = rng.randint(0, degree + 1), rng.randint(1, degree + 1)
+    multiplicity = max(smooth, multiplicity)
     knots = [0] * (degree + 1) + [1] * smooth + [2] * (degree + 1)
     f = BSpline(degree, knots, [x for (x,) in drawn_points(rng, len(knots) - degree - 1, 1)])
-    f = f.insert_knot(1, told - smooth) if told > smooth else f
+    f = f.insert_knot(1, multiplicity - smooth) if multiplicity > smooth else f
     values = [(x,) for x in f.control_points]
     factor = max(int(x.denominator) for (x,) in values)
     if factor > 4 or f.true_degree < degree:
@@ -251,7 +251,7 @@ def continuity(rng: Random) -> Drawn:
         points_of(f),
         ". How many times is it continuously differentiable at ",
         Math("t", (mpq(1),)),
-        f"? (−1 where it jumps, {degree} where both sides are one polynomial.)",
+        f"? (−1 if it jumps, {degree} if it is the same polynomial on both sides.)",
     )
     order = f.continuity_at(1)
     solution: list[str] = []

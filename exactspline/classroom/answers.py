@@ -1,4 +1,4 @@
-"""Right answers; each kind reads what a student wrote and says where it differs."""
+"""Correct answers of several kinds; each can read the answer of a student and report the differences."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from exactspline.splines.nurbs import Nurbs
 
 @dataclass(frozen=True)
 class Finding:
-    """Whether an answer is right, and where it is not. True or false in conditions."""
+    """Whether an answer is right, and its errors otherwise. Its truth value is whether the answer is right."""
 
     differences: tuple[str, ...]
 
     @property
     def right(self) -> bool:
-        """Whether nothing differs."""
+        """Whether there are no differences."""
         return not self.differences
 
     def __bool__(self) -> bool:
@@ -31,12 +31,12 @@ class Finding:
 
 
 class Answer(ABC):
-    """A right answer."""
+    """A correct answer."""
 
     @property
     @abstractmethod
     def form(self) -> str:
-        """How it is written."""
+        """How the answer is to be written."""
 
     @property
     @abstractmethod
@@ -50,23 +50,23 @@ class Answer(ABC):
 
     @abstractmethod
     def differences(self, answer: str) -> Iterator[str]:
-        """What is wrong with an answer; nothing where it is right. Raises `AnswerError` where it cannot be read."""
+        """The errors in an answer, none if it is right. Raises `AnswerError` if it cannot be read."""
 
     def check(self, answer: str) -> Finding:
-        """The finding on what a student wrote.
+        """The finding on the answer of a student.
 
         >>> Numbers(("x", "y"), (mpq(1, 2), mpq(3))).check("0.5, 4").differences
         ('y is 3, not 4',)
 
-        Raises `AnswerError` where it cannot be read.
+        Raises `AnswerError` if it cannot be read.
         """
         if not answer.strip():
-            raise AnswerError("nothing is written", where="answer", remedy=f"write {self.form}")
+            raise AnswerError("the answer is empty", where="answer", remedy=f"write {self.form}")
         return Finding(tuple(self.differences(answer)))
 
 
 def shown(point: Sequence[mpq]) -> str:
-    """A number, or a point between parentheses.
+    """A number, or a point in parentheses, as text.
 
     >>> shown([mpq(1)]), shown([mpq(1), mpq(1, 2)])
     ('1', '(1, 1/2)')
@@ -75,7 +75,7 @@ def shown(point: Sequence[mpq]) -> str:
 
 
 def named(names: Sequence[str], values: Sequence[mpq | Polynomial]) -> tuple[Part, ...]:
-    """Values with their names, as they are printed with commas between them."""
+    """Values with their names, separated by commas, for printing."""
     joined: list[Part] = []
     for name, value in zip(names, values, strict=True):
         joined += [*([", "] if joined else []), Math(name, (value,))]
@@ -84,15 +84,15 @@ def named(names: Sequence[str], values: Sequence[mpq | Polynomial]) -> tuple[Par
 
 @dataclass(frozen=True)
 class Numbers(Answer):
-    """Numbers in an order, each with its name."""
+    """Named numbers in a given order."""
 
     names: tuple[str, ...]
     values: Point
 
     @property
     def form(self) -> str:
-        """How it is written."""
-        return f"{', '.join(self.names)}: numbers with commas between them" if len(self.names) > 1 else "a number"
+        """How the answer is to be written."""
+        return f"{', '.join(self.names)}: numbers separated by commas" if len(self.names) > 1 else "a number"
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -105,10 +105,10 @@ class Numbers(Answer):
         return ", ".join(map(text, self.values))
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every wrong number, or the wrong count."""
+        """Each wrong number, or a wrong number of numbers."""
         found = numbers(answer)
         if len(found) != len(self.values):
-            yield f"{counted(len(self.values), 'number')} wanted, not {len(found)}"
+            yield f"{counted(len(self.values), 'number')} required, not {len(found)}"
             return
         for name, right, given in zip(self.names, self.values, found, strict=True):
             if given != right:
@@ -117,14 +117,14 @@ class Numbers(Answer):
 
 @dataclass(frozen=True)
 class Parameters(Answer):
-    """A set of parameters, in any order; empty it is written ``none``."""
+    """A set of parameters, in any order; the empty set is written ``none``."""
 
     values: Point
 
     @property
     def form(self) -> str:
-        """How it is written."""
-        return "numbers with commas between them, or none"
+        """How the answer is to be written."""
+        return "numbers separated by commas, or none"
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -137,7 +137,7 @@ class Parameters(Answer):
         return ", ".join(map(text, self.values)) or "none"
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every parameter that is missing or wrong."""
+        """Each parameter that is missing or wrong."""
         found = () if cleaned(answer).lower() == "none" else numbers(answer)
         for t in self.values:
             if t not in found:
@@ -149,22 +149,22 @@ class Parameters(Answer):
 
 @dataclass(frozen=True)
 class Points(Answer):
-    """The control points of a curve or of a function over the knots of the exercise; there is one right answer."""
+    """The control points of a curve or a function over the knots of the exercise; they are unique."""
 
     reference: Nurbs | BSpline
 
     @property
     def rows(self) -> tuple[Point, ...]:
-        """The right control points, of a function its ordinates."""
+        """The correct control points; for a function its ordinates."""
         if isinstance(self.reference, BSpline):
             return tuple((x,) for x in self.reference.control_points)
         return tuple(tuple(point) for point in self.reference.control_points)
 
     @property
     def form(self) -> str:
-        """How it is written."""
+        """How the answer is to be written."""
         many = len(self.rows[0]) > 1
-        return "points in order: (x, y), (x, y), …" if many else "numbers in order, with commas between them"
+        return "points in order: (x, y), (x, y), …" if many else "numbers in order, separated by commas"
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -178,14 +178,14 @@ class Points(Answer):
         return ", ".join(map(shown, self.rows))
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every wrong control point; then a parameter and both values there."""
+        """Each wrong control point, then a parameter with both values there."""
         rows, dimension = self.rows, len(self.rows[0])
         found = points(answer, dimension)
         if any(len(point) != dimension for point in found):
-            yield f"points of {counted(dimension, 'coordinate')} are wanted"
+            yield f"points with {counted(dimension, 'coordinate')} are required"
             return
         if len(found) != len(rows):
-            yield f"{counted(len(rows), 'point')} wanted, not {len(found)}"
+            yield f"{counted(len(rows), 'point')} required, not {len(found)}"
             return
         wrong = [i for i, (right, given) in enumerate(zip(rows, found, strict=True)) if right != given]
         for i in wrong:
@@ -198,7 +198,7 @@ class Points(Answer):
         return value if isinstance(value, tuple) else (value,)
 
     def _of(self, rows: tuple[Point, ...]) -> Callable[[mpq], Point]:
-        """The function of a student's control points."""
+        """The function given by a student's control points."""
         degree, knots = self.reference.degree, self.reference.knots
         splines = [BSpline(degree, knots, column) for column in zip(*rows, strict=True)]
         return lambda t: tuple(f(t) for f in splines)
@@ -206,15 +206,15 @@ class Points(Answer):
 
 @dataclass(frozen=True)
 class Polynomials(Answer):
-    """Polynomials in t, each with its name; any way of writing them is right."""
+    """Named polynomials in t, in any notation."""
 
     names: tuple[str, ...]
     values: tuple[Polynomial, ...]
 
     @property
     def form(self) -> str:
-        """How it is written."""
-        return f"{', '.join(self.names)}: polynomials in t with commas between them, such as 1 - 3t + 2t^2"
+        """How the answer is to be written."""
+        return f"{', '.join(self.names)}: polynomials in t separated by commas, such as 1 - 3t + 2t^2"
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -229,10 +229,10 @@ class Polynomials(Answer):
         )
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every wrong coefficient; then a parameter and both values there."""
+        """Each wrong coefficient, then a parameter with both values there."""
         found = polynomials(answer)
         if len(found) != len(self.values):
-            yield f"{counted(len(self.values), 'polynomial')} wanted, not {len(found)}"
+            yield f"{counted(len(self.values), 'polynomial')} required, not {len(found)}"
             return
         for name, right, given in zip(self.names, self.values, found, strict=True):
             pairs = list(zip_longest(right.coefficients, given.coefficients, fillvalue=mpq(0)))
@@ -247,12 +247,12 @@ class Polynomials(Answer):
 class Circle(Answer):
     """Whether it is a circle: ``no``, or its centre and the square of its radius."""
 
-    #: Centre and squared radius; empty where it is not a circle.
+    #: Centre and squared radius; empty if it is not a circle.
     values: Point
 
     @property
     def form(self) -> str:
-        """How it is written."""
+        """How the answer is to be written."""
         return "no, or centre x, centre y, radius squared"
 
     @property
@@ -292,7 +292,7 @@ def _values_of(p: Polynomial) -> Callable[[mpq], Point]:
 
 
 def simple_parameters(low: mpq, high: mpq) -> Iterator[mpq]:
-    """Parameters of an interval, those with small denominators first, without end.
+    """The rational parameters of an interval, in the order of their denominators; an infinite sequence.
 
     >>> from itertools import islice
     >>> [str(t) for t in islice(simple_parameters(mpq(0), mpq(1)), 5)]
@@ -307,6 +307,6 @@ def simple_parameters(low: mpq, high: mpq) -> Iterator[mpq]:
 
 
 def _witness(right: Callable[[mpq], Point], given: Callable[[mpq], Point], domain: tuple[mpq, mpq]) -> str:
-    """Where two functions that are not the same differ: polynomials do so at all but finitely many parameters."""
+    """A parameter at which two different functions differ: polynomials do so at all but finitely many parameters."""
     t = next(t for t in simple_parameters(*domain) if right(t) != given(t))
-    return f"at t = {text(t)} it gives {shown(given(t))}, where {shown(right(t))} is right"
+    return f"at t = {text(t)} it gives {shown(given(t))} instead of {shown(right(t))}"

@@ -1,4 +1,4 @@
-"""A student's curve or formula compared with the reference: the same, or where they differ."""
+"""Comparison of a student's curve or formula with the reference: equal, or where they differ."""
 
 from __future__ import annotations
 
@@ -13,8 +13,7 @@ from exactspline.verification.questions import prove, verify
 
 
 def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
-    """Whether two curves are the same function, whatever their degrees and knots; a parameter and both points where
-    not.
+    """Whether two curves are the same function, regardless of degrees and knots; if not, a parameter with both points.
 
     >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 4)])
     >>> compare_curves(line.elevate_degree(), line).right
@@ -29,14 +28,14 @@ def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
         return Finding((f"its domain is [{here}], not [{there}]",))
     if given == reference:
         return Finding(())
-    told = ["it is reversed"] if given == reference.reverse() else _points(given, reference)
+    differences = ["it is reversed"] if given == reference.reverse() else _points(given, reference)
     a, b = given.domain
     t = next(t for t in simple_parameters(a, b) if given(t) != reference(t))
-    return Finding((*told, f"at t = {text(t)} it is at {shown(given(t))}, not at {shown(reference(t))}"))
+    return Finding((*differences, f"at t = {text(t)} it is at {shown(given(t))}, not at {shown(reference(t))}"))
 
 
 def _points(given: Nurbs, reference: Nurbs) -> list[str]:
-    """The control points that differ, where the two have them in common but for that."""
+    """The control points that differ, if the curves have the same degree, knots and weights."""
     alike = (given.degree, given.knots) == (reference.degree, reference.knots)
     if not (alike and given.polynomial and reference.polynomial):
         return []
@@ -45,7 +44,7 @@ def _points(given: Nurbs, reference: Nurbs) -> list[str]:
 
 
 def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> Finding:
-    """Whether ``given = factor · reference`` for all curves, proved in indeterminate derivatives; if not the true
+    """Whether ``given = factor · reference`` for all curves, proved with indeterminate derivatives; if not, the true
     quotient, and a curve and a parameter with both values.
 
     >>> from exactspline.papers import find
@@ -64,21 +63,21 @@ def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> F
 
 
 def _witness(given: Formula, reference: Formula, factor: str, dimension: int) -> str:
-    """Values of both sides where they differ on an example curve; empty where the formulas do not take a single
-    curve.
+    """Values of both sides at a point of an example curve where they differ; empty if the formulas do not apply to a
+    single curve.
     """
     for name in example_names():
         curve = example(name)
         if curve.dimension != dimension:
             continue
         try:
-            found = verify(given, reference, curve, factor)
+            result = verify(given, reference, curve, factor)
         except ExactSplineError:
             continue
-        if (t := found.parameter) is not None:
+        if (t := result.parameter) is not None:
             left, right = (_value(f, curve, t) for f in (given, reference))
             product = right if factor == "1" else f"{factor} · {right}"
-            return f"on the example curve {name} at t = {text(t)} it gives {left}, where {product} is right"
+            return f"on the example curve {name} at t = {text(t)} it gives {left} instead of {product}"
     return ""
 
 

@@ -1,4 +1,4 @@
-"""One exercise: its task, its answer and its solution; and how topics draw exercises from a seed."""
+"""Exercises, each with task, answer and solution; and how topics generate exercises from a seed."""
 
 from __future__ import annotations
 
@@ -31,31 +31,32 @@ class Exercise:
         return f"<Exercise {self.topic}, seed {self.seed}>"
 
 
-#: What a topic draws: task, answer and solution; None where the numbers are not simple enough; then it draws again.
+#: The result of one draw of a topic: task, answer and solution; or None if the numbers are not simple enough, and the
+#: draw is to be repeated.
 Drawn = tuple[tuple[Part, ...], Answer, tuple[Part, ...]] | None
 Topic = Callable[[Random], Drawn]
 
 
 def points_of(curve: Nurbs | BSpline) -> Math:
-    """The control points in a row."""
+    """The list of control points."""
     if isinstance(curve, BSpline):
         return Math("", curve.control_points)
     return Math("", tuple(tuple(point) for point in curve.control_points))
 
 
 def knots_of(curve: Nurbs | BSpline) -> Math:
-    """The knots in a row."""
+    """The list of knots."""
     return Math("", curve.knots.knots)
 
 
 def drawn_points(rng: Random, many: int, dimension: int = 2, size: int = 4) -> list[Point]:
-    """Points with small integers for coordinates."""
+    """Points with small integer coordinates."""
     return [tuple(mpq(rng.randint(-size, size)) for _ in range(dimension)) for _ in range(many)]
 
 
 def cleared(points: Sequence[Point], made: Iterable[Point]) -> list[Point] | None:
-    """The points times the least integer for which what was made of them (linearly) is made of integers; None where
-    they become large, or where neighbours coincide.
+    """The points times the least integer for which the points `made` from them (linearly) have integer coordinates;
+    None if they become large, or if neighbours coincide.
     """
     numbers = [x for row in made for x in row]
     _, factor = over_one_denominator(numbers)
@@ -66,5 +67,5 @@ def cleared(points: Sequence[Point], made: Iterable[Point]) -> list[Point] | Non
 
 
 def small(values: Iterable[mpq]) -> bool:
-    """Whether all are integers of at most two digits or so."""
+    """Whether all are integers of about two digits."""
     return all(x.denominator == 1 and abs(x) <= LARGEST for x in values)

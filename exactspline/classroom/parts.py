@@ -1,4 +1,4 @@
-"""What an exercise is written in: prose and formulas, printed as text, LaTeX or HTML by `exactspline.display`."""
+"""The parts of the text of an exercise: prose and formulas, printed as text, LaTeX or HTML by `exactspline.display`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Point: TypeAlias = tuple[mpq, ...]
 
 @dataclass(frozen=True)
 class Polynomial:
-    """A polynomial in t by its coefficients, the constant one first."""
+    """A polynomial in t, given by its coefficients, the constant term first."""
 
     coefficients: tuple[mpq, ...]
 
@@ -24,13 +24,13 @@ Value: TypeAlias = mpq | Point | Polynomial
 
 @dataclass(frozen=True)
 class Math:
-    """``name = value``, or the values in a row with commas between them; without values the name alone, without a name
-    the values alone. The part of a name after an underscore is its index.
+    """``name = value``, or a list of values separated by commas; without values only the name, without a name only the
+    values. The part of a name after an underscore is its index.
     """
 
     name: str = ""
     values: tuple[Value, ...] = ()
 
 
-#: What is said in a row.
+#: A sequence of prose and formulas.
 Part: TypeAlias = str | Math | Triangle

@@ -1,4 +1,4 @@
-"""What students write, read exactly or refused: numbers, points, polynomials in t."""
+"""Parsing of students' answers: numbers, points and polynomials in t, read exactly or rejected."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from exactspline.classroom.parts import Point, Polynomial
 from exactspline.errors import ExactSplineError, shown
 from exactspline.numbers.exact import from_flint, mpq, rational, to_fmpq
 
-#: Longest answer and highest degree that are read.
+#: The longest answer and the highest degree that are accepted.
 MAX_TEXT, MAX_FORMULA, MAX_DEGREE = 20_000, 300, 60
 #: The longest intermediate coefficient.
 MAX_BITS = 20_000
@@ -25,14 +25,14 @@ class AnswerError(ExactSplineError):
 
 
 def cleaned(answer: str) -> str:
-    """The answer with one kind of minus and of bracket; `AnswerError` for one that is too long."""
+    """The answer with uniform minus signs and brackets; raises `AnswerError` if it is too long."""
     if len(answer) > MAX_TEXT:
         raise AnswerError(f"{len(answer)} characters", where="answer", remedy=f"at most {MAX_TEXT} are read")
     return answer.translate(_SIGNS).strip()
 
 
 def numbers(answer: str) -> Point:
-    """Numbers with commas or blanks between them.
+    """Numbers separated by commas or blanks.
 
     >>> numbers("1/2, −3")
     (mpq(1,2), mpq(-3,1))
@@ -46,7 +46,7 @@ def numbers(answer: str) -> Point:
 
 
 def points(answer: str, dimension: int) -> tuple[Point, ...]:
-    """Points in brackets, or one point per line; numbers alone where the dimension is 1.
+    """Points in brackets, or one point per line; plain numbers if the dimension is 1.
 
     >>> points("(0, 1) (1/2, 2)", 2) == points("0 1\\n1/2 2", 2) == points('[[0, 1], ["1/2", 2]]', 2)
     True
@@ -60,15 +60,15 @@ def points(answer: str, dimension: int) -> tuple[Point, ...]:
         bare = bare.replace("(", " ").replace(")", " ")
     if "(" not in bare:
         rows = [bare.replace("\n", " ")] if dimension == 1 else bare.splitlines()
-        found = [numbers(row) for row in rows if row.strip()]
-        return tuple((x,) for x in found[0]) if dimension == 1 and found else tuple(found)
+        points_read = [numbers(row) for row in rows if row.strip()]
+        return tuple((x,) for x in points_read[0]) if dimension == 1 and points_read else tuple(points_read)
     if rest := _GROUP.sub(" ", bare).translate(str.maketrans("(),", "   ")).strip():
         raise AnswerError(f"{shown(rest)} between points", where="answer", remedy="write (x, y), (x, y), …")
     return tuple(numbers(group) for group in _GROUP.findall(bare))
 
 
 def polynomials(answer: str) -> tuple[Polynomial, ...]:
-    """Polynomials in t with commas or line breaks between them, written as in ``1 - 3t + 2t^2`` or ``2t(1-t)``.
+    """Polynomials in t separated by commas or line breaks, written as in ``1 - 3t + 2t^2`` or ``2t(1-t)``.
 
     >>> polynomials("(1-t)^2, 2t(1 - t)")[1]
     Polynomial(coefficients=(mpq(0,1), mpq(2,1), mpq(-2,1)))
@@ -80,7 +80,7 @@ def polynomials(answer: str) -> tuple[Polynomial, ...]:
 
 
 def _without_outer_brackets(bare: str) -> str:
-    """``(1 + t, t^2)`` without the brackets around it, where the first one closes at the end and holds a comma."""
+    """``(1 + t, t^2)`` without its outer brackets, if the first bracket closes at the end and encloses a comma."""
     depth = 0
     for i, sign in enumerate(bare):
         depth += (sign == "(") - (sign == ")")
@@ -101,7 +101,7 @@ def _number(word: str) -> mpq:
 def _polynomial(formula: str) -> Polynomial:
     raised = re.sub(r"[⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda m: f"^{m[0].translate(_POWERS)}", formula)
     code = raised.replace("·", "*").replace("**", "^").replace("^", "**")
-    # a number, t or a bracket before t or a bracket is a product
+    # a number, t or a bracket followed by t or a bracket is a product
     code = re.sub(r"(?<=[\dt)])\s*(?=[t(])", "*", "".join(code.split()))
     problem = AnswerError(f"{shown(formula.strip())} is not a polynomial in t", where="answer", remedy="1 - 3t + 2t^2")
     if len(code) > MAX_FORMULA or not re.fullmatch(r"[0-9t+\-*/().]+", code):
@@ -144,7 +144,7 @@ def _combined(operation: ast.operator, a: fmpq_poly, b: fmpq_poly) -> fmpq_poly:
 
 
 def _checked(p: fmpq_poly, power: int) -> fmpq_poly:
-    """The polynomial, if its power is neither of high degree nor of enormous coefficients."""
+    """The polynomial, if its power has neither a high degree nor huge coefficients."""
     bits = max((max(int(c.p).bit_length(), int(c.q).bit_length()) for c in p.coeffs()), default=0)
     if p.degree() * power > MAX_DEGREE or bits * power > MAX_BITS:
         raise ValueError

@@ -1,4 +1,4 @@
-"""Exercises on how control points determine the shape: support, hull, inflections, curvature, circles, weights."""
+"""Exercises on control points and shape: support, convex hull, inflections, curvature, circles, weights."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from exactspline.splines.nurbs import Nurbs
 
 
 def _function(rng: Random) -> BSpline:
-    """A function of degree 2 or 3 over integer knots, simple and double ones."""
+    """A function of degree 2 or 3 over simple and double integer knots."""
     degree, breaks = rng.choice((2, 3)), [0]
     for _ in range(rng.randint(3, 5)):
         breaks.append(breaks[-1] + rng.randint(1, 2))
@@ -30,7 +30,7 @@ def _function(rng: Random) -> BSpline:
 
 
 def support(rng: Random) -> Drawn:
-    """Where a control point has influence."""
+    """The interval on which a control point has influence."""
     f = _function(rng)
     i = rng.randrange(len(f.control_points))
     basis = BSpline(f.degree, f.knots, [int(k == i) for k in range(len(f.control_points))])
@@ -39,8 +39,8 @@ def support(rng: Random) -> Drawn:
     task = (
         f"A B-spline function of degree {f.degree} has the knots ",
         knots_of(f),
-        f" and {len(f.control_points)} control points, counted from 0. On which interval does it change when the "
-        f"control point number {i} does? Give its two ends.",
+        f" and {len(f.control_points)} control points, counted from 0. On which interval does it change when "
+        f"control point {i} is changed? Give its two ends.",
     )
     solution = (
         f"The basis function number {i} begins at the knot number {i} and ends at the knot number {i} + "
@@ -62,11 +62,11 @@ def hull(rng: Random) -> Drawn:
         knots_of(f),
         " and the control points ",
         points_of(f),
-        f". Between which bounds do its control points keep it on [{text(a)}, {text(b)}]? Give the best lower and "
-        "upper bound that they tell.",
+        f". Which bounds on [{text(a)}, {text(b)}] follow from its control points? Give the best lower and upper "
+        "bound.",
     )
     solution = (
-        f"On that interval only {len(active)} control points count, ",
+        f"On this interval only {len(active)} control points have influence, ",
         Math("", tuple(active)),
         ", and the value is a mean of them with positive weights.",
     )
@@ -74,28 +74,28 @@ def hull(rng: Random) -> Drawn:
 
 
 def inflections(rng: Random) -> Drawn:
-    """Where a cubic has its inflections."""
+    """The inflections of a cubic."""
     curve = Nurbs(3, [0, 0, 0, 0, 1, 1, 1, 1], drawn_points(rng, 4, size=6))
     bend = find("f0")(curve)
-    # most draws have irrational inflections: that is seen at little cost before the features are computed
+    # most draws have irrational inflections, which is detected cheaply before the features are computed
     if not _square_discriminant(bend) or analyse(curve).singular_points:
         return None
-    found = [f for f in analyse(curve).inflections if f.kind is FeatureKind.INFLECTION]
-    parameters = tuple(f.root.exact for f in found if f.root.exact is not None)
-    if not found or len(parameters) < len(found) or any(t.denominator > 6 for t in parameters):
+    inflections_found = [f for f in analyse(curve).inflections if f.kind is FeatureKind.INFLECTION]
+    parameters = tuple(f.root.exact for f in inflections_found if f.root.exact is not None)
+    if not inflections_found or len(parameters) < len(inflections_found) or any(t.denominator > 6 for t in parameters):
         return None
     task = (
         "A cubic Bézier curve over [0, 1] has the control points ",
         points_of(curve),
-        ". At which parameters inside (0, 1) does it have an inflection, where the curvature changes its sign?",
+        ". At which parameters inside (0, 1) does it have an inflection, where the curvature changes sign?",
     )
     values = tuple(Math(f"f({text(t)})", (bend(t),)) for t in parameters)
     reduced = bend.reduce_degree(bend.degree - bend.true_degree)
     solution = (
         Math("f = x′y″ − y′x″"),
-        f" has the degree {reduced.degree} in truth and the Bézier points ",
+        f" has the true degree {reduced.degree} and the Bézier points ",
         points_of(reduced),
-        "; its zeros inside where it changes its sign: ",
+        "; its interior zeros at which it changes sign: ",
         *[part for value in values for part in (value, " ")],
     )
     return task, Parameters(parameters), solution
@@ -111,12 +111,12 @@ def _square_discriminant(f: BSpline) -> bool:
     return degree == 1 or (square >= 0 and is_square(square.numerator) and is_square(square.denominator))
 
 
-#: Directions of rational length.
+#: Vectors of rational length.
 DIRECTIONS = ((1, 0), (0, 1), (3, 4), (4, 3), (-3, 4), (4, -3), (2, 0), (0, -2), (-1, 0), (-4, -3))
 
 
 def _with_rational_speed(rng: Random) -> tuple[Nurbs, mpq]:
-    """A Bézier curve and an end of it at which the length of γ′ is rational."""
+    """A Bézier curve and the parameter of one of its ends, where the length of γ′ is rational."""
     degree, at_end = rng.choice((2, 3)), rng.random() < 1 / 2
     first, *rest = drawn_points(rng, degree)
     step = rng.choice(DIRECTIONS)
@@ -150,7 +150,7 @@ def curvature(rng: Random) -> Drawn:
 
 
 def _centre(curve: Nurbs, t: mpq) -> Point | None:
-    """The centre of curvature; None where there is none."""
+    """The centre of curvature; None if there is none."""
     first, second = (Vector(*curve.derivative(k, t)) for k in (1, 2))
     if not det(first, second):
         return None
@@ -227,7 +227,7 @@ def _circle_of(curve: Nurbs) -> tuple[Circle, tuple[str | Math, ...]]:
 
 
 def weight(rng: Random) -> Drawn:
-    """The weight with which a conic passes through a point."""
+    """The weight for which a conic passes through a point."""
     w = mpq(rng.choice((1, 2, 3, 4)), rng.choice((1, 1, 2, 3)))
     points = drawn_points(rng, 3)
     knots = [0, 0, 0, 1, 1, 1]

@@ -1,4 +1,4 @@
-"""The topics and their exercises: the same seed gives the same exercise everywhere."""
+"""The topics and their exercises: the same seed yields the same exercise on every platform."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ TOPICS: dict[str, Topic] = {
     "circle": shapes.circle,
     "weight": shapes.weight,
 }
-#: How often numbers are drawn for one exercise at most; a topic that needs a hundredth of that is slow.
+#: The maximal number of draws for one exercise; a topic that needs a hundredth of it is already slow.
 MOST_DRAWS = 100_000
 
 
@@ -35,18 +35,18 @@ class TopicError(ExactSplineError):
 
 
 def about(topic: str) -> str:
-    """The subject of a topic, in a few words."""
+    """A short description of a topic."""
     return str(TOPICS[topic].__doc__).rstrip(".")
 
 
 def exercise(topic: str, seed: int) -> Exercise:
-    """The exercise of a topic that belongs to a seed, a number from 0.
+    """The exercise of a topic for a seed, which is an integer ≥ 0.
 
     >>> made = exercise("evaluation", 1)
     >>> made == exercise("evaluation", 1), bool(made.answer.check(made.answer.written))
     (True, True)
 
-    Raises `TopicError` for an unknown topic, with the nearest ones, and for an invalid seed.
+    Raises `TopicError` for an unknown topic, with the nearest known ones, and for an invalid seed.
     """
     if as_text(topic, "a topic") not in TOPICS:
         raise TopicError(
@@ -62,7 +62,7 @@ def exercise(topic: str, seed: int) -> Exercise:
 
 
 def exercises(topic: str, seed: int, count: int) -> list[Exercise]:
-    """The given number of exercises, with consecutive seeds from `seed` on.
+    """The given number of exercises, with consecutive seeds beginning at `seed`.
 
     >>> [each.seed for each in exercises("elevation", 3, 2)]
     [3, 4]

@@ -148,7 +148,7 @@ def _root_lines_data(lines: RootLines, digits: int) -> Data:
         "high": parameter_data(lines.interval[1], digits),
         "directrix": net(lines.directrix, "homogeneous_control_points"),
         "generator": net(lines.generator, "control_points"),
-        "poles": [parameter_data(root, digits) for root in lines.poles],
+        "poles": None if lines.poles is None else [parameter_data(root, digits) for root in lines.poles],
     }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from exactspline.errors import ExactSplineError, as_instance, as_integer
+from exactspline.errors import ExactSplineError, ShapeError, a_kind, as_instance, as_integer
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
@@ -127,6 +127,8 @@ def inspection_data(
     Raises `ExactSplineError` for what is neither a plane nor a space curve, and for an unknown approach.
     """
     curve, digits = curve_of(curve), as_integer(digits, "a number of digits", 1)
+    if not callable(tick):
+        raise ShapeError(f"{a_kind(tick)}, where what is called after every feature is expected", remedy="leave it out")
     found = inspect_curve(curve, approach)
     data: dict[str, Any] = {"curve": curve.name, "approach": found.approach, "closed": curve.closed, "digits": digits}
     return data | {name: answer_data(curve, answer, digits, tick) for name, answer in found.answers.items()}

@@ -11,12 +11,13 @@ from exactspline.display.evidence import worded
 from exactspline.display.numbers import Numbers as Written
 from exactspline.display.quotations import quoted
 from exactspline.display.sheet import Sheet
-from exactspline.errors import as_items, counted, written
+from exactspline.errors import as_flag, as_items, as_texts, counted, written
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.hooks import Displayed
 from exactspline.papers import find
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.symbolic.factorization import POLYNOMIAL
 from exactspline.symbolic.reduction import reduce
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
@@ -169,8 +170,9 @@ def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = (
 
     Raises `ClaimError` with the ids there are.
     """
-    curves = list(as_items(curves, "curves"))
-    claims = [claim for claim in select(ids) if claim.kind not in without]
+    curves = [curve_of(curve) for curve in as_items(curves, "curves")]
+    left_out = as_texts(without, "kinds of claims", "the kind of a claim")
+    claims = [claim for claim in select(ids) if claim.kind not in left_out]
     return Verdicts(audit(claims, curves) if curves else map(proved, claims))
 
 
@@ -230,7 +232,7 @@ def symbolic_table(*, polynomial: bool = False) -> Grid:
     >>> [table[column][0] for column in ("object", "naive", "paper", "minimal")]
     ['zero curvature', '6d', '3d − 3', '3d − 6']
     """
-    rows = [call() for call in generic_table(polynomial=polynomial)]
+    rows = [call() for call in generic_table(polynomial=as_flag(polynomial, POLYNOMIAL))]
     columns = ["object", "naive", "paper", "reduced as far as it goes", "minimal", "attained at d ="]
     cells = [(r.object, r.naive, r.paper, r.nominal, r.true, ", ".join(map(str, r.attained))) for r in rows]
     return Grid(columns, cells, f"{'polynomial' if polynomial else 'rational'} curves of degree d")

@@ -1,5 +1,5 @@
-"""The formulas that belong to no single paper: curves and surfaces from their lifts, fundamental forms, invariants.
+"""Formulas that do not come from a single paper: curves and surfaces from their lifts, fundamental forms, invariants.
 
-Code only. Each has a claim in a folder of `exactspline.papers`, by which it is found and proved; here it is below
-everything that computes with it.
+This package contains only code. Each formula has a claim in a folder of `exactspline.papers`, under which it is listed
+and proved.
 """

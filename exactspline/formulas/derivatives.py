@@ -1,6 +1,6 @@
-"""What the first two derivatives of a curve say at a point: functions of two vectors, of numbers or of anything else.
+"""Invariants of a curve at a point, as functions of its first two derivatives: two vectors of numbers or any operands.
 
-The formulas of curves below are the same functions of γ′ and γ″.
+The formulas for curves below are the same functions of γ′ and γ″.
 """
 
 from exactspline.language.formula import formula
@@ -30,7 +30,7 @@ def squared_bending(first, second):
 
 
 def towards_centre(first, second):
-    """``(‖γ′‖²/[γ′ γ″]) γ′⊥``: from a point of a plane curve to its centre of curvature.
+    """``(‖γ′‖²/[γ′ γ″]) γ′⊥``: the vector from a point of a plane curve to its centre of curvature.
 
     >>> from exactspline import rational
     >>> from exactspline.language import Vector
@@ -64,7 +64,7 @@ def curvature_squared_at_a_point(c):
 
 @formula("curvature at a point", on="plane")
 def centre_of_curvature(c):
-    """``γ`` and the way to the centre of curvature."""
+    """The centre of curvature: ``γ + (‖γ′‖²/[γ′ γ″]) γ′⊥``."""
     return c.gamma + towards_centre(c.gamma.d(1), c.gamma.d(2))
 
 

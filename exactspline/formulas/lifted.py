@@ -1,9 +1,9 @@
 """Curves from their two lifts, by Wronskians and generalized cross products.
 
 ``P = (w, p)`` is the curve in projective space: points, lines and planes are linear in it. ``X = (‖p‖², w p, w²)`` is
-the curve among points and spheres: the point lies on the sphere ``a ‖x‖² + b·x + c = 0`` where ``(a, b, c)·X = 0``, and
-the centre is ``−b/(2a)``. A sphere of n-point contact is orthogonal to X and its first n−1 derivatives, so it is their
-generalized cross product. On a polynomial curve w is 1.
+the curve in the space of the conformal (sphere) model: the point lies on the sphere ``a ‖x‖² + b·x + c = 0`` where
+``(a, b, c)·X = 0``, and the centre is ``−b/(2a)``. A sphere of n-point contact is orthogonal to X and its first n−1
+derivatives, so it is their generalized cross product. On a polynomial curve w is 1.
 """
 
 from exactspline.language.formula import formula
@@ -32,7 +32,7 @@ def tangent_lifted(c):
 
 @formula("lifted", symbol=r"\|D_1\|^2")
 def tangent_lifted_squared(c):
-    """``w⁴ ‖γ′‖²``: without a zero where the curve is regular."""
+    """``w⁴ ‖γ′‖²``: nonzero where the curve is regular."""
     return norm2(tangent_lifted(c))
 
 
@@ -44,19 +44,21 @@ def inflections_lifted(c):
 
 @formula("lifted", on="plane")
 def curvature_squared_lifted(c):
-    """Squared curvature, with the Wronskian of P."""
+    """Squared curvature in terms of the Wronskian of P."""
     return (inflections_lifted(c) * c.w**3) ** 2 / tangent_lifted_squared(c) ** 3
 
 
 @formula("lifted", on="plane")
 def vertices_lifted(c):
-    """The Wronskian of X: zero where a circle meets the curve to fourth order, where κ′ is zero."""
+    """The Wronskian of X: zero where a circle meets the curve to fourth order, that is, where κ′ is zero."""
     return wronskian(conformal_lift(c), 4)
 
 
 @formula("lifted", on="plane", symbol=r"J_\kappa")
 def critical_curvature_lifted(c):
-    """The numerator of the logarithmic derivative of ``κ²``: as the Wronskian of X, with a third of its products."""
+    """The numerator of the logarithmic derivative of ``κ²``: equivalent to the Wronskian of X, with a third of
+    the products.
+    """
     return logarithmic_numerator((inflections_lifted(c), 2), (tangent_lifted_squared(c), -3), (c.w, 6))
 
 
@@ -95,7 +97,7 @@ def binormal_lifted(c):
 
 @formula("lifted", on="space")
 def binormal_lifted_squared(c):
-    """``‖Π‖²`` for the normal of the osculating plane."""
+    """``‖Π‖²`` for the normal Π of the osculating plane."""
     return norm2(binormal_lifted(c))
 
 
@@ -148,7 +150,7 @@ def circle_centre_lifted(c):
 
 @formula("lifted", on="space")
 def normal_lifted(c):
-    """The principal normal direction: across the tangent, in the osculating plane."""
+    """The principal normal direction: orthogonal to the tangent, in the osculating plane."""
     return cross(binormal_lifted(c), tangent_lifted(c))
 
 
@@ -163,7 +165,7 @@ def rectifying_generator_lifted(c):
 
 @formula("definition of a developable", on="space")
 def rectifying_development(c):
-    """``[D1 G G′] / ‖G‖²`` for the generator without denominators: zero when the rectifying developable is one."""
+    """``[D1 G G′] / ‖G‖²`` for the generator G without denominators: zero if the surface is developable."""
     generator = rectifying_generator_lifted(c)
     return det(tangent_lifted(c), generator, generator.d(1)) / norm2(generator)
 
@@ -176,25 +178,25 @@ def tangent_developable_lifted(c):
 
 @formula("lifted", on="space")
 def binormal_scroll_lifted(c):
-    """``p/w + λ Π``: along the normal of the osculating plane."""
+    """``p/w + λ Π``: rulings along the normal of the osculating plane."""
     return ruled(c.gamma, binormal_lifted(c))
 
 
 @formula("lifted", on="space")
 def normal_scroll_lifted(c):
-    """``p/w`` along the principal normal."""
+    """Rulings through ``p/w`` along the principal normal."""
     return ruled(c.gamma, normal_lifted(c))
 
 
 @formula("lifted", on="space")
 def rectifying_developable_lifted(c):
-    """``p/w`` along the direction of ``τT + κB``."""
+    """Rulings through ``p/w`` in the direction of ``τT + κB``."""
     return ruled(c.gamma, rectifying_generator_lifted(c))
 
 
 @formula("lifted", on="space")
 def focal_surface_lifted(c):
-    """The centre of the osculating circle, along the normal of the osculating plane."""
+    """Rulings through the centre of the osculating circle, along the normal of the osculating plane."""
     return ruled(circle_centre_lifted(c), binormal_lifted(c))
 
 
@@ -212,21 +214,21 @@ def conformal_point(c):
 
 @formula("lifted", on="pair", symbol="S")
 def bisector_sphere(c):
-    """The sphere through one point of each curve that touches both there."""
+    """The sphere that is tangent to each of two curves at a given point."""
     x, y = conformal_lift(c.first), conformal_lift(c.second)
     return generalized_cross(x, x.d(1), y, y.d(1))
 
 
 @formula("lifted", on="pair", symbol="B")
 def bisector_lifted(c):
-    """The centre of the sphere that touches both curves."""
+    """The centre of the sphere tangent to both curves."""
     sphere = bisector_sphere(c)
     return -sphere[1:4] / (2 * sphere[0])
 
 
 @formula("lifted", on="plane point", symbol="B")
 def plane_bisector_lifted(c):
-    """The centre of the circle through Q that touches the curve."""
+    """The centre of the circle through Q that is tangent to the curve."""
     x = conformal_lift(c)
     circle = generalized_cross(x, x.d(1), conformal_point(c))
     return -circle[1:3] / (2 * circle[0])
@@ -234,8 +236,8 @@ def plane_bisector_lifted(c):
 
 @formula("lifted", on="point", symbol=r"\Pi")
 def tangent_plane_through_point(c):
-    """The plane through the tangent and Q; its normal is the direction of the centres of the spheres through Q that
-    touch the curve.
+    """The plane through the tangent and Q; its normal is the direction of the line of centres of the spheres through Q
+    that are tangent to the curve.
     """
     x = projective_lift(c)
     return generalized_cross(x, x.d(1), projective_point(c))
@@ -243,7 +245,7 @@ def tangent_plane_through_point(c):
 
 @formula("lifted", on="point")
 def point_bisector_lifted(c):
-    """The point/curve bisector, its directrix in the plane of the tangent and Q."""
+    """The point/curve bisector, with the directrix in the plane of the tangent and Q."""
     x, plane = conformal_lift(c), tangent_plane_through_point(c)
     sphere = generalized_cross(x, x.d(1), conformal_point(c), join(2 * plane[0], -plane[1:4], 0))
     return ruled(-sphere[1:4] / (2 * sphere[0]), plane[1:4])
@@ -251,7 +253,7 @@ def point_bisector_lifted(c):
 
 @formula("lifted", on="point")
 def point_bisector_direct_lifted(c):
-    """The point/curve bisector, its directrix in the plane z = 0."""
+    """The point/curve bisector, with the directrix in the plane z = 0."""
     x = conformal_lift(c)
     sphere = generalized_cross(x, x.d(1), conformal_point(c), join(0, c.axis_z, 0))
     return ruled(-sphere[1:4] / (2 * sphere[0]), tangent_plane_through_point(c)[1:4])
@@ -284,13 +286,13 @@ def osculating_sphere_coefficient(c):
 
 @formula("lifted", on="space")
 def circle_sphere_coefficient(c):
-    """The coefficient of ``‖x‖²`` in the sphere whose great circle osculates."""
+    """The coefficient of ``‖x‖²`` in the sphere that has the osculating circle as a great circle."""
     return circle_sphere(c)[0]
 
 
 @formula("lifted", on="pair")
 def bisector_sphere_coefficient(c):
-    """The coefficient of ``‖x‖²`` in the sphere that touches two curves."""
+    """The coefficient of ``‖x‖²`` in the sphere tangent to two curves."""
     return bisector_sphere(c)[0]
 
 

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial, reduce
+from functools import partial
 from itertools import pairwise
 from math import comb
 
 from flint import acb, acb_poly, arb, arb_poly, fmpq, fmpq_poly
 
-from exactspline.errors import OpenError
+from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.curvature import polynomial_root
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import ball_around
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, square_root
@@ -23,6 +24,7 @@ from exactspline.splines.nurbs import Nurbs
 
 #: The work on one ball of an arc length, as `_Budget` counts it: some seconds.
 MOST_WORK = 4_000_000
+TOO_MUCH = "ask for fewer digits, or for parts of the curve"
 
 
 def degrees(angle: Angle) -> Real:
@@ -74,7 +76,7 @@ def _length_ball(curve: Nurbs, bits: int) -> arb:
     stops = [root.refine(bits * 3 // 10 + bits // 500 + 5) for root in analyse(curve).speed.zeros]
     for i, (a, b) in enumerate(pairwise(breaks)):
         parts_of = [column[i] for column in columns]
-        common = reduce(lambda p, q: p.gcd(q), parts_of)
+        common = _common(parts_of)
         if not common:
             continue
         squared = sum(((p // common) ** 2 for p in parts_of), start=fmpq_poly())
@@ -82,6 +84,13 @@ def _length_ball(curve: Nurbs, bits: int) -> arb:
         for u, v in pairwise([arb(0), *inside, arb(1)]):
             total += abs(_integral(common, squared, weights[i], u, v, budget)) * to_fmpq(b - a)
     return total
+
+
+def _common(polynomials: Sequence[fmpq_poly]) -> fmpq_poly:
+    try:
+        return greatest_common_divisor(polynomials)
+    except ReachError as error:
+        raise OpenError("the arc length takes too much work", remedy=TOO_MUCH) from error
 
 
 def _powers(points: Sequence[mpq], degree: int) -> fmpq_poly:
@@ -107,9 +116,7 @@ class _Budget:
         """Count an evaluation of this many terms; raises `OpenError` where none is left."""
         self.left -= terms * self._words
         if self.left < 0:
-            raise OpenError(
-                "the arc length takes too much work", remedy="ask for fewer digits, or for parts of the curve"
-            )
+            raise OpenError("the arc length takes too much work", remedy=TOO_MUCH)
 
 
 def _integral(common: fmpq_poly, squared: fmpq_poly, weight: fmpq_poly, low: arb, high: arb, budget: _Budget) -> arb:
@@ -121,7 +128,9 @@ def _integral(common: fmpq_poly, squared: fmpq_poly, weight: fmpq_poly, low: arb
     factor, bottom = acb_poly(arb_poly(common)), acb_poly(arb_poly(weight))
     integers = squared.numer()
     # isolating the complex roots, which FLINT does in one call that cannot be interrupted: measured, of Bézier curves
-    budget.take(integers.degree() ** 3 // 2)
+    # (80 to 400 nanoseconds for the cube of the degree, and more for long integers)
+    degree = integers.degree()
+    budget.take(degree**3 * (1 + degree * integers.height_bits() // 100_000) // 2)
     constant = arb(integers.leading_coefficient() / fmpq(squared.denom())).sqrt()
     roots: list[tuple[acb, int]] = integers.complex_roots()  # type: ignore[assignment]  # flint says a single one
     pairs = [(root.real, root.imag**2, times) for root, times in roots if root.imag > 0]

@@ -51,7 +51,9 @@ def _doubles(values: object, rounding: str, depth: int) -> object:
         return values.root.double(rounding)
     if isinstance(values, Iterable) and not isinstance(values, str):
         if depth == 0:
-            raise NumberError(f"lists in lists, more than {DEEPEST} deep", remedy="give a list of numbers, or of rows")
+            raise NumberError(
+                f"lists nested more than {DEEPEST} levels deep", remedy="give a list of numbers, or of rows"
+            )
         return [_doubles(value, rounding, depth - 1) for value in as_items(values, "numbers")]
     return real(cast(Number, values)).double(rounding)
 

@@ -1,4 +1,4 @@
-"""Curves in and out of other people's files, exactly: `read` and `write`, and bridges to other libraries.
+"""Exact import and export of curves: `read` and `write` for file formats, and bridges to other libraries.
 
 >>> import os, tempfile
 >>> from exactspline.splines.examples import example

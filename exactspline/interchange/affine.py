@@ -26,7 +26,7 @@ class Affine:
 
     @cached_property
     def is_identity(self) -> bool:
-        """Whether nothing moves."""
+        """Whether this is the identity map."""
         return self == Affine.identity(len(self.rows))
 
     def __eq__(self, other: object) -> bool:
@@ -36,7 +36,9 @@ class Affine:
         return hash(self.rows)
 
     def __call__(self, point: Sequence[mpq], weight: mpq | int = 1) -> tuple[mpq, ...]:
-        """The image of a point, or of homogeneous coordinates ``w x`` with their weight w (0 for a vector)."""
+        """The image of a point, or of ``w x`` where the homogeneous coordinates of the point are ``(w x, w)`` (w = 0
+        for a vector).
+        """
         return tuple(
             sum((a * x for a, x in zip(row, point, strict=False)), start=mpq(0)) + row[-1] * weight for row in self.rows
         )
@@ -46,7 +48,7 @@ class Affine:
         return (*self(point[:-1], point[-1]), point[-1])
 
     def __matmul__(self, inner: Affine) -> Affine:
-        """This map after `inner`."""
+        """The composition: first `inner`, then this map."""
         columns = [self([row[j] for row in inner.rows], 0) for j in range(len(inner.rows))]
         shift = self([row[-1] for row in inner.rows])
         return Affine([*zip(*columns, shift, strict=True)])

@@ -1,5 +1,5 @@
-"""Angles that files give as decimals, where they are multiples of a right angle; only there are sine and cosine both
-rational.
+"""Angles given as decimals in files. Only multiples of a right angle are accepted: of these, sine and cosine are
+exactly known.
 """
 
 from __future__ import annotations
@@ -9,17 +9,17 @@ from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
 from exactspline.numbers.exact import mpq, rational
 
-#: π/2 to 80 digits: longer than any such decimal in a file.
+#: π/2 to 80 digits: more than any decimal in a file has.
 _HALF_PI = rational("1.57079632679489661923132169163975144209858469968755291048747229615390820314310449")
 
 
 def quarter_turns_of_degrees(degrees: mpq) -> int:
-    """How many right angles.
+    """The number of right angles in an angle given in degrees.
 
     >>> quarter_turns_of_degrees(mpq(270))
     3
 
-    Raises `NumberError` where it is not an integer of them.
+    Raises `NumberError` where this is not an integer.
     """
     turns = degrees / 90
     if turns.denominator != 1:
@@ -28,13 +28,13 @@ def quarter_turns_of_degrees(degrees: mpq) -> int:
 
 
 def quarter_turns_of_radians(text: str) -> int:
-    """How many right angles a decimal means: the multiple of π/2 that it is rounded from, by its own last digit or as a
-    double.
+    """The number of right angles in an angle given in radians as a decimal: the integer k such that k π/2 agrees with
+    the decimal to its last digit, or to the precision of a double.
 
     >>> quarter_turns_of_radians("6.283185307179586"), quarter_turns_of_radians("3.14159")
     (4, 2)
 
-    Raises `NumberError` where it is not such a number.
+    Raises `NumberError` where there is no such integer.
     """
     value = decimal(text, Limits())
     if not value:

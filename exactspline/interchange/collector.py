@@ -26,31 +26,31 @@ class Collector:
         self._objects = 0
 
     def reading(self) -> Reading:
-        """Everything that was found."""
+        """Everything collected so far."""
         return Reading(self.format, tuple(self.curves), tuple(self.skipped), tuple(self._notes), tuple(self.surfaces))
 
     def taken(self) -> Reading:
-        """What was found since the last time."""
-        found = self.reading()
+        """Everything collected since the last call."""
+        collected = self.reading()
         self.curves, self.surfaces, self.skipped, self._notes = [], [], [], {}
-        return found
+        return collected
 
     def skip(self, what: str, where: str, why: str, *, curve: bool = True) -> None:
-        """Record something that is not read; `curve` says whether a curve is missing because of it."""
+        """Record an entity that is not read; `curve` states whether a curve is missing as a result."""
         self.count(1)
         self.skipped.append(Skipped(what, where, why, curve))
 
     def note(self, text: str) -> None:
-        """Record what the file says of all of its curves, once."""
+        """Record a note that applies to all curves of the file; repetitions are dropped."""
         self._notes[text] = None
 
     def room(self, objects: int) -> None:
-        """Raise `ShapeError` where this many more objects would be too many: before they are built."""
+        """Raise `ShapeError` if this many further objects would exceed the limit; called before they are built."""
         if self._objects + objects > self.limits.objects:
             self.count(objects)
 
     def count(self, objects: int) -> None:
-        """Raise `ShapeError` when the file holds more than the limits allow."""
+        """Count objects; raises `ShapeError` when there are more than the limits allow."""
         self._objects += objects
         if objects < 0 or self._objects > self.limits.objects:
             raise ShapeError(
@@ -72,7 +72,7 @@ class Collector:
         within: tuple[mpq, mpq] | None = None,
     ) -> None:
         """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`; `within` is the part of its
-        domain that the file uses. Where the data are not a curve, it is skipped with the reason.
+        domain that the file uses. Data that do not define a curve are recorded as skipped, with the reason.
         """
         name = name or f"{self.format} {len(self.curves) + 1}"
         try:
@@ -88,10 +88,10 @@ class Collector:
         except ExactSplineError as error:
             self.skip(what, where, str(error))
             return
-        said = list(notes)
+        remarks = list(notes)
         if curve.polynomial and (homogeneous or weights is not None):
-            said.append("written as rational, but its weights are equal: a polynomial curve")
-        self.curves.append(NamedCurve(name, curve, tuple(said)))
+            remarks.append("written as rational, but its weights are equal: a polynomial curve")
+        self.curves.append(NamedCurve(name, curve, tuple(remarks)))
 
     def _check(self, degree: int, knots: Sequence[mpq], points: Points, weights: Sequence[mpq]) -> None:
         if not 0 <= degree <= self.limits.degree:

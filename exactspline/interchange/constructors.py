@@ -14,13 +14,13 @@ ONE = (mpq(1), mpq(0))
 
 
 def circle(centre: Iterable[Number], radius: Number) -> Nurbs:
-    """The whole circle in the plane, counter-clockwise from its rightmost point, four segments.
+    """A full circle in the plane, counter-clockwise from its rightmost point, in four segments.
 
     >>> x, y = circle((1, 0), "5/2")("1/3")
     >>> (x - 1) ** 2 + y**2
     mpq(25,4)
 
-    Raises `ShapeError` where the radius is not positive.
+    Raises `ShapeError` if the radius is not positive.
     """
     r = rational(radius)
     if r <= 0:
@@ -29,7 +29,7 @@ def circle(centre: Iterable[Number], radius: Number) -> Nurbs:
 
 
 def ellipse(centre: Iterable[Number], u: Iterable[Number], v: Iterable[Number]) -> Nurbs:
-    """The whole ellipse ``centre + cos t u + sin t v`` in the plane or in space.
+    """The full ellipse ``centre + cos t u + sin t v`` in the plane or in space.
 
     >>> ellipse((0, 0, 1), (2, 0, 0), (0, 1, 1))(1)
     (mpq(0,1), mpq(1,1), mpq(2,1))
@@ -39,13 +39,13 @@ def ellipse(centre: Iterable[Number], u: Iterable[Number], v: Iterable[Number]) 
 
 
 def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
-    """The circular arc in the plane, counter-clockwise from `start` to `end` (the whole circle when they agree).
+    """The circular arc in the plane, counter-clockwise from `start` to `end` (the full circle when they coincide).
 
     >>> quarter = arc((0, 0), (3, 4), (-4, 3))
     >>> quarter.degree, quarter.weights
     (2, (mpq(2,1), mpq(1,1), mpq(1,1)))
 
-    Raises `ShapeError` where they are not exactly on one circle.
+    Raises `ShapeError` if their distances from the centre are not exactly equal.
     """
     x, y = _point(centre)
     u, v = ((p[0] - x, p[1] - y) for p in (_point(start), _point(end)))
@@ -53,13 +53,13 @@ def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]
 
 
 def conic(form: Sequence[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
-    """The arc of the conic A x² + B x y + C y² + D x + E y + F = 0, given by its six coefficients: on an ellipse
-    counter-clockwise, on a parabola or a hyperbola along the branch of both ends.
+    """The arc of the conic A x² + B x y + C y² + D x + E y + F = 0, given by its six coefficients: counter-clockwise on
+    an ellipse; on a parabola or a hyperbola along the branch that contains both ends.
 
     >>> conic([0, 1, 0, 0, 0, -1], (1, 1), (4, "1/4"))("1/2")
     (mpq(28,13), mpq(13,28))
 
-    Raises `ShapeError` where an end is not exactly on the conic, or no such arc exists.
+    Raises `ShapeError` if an end is not exactly on the conic, or if there is no such arc.
     """
     if len(form) != 6:
         raise ShapeError(f"{len(form)} coefficients", where="form", remedy="give A, B, C, D, E, F")

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError, as_items, as_path, as_text
+from exactspline.errors import CurveFileError, ExactSplineError, as_instance, as_items, as_path, as_text, written
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
@@ -37,16 +37,18 @@ def read(
     or of bytes.
 
     The format is recognized by the content, then by the suffix, unless it is named. `degree` and `knots` are for
-    formats that hold control points alone.
+    formats that hold only control points.
 
     >>> read(b"100 1 0 0\\n2 0\\n2 2\\n0 0 1 1\\n0 0\\n0.1 2\\n").curves[0].curve(1)
     (mpq(1,10), mpq(2,1))
 
-    Raises `CurveFileError` where there is nothing to read or the format is unknown, the `ExactSplineError` of a file
-    broken as a whole; a single curve that is broken is among the `skipped`.
+    Raises `CurveFileError` if there is nothing to read or the format is unknown, and another `ExactSplineError` if the
+    file as a whole is invalid; a single invalid curve is listed under `skipped`.
     """
-    given = None if knots is None else tuple(map(str, knots))
-    chosen, source, name = _located(place, format, part, degree, given, limits or Limits())
+    part = as_text(part, "a part of a file")
+    given = None if knots is None else tuple(map(written, as_items(knots, "knots")))
+    bounds = Limits() if limits is None else as_instance(limits, Limits, "bounds", "give Limits(megabytes=200)")
+    chosen, source, name = _located(place, format, part, degree, given, bounds)
     try:
         return chosen.read(source)
     except ExactSplineError as error:
@@ -54,15 +56,15 @@ def read(
 
 
 def read_in_pieces(place: str) -> Iterator[Piece]:
-    """The curves of a file as `read` returns them, piece by piece where the format has pieces, so that a large font is
-    never held as a whole.
+    """The curves of a file as `read` returns them, piece by piece if the format supports it, so that a large font is
+    never in memory as a whole.
 
     >>> [(len(piece.reading.curves), piece.done, piece.total) for piece in read_in_pieces("curve.xyz")]
     Traceback (most recent call last):
     ...
     exactspline.errors.CurveFileError: curve.xyz: cannot be read (No such file or directory); name a file or an example
 
-    Raises what `read` raises, but pieces before a defect have been handed out by then.
+    Raises the errors of `read`, but only after the pieces before the defect have been yielded.
     """
     chosen, source, name = _located(place, None, "", None, None, Limits())
     try:
@@ -86,12 +88,12 @@ def _located(
     if isinstance(place, bytes):
         data, name = place, ""
     else:
-        data, name, found_part = _bytes(as_path(place), limits)
-        part = part or found_part
+        data, name, named_part = _bytes(as_path(place), limits)
+        part = part or named_part
     if len(data) > limits.megabytes << 20:
         raise CurveFileError(f"{len(data)} bytes", where=name, remedy=f"at most {limits.megabytes} MB are read")
     try:
-        chosen = _told(data, name) if format is None else named_format(format)
+        chosen = _recognized(data, name) if format is None else named_format(format)
     except ExactSplineError as error:
         raise (error.at(name) if name else error) from None
     return chosen, Source(data, Path(name).name, part, degree, knots, limits), name
@@ -104,7 +106,7 @@ def write(
     *,
     rounding: bool = False,
 ) -> tuple[str, ...]:
-    """Write a curve, curves, or (as JSON) a surface in a format (by default the one of the suffix) and return notes on
+    """Write a curve, curves, or (as JSON) a surface in a format (by default chosen by the suffix) and return notes on
     what was lost.
 
     >>> import tempfile
@@ -114,9 +116,9 @@ def write(
     ...     read(f"{folder}/torus.json").surface == example("torus")
     True
 
-    Every number is exact or the file is not written: raises `NumberError` for a number that the format cannot hold,
-    unless `rounding` asks for the nearest doubles, and another `ExactSplineError` for anything else that it cannot
-    hold.
+    Every number is written exactly, or the file is not written: raises `NumberError` for a number that the format
+    cannot represent, unless `rounding` requests the nearest doubles, and another `ExactSplineError` for anything else
+    that it cannot represent.
     """
     place = as_path(place)
     chosen = _by_suffix(place) if format is None else named_format(format)
@@ -146,7 +148,7 @@ def encoded(
     curves = [curves] if isinstance(curves, Nurbs) else as_items(curves, "curves")
     if chosen.write is None:
         written = ", ".join(sorted(known.name for known in FORMATS if known.write))
-        raise CurveFileError(f"{chosen.title}: read, not written", remedy=f"written are {written}")
+        raise CurveFileError(f"{chosen.title} can be read but not written", remedy=f"these can be written: {written}")
     named = [c if isinstance(c, NamedCurve) else NamedCurve(c.name or f"curve {i}", c) for i, c in enumerate(curves, 1)]
     if not named:
         raise CurveFileError("no curves to write", remedy="give at least one")
@@ -157,35 +159,35 @@ def encoded(
 
 
 def named_format(name: str) -> Format:
-    """The format with a name; raises `CurveFileError` naming those that exist."""
+    """The format with this name; raises `CurveFileError` listing the known names."""
     for known in FORMATS:
         if known.name == as_text(name, "the name of a format"):
             return known
     names = ", ".join(sorted(known.name for known in FORMATS))
-    raise CurveFileError(f"there is no format called {name!r}", remedy=f"there are {names}")
+    raise CurveFileError(f"there is no format called {name!r}", remedy=f"the formats are {names}")
 
 
 def _by_suffix(path: str) -> Format:
     suffix = Path(path).suffix.lower()
-    # *.json means our own format: others with that suffix are recognized by their content, and written when they are
-    # named
+    # *.json means our format; other formats with that suffix are recognized by content and written only when named
     for known in sorted(FORMATS, key=lambda known: known.name != suffix[1:]):
         if suffix in known.suffixes:
             return known
-    raise CurveFileError(f"no format has files called *{suffix}", where=path, remedy="name the format")
+    raise CurveFileError(f"no format has the suffix {suffix}", where=path, remedy="name the format")
 
 
-def _told(data: bytes, name: str) -> Format:
+def _recognized(data: bytes, name: str) -> Format:
     head, suffix = data[:HEAD], Path(name).suffix.lower()
     for known in FORMATS:
-        # what begins with a brace need not be JSON: under the suffix of another format, that format reads the bytes
+        # text that begins with a brace is not necessarily JSON: if the suffix belongs to another format, that one reads
+        # it
         braced = known.suffixes == (".json",) and suffix != ".json" and any(suffix in each.suffixes for each in FORMATS)
         if known.looks_like(head) and not braced:
             return known
     try:
         return _by_suffix(name)
     except CurveFileError:
-        raise CurveFileError("is of no known format", remedy="name the format") from None
+        raise CurveFileError("is not in a known format", remedy="name the format") from None
 
 
 def _bytes(path: str, limits: Limits) -> tuple[bytes, str, str]:
@@ -200,7 +202,7 @@ def _bytes(path: str, limits: Limits) -> tuple[bytes, str, str]:
         path, _, part = path.partition(":") if path.count(":") == 1 else path.rpartition(":")
     try:
         if not stat.S_ISREG(os.stat(path).st_mode):
-            raise CurveFileError("is not a regular file", where=path, remedy="name a curve file")
+            raise CurveFileError("is not a regular file", where=path, remedy="give a curve file")
         with open(path, "rb") as stream:
             return stream.read(most), path, part
     except (OSError, ValueError) as error:

@@ -1,4 +1,6 @@
-"""The records of an IGES file: fixed lines of 80 columns, directory entries, free parameters with Hollerith strings."""
+"""The records of an IGES file: lines of 80 columns, directory entries, and parameters in free format with Hollerith
+strings.
+"""
 
 from __future__ import annotations
 
@@ -12,8 +14,8 @@ from exactspline.interchange.numbers import whole
 
 @dataclass
 class Entry:
-    """A directory entry: its number (odd), type, form, matrix (a number or 0), use flag, whether it is blanked, label,
-    the parameters as text.
+    """A directory entry: its number (odd), type, form, matrix (the number of its entry, or 0), use flag, whether it is
+    blanked, its label, and its parameters as text.
     """
 
     number: int
@@ -27,80 +29,80 @@ class Entry:
 
 
 def sections(text: str) -> dict[str, list[str]]:
-    """The lines of each section by its letter; raises `CurveFileError` where one is none of S, G, D, P, T."""
-    found: dict[str, list[str]] = {letter: [] for letter in "SGDPT"}
+    """The lines of each section by its letter; raises `CurveFileError` for letters other than S, G, D, P, T."""
+    by_letter: dict[str, list[str]] = {letter: [] for letter in "SGDPT"}
     for number, line in enumerate(text.splitlines(), 1):
         if not line.strip():
             continue
         letter = line[72:73]
         if letter in ("B", "C"):
             raise CurveFileError("is binary or compressed IGES", where=f"line {number}", remedy="save it as IGES text")
-        if letter not in found:
+        if letter not in by_letter:
             raise CurveFileError(
                 f"{letter!r} in column 73", where=f"line {number}", remedy="IGES lines are marked S, G, D, P or T there"
             )
-        found[letter].append(line)
-    return found
+        by_letter[letter].append(line)
+    return by_letter
 
 
 def delimiters(lines: list[str]) -> tuple[str, str]:
-    """What separates parameters and what ends a record, as the global section says."""
+    """The parameter delimiter and the record delimiter, from the global section."""
     text = "".join(line[:72] for line in lines).lstrip()
     separator = text[2:3] if text[:2] == "1H" else ","
     rest = text[4:] if text[:2] == "1H" else text[1:]
     ending = rest[2:3] if rest[:2] == "1H" else ";"
     if not separator.strip() or not ending.strip() or separator == ending:
-        raise CurveFileError("unusable delimiters", where="global section", remedy='usual are "," and ";"')
+        raise CurveFileError("unusable delimiters", where="global section", remedy='the usual ones are "," and ";"')
     return separator, ending
 
 
 def parameters(text: str, separator: str, ending: str, limits: Limits) -> list[str]:
-    """The parameters of a record, blanks dropped, strings as their text.
+    """The parameters of a record, without blanks, and with strings as their text.
 
     >>> parameters("126,3H,;a, 1.D0,;", ",", ";", Limits())
     ['126', ',;a', '1.D0', '']
     """
-    found: list[str] = []
+    values: list[str] = []
     position = 0
     plain = re.compile(f"[^{re.escape(separator + ending)}]*")
     hollerith = re.compile(r"\s*(\d{1,6})H")
-    while position < len(text) and len(found) <= limits.objects:
+    while position < len(text) and len(values) <= limits.objects:
         string = hollerith.match(text, position)
         if string:
             end = string.end() + int(string[1])
-            found.append(text[string.end() : end])
+            values.append(text[string.end() : end])
             tail = plain.match(text, end)
             position = tail.end() if tail else end
         else:
             match = plain.match(text, position)
             assert match is not None
-            found.append("".join(match[0].split()))
+            values.append("".join(match[0].split()))
             position = match.end()
         if text[position : position + 1] == ending:
-            return found
+            return values
         position += 1
-    raise CurveFileError("a record is not ended", remedy=f"records end with {ending!r}")
+    raise CurveFileError("a record is not terminated", remedy=f"records end with {ending!r}")
 
 
-#: Flags of units of length in the global section.
+#: Units of length by their flag in the global section.
 UNITS = {"1": "inches", "2": "millimetres", "4": "feet", "5": "miles", "6": "metres", "7": "kilometres", "8": "mils",
          "9": "microns", "10": "centimetres", "11": "microinches"}  # fmt: skip
 
 
 def unit_of(text: str) -> str:
-    """The unit of length that the global section names, "" where it names none."""
+    """The unit of length given in the global section, "" if there is none."""
     lines = sections(text)["G"]
     separator, ending = delimiters(lines)
-    # the two delimiters are written as strings that hold themselves
+    # the two delimiters are written as Hollerith strings, which contain them
     words = "".join(line[:72] for line in lines).lstrip()
     position = 4 if words[:2] == "1H" else 1
     position += 4 if words[position : position + 2] == "1H" else 1
     try:
-        found = parameters(words[position:], separator, ending, Limits())
+        values = parameters(words[position:], separator, ending, Limits())
     except CurveFileError:
         return ""
     # parameters 14 and 15 of the section, the first two of which are the delimiters
-    flag, name = (found[i] if i < len(found) else "" for i in (11, 12))
+    flag, name = (values[i] if i < len(values) else "" for i in (11, 12))
     return name if flag == "3" else UNITS.get(flag, "")
 
 
@@ -108,7 +110,7 @@ def entries(text: str, limits: Limits) -> list[Entry]:
     """All directory entries with their parameters."""
     lines = sections(text)
     if len(lines["D"]) % 2:
-        raise CurveFileError("an odd number of directory lines", remedy="entries take two lines each")
+        raise CurveFileError("an odd number of directory lines", remedy="each entry takes two lines")
     separator, ending = delimiters(lines["G"])
     blocks: dict[int, list[str]] = {}
     for line in lines["P"]:
@@ -139,7 +141,7 @@ def _field(line: str, index: int) -> int:
 
 
 def formatted(entities: list[tuple[int, int, int, str, list[str]]], title: str) -> bytes:
-    """An IGES file of entities (type, form, use flag, label, parameters)."""
+    """An IGES file with these entities (type, form, use flag, label, parameters)."""
     start = [title[:72]]
     settings = ["1H,", "1H;", "11Hexactspline", "9Hcurve.igs", "11Hexactspline", "11Hexactspline", "32", "308", "15"]
     settings += ["308", "15", "11Hexactspline", "1.", "2", "2HMM", "1", "1.", "13H000101.000000", "1.E-16", "1.E9"]

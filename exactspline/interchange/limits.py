@@ -1,4 +1,4 @@
-"""Limits on files from outside, which are refused beyond them."""
+"""Limits on input files; a file that exceeds them is rejected."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from exactspline.numbers.exact import mpq
 
 @dataclass(frozen=True)
 class Limits:
-    """Bounds on a file; raise them by `read(…, limits=Limits(megabytes=200))`.
+    """Limits on an input file; to raise them, call `read(…, limits=Limits(megabytes=200))`.
 
-    `digits` bounds the characters of one number, `exponent` its power of ten, `depth` how deep brackets and elements
-    may be nested, `objects` how many entities, points and numbers a file may hold, `work` the cost of turning one curve
-    into Bézier segments (see `work`; 10⁸ is about two seconds).
+    `digits` limits the characters of one number, `exponent` its power of ten, `depth` the nesting of brackets and
+    elements, `objects` the number of entities, points and numbers in a file, `work` the cost of converting one curve to
+    Bézier segments (see `work`; 10⁸ is about two seconds).
     """
 
     megabytes: int = 32
@@ -28,8 +28,8 @@ class Limits:
 
 
 def work(degree: int, knots: Sequence[mpq], numbers: int) -> int:
-    """An estimate of the cost of turning a spline into Bézier segments: the knots to be inserted, times the fourth
-    power of the order, times the length of the numbers in words.
+    """An estimate of the cost of converting a spline to Bézier segments: the number of knots to be inserted, times the
+    fourth power of the order, times the length of the numbers in machine words.
 
     >>> work(3, [mpq(t) for t in (0, 0, 0, 0, 1, 1, 1, 1)], 53)
     1

@@ -1,4 +1,4 @@
-"""Numbers of text formats, both ways: decimals stay decimals, and no digit passes through a float."""
+"""Reading and writing numbers in text formats: decimals are converted exactly, never through a float."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _WHOLE = re.compile(r"[+-]?\d{1,9}", re.ASCII)
 
 
 def decimal(text: str, limits: Limits) -> mpq:
-    """The exact value of a decimal, a Fortran exponent ``1.5D-3`` allowed.
+    """The exact value of a decimal; a Fortran exponent as in ``1.5D-3`` is allowed.
 
     >>> decimal("0.1", Limits()), decimal("-2.5D1", Limits())
     (mpq(1,10), mpq(-25,1))
@@ -44,12 +44,12 @@ def whole(text: str) -> int:
 
 
 def is_decimal(text: str) -> bool:
-    """Whether text is written as a decimal number."""
+    """Whether the text is a decimal number."""
     return bool(_DECIMAL.fullmatch(text))
 
 
 def square_root(value: mpq) -> mpq | None:
-    """The non-negative rational square root, if there is one.
+    """The non-negative rational square root, or None if the square root is irrational.
 
     >>> square_root(mpq(9, 4)), square_root(mpq(2))
     (mpq(3,2), None)
@@ -76,7 +76,7 @@ def finite_double(value: mpq) -> float:
 
 
 def decimal_text(value: mpq) -> str | None:
-    """The shortest plain or exponent form of a number with a finite decimal expansion, None for others.
+    """The shorter of plain and exponent notation for a number with a finite decimal expansion, None for others.
 
     >>> decimal_text(mpq(-1, 8)), decimal_text(mpq(1200)), decimal_text(mpq(1, 10**9)), decimal_text(mpq(1, 3))
     ('-0.125', '1200', '1E-9', None)
@@ -97,7 +97,7 @@ def decimal_text(value: mpq) -> str | None:
 
 
 def with_point(text: str) -> str:
-    """The text of a number with a decimal point, as IGES and STEP demand of a real.
+    """The text of a number with a decimal point, as IGES and STEP require for reals.
 
     >>> with_point("3"), with_point("1E-9"), with_point("0.5")
     ('3.', '1.E-9', '0.5')
@@ -108,7 +108,7 @@ def with_point(text: str) -> str:
 
 @dataclass
 class NumberText:
-    """How a writer writes numbers: exactly or, where that was asked for, as the nearest doubles; `rounded` counts the
+    """How a writer writes numbers: exactly or, if rounding was requested, as the nearest doubles; `rounded` counts the
     numbers that were rounded.
 
     >>> numbers = NumberText(rounding=True)
@@ -124,7 +124,7 @@ class NumberText:
     rounded: int = field(default=0, init=False)
 
     def __call__(self, value: mpq) -> str:
-        """The text of a number; raises `NumberError` where it cannot be exact."""
+        """The text of a number; raises `NumberError` if it cannot be exact and rounding was not requested."""
         text = decimal_text(value)
         if text is not None and len(text) <= self.longest:
             return text
@@ -132,14 +132,14 @@ class NumberText:
             problem = (
                 "has no finite decimal expansion"
                 if text is None
-                else f"takes {len(text)} characters, where this format allows {self.longest}"
+                else f"takes {len(text)} characters, but this format allows {self.longest}"
             )
             raise NumberError(f"{shown(str(value)).strip(chr(39))} {problem}", remedy=_REMEDY)
         self.rounded += 1
         return repr(finite_double(value)).replace("e", "E")
 
     def double(self, value: mpq) -> float:
-        """The number as a double; raises `NumberError` where that is not exact and rounding was not asked for."""
+        """The number as a double; raises `NumberError` if that is not exact and rounding was not requested."""
         result = finite_double(value)
         if mpq(*result.as_integer_ratio()) != value:
             if not self.rounding:

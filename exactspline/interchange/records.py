@@ -1,4 +1,4 @@
-"""The results of readers: named curves, and the names of what was skipped."""
+"""The results of readers: named curves, and records of what was skipped."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class NamedCurve:
-    """A curve with its name in a file, and notes on what its format says beyond a `Nurbs`."""
+    """A curve with its name in the file, and notes on information in the file that a `Nurbs` does not hold."""
 
     name: str
     curve: Nurbs
@@ -26,8 +26,8 @@ class NamedCurve:
 
 @dataclass(frozen=True)
 class Skipped:
-    """Something in a file that is not read: what it is, where it is, why it is skipped, and whether a curve is missing
-    from the reading because of it (not for surfaces, texts, or definitions that are not drawn).
+    """An entity of a file that is not read: its type, its place in the file, the reason, and whether a curve is missing
+    as a result (not the case for surfaces, texts, or definitions that are not drawn).
     """
 
     what: str
@@ -41,8 +41,8 @@ class Skipped:
 
 @dataclass(frozen=True)
 class Reading:
-    """The curves of a file in their order, its surfaces (of our JSON), what was skipped, and notes on what the file
-    says of all of them (a unit of length, say).
+    """The curves of a file in their order, its surfaces (of our JSON), what was skipped, and notes that apply to all of
+    them (such as the unit of length).
     """
 
     format: str
@@ -79,12 +79,12 @@ class Reading:
 
     @property
     def complete(self) -> bool:
-        """Whether no curve of the file was left out."""
+        """Whether every curve of the file was read."""
         return not any(skipped.curve for skipped in self.skipped)
 
 
 class Piece(NamedTuple):
-    """A part of what a file holds, in the order of the file, and how much of the file is done with it."""
+    """A part of the contents of a file, in the order of the file; `done` of `total` parts are read with it."""
 
     reading: Reading
     done: int
@@ -93,8 +93,8 @@ class Piece(NamedTuple):
 
 @dataclass(frozen=True)
 class Source:
-    """The input of a reader: the bytes, the name of the file, the part asked for (a glyph), and, for formats that hold
-    control points alone, degree and knots.
+    """The input of a reader: the bytes, the name of the file, the requested part (a glyph), and, for formats that hold
+    only control points, degree and knots.
     """
 
     data: bytes
@@ -106,8 +106,8 @@ class Source:
 
     @property
     def text(self) -> str:
-        """The bytes as UTF-8 text (a byte order mark dropped), or, where they are not, as Latin-1: numbers and keywords
-        are ASCII in every format.
+        """The bytes decoded as UTF-8 without a byte order mark or, if they are not valid UTF-8, as Latin-1: numbers and
+        keywords are ASCII in every format.
         """
         try:
             return self.data.decode("utf-8-sig")
@@ -117,8 +117,9 @@ class Source:
 
 @dataclass(frozen=True)
 class Format:
-    """A file format: its name, a title, the suffixes of its files, how its beginning is recognized, its reader and its
-    writer, and what every curve written loses; where files are large, also a reader of one piece after the other.
+    """A file format: its name, its title, the suffixes of its files, a function that recognizes the beginning of a
+    file, its reader and writer, and a note on what is lost in writing; for formats with large files, also a reader that
+    yields piece after piece.
     """
 
     name: str

@@ -1,5 +1,5 @@
-"""What rhino3dm reads from an archive, as JSON on standard output: run as a process of its own, since on a damaged
-archive the library may crash, take gigabytes, or not come back.
+"""The contents of an archive as read by rhino3dm, written as JSON to standard output. This runs as a separate process,
+because on a damaged archive the library may crash, use gigabytes of memory, or not terminate.
 
 Doubles are written as C99 hexadecimal floats, exactly.
 """
@@ -10,7 +10,7 @@ import json
 import sys
 from typing import Any
 
-#: Bytes of memory the process may take.
+#: Memory limit of the process in bytes.
 MEMORY = 2 << 30
 
 
@@ -18,7 +18,7 @@ def _hex(*values: float) -> list[str]:
     return [float(value).hex() for value in values]
 
 
-#: The processor time that it may take, in seconds: it ends even where the process that waits for it was killed.
+#: Limit on its processor time in seconds: it ends even if the parent process was killed.
 SECONDS = 60
 
 
@@ -52,7 +52,7 @@ def _described(rhino: Any, geometry: Any, where: str, name: str, notes: list[str
 
 
 def entries(data: bytes) -> list[dict[str, object]]:
-    """The contents of an archive; the memory of this process is limited first."""
+    """The contents of an archive; limits the memory of this process first."""
     import rhino3dm
 
     try:
@@ -61,14 +61,14 @@ def entries(data: bytes) -> list[dict[str, object]]:
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
     except (ImportError, ValueError, OSError):
-        # no such limits on this system; the time is still bounded
+        # this system has no such limits; the time is still bounded
         pass
     model = rhino3dm.File3dm.FromByteArray(data)
     rows: list[dict[str, object]] = [{"unit": str(model.Settings.ModelUnitSystem).rpartition(".")[2].lower()}]
     for number, entry in enumerate(model.Objects, 1):
         attributes, notes = entry.Attributes, []
         if attributes.Mode == rhino3dm.ObjectMode.InstanceDefinitionObject:
-            notes.append("as its block defines it, before any copy is placed")
+            notes.append("read as its block defines it; copies are not placed")
         elif not attributes.Visible:
             notes.append("marked invisible")
         rows += _described(rhino3dm, entry.Geometry, f"object {number}", str(attributes.Name or ""), notes)

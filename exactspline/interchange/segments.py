@@ -1,4 +1,5 @@
-"""Curves made of segments, exactly: circular and conic arcs as rational Bézier curves, segments joined to one spline.
+"""Exact curves made of segments: circular and conic arcs as rational Bézier curves, and segments joined into one
+spline.
 
 A segment is the tuple of its homogeneous control points ``(w x, w y, …, w)``.
 """
@@ -23,19 +24,19 @@ def polynomial(*points: Sequence[mpq]) -> Segment:
 
 
 def arc_around_origin(u: Point, v: Point) -> list[Segment]:
-    """The arc around the origin, counter-clockwise from u to v (the whole circle when they agree), as rational
+    """The arc around the origin, counter-clockwise from u to v (the full circle when they coincide), as rational
     quadratics with rational weights.
 
     With c² = (1 + cos θ)/2 the weights (1, c², c²) describe the same arc as the usual (1, c, 1), which are seldom
-    rational; every second segment is written backwards, so that a circle gets the weights 1 1 2 1 1 1 2 1 1 rather than
-    powers of two.
+    rational; every second segment is reversed, so that a circle gets the weights 1 1 2 1 1 1 2 1 1 rather than powers
+    of two.
 
     >>> one, zero = mpq(1), mpq(0)
     >>> [segment] = arc_around_origin((one, zero), (zero, one))
     >>> [point[-1] for point in segment]
     [mpq(2,1), mpq(1,1), mpq(1,1)]
 
-    Raises `ShapeError` when the two are not at the same distance from the origin.
+    Raises `ShapeError` if u and v are not at the same distance from the origin.
     """
     radius2 = u[0] ** 2 + u[1] ** 2
     if radius2 != v[0] ** 2 + v[1] ** 2 or not radius2:
@@ -44,8 +45,8 @@ def arc_around_origin(u: Point, v: Point) -> list[Segment]:
     for _ in range(4):
         last = corners[-1]
         turned = (-last[1], last[0])
-        ahead, beside = last[0] * v[0] + last[1] * v[1], turned[0] * v[0] + turned[1] * v[1]
-        if ahead >= 0 and beside > 0:
+        cosine, sine = last[0] * v[0] + last[1] * v[1], turned[0] * v[0] + turned[1] * v[1]
+        if cosine >= 0 and sine > 0:
             break
         corners.append(turned)
     if corners[-1] != v:
@@ -54,7 +55,9 @@ def arc_around_origin(u: Point, v: Point) -> list[Segment]:
 
 
 def _small_arc(u: Point, v: Point, radius2: mpq, *, backwards: bool) -> Segment:
-    """An arc below a half turn: the tangents meet in (u + v)/(1 + cos θ), and the weight there is (1 + cos θ)/2."""
+    """An arc of less than half a turn: its end tangents meet at (u + v)/(1 + cos θ), and the weight there is (1 + cos
+    θ)/2.
+    """
     c2 = (1 + (u[0] * v[0] + u[1] * v[1]) / radius2) / 2
     middle = ((u[0] + v[0]) / 2, (u[1] + v[1]) / 2)
     first, last = (1 / c2, mpq(1)) if backwards else (mpq(1), 1 / c2)
@@ -73,25 +76,25 @@ def mapped(segments: Sequence[Segment], affine: Affine) -> list[Segment]:
 
 
 def conic_arc(form: Sequence[mpq], start: Point, end: Point) -> list[Segment]:
-    """The arc of the conic A x² + B x y + C y² + D x + E y + F = 0 from `start` to `end` in the plane: on an ellipse
-    counter-clockwise, on a parabola or hyperbola the arc that stays on one branch.
+    """The arc of the conic A x² + B x y + C y² + D x + E y + F = 0 from `start` to `end` in the plane:
+    counter-clockwise on an ellipse, on a parabola or hyperbola the arc that stays on one branch.
 
     >>> one, zero = mpq(1), mpq(0)
     >>> [segment] = conic_arc([one, zero, zero, zero, -one, zero], (zero, zero), (one, one))
     >>> segment[1]
     (mpq(1,2), mpq(0,1), mpq(1,1))
 
-    Raises `ShapeError` where an end is not exactly on the conic, or no such arc exists.
+    Raises `ShapeError` if an end is not exactly on the conic, or if there is no such arc.
     """
     a, b, c, d, e, f = form
     matrix = ((2 * a, b, d), (b, 2 * c, e), (d, e, 2 * f))
     if not sum((x * y for x, y in zip(matrix[0], _crossed(*matrix[1:]), strict=True)), start=mpq(0)):
-        raise ShapeError("the conic is a pair of lines, a point or nothing", remedy="its determinant must not vanish")
+        raise ShapeError("the conic is a pair of lines, a point or empty", remedy="its determinant must not vanish")
     if any(_paired(matrix, (*point, mpq(1)), (*point, mpq(1))) for point in (start, end)):
         raise ShapeError("an end point is not exactly on the conic", remedy="the equation must hold exactly there")
     ellipse = b * b < 4 * a * c
     if start == end and not ellipse:
-        raise ShapeError("the ends agree on a conic that is not closed", remedy="give two points")
+        raise ShapeError("the ends coincide on a conic that is not closed", remedy="give two points")
     return _conic(matrix, start, end, ellipse, 8)
 
 
@@ -103,8 +106,8 @@ def _conic(matrix: Sequence[Point], start: Point, end: Point, ellipse: bool, pie
     p, q = (*start, mpq(1)), (*end, mpq(1))
     tangents = [_applied(matrix, x) for x in (p, q)]
     pole = _crossed(*tangents)
-    own = _paired(matrix, pole, pole)
-    if start == end or pole[2] == 0 or own == 0:
+    pole_value = _paired(matrix, pole, pole)
+    if start == end or pole[2] == 0 or pole_value == 0:
         return _split(matrix, start, end, ellipse, pieces)
     middle = (pole[0] / pole[2], pole[1] / pole[2], mpq(1))
     # with these weights the quadratic form vanishes along the whole segment
@@ -113,17 +116,18 @@ def _conic(matrix: Sequence[Point], start: Point, end: Point, ellipse: bool, pie
     if ellipse and turn < 0:
         return _split(matrix, start, end, ellipse, pieces)
     if weight <= 0:
-        raise ShapeError("the ends are on two branches", remedy="an arc stays on one branch")
+        raise ShapeError("the ends are on different branches", remedy="an arc stays on one branch")
     return [(p, _times(middle, weight), _times(q, weight))]
 
 
 def _split(matrix: Sequence[Point], start: Point, end: Point, ellipse: bool, pieces: int) -> list[Segment]:
-    """A large arc of an ellipse, cut at a rational point: where a line through the start meets it again."""
+    """A large arc of an ellipse, divided at a rational point: the second intersection with a line through the start."""
     if not ellipse or not pieces:
         raise ShapeError("the conic has no such arc", remedy="it must be an ellipse, a parabola or a hyperbola")
     p = (*start, mpq(1))
     tangent = _applied(matrix, p)
-    # the direction halfway between the tangent, run counter-clockwise, and the centre cuts off less than a half turn
+    # the line halfway between the counter-clockwise tangent and the direction to the centre cuts off less than half a
+    # turn
     along = (-tangent[1], tangent[0])
     (a, b, d), (_, c, e), _ = matrix
     determinant = a * c - b * b
@@ -147,7 +151,7 @@ def _crossed(u: Sequence[mpq], v: Sequence[mpq]) -> Point:
 
 
 def elevated(segment: Segment, degree: int) -> Segment:
-    """The segment with a higher degree."""
+    """The segment elevated to a higher degree."""
     n = len(segment) - 1
     rise = degree - n
     if not rise:
@@ -165,7 +169,7 @@ def elevated(segment: Segment, degree: int) -> Segment:
 
 
 def joined(segments: Sequence[Segment]) -> tuple[int, list[mpq], list[Point]]:
-    """One spline through segments, each beginning where the one before ends: degree, knots (0, 1, 2, … with
+    """The segments, each beginning where the previous one ends, as one spline: degree, knots (0, 1, 2, … with
     multiplicity degree) and homogeneous control points.
 
     >>> line = polynomial((0, 0), (2, 0))
@@ -181,15 +185,15 @@ def joined(segments: Sequence[Segment]) -> tuple[int, list[mpq], list[Point]]:
         factor = points[-1][-1] / lifted[0][-1] if points else mpq(1)
         scaled = [_times(point, factor) for point in lifted]
         if points and points[-1] != scaled[0]:
-            raise ShapeError("a segment does not begin where the one before ends", remedy="segments must join")
+            raise ShapeError("a segment does not begin where the previous one ends", remedy="segments must join")
         points += scaled[1:] if points else scaled
         knots += [mpq(i)] * degree
     return degree, [*knots, mpq(len(segments))], points
 
 
 def bulged(start: Point, end: Point, bulge: mpq) -> list[Segment]:
-    """The segment of a polyline whose bulge is the tangent of a quarter of its angle, positive to the left: a line, or
-    an arc with a rational centre.
+    """The segment of a polyline with a bulge, which is the tangent of a quarter of its angle, positive for a left turn:
+    a line, or an arc with a rational centre.
 
     >>> [[int(x) for x in point] for segment in bulged((mpq(0), mpq(0)), (mpq(2), mpq(0)), mpq(1)) for point in segment]
     [[0, 0, 2], [0, -1, 1], [1, -1, 1], [1, -1, 1], [2, -1, 1], [4, 0, 2]]

@@ -1,4 +1,4 @@
-"""Lines, circles and ellipses of a STEP file, from vertex to vertex where an edge uses them."""
+"""Lines, circles and ellipses of a STEP file, bounded by the vertices of the edges that use them."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from exactspline.interchange.step_records import StepFile, Value
 from exactspline.numbers.exact import mpq
 
 EDGE, ELEMENTARY = "EDGE_CURVE", ("LINE", "CIRCLE", "ELLIPSE")
-#: Curves that say on which surfaces they are; the first they name is the curve in space.
+#: Curves given together with the surfaces they lie on; their first reference is the curve in space.
 ON_SURFACES = ("SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE")
-#: What holds the curves in the parameter plane of a surface.
+#: Entities that contain curves in the parameter plane of a surface.
 PARAMETERS = "DEFINITIONAL_REPRESENTATION"
 ONE = (mpq(1), mpq(0))
 _TEXT = re.compile(r"'[^']*'")
@@ -34,15 +34,15 @@ class Edges:
             if kind.strip() == PARAMETERS:
                 self.in_parameters.update(_REFERENCE.findall(_TEXT.sub("", rest).partition(")")[0]))
             if kind.strip() == EDGE or kind.strip() in ON_SURFACES:
-                # the curve that they lie on, in a continued text
+                # the referenced curve, possibly on a continuation line
                 self.used.update(_REFERENCE.findall(_TEXT.sub("", rest))[2 * (kind.strip() == EDGE) :][:1])
 
     def notes(self, number: int) -> list[str]:
-        """What is to be said of a spline: how edges and surfaces use it."""
+        """Notes on how edges and surfaces use a spline."""
         used = f"#{number}" in self.used
         in_parameters = f"#{number}" in self.in_parameters
         return [
-            *(["edges may use a part of it, or run backwards"] if used else []),
+            *(["edges may use only a part of it, or reverse it"] if used else []),
             *(["in the parameter plane of a surface"] if in_parameters else []),
         ]
 
@@ -52,10 +52,10 @@ class Edges:
             self._edge(number, where)
         elif f"#{number}" not in self.used:
             if keyword == "LINE":
-                self.file.found.skip(keyword, where, "a line without ends; edges have them", curve=False)
+                self.file.collector.skip(keyword, where, "an unbounded line that no edge uses", curve=False)
                 return
             frame, _ = self._frame(keyword, f"#{number}")
-            self._add(keyword, where, arc_of(frame, ONE, ONE), "the whole curve")
+            self._add(keyword, where, arc_of(frame, ONE, ONE), "the full curve")
 
     def _edge(self, number: int, where: str) -> None:
         _, first, last, curve, sense = self.file.named(f"#{number}", EDGE, 5)
@@ -64,7 +64,7 @@ class Edges:
             curve = self.file.named(curve, keyword, 4)[1]
             keyword = self._kind(curve)
         if keyword not in ELEMENTARY:
-            # a spline is read as it stands
+            # a spline is read where it is defined
             return
         ends = [self.file.point(self.file.named(end, "VERTEX_POINT", 2)[1]) for end in (first, last)]
         if keyword == "LINE":
@@ -73,7 +73,7 @@ class Edges:
             start = self.file.point(through)
             if any(any(_cross(_minus(end, start), direction)) for end in ends):
                 raise ShapeError("a vertex that is not exactly on the line", remedy="only exact curves are read")
-            self.file.found.add(EDGE, where, 1, [mpq(0), mpq(0), mpq(1), mpq(1)], ends, name=where)
+            self.file.collector.add(EDGE, where, 1, [mpq(0), mpq(0), mpq(1), mpq(1)], ends, name=where)
             return
         frame, inverse = self._frame(keyword, curve)
         u, v = (self._local(inverse, end) for end in (ends if sense == ".T." else ends[::-1]))
@@ -83,18 +83,18 @@ class Edges:
     def _kind(self, reference: Value) -> str:
         text = self.file.instances.get(int(reference[1:]), "") if isinstance(reference, str) and _is(reference) else ""
         if not text:
-            raise ShapeError("an edge without a curve", remedy="name one")
+            raise ShapeError("an edge without a curve", remedy="refer to one")
         return text.partition("(")[0].strip()
 
     def _local(self, inverse: Affine, point: Sequence[mpq]) -> tuple[mpq, mpq]:
-        """The place on the unit circle; `ShapeError` for a point that is not exactly on the curve."""
+        """The corresponding point of the unit circle; raises `ShapeError` for a point not exactly on the curve."""
         x, y, *off = inverse(point)
         if x * x + y * y != 1 or any(off):
             raise ShapeError("a vertex that is not exactly on the curve", remedy="only exact curves are read")
         return x, y
 
     def _frame(self, keyword: str, reference: Value) -> tuple[Affine, Affine]:
-        """The map that takes the unit circle to a circle or an ellipse in space, and back."""
+        """The map from the unit circle to a circle or an ellipse in space, and its inverse."""
         _, placement, *sizes = self.file.named(reference, keyword, 3 if keyword == "CIRCLE" else 4)
         radii = self.file.numbers(sizes)
         a, b = radii[0], radii[-1]
@@ -114,14 +114,14 @@ class Edges:
     def _direction(self, reference: Value, usual: Sequence[int]) -> list[mpq]:
         if reference == "$":
             return list(map(mpq, usual))
-        found = self.file.numbers(self.file.named(reference, "DIRECTION", 2)[1])
-        if len(found) != 3:
+        ratios = self.file.numbers(self.file.named(reference, "DIRECTION", 2)[1])
+        if len(ratios) != 3:
             raise ShapeError("a direction that is not in space", remedy="write three ratios")
-        return found
+        return ratios
 
     def _add(self, keyword: str, where: str, arc: tuple[int, list[mpq], list[tuple[mpq, ...]]], note: str) -> None:
         degree, knots, points = arc
-        self.file.found.add(keyword, where, degree, knots, points, homogeneous=True, name=where, notes=[note])
+        self.file.collector.add(keyword, where, degree, knots, points, homogeneous=True, name=where, notes=[note])
 
 
 def arc_of(frame: Affine, u: tuple[mpq, mpq], v: tuple[mpq, mpq]) -> tuple[int, list[mpq], list[tuple[mpq, ...]]]:

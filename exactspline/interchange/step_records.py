@@ -1,4 +1,4 @@
-"""STEP part 21 text: instances ``#12 = NAME(…);`` and ``#12 = (NAME(…) NAME(…));``, parsed when asked for."""
+"""STEP part 21 text: instances ``#12 = NAME(…);`` and ``#12 = (NAME(…) NAME(…));``, parsed on demand."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
 from exactspline.numbers.exact import mpq
 
-#: A value: text of a number, reference, enumeration or string (with its quotes), or a list of values.
+#: A value: the text of a number, a reference, an enumeration value or a string (with its quotes), or a list of values.
 Value: TypeAlias = "str | list[Value]"
 
-# anything unclosed extends to the end, so that no opening mark is tried twice
+# anything unclosed extends to the end of the text, so that matching takes linear time
 _NOISE = re.compile(r"/\*.*?(?:\*/|\Z)|'(?:[^']|'')*(?:'|\Z)|;", re.S)
 _INSTANCE = re.compile(r"\s*#\s*(\d{1,12})\s*=\s*(.*)", re.S)
 _TOKEN = re.compile(r"\s*('(?:[^']|'')*(?:'|\Z)|[(),]|[^\s(),']+)", re.S)
@@ -24,15 +24,15 @@ _KEYWORD = re.compile(r"[A-Z_][A-Z0-9_]*", re.ASCII)
 
 
 def instances(text: str, limits: Limits) -> dict[int, str]:
-    """The text of every instance of the data sections by its number."""
-    found: dict[int, str] = {}
+    """The text of every instance in the data sections, by instance number."""
+    texts: dict[int, str] = {}
     for statement in _statements(text):
         match = _INSTANCE.match(statement)
         if match:
-            found[int(match[1])] = match[2]
-            if len(found) > limits.objects:
+            texts[int(match[1])] = match[2]
+            if len(texts) > limits.objects:
                 raise CurveFileError(f"more than {limits.objects} instances", remedy="read with larger limits")
-    return found
+    return texts
 
 
 def _statements(text: str) -> Iterator[str]:
@@ -48,7 +48,7 @@ def _statements(text: str) -> Iterator[str]:
 
 
 def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
-    """The arguments of an instance by keyword, several for a complex instance.
+    """The arguments of an instance by keyword; a complex instance has several keywords.
 
     >>> parts("(A(1.,$) B((#2,#3)))", Limits())
     {'A': ['1.', '$'], 'B': [['#2', '#3']]}
@@ -66,7 +66,7 @@ def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
         token, position = match[1], match.end()
         if token == "(":
             if len(lists) > limits.depth:
-                raise CurveFileError("brackets are nested too deep", remedy="read with a larger limit of depth")
+                raise CurveFileError("brackets are nested too deeply", remedy="read with a larger limit of depth")
             inner: list[Value] = []
             lists[-1].append(inner)
             lists.append(inner)
@@ -80,19 +80,19 @@ def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
         raise CurveFileError("a bracket is not closed", remedy="balance the brackets")
     if len(root) == 1 and isinstance(root[0], list):
         root = root[0]
-    found: dict[str, list[Value]] = {}
+    by_keyword: dict[str, list[Value]] = {}
     for keyword, arguments in zip(root[::2], root[1::2], strict=False):
         if not isinstance(keyword, str) or not isinstance(arguments, list) or not _KEYWORD.fullmatch(keyword):
-            raise CurveFileError("no list of keywords with arguments", remedy="write NAME(…)")
-        found[keyword] = arguments
-    return found
+            raise CurveFileError("not a list of keywords with arguments", remedy="write NAME(…)")
+        by_keyword[keyword] = arguments
+    return by_keyword
 
 
 class StepFile:
-    """The instances of a file, points looked up as they are needed."""
+    """The instances of a file, parsed when they are looked up."""
 
-    def __init__(self, text: str, found: Collector) -> None:
-        self.found, self.limits = found, found.limits
+    def __init__(self, text: str, collector: Collector) -> None:
+        self.collector, self.limits = collector, collector.limits
         self.instances = instances(text, self.limits)
         self.points: dict[str, list[mpq]] = {}
 
@@ -104,12 +104,12 @@ class StepFile:
         return self.points[key]
 
     def named(self, reference: Value, keyword: str, count: int) -> list[Value]:
-        """The arguments of the referenced instance of this kind; their number is checked."""
+        """The arguments of the referenced instance, which must have this keyword and this number of arguments."""
         if not isinstance(reference, str) or not _REFERENCE.fullmatch(reference):
-            raise CurveFileError(f"no reference to a {keyword}", remedy="write #12")
+            raise CurveFileError(f"not a reference to a {keyword}", remedy="references look like #12")
         arguments = parts(self.instances.get(int(reference[1:]), ""), self.limits).get(keyword, [])
         if len(arguments) != count:
-            raise CurveFileError(f"is no {keyword} of {count} attributes", where=reference, remedy="name one")
+            raise CurveFileError(f"is not a {keyword} with {count} attributes", where=reference, remedy="refer to one")
         return arguments
 
     def numbers(self, values: Value) -> list[mpq]:
@@ -120,5 +120,5 @@ class StepFile:
         """A list of plain values."""
         if not isinstance(values, list):
             raise CurveFileError("a list is missing", remedy="write (…)")
-        self.found.count(len(values))
+        self.collector.count(len(values))
         return [value if isinstance(value, str) else "" for value in values]

@@ -18,13 +18,13 @@ Point = tuple[mpq, mpq]
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _GAP = re.compile(r"[ \t\r\n\f]*,?[ \t\r\n\f]*")
 _SPACE = re.compile(r"[ \t\r\n\f]*")
-#: How many numbers each command takes.
+#: The number of arguments of each command.
 _COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
 
 
 @dataclass
 class Subpath:
-    """Connected segments, or the reason why they cannot be exact."""
+    """Connected segments, or the reason why they have no exact representation."""
 
     segments: list[Segment] = field(default_factory=list)
     problem: str = ""
@@ -41,21 +41,21 @@ class _Pen:
         self.parts: list[Subpath] = []
 
     def draw(self, *points: Point) -> None:
-        """A Bézier segment from here over the points."""
+        """Append the Bézier segment from the current point with these further control points."""
         self.parts[-1].segments.append(polynomial(self.at, *points))
         self.control, self.degree = (points[-2] if len(points) > 1 else None), len(points)
         self.at = points[-1]
 
     def mirrored(self, degree: int) -> Point:
-        """The last control point of a segment of the degree, mirrored in the current point; the current point after
-        others.
+        """The reflection in the current point of the last inner control point, if the previous command drew a segment
+        of this degree; otherwise the current point.
         """
         if self.control is None or self.degree != degree:
             return self.at
         return (2 * self.at[0] - self.control[0], 2 * self.at[1] - self.control[1])
 
     def arc(self, radii: Point, degrees: mpq, large: bool, sweep: bool, end: Point) -> None:
-        """An elliptic arc to `end`."""
+        """Append an elliptic arc to `end`."""
         start, self.control, self.at = self.at, None, end
         if start == end:
             return
@@ -69,13 +69,13 @@ class _Pen:
 
 
 def elliptic_arc(start: Point, end: Point, radii: Point, degrees: mpq, large: bool, sweep: bool) -> list[Segment]:
-    """The arc that the command A means; radii too small are enlarged, as the standard says.
+    """The arc described by the command A; radii that are too small are scaled up, as the standard requires.
 
     >>> one, zero = mpq(1), mpq(0)
     >>> [len(elliptic_arc((one, zero), (zero, one), (one, one), zero, large, True)) for large in (False, True)]
     [1, 3]
 
-    Raises `NumberError` where the centre or the axes are irrational.
+    Raises `NumberError` if the centre or the axes are irrational.
     """
     if not sweep:
         return [segment[::-1] for segment in reversed(elliptic_arc(end, start, radii, degrees, large, True))]
@@ -96,13 +96,13 @@ def elliptic_arc(start: Point, end: Point, radii: Point, degrees: mpq, large: bo
 
 
 _COMMAND = re.compile(r"[MLHVCSQTAZ][^MLHVCSQTAZ]*", re.IGNORECASE)
-#: The degree of the segments of each command; of an arc at least a line.
+#: The degree of the segments of each command; for an arc a lower bound, that of a line.
 _DEGREES = {"L": 1, "H": 1, "V": 1, "C": 3, "S": 3, "Q": 2, "T": 2, "A": 1}
 
 
 def least_size(data: str) -> int:
-    """How many control points and knots the curves of path data have at least, in case the data have no error: counted
-    without building anything.
+    """A lower bound on the number of control points and knots of the curves in path data, assuming that the data have
+    no error; nothing is built for it.
 
     >>> least_size("M0 0 1 1h1 1e0C1 2 3 4 5 6"), least_size("M0 0A1 1 0 012 2z")
     (12, 2)
@@ -115,13 +115,13 @@ def least_size(data: str) -> int:
         if letter == "M":
             total += 2 * max(numbers // 2 - 1, 0)
         elif letter in _DEGREES:
-            # the two flags of an arc may stand without a gap before the next number
+            # the two flags of an arc may be followed by the next number without a separator
             total += 2 * _DEGREES[letter] * (numbers // (5 if letter == "A" else _COUNTS[letter]))
     return total
 
 
 def subpaths(data: str, limits: Limits) -> tuple[list[Subpath], str]:
-    """The subpaths of path data, and what is wrong with them ("" if nothing): the data count up to there.
+    """The subpaths of path data up to the first error, and a description of that error ("" if there is none).
 
     >>> parts, problem = subpaths("M1 2h3v4zM0 0Q1 1 2 0T4 0#", Limits())
     >>> [len(part.segments) for part in parts], problem
@@ -133,7 +133,7 @@ def subpaths(data: str, limits: Limits) -> tuple[list[Subpath], str]:
 
 
 def _run(pen: _Pen, data: str, limits: Limits) -> str:
-    """Draw path data; what is wrong with them."""
+    """Draw path data up to the first error; return its description."""
     position = _skipped(_SPACE, data, 0)
     while position < len(data):
         letter = data[position]
@@ -143,7 +143,7 @@ def _run(pen: _Pen, data: str, limits: Limits) -> str:
         while first or (_COUNTS[letter.upper()] and _NUMBER.match(data, following)):
             numbers, position = _arguments(letter.upper(), data, following, limits)
             if numbers is None:
-                return f"command {letter} breaks off at character {position}"
+                return f"command {letter} is incomplete at character {position}"
             _step(pen, letter, numbers, first)
             following, first = _skipped(_GAP, data, position), False
         position = _skipped(_SPACE, data, position)
@@ -178,7 +178,7 @@ def _arguments(letter: str, data: str, position: int, limits: Limits) -> tuple[l
 
 
 def _step(pen: _Pen, letter: str, n: list[mpq], first: bool) -> None:
-    """One command with its numbers; a further pair after M is a line."""
+    """Carry out one command with its arguments; further pairs after M are lines."""
     command = letter.upper()
     x0, y0 = pen.at if letter.islower() else (mpq(0), mpq(0))
     if command == "M" and first:

@@ -1,8 +1,8 @@
-"""What style sheets may say of an SVG element's shape: which properties are set, not what they are set to.
+"""Which properties of an SVG element style sheets may set; the values are not evaluated.
 
-CSS overrides the attributes of an element (SVG 2, section 6.6), and `transform`, `d`, `r` and others are properties.
-Values are not followed. A selector is matched by its last part alone, one with brackets or escapes by everything, so
-that a rule may be thought to apply where it does not, but never the other way round.
+CSS overrides the attributes of an element (SVG 2, section 6.6), and `transform`, `d`, `r` and others are properties. A
+selector is matched by its last compound only, and a selector with brackets or escapes matches every element. So a rule
+may be taken to apply to an element to which it does not, but never the reverse.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ from dataclasses import dataclass, field
 
 from exactspline.interchange.xml_tree import Element
 
-#: Properties that move whatever they are set on.
+#: Properties that move the element they are set on.
 MOVING = frozenset(
     ("transform", "translate", "rotate", "scale", "zoom", "offset", "offset-path", "offset-distance", "offset-position",
      "offset-rotate", "offset-anchor", "all")
 )  # fmt: skip
-#: Properties that say where a transform of the element is applied.
+#: Properties that determine the origin of a transform.
 ORIGIN = frozenset(("transform-origin", "transform-box"))
-#: Properties that are the shape of an element.
+#: Properties that define the shape of an element.
 SHAPING = {
     "path": frozenset(("d",)),
     "circle": frozenset(("cx", "cy", "r")),
@@ -29,22 +29,22 @@ SHAPING = {
     "svg": frozenset(("x", "y", "width", "height")),
     "use": frozenset(("x", "y")),
 }
-#: Properties that hide something or a part of it.
+#: Properties that hide an element or a part of it.
 HIDING = ("display", "visibility", "clip-path", "clip", "mask", "mask-image", "content-visibility")
 ANY_PROPERTY = "all"
 
 _COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.S)
-# what ends a part of a sheet; strings and brackets are stepped over, unclosed ones extend to the end
+# one part of a sheet, up to its delimiter; strings and brackets are skipped, unclosed ones extend to the end
 _PART = re.compile(r"""(?:"(?:[^"\\]|\\.)*+(?:"|\Z)|'(?:[^'\\]|\\.)*+(?:'|\Z)|\\.|\([^()]*\)|[^;{}"'\\])*+""", re.S)
 _STATE = re.compile(r"::?[-\w]+")
 _NAME = re.compile(r"([.#]?)((?:[-\w]|[^\x00-\x7f])+|\*)")
-#: At-rules whose blocks hold rules.
+#: At-rules whose blocks contain rules.
 _GROUPS = ("@media", "@supports", "@layer", "@container", "@scope", "@document", "@starting-style")
 
 
 @dataclass(frozen=True)
 class Rule:
-    """A rule: its selectors, as tag, ids and classes of their last parts, and the properties that it sets."""
+    """A rule: its selectors, given as tag, ids and classes of their last compounds, and the properties that it sets."""
 
     parts: tuple[tuple[str, frozenset[str], frozenset[str]], ...]
     properties: frozenset[str]
@@ -52,9 +52,10 @@ class Rule:
     def applies(self, element: Element) -> bool:
         """Whether it may apply to an element."""
         classes = frozenset(element.attributes.get("class", "").split())
-        own = element.attributes.get("id", "")
+        identifier = element.attributes.get("id", "")
         return any(
-            tag in ("", "*", element.tag) and ids <= {own} and of_class <= classes for tag, ids, of_class in self.parts
+            tag in ("", "*", element.tag) and ids <= {identifier} and of_class <= classes
+            for tag, ids, of_class in self.parts
         )
 
 
@@ -72,9 +73,9 @@ class Sheet:
     imports: bool = False
 
     def add(self, text: str) -> None:
-        """The rules of a text."""
+        """Add the rules of a style sheet."""
         waiting: list[tuple[str, ...]] = [()]
-        own: list[set[str]] = [set()]
+        collected: list[set[str]] = [set()]
         text, position = _COMMENT.sub(" ", text), 0
         while position < len(text):
             match = _PART.match(text, position)
@@ -82,14 +83,14 @@ class Sheet:
             mark, position = text[position : position + 1], position + 1
             if mark == "{":
                 waiting.append(_selectors(part, waiting[-1]))
-                own.append(set())
+                collected.append(set())
                 continue
             self.imports |= part.lower().startswith("@import")
-            own[-1] |= _properties(part)
+            collected[-1] |= _properties(part)
             if mark == "}" and len(waiting) > 1:
-                self._close(waiting.pop(), own.pop())
+                self._close(waiting.pop(), collected.pop())
         # a block that is not closed ends with the sheet
-        for selectors, properties in zip(waiting, own, strict=True):
+        for selectors, properties in zip(waiting, collected, strict=True):
             self._close(selectors, properties)
 
     def _close(self, selectors: tuple[str, ...], properties: set[str]) -> None:
@@ -102,7 +103,7 @@ class Sheet:
 
 
 def _selectors(prelude: str, outer: tuple[str, ...]) -> tuple[str, ...]:
-    """The selectors of a block; a group of rules within a rule speaks of what that rule speaks of."""
+    """The selectors of a block; a group of rules nested in a rule has the selectors of that rule."""
     if prelude.startswith("@"):
         return outer if prelude.lower().startswith(_GROUPS) else ()
     return ("*",) if set(prelude) & set("([\\&") else tuple(_STATE.sub("", prelude).split(","))
@@ -111,7 +112,7 @@ def _selectors(prelude: str, outer: tuple[str, ...]) -> tuple[str, ...]:
 def _last_part(selector: str) -> tuple[str, frozenset[str], frozenset[str]]:
     last = re.split(r"[\s>+~|]+", selector.strip())[-1]
     names = _NAME.findall(last)
-    by_mark = {mark: frozenset(name for found, name in names if found == mark) for mark in ("", "#", ".")}
+    by_mark = {mark: frozenset(name for sign, name in names if sign == mark) for mark in ("", "#", ".")}
     return next(iter(by_mark[""]), ""), by_mark["#"], by_mark["."]
 
 
@@ -121,7 +122,7 @@ def _properties(declaration: str) -> set[str]:
 
 
 def _property(name: str) -> str:
-    """The name of a property; one written with escapes may be any."""
+    """The name of a property, or `ANY_PROPERTY` if it is written with escapes."""
     return ANY_PROPERTY if "\\" in name else name.strip().lower()
 
 
@@ -131,19 +132,19 @@ def declarations(text: str) -> dict[str, str]:
     >>> declarations("fill: url(a;b); TRANSFORM : none !important;")
     {'fill': 'url(a;b)', 'transform': 'none'}
     """
-    found: dict[str, str] = {}
+    values: dict[str, str] = {}
     text, position = _COMMENT.sub(" ", text), 0
     while position < len(text):
         match = _PART.match(text, position)
         part, position = (match[0], match.end() + 1) if match else ("", position + 1)
         name, colon, value = part.partition(":")
         if colon:
-            found[_property(name)] = re.sub(r"\s*!\s*important\s*\Z", "", value.strip(), flags=re.I)
-    return found
+            values[_property(name)] = re.sub(r"\s*!\s*important\s*\Z", "", value.strip(), flags=re.I)
+    return values
 
 
 def in_words(properties: Iterable[str]) -> str:
-    """Properties in a sentence.
+    """A list of properties as text.
 
     >>> in_words({"r", "d"})
     'd, r'

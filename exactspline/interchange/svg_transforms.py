@@ -29,48 +29,48 @@ def length(text: str, limits: Limits) -> mpq:
     >>> length("2.5", Limits()), length("1in", Limits()), length("25.4mm", Limits())
     (mpq(5,2), mpq(96,1), mpq(96,1))
 
-    Raises `NumberError` for anything else, a percentage or a size of a font.
+    Raises `NumberError` for anything else, such as percentages and lengths relative to a font size.
     """
     match = _LENGTH.fullmatch(text.strip())
     assert match is not None
     return decimal(match[1], limits) * UNITS[(match[2] or "px").lower()]
 
 
-def about(own: Affine, attributes: Mapping[str, str], style: Mapping[str, str], limits: Limits) -> Affine:
+def about(matrix: Affine, attributes: Mapping[str, str], style: Mapping[str, str], limits: Limits) -> Affine:
     """A transform about the point that `transform-origin` names, in the coordinates of the nearest viewport.
 
     >>> about(transform("scale(2)", Limits()), {"transform-origin": "5 1in"}, {}, Limits())((5, 0))
     (mpq(5,1), mpq(-96,1))
 
-    Raises `ShapeError` where the point depends on a box: of the viewport (percentages) or of the shape.
+    Raises `ShapeError` if the point depends on a box: that of the viewport (percentages) or of the shape.
     """
     given = style.get("transform-origin", attributes.get("transform-origin", "")).lower()
     box = style.get("transform-box", attributes.get("transform-box", "view-box")).strip().lower()
     words = [_SIDES.get(word, word) for word in given.split()]
     if not words:
-        return own
+        return matrix
     try:
         if box != "view-box" or not 2 <= len(words) <= 3:
-            raise NumberError("a box is needed")
+            raise NumberError("a box is required")
         if "transform-origin" in style and any(word.strip("+-.0") and not word[-1].isalpha() for word in words):
             raise NumberError("CSS has no lengths without a unit")
         x, y = (length(word, limits) for word in words[:2])
     except NumberError:
         raise ShapeError(
             f"the transform-origin {given[:40]!r} in the transform-box {box[:20]!r}",
-            remedy="two lengths in the view-box are read",
+            remedy="give two lengths in the view-box",
         ) from None
     there, back = (Affine([[1, 0, sign * x], [0, 1, sign * y]]) for sign in (1, -1))
-    return there @ own @ back
+    return there @ matrix @ back
 
 
 def transform(text: str, limits: Limits) -> Affine:
-    """The map that a transform attribute describes, the leftmost outermost.
+    """The map described by a transform attribute; the leftmost transform is applied last.
 
     >>> transform("translate(1) rotate(90)", Limits())((2, 0))
     (mpq(1,1), mpq(2,1))
 
-    Raises `NumberError` for angles whose sine, cosine or tangent is irrational, `ShapeError` for what is not a
+    Raises `NumberError` for angles with an irrational sine, cosine or tangent, and `ShapeError` for text that is not a
     transform.
     """
     whole = Affine.identity(2)
@@ -78,7 +78,7 @@ def transform(text: str, limits: Limits) -> Affine:
     while match := _CALL.match(text, position):
         position, calls = match.end(), calls + 1
         if calls > limits.depth:
-            raise ShapeError("too many transforms", remedy="multiply them out")
+            raise ShapeError("too many transforms", remedy="combine them into one matrix")
         numbers = [decimal(word, limits) for word in re.sub(r"\s*,\s*|\s+", " ", match[2]).split()]
         whole = whole @ _one(match[1], numbers)
     if text[position:].strip(" \t\r\n,"):
@@ -109,7 +109,7 @@ def _one(name: str, n: list[mpq]) -> Affine:
 
 
 def _tangent(degrees: mpq) -> int:
-    """The tangent of a multiple of 45 degrees, the only rational ones."""
+    """The tangent of a multiple of 45 degrees: of rational angles in degrees, only these have a rational tangent."""
     eighths = degrees / 45
     if eighths.denominator != 1 or eighths % 4 == 2:
         raise NumberError("a skew whose tangent is not rational", remedy="multiples of 45 degrees are exact")

@@ -1,4 +1,4 @@
-"""Words and numbers of a text file, one by one."""
+"""Words and numbers of a text file, read one at a time."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ class Tokens:
 
     def move(self, position: int) -> None:
         """Continue reading at a later position."""
-        self._found: Iterator[re.Match[str]] = self.pattern.finditer(self.text, position)
-        self._next = next(self._found, None)
+        self._matches: Iterator[re.Match[str]] = self.pattern.finditer(self.text, position)
+        self._next = next(self._matches, None)
         self.position = position
 
     @property
     def ended(self) -> bool:
-        """Whether no word is left."""
+        """Whether all words have been read."""
         return self._next is None
 
     @property
@@ -50,7 +50,7 @@ class Tokens:
             raise CurveFileError("the file ends too early", where=f"line {self.line}", remedy="complete the file")
         self.position = self._next.start()
         word = self._next[0]
-        self._next = next(self._found, None)
+        self._next = next(self._matches, None)
         return word
 
     def number(self) -> mpq:
@@ -58,11 +58,11 @@ class Tokens:
         return decimal(self.word(), self.limits)
 
     def numbers(self, count: int) -> list[mpq]:
-        """This many decimals."""
+        """The next `count` words as decimals."""
         return [self.number() for _ in range(self._checked(count))]
 
     def rows(self, count: int, length: int) -> list[list[mpq]]:
-        """This many rows of decimals."""
+        """The next `count` rows of `length` decimals."""
         self._checked(count * length)
         return [self.numbers(length) for _ in range(count)]
 
@@ -71,12 +71,14 @@ class Tokens:
         return whole(self.word())
 
     def count(self) -> int:
-        """The next word as a number of things."""
+        """The next word as a count."""
         return self._checked(self.whole())
 
     def _checked(self, count: int) -> int:
         if not 0 <= count <= self.limits.objects:
             raise ShapeError(
-                f"a count of {count}", where=f"line {self.line}", remedy=f"from 0 to {self.limits.objects} are read"
+                f"a count of {count}",
+                where=f"line {self.line}",
+                remedy=f"it must be between 0 and {self.limits.objects}",
             )
         return count

@@ -1,4 +1,4 @@
-"""Data of a curve for writers: its points as a format stores them."""
+"""The points of a curve in the forms in which file formats store them."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ Point = tuple[mpq, ...]
 
 
 def cartesian(curve: Nurbs) -> tuple[Point, ...]:
-    """The control points for a format that stores them Cartesian; raises `WeightError` where one has weight zero (a
-    control vector), which such a format cannot hold.
+    """The Cartesian control points; raises `WeightError` if one has weight zero (a control vector), because it has no
+    Cartesian coordinates.
     """
     if not all(curve.weights):
         raise WeightError(
             "a control point of weight zero",
             where=f"weights[{curve.weights.index(mpq(0))}]",
-            remedy="a homogeneous format (g2, itd) or json holds it",
+            remedy="use json or a homogeneous format (g2, itd)",
         )
     return curve.control_points
 

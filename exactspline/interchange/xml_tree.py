@@ -1,5 +1,5 @@
-"""XML read as a small tree: nothing is fetched, depth and size are bounded. Of entities only those are expanded that
-the file itself declares as text without further entities, and only as far as the text stays within the limits.
+"""XML read as a small tree: nothing is fetched, and depth and size are limited. The only entities expanded are those
+that the file itself declares as text without further entities, and only while the text stays within the limits.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from xml.parsers import expat
 from exactspline.errors import CurveFileError
 from exactspline.interchange.limits import Limits
 
-#: Characters that XML 1.0 leaves out, escaped or not (section 2.2).
+#: Characters that XML 1.0 does not allow, escaped or not (section 2.2).
 NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 
-#: The entities that XML itself declares.
+#: The entities predefined by XML.
 PREDEFINED = frozenset(("lt", "gt", "amp", "apos", "quot"))
 _REFERENCE = re.compile(r"&([^\s#&;<>'\"]{1,200});")
 _NOT_MARKUP = re.compile(r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)", re.S)
@@ -23,7 +23,7 @@ _NOT_MARKUP = re.compile(r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?
 
 @dataclass
 class Element:
-    """An element: its name without a namespace prefix, its attributes, its children, its text, the line it begins."""
+    """An element: its name without a namespace prefix, attributes, children, text, and the line where it begins."""
 
     tag: str
     attributes: dict[str, str]
@@ -32,7 +32,7 @@ class Element:
     text: str = ""
 
     def walk(self) -> Iterator[Element]:
-        """This element and all below it, in their order."""
+        """This element and all its descendants, in document order."""
         waiting = [self]
         while waiting:
             element = waiting.pop()
@@ -53,10 +53,10 @@ def parse(data: bytes, limits: Limits) -> Element:
     'y'
     >>> parse(b'<!DOCTYPE a [<!ENTITY x SYSTEM "y.txt">]><a>&x;</a>', Limits())
     Traceback (most recent call last):
-    exactspline.errors.CurveFileError: line 1: the entity 'x' is text of another file; write the text itself
+    exactspline.errors.CurveFileError: line 1: the entity 'x' refers to another file; write the text itself
 
-    Raises `CurveFileError` for what is not well formed, for entities that are in other files, nested, not declared, or
-    too long, and beyond the limits.
+    Raises `CurveFileError` if the text is not well formed or exceeds the limits, and for entities that are in other
+    files, nested, not declared, or too long.
     """
     parser = expat.ParserCreate()
     entities = _Entities(parser, data, limits)
@@ -71,7 +71,7 @@ def parse(data: bytes, limits: Limits) -> Element:
         counted += 1 + len(attributes)
         if counted > limits.objects or len(open_elements) >= limits.depth:
             raise CurveFileError(
-                "is nested too deep or has too many elements",
+                "is nested too deeply or has too many elements",
                 where=f"line {parser.CurrentLineNumber}",
                 remedy="read with larger limits",
             )
@@ -116,19 +116,20 @@ class _Entities:
         public: object,
         *_: object,
     ) -> None:
-        """See that a declaration is harmless."""
+        """Check that a declaration is harmless."""
         if is_parameter:
             self._refuse(f"the parameter entity {name[:40]!r}")
         if value is None or system or public:
-            self._refuse(f"the entity {name[:40]!r} is text of another file")
+            self._refuse(f"the entity {name[:40]!r} refers to another file")
         elif set(_REFERENCE.findall(value)) - PREDEFINED:
-            self._refuse(f"the entity {name[:40]!r} holds entities")
+            self._refuse(f"the entity {name[:40]!r} contains entities")
         self.names.add(name)
         self.longest = max(self.longest, len(value or ""))
 
     def all_known(self) -> None:
-        """See that all references in the file are to these: what a declaration that was not read may hold, expat leaves
-        out without a word. Raises `CurveFileError`, also where the text would become too long.
+        """Check that every reference in the file is to a declared entity, because expat silently omits references to
+        entities whose declaration it did not read. Raises `CurveFileError` otherwise, and if the expanded text would be
+        too long.
         """
         if self.data[:2] in (b"\xff\xfe", b"\xfe\xff"):
             text = self.data.decode("utf-16", "replace")
@@ -146,11 +147,11 @@ class _Entities:
 
 
 def attribute(value: str) -> str:
-    """A value as a quoted attribute, without the characters that no XML file can hold.
+    """A value as a quoted attribute, without the characters that are not allowed in XML.
 
     >>> attribute("a < b\\x1b")
     '"a &lt; b"'
     """
-    from xml.sax.saxutils import quoteattr  # the network modules come with it
+    from xml.sax.saxutils import quoteattr  # imported here because it loads network modules
 
     return quoteattr(NOT_IN_XML.sub("", value))

@@ -1,4 +1,4 @@
-"""What formulas are written in: operands, vectors, quotients, arguments, formulas, ruled surfaces."""
+"""The language of formulas: operands, vectors, quotients, arguments, formulas, ruled surfaces."""
 
 import lazy_loader
 

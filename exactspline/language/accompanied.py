@@ -1,4 +1,4 @@
-"""A curve with more beside it: constants, and functions on which it depends."""
+"""A curve together with further operands: constants, and functions on which it depends."""
 
 from __future__ import annotations
 
@@ -11,17 +11,18 @@ from exactspline.language.vector import Vector
 
 V = TypeVar("V")
 
-#: What formulas may name besides the operands, computed from the operands by name.
+#: Computes further values that formulas may name from the operands, given by name.
 Made = Callable[[Mapping[str, Operand]], dict[str, object]]
 
 
 def nothing_made(operands: Mapping[str, object]) -> dict[str, object]:
-    """Nothing but the operands."""
+    """No further values."""
     return {}
 
 
 class Accompanied(Curve[T], Generic[T]):
-    """A curve with operands beside it, which formulas name as attributes, and with what is `made` of all of them.
+    """A curve with additional operands, which formulas name as attributes, and with the values that `made` computes
+    from all operands.
 
     >>> from exactspline.language.kinds import kind_of
     >>> from exactspline.readings.jet import JetReading
@@ -36,15 +37,15 @@ class Accompanied(Curve[T], Generic[T]):
         vars(self).update(self.beside | made(self.operands()))
 
     def operands(self) -> dict[str, T]:
-        """Those of the curve, and those beside it."""
+        """The operands of the curve, and the additional ones."""
         return super().operands() | self.beside
 
     def copied(self) -> Accompanied[T]:
-        """The same operands in a curve of its own."""
+        """A new curve with the same operands."""
         return Accompanied(super().copied(), self.beside, self.made)
 
     def mapped(self, change: Callable[[T], U]) -> Accompanied[U]:
-        """The curve with every operand changed, those beside it too."""
+        """The curve with `change` applied to every operand, the additional ones included."""
         return Accompanied(super().mapped(change), {n: change(x) for n, x in self.beside.items()}, self.made)
 
 

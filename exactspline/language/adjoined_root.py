@@ -1,9 +1,9 @@
-"""Square roots adjoined: ``a + b σ`` with ``σ² = S``, over any reading that can divide.
+"""Adjoined square roots: ``a + b σ`` with ``σ² = S``, over any reading with division.
 
 Over the quotients of differential polynomials (`exactspline.readings.rational_jet`) this is an algebraic extension of
 that field: with σ = ‖γ′‖, the root of γ′·γ′, unit vectors and Frenet frames are elements of it, and an equality there
-is a proof for all curves. Extensions are stacked: over σ the root ρ = ‖γ′ × γ″‖. The derivative follows from
-σ² = S: ``σ′ = S′ / (2 S) · σ``.
+is a proof for all curves. Extensions can be repeated: ρ = ‖γ′ × γ″‖ is adjoined to the extension by σ. The derivative
+follows from σ² = S: ``σ′ = S′ / (2 S) · σ``.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from exactspline.language.vector import Vector, cross, norm2
 
 
 class Adjoined(FieldOperand):
-    """``plain + rooted · σ``; `square` is S, an operand of the reading below that is not a square there.
+    """``plain + rooted · σ``; `square` is S, an operand of the base reading that is not a square there.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.rational_jet import RationalJetReading
     >>> c = RationalJetReading(2).argument(CURVE, 2)
@@ -36,7 +36,7 @@ class Adjoined(FieldOperand):
         self.plain, self.rooted, self.square = plain, rooted, square
 
     def lifted(self, operand: Operand) -> Adjoined:
-        """An operand of the reading below, in this extension."""
+        """An operand of the base reading as an element of this extension."""
         return Adjoined(operand, operand.constant(0), self.square)
 
     def constant(self, value: Constant) -> Adjoined:
@@ -48,12 +48,13 @@ class Adjoined(FieldOperand):
 
         Raises `FormulaError` for an element of another extension.
         """
-        found = super().beside(other)
-        if isinstance(found, Adjoined) and found.square is not self.square and not found.square == self.square:
+        element = super().beside(other)
+        if isinstance(element, Adjoined) and element.square is not self.square and not element.square == self.square:
             raise FormulaError(
-                "elements of two extensions in one operation", remedy="adjoin the roots one after the other"
+                "elements of different extensions in one operation",
+                remedy="adjoin one root to the extension by the other",
             )
-        return found
+        return element
 
     def __add__(self, other: object) -> Adjoined:
         right = self.beside(other)
@@ -75,11 +76,11 @@ class Adjoined(FieldOperand):
 
     @property
     def norm(self) -> Operand:
-        """``a² − b² S``, an operand of the reading below."""
+        """``a² − b² S``, an operand of the base reading."""
         return self.plain * self.plain - self.rooted * self.rooted * self.square
 
     def reciprocal(self) -> Adjoined:
-        """``1 / (a + b σ)``; `FormulaError` for 0, and where S is a square and the norm vanishes."""
+        """``1 / (a + b σ)``; raises `FormulaError` for 0, and if the norm vanishes because S is a square."""
         inverse = self.square.constant(1) / self.norm
         return Adjoined(self.plain * inverse, -self.rooted * inverse, self.square)
 
@@ -103,22 +104,22 @@ class Adjoined(FieldOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether both parts are zero: σ is not an element of the reading below."""
+        """Whether both parts are zero: 1 and σ are linearly independent over the base reading."""
         return bool(self.plain.is_zero and self.rooted.is_zero)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Adjoined) and self.plain == other.plain and self.rooted == other.rooted
 
-    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
+    __hash__ = None  # type: ignore[assignment]  # not hashable
 
     def __repr__(self) -> str:
         return f"{self.plain!r} + {self.rooted!r} √({self.square!r})"
 
 
 def root_of(square: Operand) -> Adjoined:
-    """The root σ of an operand that can be divided by, which must be no square.
+    """The root σ of an operand of a reading with division; the operand must not be a square.
 
-    Raises `FormulaError` for 0, whose root would be one.
+    Raises `FormulaError` for 0, which is a square.
     """
     if square.is_zero:
         raise FormulaError("the root of zero", remedy="adjoin roots of operands that are not squares")
@@ -126,7 +127,7 @@ def root_of(square: Operand) -> Adjoined:
 
 
 class FramedCurve(Curve[Adjoined]):
-    """A curve with the roots that its Frenet frame needs: ``sigma`` = ‖γ′‖, and in space ``rho`` = ‖γ′ × γ″‖.
+    """A curve with the roots required for its Frenet frame: ``sigma`` = ‖γ′‖, and in space ``rho`` = ‖γ′ × γ″‖.
 
     In the plane the operands are ``a + b σ``, in space ``(a + b σ) + (c + e σ) ρ``.
     """
@@ -138,14 +139,14 @@ class FramedCurve(Curve[Adjoined]):
         self.rho = roots.get("rho")
 
     def copied(self) -> FramedCurve:
-        """The same operands, the roots among them, in a curve of its own."""
+        """A new curve with the same operands and roots."""
         plain = object.__new__(FramedCurve)
         vars(plain).update(vars(self))
         return plain
 
 
 def framed(curve: Curve[T]) -> FramedCurve:
-    """A curve of a reading that can divide (jets, Taylor series, sympy) with the roots of its frame adjoined.
+    """A curve of a reading with division (jets, Taylor series, sympy), with the roots of its frame adjoined.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.rational_jet import RationalJetReading
     >>> c = framed(RationalJetReading(3).argument(CURVE, 2))
@@ -153,7 +154,7 @@ def framed(curve: Curve[T]) -> FramedCurve:
     >>> norm2(tangent) == c.sigma.constant(1)
     True
     """
-    gamma = cast("Vector[T]", curve.gamma)  # a reading that can divide divides the components
+    gamma = cast("Vector[T]", curve.gamma)  # a reading with division divides componentwise
     first = gamma.d(1)
     sigma = root_of(norm2(first))
     if curve.dimension == 2:

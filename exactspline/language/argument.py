@@ -1,4 +1,4 @@
-"""The arguments of formulas, whatever they consist of."""
+"""The base classes of the arguments of formulas."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from exactspline.language.vector import Vector
 
 
 class Callee(Protocol):
-    """What an argument needs of a formula that is called on it."""
+    """The attributes of a formula that an argument uses when the formula is called on it."""
 
     function: Callable[..., Any]
     symbol: str
@@ -30,13 +30,13 @@ class Argument(Displayed, ABC):
 
 
 class Evaluated(Argument):
-    """An argument whose operands are given: a formula is evaluated on them.
+    """An argument with given operands, on which formulas are evaluated.
 
-    An evaluation owns its memo: what several parts of a formula call is computed once, in a copy of the argument that
-    nobody else sees, so that an argument can be shared between threads.
+    Each evaluation has a private memo: a formula called by several parts of a formula is computed once. The memo is
+    kept in a copy of the argument, so that an argument can be shared between threads.
     """
 
-    #: Values of the formulas that were called, in a copy that remembers.
+    #: The memo: values of the formulas called so far. None except in a copy made for an evaluation.
     _values: dict[Callee, object] | None = None
 
     def calls(self, formula: Callee) -> object:
@@ -48,14 +48,14 @@ class Evaluated(Argument):
         return self._values[formula]
 
     def remembering(self) -> Evaluated:
-        """A copy that remembers every value as long as it lives: for many formulas of one argument."""
+        """A copy that memoizes every formula for its lifetime; for evaluating many formulas on one argument."""
         kept = self.copied()
         kept._values = {}
         return kept
 
     @abstractmethod
     def copied(self) -> Evaluated:
-        """The same operands in an argument of its own."""
+        """A new argument with the same operands."""
 
     @abstractmethod
     def operands(self) -> Mapping[str, Operand | Vector[Operand]]:
@@ -63,8 +63,8 @@ class Evaluated(Argument):
 
     @abstractmethod
     def mapped(self, change: Callable[[Operand], Operand]) -> Evaluated:
-        """The argument with every operand changed: into another reading, or onto another domain."""
+        """The argument with `change` applied to every operand, such as a conversion to another reading or domain."""
 
     def together(self) -> tuple[Evaluated, ...]:
-        """The arguments that it is made of, itself among them."""
+        """This argument and the arguments that it consists of."""
         return (self,)

@@ -1,8 +1,8 @@
-"""The arguments of formulas: a curve, a curve and a point, two curves, or operands by name.
+"""The arguments of formulas: a curve, a curve and a point, two curves, or named operands.
 
 A formula is a plain function over operands that know ``+ - * /``, ``**`` with a small integer, and ``.d(k)``, the k-th
 derivative. What an operand *is* depends on the reading: a spline, a polynomial in jets, a degree, a node of an
-expression tree, a Taylor series. Nothing in this room knows which.
+expression tree, a Taylor series. Nothing in this package depends on which.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ U = TypeVar("U", bound=Operand)
 
 
 class Operands(Evaluated):
-    """Operands by name, as the operands of Table 1 are.
+    """Named operands, such as those of Table 1.
 
     >>> Operands(p1=1, w1=2).operands()
     {'p1': 1, 'w1': 2}
@@ -37,11 +37,11 @@ class Operands(Evaluated):
         return {name: value for name, value in vars(self).items() if name != "_values"}
 
     def copied(self) -> Operands:
-        """The same operands in an argument of its own."""
+        """A new argument with the same operands."""
         return Operands(**self.operands())
 
     def mapped(self, change: Callable[[Operand], Operand]) -> Operands:
-        """The argument with every operand changed."""
+        """The argument with `change` applied to every operand."""
         return Operands(
             **{name: x.mapped(change) if isinstance(x, Vector) else change(x) for name, x in self.operands().items()}
         )
@@ -94,28 +94,29 @@ class Curve(Evaluated, Generic[T]):
         return Vector(0, 0, 1, *[0] * (self.dimension - 3))
 
     def operands(self) -> dict[str, T]:
-        """Coordinates, denominator and the coordinates of the point by name."""
+        """Coordinates, denominator and the coordinates of the point, by name."""
         named = dict(zip(COORDINATES, self.p, strict=False)) | {"w": self.w}
         return named if self.point is None else named | dict(zip(POINT, self.point, strict=False))
 
     def copied(self) -> Curve[T]:
-        """The same operands in a plain curve of its own."""
+        """A new `Curve` with the same operands."""
         return Curve(self.p, self.w, polynomial=self.polynomial, gamma=self.gamma, point=self.point)
 
     def mapped(self, change: Callable[[T], U]) -> Curve[U]:
-        """The curve with every operand changed: into another reading, or onto another domain."""
+        """The curve with `change` applied to every operand, such as a conversion to another reading or domain."""
         point = None if self.point is None else self.point.mapped(change)
         return Curve(self.p.mapped(change), change(self.w), polynomial=self.polynomial, point=point)
 
     def with_point(self, point: Iterable[Constant]) -> Curve[T]:
-        """The curve with a point, whose coordinates are exact constants, beside it."""
+        """The curve together with a point, whose coordinates are exact constants."""
         return Curve(self.p, self.w, polynomial=self.polynomial, point=Vector(*[self.w.constant(x) for x in point]))
 
 
 class Pair(Evaluated, Generic[T]):
-    """Two curves, ``first`` of the parameter s and ``second`` of the parameter s̄: what a formula of §6.1 is handed.
+    """Two curves, ``first`` with parameter s and ``second`` with parameter s̄: the argument of a formula of §6.1.
 
-    Operands of the two may be mixed; only those of one curve are differentiated, each by its own parameter.
+    Expressions may mix operands of both curves, but only an operand of a single curve can be differentiated, with
+    respect to the parameter of that curve.
     """
 
     def __init__(self, first: Curve[T], second: Curve[T]) -> None:
@@ -127,27 +128,27 @@ class Pair(Evaluated, Generic[T]):
         return self.first.dimension
 
     def operands(self) -> dict[str, T]:
-        """Those of the first curve, and those of the second in capitals."""
+        """The operands of the first curve, and those of the second with capital letters."""
         return self.first.operands() | {name.upper(): x for name, x in self.second.operands().items()}
 
     def copied(self) -> Pair[T]:
-        """A pair of its own, of curves that remember what is called on them."""
+        """A new pair of memoizing curves."""
         pair = Pair(self.first.copied(), self.second.copied())
         pair.first._values, pair.second._values = {}, {}
         return pair
 
     def together(self) -> tuple[Evaluated, ...]:
-        """The pair and its curves."""
+        """The pair and its two curves."""
         return self, self.first, self.second
 
     def mapped(self, change: Callable[[T], U]) -> Pair[U]:
-        """The pair with every operand changed."""
+        """The pair with `change` applied to every operand."""
         return Pair(self.first.mapped(change), self.second.mapped(change))
 
 
 #: The parameters of two curves.
 PARAMETERS = (Parameter.FIRST, Parameter.SECOND)
-#: Coordinates, denominator and point by name: of the first curve, of the second curve, of the point.
+#: Names of the coordinates and the denominator of the first curve, the same of the second, and of the point.
 COORDINATES, BARRED, POINT = "xyzuvst", "XYZUVST", "abcefgh"
 
 

@@ -1,4 +1,4 @@
-"""Words that a user chooses from: enumerations whose members are also their names as text."""
+"""Options that users choose from: enumerations whose members are equal to their names as strings."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from enum import StrEnum
 
 
 class Parameter(StrEnum):
-    """A parameter: that of a curve, or of the first of two; that of the second one; the two of a surface."""
+    """A parameter: of a curve or the first of two curves; of the second curve; the two parameters of a surface."""
 
     FIRST = "s"
     SECOND = "s̄"
@@ -15,7 +15,7 @@ class Parameter(StrEnum):
 
 
 class Counting(StrEnum):
-    """How nominal degrees are counted: as Table 1 counts, or part by part, as (24) does."""
+    """How nominal degrees are counted: as in Table 1, or part by part, as in (24)."""
 
     TABLE_1 = "Table 1"
     PART_BY_PART = "part by part"

@@ -25,7 +25,7 @@ def complex_product(a: Vector[S], b: Vector[S]) -> Vector[S]:
 
 
 def conjugate(a: Vector[S]) -> Vector[S]:
-    """``ā``: the plane vector mirrored in the first axis.
+    """``ā``: the plane vector reflected in the first axis.
 
     >>> from exactspline.language.vector import Vector
     >>> conjugate(Vector(1, 2))

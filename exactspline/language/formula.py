@@ -1,11 +1,11 @@
-"""Formulas: a function with its name, its symbol and where it stands in its source."""
+"""Formulas: functions with a name, a symbol and a reference to their source."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
-from exactspline.errors import FormulaError, a_kind
+from exactspline.errors import FormulaError, a_kind, as_text
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Argument
 from exactspline.language.kinds import CURVE, Kind, kind_of
@@ -13,20 +13,20 @@ from exactspline.language.letters import Letter
 
 
 class Formula(Displayed):
-    """A formula with its name, its symbol and where it stands in its source; calling it evaluates it in the reading of
-    its argument.
+    """A formula with its name, its symbol and a reference to its source; calling it evaluates it in the reading of its
+    argument.
 
-    `kind` tells what the argument must be (see `exactspline.language.kinds`). `symbol` is its LaTeX name, where the
-    source gives it one: typography, on which nothing depends. A reading may intercept the call (a tree keeps a symbol
+    `kind` states what the argument must be (see `exactspline.language.kinds`). `symbol` is its LaTeX name, if the
+    source gives it one; it is used only for display. A reading may intercept the call (the tree reading keeps a symbol
     as a node).
     """
 
     def __init__(self, function: Callable[..., object], source: str, kind: Kind, symbol: str) -> None:
-        #: The function as written.
+        #: The undecorated function.
         self.function: Callable[..., Any] = function
         self.source, self.kind, self.symbol = source, kind, symbol
         self.name = self.__name__ = function.__name__
-        #: The dimensions in which its derivatives have been looked through.
+        #: The dimensions in which the parameters of its derivatives have been checked.
         self._lettered: set[int] = set()
         self.__doc__, self.__module__ = function.__doc__, function.__module__
 
@@ -39,9 +39,9 @@ class Formula(Displayed):
         return self.kind.name
 
     def __call__(self, c: object) -> Any:
-        """The formula in the reading of `c`.
+        """The value of the formula in the reading of `c`.
 
-        Raises `FormulaError` for a derivative by a parameter that arguments of its kind do not have.
+        Raises `FormulaError` for a derivative with respect to a parameter that arguments of this kind do not have.
         """
         if not isinstance(c, Argument):
             return self.function(c)
@@ -49,8 +49,8 @@ class Formula(Displayed):
         return c.calls(self)
 
     def _check_letters(self, dimension: int) -> None:
-        """Refuse derivatives by parameters that there are not, once per dimension, whatever the reading; where there is
-        only one, each reading refuses any other.
+        """Raise `FormulaError` for derivatives with respect to unknown parameters, once per dimension and independently
+        of the reading. For a kind with a single parameter, the readings themselves reject any other.
         """
         if dimension in self._lettered or dimension not in self.kind.dimensions:
             return
@@ -65,7 +65,7 @@ class Formula(Displayed):
 
 
 def expect_formula(given: object) -> Formula:
-    """The formula itself; `FormulaError` for anything else."""
+    """The argument itself if it is a formula; raises `FormulaError` for anything else."""
     if isinstance(given, Formula):
         return given
     raise FormulaError(
@@ -74,7 +74,8 @@ def expect_formula(given: object) -> Formula:
 
 
 def formula(source: str, *, on: Kind | str = CURVE, symbol: str = "") -> Callable[[Callable[..., object]], Formula]:
-    """Mark a function as a formula of a paper (or of a user), on arguments of a kind or of the kind with that name.
+    """Declare a function as a formula of a paper (or of a user), for arguments of a kind, given as a `Kind` or by its
+    name.
 
     >>> @formula("Table 1, T16")
     ... def velocity(c):
@@ -82,7 +83,11 @@ def formula(source: str, *, on: Kind | str = CURVE, symbol: str = "") -> Callabl
     >>> velocity
     <formula velocity, Table 1, T16>
 
-    Raises `FormulaError` for a kind that does not exist.
+    Raises `FormulaError` for an unknown kind.
     """
     kind = kind_of(on) if isinstance(on, str) else on
+    if not isinstance(kind, Kind):
+        raise FormulaError(f"{a_kind(kind)}, where a kind of argument is expected", remedy="give its name")
+    as_text(source, "the place of a formula in its source")
+    as_text(symbol, "the symbol of a formula")
     return lambda function: Formula(function, source, kind, symbol)

@@ -19,9 +19,9 @@ from exactspline.language.vector import Vector
 class HodographKind(Kind):
     """A polynomial plane curve with ``γ′ = (u² − v², 2 u v) h``, functions u and v of degree d and h of degree e.
 
-    It is a curve with w = 1, so that formulas of curves and of plane curves can be handed it; beside it stand ``u``,
-    ``v``, ``h``, the ``velocity`` γ′ and the ``speed`` (u² + v²) h, whose square is γ′·γ′. A *polynomial* one has h =
-    1: a primitive hodograph.
+    It is a curve with w = 1, so that formulas for curves and for plane curves apply to it. In addition it has ``u``,
+    ``v``, ``h``, the ``velocity`` γ′ and the ``speed`` (u² + v²) h, whose square is γ′·γ′. If it is *polynomial*, then
+    h = 1.
 
     >>> from exactspline.language.vector import norm2
     >>> from exactspline.readings.jet import JetReading
@@ -34,23 +34,23 @@ class HodographKind(Kind):
     dimensions = (2,)
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
-        """The coordinates, u and v, and their common factor."""
+        """The coordinates, u and v, and the common factor h."""
         s = PARAMETERS[:1]
         degree = "2d + 1" if polynomial else "2d + e + 1"
         curve = (Symbol("x", "x", s, degree), Symbol("y", "y", s, degree), Symbol("u", "u", s), Symbol("v", "v", s))
         return curve if polynomial else (*curve, Symbol("h", "h", s, "e"))
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """Those of a curve, and the operands beside it."""
+        """The names of a curve, and the additional operands."""
         curve = {"p": True, "w": False, "gamma": True, "axis_x": True, "axis_y": True}
         return curve | {"u": False, "v": False, "h": False, "velocity": True, "speed": False}
 
     def rules(self, dimension: int) -> dict[str, Rule]:
-        """The hodograph."""
+        """The derivatives of the coordinates: the hodograph."""
         return {"x": lambda named: _velocity(named)[0], "y": lambda named: _velocity(named)[1]}
 
     def takes(self, other: Kind, dimension: int) -> bool:
-        """Formulas of plane curves too."""
+        """Whether formulas of the other kind apply; those for plane curves do."""
         return other is self or (dimension == 2 and other.name in ("curve", "plane"))
 
     def argument(
@@ -62,7 +62,7 @@ class HodographKind(Kind):
 
 
 def curve_of_hodograph(named: Mapping[str, T], one: T) -> Accompanied[T]:
-    """The argument from its operands by name; without h it is 1."""
+    """The argument from its named operands; h is 1 if it is missing."""
     curve = Curve(Vector(named["x"], named["y"]), one, polynomial=True)
     return Accompanied(curve, {name: named.get(name, one) for name in ("u", "v", "h")}, _made)
 

@@ -20,17 +20,17 @@ from exactspline.language.vector import S, Vector, cross
 
 #: Partial derivatives are known up to this order.
 ORDER = 3
-#: What is free, and how it is written: the pace of a curve, the direction in which a surface is cut.
+#: The free operands and their notation: the speed factor of a curve, and the normal of the cutting plane of a surface.
 FREE = {"pace": "λ", "cutx": "c₁", "cuty": "c₂", "cutz": "c₃"}
 
 
 class ImplicitKind(Kind):
     """A curve in the zero set of one or two functions of the coordinates.
 
-    Formulas may name ``fx``, ``fxy``, … (in any order of the letters sorted), ``gradient_f``, the rows ``hessian_fx``,
-    ``hessian_fy``, … and everything that a curve has (with w = 1). How fast, or in which direction, the curve runs is
-    free: ``pace`` times (−F_y, F_x) in the plane, ``pace`` times ∇F × ∇G where two surfaces meet, and ∇F × ``cut`` in
-    one surface, with any vector ``cut``.
+    Formulas may name ``fx``, ``fxy``, … (letters in alphabetical order), ``gradient_f``, the rows ``hessian_fx``,
+    ``hessian_fy``, … and everything that a curve has (with w = 1). The velocity of the curve has a free factor or
+    direction: it is ``pace`` times (−F_y, F_x) in the plane, ``pace`` times ∇F × ∇G on the intersection of two
+    surfaces, and ∇F × ``cut`` with an arbitrary vector ``cut`` on a single surface.
 
     >>> from exactspline.language.vector import det, dot
     >>> from exactspline.readings.jet import JetReading
@@ -51,14 +51,14 @@ class ImplicitKind(Kind):
         self.free = ("cutx", "cuty", "cutz") if dimension == 3 and functions == "f" else ("pace",)
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
-        """Coordinates, what is free, partial derivatives."""
+        """Coordinates, free operands, partial derivatives."""
         s = PARAMETERS[:1]
         free = [Symbol(name, FREE[name], s, "") for name in self.free]
         partials = [Symbol(name, f"{f.upper()}_{name[1:]}", s, "") for f in self.functions for name in self.partials[f]]
         return (*[Symbol(x, x, s, "") for x in self.axes], *free, *partials)
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """Those of a curve, and the operands beside it."""
+        """The names of a curve, and the additional operands."""
         own: dict[str, bool] = {"p": True, "w": False, "gamma": True} | {f"axis_{x}": True for x in self.axes}
         for f in self.functions:
             own |= dict.fromkeys(self.partials[f], False) | {f"gradient_{f}": True}
@@ -79,7 +79,7 @@ class ImplicitKind(Kind):
         def rule(named: Mapping[str, Any]) -> Any:
             if len(name) > ORDER:
                 raise FormulaError(
-                    f"a derivative of the partial derivative {name}", remedy=f"there are those up to order {ORDER}"
+                    f"a derivative of the partial derivative {name}", remedy=f"they are available up to order {ORDER}"
                 )
             velocity = self.velocity(named)
             terms = [named[_sorted(name + x)] * velocity[i] for i, x in enumerate(self.axes)]
@@ -99,7 +99,7 @@ class ImplicitKind(Kind):
         return along.mapped(lambda x: x * named["pace"])
 
     def takes(self, other: Kind, dimension: int) -> bool:
-        """Formulas of curves of this dimension too."""
+        """Whether formulas of the other kind apply; those for curves of this dimension do."""
         return other is self or (
             dimension in self.dimensions and other.name in ("curve", ("plane", "space")[dimension - 2])
         )

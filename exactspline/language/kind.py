@@ -1,4 +1,6 @@
-"""What a kind of argument is: it declares its operands, its parameters, its constants and what its derivatives are."""
+"""Kinds of arguments. A kind declares its operands, parameters and constants, and the derivatives of dependent
+operands.
+"""
 
 from __future__ import annotations
 
@@ -16,11 +18,11 @@ from exactspline.language.operand import Operand
 
 @dataclass(frozen=True)
 class Symbol:
-    """An operand that an argument is made of.
+    """An operand of a kind of argument.
 
-    `name` is its name in the argument, `text` how it is written; `parameters` are what it is a function
-    of, none for a constant. `degree` is its degree, written in the degrees of which a claim may speak; empty for a
-    function that has none.
+    `name` is its name in the argument, `text` its notation; `parameters` are the variables of which it is a function,
+    none for a constant. `degree` is its degree, expressed in the degrees that claims may use; empty for a function
+    without a degree.
 
     >>> Symbol("x", "x", (Parameter.FIRST,)).degree_in(Parameter.FIRST)
     'd'
@@ -34,7 +36,7 @@ class Symbol:
     degree: str = "d"
 
     def degree_in(self, parameter: Parameter) -> str:
-        """The degree in one of its parameters: a function of several has one of its own in each."""
+        """The degree in one of its parameters; a function of several parameters has a separate degree in each."""
         return self.degree if len(self.parameters) == 1 or not self.degree else f"{self.degree}_{parameter}"
 
 
@@ -44,22 +46,21 @@ Rule = Callable[[Mapping[str, Operand]], object]
 
 
 class Kind(ABC):
-    """The argument of formulas of one kind.
+    """A kind of argument of formulas.
 
-    `dimensions` are those of the curves for which there are formulas of the kind; one that `adjoins_roots` exists in
-    readings that can divide, not on splines and not in degrees; `made_of_a_curve` says whether one curve alone gives
-    an example.
+    `dimensions` are the dimensions in which the kind exists. A kind that `adjoins_roots` exists only in readings with
+    division, not for splines or degrees; `made_of_a_curve` states whether a single curve determines an argument.
     """
 
     adjoins_roots: bool = False
     name: str
     dimensions: tuple[int, ...]
     made_of_a_curve = True
-    #: Whether one surface alone gives an example.
+    #: Whether a single surface determines an argument.
     made_of_a_surface = False
-    #: The parameters in which tables count degrees: that of the first of two curves alone.
+    #: The parameters in which tables count degrees; for two curves, only that of the first.
     counted: tuple[Parameter, ...] = (Parameter.FIRST,)
-    #: Where a parameter of some operands is itself a function of the curve's parameter: the operand that it is.
+    #: If a parameter of some operands is itself a function of the parameter of the curve: the operand for it.
     composed: Mapping[Parameter, str] = MappingProxyType({})
 
     @abstractmethod
@@ -70,19 +71,19 @@ class Kind(ABC):
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
     ) -> Evaluated:
-        """The argument from its operands; `one` stands for the denominators of polynomial curves."""
+        """The argument made from its operands; `one` is used as the denominator of polynomial curves."""
 
     @abstractmethod
     def names(self, dimension: int) -> dict[str, bool]:
-        """The names that formulas may use of such an argument, and whether each is a vector."""
+        """The names that formulas may use for such an argument, and whether each is a vector."""
 
     def rules(self, dimension: int) -> dict[str, Rule]:
-        """The derivatives of the operands that are not functions of their own, by name."""
+        """The derivatives of the operands that depend on other operands, by name."""
         return {}
 
     @property
     def parts(self) -> dict[str, Kind]:
-        """The arguments that it is made of, by the names formulas have for them."""
+        """The kinds of the arguments that it consists of, by their names in formulas."""
         return {}
 
     def parameters(self, dimension: int) -> tuple[Parameter, ...]:
@@ -95,7 +96,7 @@ class Kind(ABC):
         return _parameters(self, dimension)
 
     def takes(self, other: Kind, dimension: int) -> bool:
-        """Whether formulas of another kind can be evaluated on such an argument: it has their operands.
+        """Whether formulas of another kind can be evaluated on such an argument, because it has their operands.
 
         >>> from exactspline.language.kinds import CURVE, PAIR, PLANE, PLANE_POINT, kind_of
         >>> PLANE_POINT.takes(PLANE, 2), PLANE.takes(PLANE_POINT, 2), PAIR.takes(CURVE, 3)

@@ -1,5 +1,5 @@
-"""All kinds of arguments. A new one is a new class (here or in a file beside this one) and an entry in
-`KINDS`; readings build from what it declares.
+"""All kinds of arguments. To add a kind, write a class (here or in a neighbouring file) and add an entry to `KINDS`;
+readings construct arguments from its declarations.
 """
 
 from __future__ import annotations
@@ -56,12 +56,12 @@ __all__ = [
 
 _SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
 _DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-#: Names that constants cannot have: those of operands, and of everything else that formulas may name.
+#: Names that constants must not have: those of operands, and everything else that formulas may name.
 RESERVED = {*COORDINATES, *BARRED, "w", "W", "p", "d", "gamma", "point", "first", "second", "polynomial", "dimension"}
 RESERVED |= {"beside", "made", "degree", "provenance", "ring", "generator", "directrix"}
-#: The longest name of a constant.
+#: The maximal length of the name of a constant.
 LETTERS = 30
-#: Greek letters as they are spelled.
+#: Greek letters by their names.
 GREEK = {
     **{"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ"},
     **{"kappa": "κ", "lambda": "λ", "lamda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ"},
@@ -70,7 +70,7 @@ GREEK = {
 
 
 def constant_text(name: str) -> str:
-    """The name of a constant as it is written.
+    """The mathematical notation for the name of a constant.
 
     >>> constant_text("delta"), constant_text("lambda_1"), constant_text("r")
     ('δ', 'λ₁', 'r')
@@ -80,8 +80,8 @@ def constant_text(name: str) -> str:
 
 
 class CurveKind(Kind):
-    """A curve, in any dimension or in one; with a point beside it where `with_point` says so, and with `constants`:
-    the distance of an offset, the parameters of a family.
+    """A curve, in any dimension or in a fixed one; together with a point if `with_point` is set, and with `constants`,
+    such as the distance of an offset or the parameters of a family.
     """
 
     def __init__(
@@ -106,7 +106,7 @@ class CurveKind(Kind):
         return {"p": True, "w": False, "gamma": True} | axes | beside
 
     def with_constants(self, names: Iterable[str]) -> CurveKind:
-        """The kind with constants added.
+        """The kind with additional constants.
 
         >>> PLANE.with_constants(["delta"])
         <kind plane with delta>
@@ -124,7 +124,7 @@ class CurveKind(Kind):
 
 
 class PairKind(Kind):
-    """Two curves, the first a function of s, the second of s̄: in space, or in the plane."""
+    """Two curves in space or in the plane, the first a function of s, the second of s̄."""
 
     def __init__(self, name: str, own: CurveKind) -> None:
         self.name, self.own, self.dimensions = name, own, own.dimensions
@@ -135,7 +135,7 @@ class PairKind(Kind):
         return (*first, *_functions(BARRED, "W", dimension, 1, polynomial))
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """None but its parts."""
+        """No names except those of the parts."""
         return {}
 
     @property
@@ -164,7 +164,7 @@ class TableKind(Kind):
         return tuple(Symbol(name, name, PARAMETERS[:1], degree) for name, degree in names)
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """Scalars and vectors of both indices."""
+        """The scalars and vectors with index 1 and 2."""
         return {f"{x}{i}": x == "v" for i in "12" for x in "pwv"}
 
     def argument(
@@ -178,7 +178,7 @@ class TableKind(Kind):
 
 
 class FramedKind(CurveKind):
-    """A curve with the roots σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖ adjoined: for readings that can divide.
+    """A curve with the roots σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖ adjoined, for readings with division.
 
     >>> FRAMED_SPACE.takes(SPACE, 3), FRAMED_SPACE.takes(POINT_IN_SPACE, 3), SPACE.takes(FRAMED_SPACE, 3)
     (True, False, False)
@@ -187,7 +187,7 @@ class FramedKind(CurveKind):
     adjoins_roots = True
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """Those of a curve, and the roots."""
+        """The names of a curve, and the roots."""
         return super().names(dimension) | {"sigma": False} | ({"rho": False} if dimension == 3 else {})
 
     def argument(
@@ -235,8 +235,8 @@ def _with_constants(kind: CurveKind, constants: tuple[str, ...]) -> CurveKind:
 
 
 def common_kind(kinds: Iterable[Kind]) -> Kind:
-    """The kind of argument on which formulas of all these kinds can be evaluated, in the dimensions that they share:
-    the one with the most operands, with the constants of all.
+    """The kind of argument on which formulas of all these kinds can be evaluated, in their common dimensions: the one
+    with the most operands, together with the constants of all.
 
     >>> common_kind([PLANE, PLANE_POINT]), common_kind([CURVE, SPACE])
     (<kind plane point>, <kind curve>)
@@ -262,12 +262,12 @@ def common_kind(kinds: Iterable[Kind]) -> Kind:
 
 
 def kind_of(name: str) -> Kind:
-    """The kind with this name; ``with`` adds constants to a kind of curves.
+    """The kind with this name; ``with`` adds constants to a kind of curve.
 
     >>> kind_of("plane").dimensions, kind_of("space with r, h").names(3)["r"]
     ((2,), False)
 
-    Raises `FormulaError` naming those that exist.
+    Raises `FormulaError`, with the nearest known names, for an unknown one.
     """
     if name in KINDS:
         return KINDS[name]
@@ -278,25 +278,25 @@ def kind_of(name: str) -> Kind:
     if not beside:
         return kind
     if type(kind) is not CurveKind:
-        raise FormulaError(f"constants beside {plain!r}", remedy="constants belong to curves: 'plane with delta'")
+        raise FormulaError(f"constants for {plain!r}", remedy="only curves have constants: 'plane with delta'")
     return kind.with_constants(_constants(constants))
 
 
 def _constants(text: str) -> Sequence[str]:
-    """The names of constants, read from their list."""
-    found = [name.strip() for name in text.split(",")]
-    for name in found:
+    """The names of constants in a comma-separated list."""
+    names = [name.strip() for name in text.split(",")]
+    for name in names:
         plain = name.isidentifier() and name.isascii() and len(name) <= LETTERS and not hasattr(Accompanied, name)
         if not plain or name.startswith(("_", "axis_")) or name in RESERVED:
             raise FormulaError(
                 f"{name!r} is not the name of a constant", remedy="write for example 'plane with delta, r'"
             )
-    return found
+    return names
 
 
 for _kind in KINDS.values():
-    # pickled as the one object with its name, since kinds are compared by identity
+    # pickled by name, since kinds are compared by identity
     copyreg.pickle(type(_kind), lambda kind: (kind_of, (kind.name,)))
 
-#: The dimensions in which there are formulas of a kind.
+#: The dimensions in which a kind exists.
 DIMENSIONS = {name: kind.dimensions for name, kind in KINDS.items()}

@@ -1,7 +1,8 @@
-"""Which parameters a formula differentiates by: a first pass over it, before any reading carries it out.
+"""The parameters with respect to which a formula differentiates: checked in a first pass, before it is evaluated in a
+reading.
 
-Readings treat what does not depend on a parameter as constant in it, and splines in two parameters have no names for
-them, so that a parameter that the argument does not have must be refused before.
+Readings treat an operand that does not depend on a parameter as constant in it, and splines in two parameters have no
+names for their parameters. So a parameter that the argument does not have must be rejected beforehand.
 """
 
 from __future__ import annotations
@@ -11,11 +12,11 @@ from exactspline.language.operand import CONSTANTS, Constant, FieldOperand
 
 
 class Letter(FieldOperand):
-    """An operand of which nothing is known but the parameters.
+    """An operand of which only the parameters are known.
 
     >>> Letter(("u", "v")).d(1, by="s")
     Traceback (most recent call last):
-    exactspline.errors.FormulaError: a derivative by 's' of a function of u and v; write d(1, by='u')
+    exactspline.errors.FormulaError: a derivative with respect to 's' of a function of u and v; write d(1, by='u')
     """
 
     __slots__ = ("parameters",)
@@ -30,23 +31,23 @@ class Letter(FieldOperand):
     __mul__ = __add__
 
     def reciprocal(self) -> Letter:
-        """Another function of the same parameters, as everything here is."""
+        """The reciprocal: a function of the same parameters."""
         return self
 
     def scaled(self, constant: Constant) -> Letter:
-        """A multiple."""
+        """A multiple: a function of the same parameters."""
         return self
 
     def constant(self, value: Constant) -> Letter:
-        """A constant."""
+        """A constant, taken as a function of the same parameters."""
         return self
 
     def elevated_to(self, other: object) -> Letter:
-        """Itself."""
+        """The operand itself."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Letter:
-        """A derivative.
+        """A derivative: a function of the same parameters.
 
         Raises `FormulaError` for a parameter that the argument does not have.
         """
@@ -55,9 +56,9 @@ class Letter(FieldOperand):
 
 
 def refuse_letter(by: str | None, parameters: tuple[str, ...]) -> None:
-    """Refuse a parameter that is none of those of an argument, with `FormulaError`."""
+    """Raise `FormulaError` for a parameter that an argument does not have."""
     if by is not None and by not in parameters:
         raise FormulaError(
-            f"a derivative by {str(by)!r} of a function of {' and '.join(parameters)}",
+            f"a derivative with respect to {str(by)!r} of a function of {' and '.join(parameters)}",
             remedy=f"write d(1, by={str(parameters[0])!r})",
         )

@@ -1,4 +1,4 @@
-"""Linear systems in formulas: Cramer's rule, and planes as rows of a system."""
+"""Linear systems in formulas: Cramer's rule, and planes as equations of a system."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from exactspline.language.vector import S, Vector, cross, perp
 
 
 def cramer(*rows: tuple[Vector[S], S]) -> Vector[S]:
-    """The numerators of Cramer's rule, eq. (23), as one vector: over the determinant of the normals they are the point
-    with ``normal · B = height``.
+    """The numerators of Cramer's rule, eq. (23), as one vector: divided by the determinant of the normals, they are the
+    point B with ``normal · B = height`` for each row.
 
-    Each row is a normal with its height: three planes in space, or two lines in the plane.
+    Each row is a pair of a normal and a height: three planes in space, or two lines in the plane.
 
     >>> from exactspline.language import Vector
     >>> cramer((Vector(1, 0, 0), 5), (Vector(0, 2, 0), 6), (Vector(0, 0, 1), 7))
@@ -29,9 +29,9 @@ def cramer(*rows: tuple[Vector[S], S]) -> Vector[S]:
 
 
 def level(normal: Vector[S], height: S) -> tuple[Vector[S], S]:
-    """A row of a linear system brought to one denominator: the step that §6 takes before it applies Cramer's rule.
+    """A row of a linear system brought to a common denominator: the step that §6 takes before it applies Cramer's rule.
 
-    Only quotients have one; anything else stays as it is.
+    Values that are not quotients are returned unchanged.
     """
     given: tuple[object, object] = (normal, height)
     if isinstance(given[0], (Rational, OwnVectors)):

@@ -1,4 +1,4 @@
-"""Operands: what every scalar of every reading has in common, declared once as protocols and once as a base class."""
+"""Operands: the common interface of the scalars of all readings, as protocols and as a base class."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from exactspline.numbers.exact import mpq, mpz
 if TYPE_CHECKING:
     from exactspline.language.provenance import Provenance
 
-#: The constants that may stand in a formula.
+#: The constants that may occur in a formula.
 Constant = int | mpz | mpq | Fraction
 CONSTANTS = (int, type(mpz()), type(mpq()), Fraction)
-#: The highest order of a derivative that is computed.
+#: The highest order of a derivative that can be requested.
 MOST_DERIVATIVES = 1000
 
 
@@ -25,7 +25,7 @@ D_co = TypeVar("D_co", covariant=True)
 
 
 class Scalar(Protocol):
-    """What products of vectors need of a component: exact numbers have it, and so do operands."""
+    """The operations that products of vectors require of a component; exact numbers and operands have them."""
 
     def __add__(self, other: Self, /) -> Self: ...
     def __sub__(self, other: Self, /) -> Self: ...
@@ -34,7 +34,7 @@ class Scalar(Protocol):
 
 
 class Ring(Protocol):
-    """What a formula needs of an operand: a differential ring over the exact constants."""
+    """The operations that a formula requires of an operand: those of a differential ring over the exact constants."""
 
     @property
     def is_zero(self) -> bool:
@@ -56,45 +56,45 @@ class Ring(Protocol):
 
 
 class Counted(Ring, Protocol):
-    """What naive semantics (Table 1) needs in addition: a degree, elevation, and how the operand was made."""
+    """The additional operations required by naive semantics (Table 1): a degree, elevation, and provenance."""
 
     @property
     def degree(self) -> object:
-        """The nominal degree: a number, two of them, or an expression."""
+        """The nominal degree: a number, a pair of numbers, or an expression."""
 
     @property
     def provenance(self) -> Provenance:
-        """How it was made (see `exactspline.language.provenance`)."""
+        """How the operand was computed (see `exactspline.language.provenance`)."""
 
     @property
     def vanishes_somewhere(self) -> bool:
         """Whether it is identically zero, if only on one segment of its domain."""
 
     def elevated_to(self, other: Self, /) -> Self:
-        """The same thing, of at least the degree of another."""
+        """The same function, elevated to at least the degree of another operand."""
 
     equals_quotients: ClassVar[bool]
 
     def hash_of_quotient(self, numerator: Self) -> int:
-        """A hash of the quotient by this that all equal ones share."""
+        """A hash of the quotient by this operand, the same for equal quotients."""
 
 
 class Components(Protocol):
-    """What an operand needs of a vector of operands."""
+    """The operations that an operand requires of a vector of operands."""
 
     def mapped(self, change: Callable[[Operand], Operand], /) -> object:
         """The vector of the images of its components."""
 
 
 class Dividing(Protocol[D_co]):
-    """What a vector can be divided by."""
+    """An object by which a vector can be divided."""
 
     def dividing(self, numerator: object, /) -> D_co:
         """A vector divided by this."""
 
 
 class HasDegree(Protocol[D_co]):
-    """What has a degree: a number, two of them, or an expression."""
+    """An object with a degree: a number, a pair of numbers, or an expression."""
 
     @property
     def degree(self) -> D_co:
@@ -107,35 +107,38 @@ D = TypeVar("D")
 
 
 def checked_order(order: object) -> int:
-    """The order of a derivative as given by a user; `FormulaError` unless it is an int from 0 to `MOST_DERIVATIVES`."""
+    """The order of a derivative as given by a user; raises `FormulaError` unless it is an int from 0 to
+    `MOST_DERIVATIVES`.
+    """
     if type(order) is not int or not 0 <= order <= MOST_DERIVATIVES:
         raise FormulaError(f"a derivative of order {shown(order)}", remedy=f"orders are 0, 1, 2, …, {MOST_DERIVATIVES}")
     return order
 
 
 class Operand(Displayed, ABC):
-    """The base of the scalars of all readings: a reading supplies what is abstract here, the rest follows.
+    """The base class of the scalars of all readings: a reading implements the abstract methods, the rest follows.
 
     A reading with true quotients is a `FieldOperand`; where ``/`` makes a `Rational`, it is a
     `exactspline.language.rational.RingOperand`.
     """
 
     __slots__ = ()
-    #: Whether it is a vector (some readings have one class for both).
+    #: Whether it is a vector (some readings use one class for scalars and vectors).
     is_vector: bool = False
-    #: The parameter of an operand that has only one.
+    #: The parameter of an operand with only one parameter.
     parameter: ClassVar[str] = "s"
-    #: Whether an operand equals the quotients that are the same function, and its hash is that of theirs.
+    #: Whether an operand equals, and has the same hash as, quotients that represent the same function.
     equals_quotients: ClassVar[bool] = False
 
     @property
     def is_zero(self) -> bool:
         """Whether it vanishes identically.
 
-        Raises `FormulaError` in a reading that cannot tell.
+        Raises `FormulaError` in a reading that cannot decide this.
         """
         raise FormulaError(
-            f"whether a {type(self).__name__} vanishes", remedy="ask in a reading that has values, as jets or splines"
+            f"whether a {type(self).__name__} vanishes cannot be decided",
+            remedy="use a reading that has values, such as jets or splines",
         )
 
     @property
@@ -144,7 +147,7 @@ class Operand(Displayed, ABC):
         return bool(self.is_zero)
 
     def hash_of_quotient(self, numerator: Self) -> int:
-        """A hash of the quotient by this that all equal ones share; a reading may refine it."""
+        """A hash of the quotient by this operand, the same for equal quotients; a reading may refine it."""
         return 1
 
     @abstractmethod
@@ -209,25 +212,26 @@ class Operand(Displayed, ABC):
 
     @abstractmethod
     def dividing(self, numerator: object) -> object:
-        """`numerator`, an operand or a vector of this reading, divided by this."""
+        """`numerator`, an operand or a vector of this reading, divided by this operand."""
 
     def times_vector(self, vector: Components) -> object:
-        """A vector times this: component by component."""
+        """The product with a vector, component by component."""
         return vector.mapped(lambda component: component * self)
 
     def only_parameter(self, by: str | None) -> None:
-        """Make sure that a derivative is taken by the only parameter.
+        """Check that a derivative is taken with respect to the only parameter.
 
         Raises `FormulaError` for another one.
         """
         if by not in (None, self.parameter):
             raise FormulaError(
-                f"a derivative by {by!r} of a function of {self.parameter!r}", remedy="name a parameter that it has"
+                f"a derivative with respect to {by!r} of a function of {self.parameter!r}",
+                remedy="name a parameter of the function",
             )
 
 
 class FieldOperand(Operand):
-    """An operand that can be divided by: ``/`` gives a true quotient instead of a `Rational`."""
+    """An operand of a field: ``/`` returns a true quotient instead of a `Rational`."""
 
     __slots__ = ()
 
@@ -253,27 +257,27 @@ class FieldOperand(Operand):
 
 
 class OwnProducts(ABC):
-    """A vector of its own kind, which carries out products of vectors itself: a quotient, a node of a tree."""
+    """A representation of vectors that implements products of vectors itself: a quotient or a node of a tree."""
 
     __slots__ = ()
 
     @abstractmethod
     def multilinear(self, function: Callable[..., object], vectors: tuple[object, ...]) -> object:
-        """A product of vectors, `function` of `vectors`, this one among them."""
+        """The product `function` of `vectors`, of which this is one."""
 
 
 class OwnJoining(ABC):
-    """An operand that joins vectors itself."""
+    """An operand that implements the joining of vectors itself."""
 
     __slots__ = ()
 
     @abstractmethod
     def joining(self, parts: tuple[object, ...]) -> object:
-        """One vector of the components of all parts."""
+        """One vector with the components of all parts."""
 
 
 class OwnVectors(OwnProducts, OwnJoining):
-    """An operand that stands for scalars and vectors alike: joining and operations on vectors are up to it."""
+    """An operand that represents scalars as well as vectors, and implements joining and products of vectors itself."""
 
     __slots__ = ()
 
@@ -283,21 +287,21 @@ class OwnVectors(OwnProducts, OwnJoining):
 
     @abstractmethod
     def levelled(self, height: object) -> tuple[object, object]:
-        """This normal and its height brought to one denominator."""
+        """This normal and its height brought to a common denominator."""
 
 
 class PartlyOrdered(ABC):
-    """A degree that is not a single number: two of them have a maximum, which may be neither."""
+    """A degree that is not a single number: the maximum of two such degrees may be different from both."""
 
     __slots__ = ()
 
     @abstractmethod
     def max(self, other: Self, /) -> Self:
-        """The least degree that is not below either."""
+        """The least degree that bounds both."""
 
 
 def larger(a: D, b: D) -> D:
-    """The larger of two degrees, or the least that is not below either.
+    """The larger of two degrees, or the least degree that bounds both.
 
     >>> larger(2, 3)
     3

@@ -1,4 +1,4 @@
-"""The parts of a value of the language: numerator, components, denominator."""
+"""The parts of the value of a formula: numerator, components, denominator."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from exactspline.language.vector import Vector
 C = TypeVar("C", bound=Counted)
 V = TypeVar("V")
 
-#: What formulas return, in any reading: a scalar (a quotient is one), a vector, a ruled surface.
+#: The values that formulas return, in any reading: a scalar (possibly a quotient), a vector, or a ruled surface.
 Value = Operand | Vector[Operand] | RuledSurface[Operand | Vector[Operand]]
 
 
@@ -21,7 +21,7 @@ def numerator(value: Rational[C]) -> C | Vector[C]: ...
 @overload
 def numerator(value: V) -> V: ...
 def numerator(value: object) -> object:
-    """The numerator of a quotient, anything else as it is."""
+    """The numerator of a quotient; any other value unchanged."""
     return value.numerator if isinstance(value, Rational) else value
 
 
@@ -30,7 +30,7 @@ def joined(value: RuledSurface[V]) -> V: ...
 @overload
 def joined(value: V) -> V: ...
 def joined(value: object) -> object:
-    """Of a ruled surface directrix and generator side by side, anything else as it is."""
+    """Directrix and generator of a ruled surface concatenated to one vector; any other value unchanged."""
     return value.joined if isinstance(value, RuledSurface) else value
 
 

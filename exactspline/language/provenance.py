@@ -1,9 +1,10 @@
-"""How an operand was made: what lets naive semantics see that two denominators are *structurally the same product*.
+"""How an operand was computed, by which naive semantics recognizes that two denominators are *structurally the same
+product*.
 
-A provenance is a nested tuple ``(operation, provenance, …)`` with its own leaf for each operand from outside. Making
-one is cheap; only where two denominators meet are both brought to a canonical form: a constant times a multiset of
-factors, so that neither the order nor the grouping of a product matters. Two are the same when these forms are equal,
-exactly.
+A provenance is a nested tuple ``(operation, provenance, …)`` with a distinct leaf for each input operand. It is cheap
+to construct. Only when two denominators are compared are both brought to a canonical form, a constant times a multiset
+of factors, so that neither the order nor the grouping of a product matters. Two provenances are the same if their
+canonical forms are equal.
 """
 
 from __future__ import annotations
@@ -13,9 +14,9 @@ from typing import Any
 
 from exactspline.numbers.exact import mpq
 
-#: A leaf is an int; everything else a tuple of the operation and what it was applied to.
+#: A leaf is an int; every other node is a tuple of an operation and its arguments.
 Provenance = int | tuple[object, ...]
-#: A constant, and the factors by their numbers, sorted.
+#: A constant, and the sorted numbers of the factors.
 Canonical = tuple[mpq, tuple[int, ...]]
 
 PRODUCT, SUM, DIFFERENCE, DERIVATIVE, MULTIPLE, WITHIN = range(6)
@@ -25,12 +26,12 @@ _leaves = count(UNIT + 1)
 
 
 def leaf() -> Provenance:
-    """The provenance of an operand that comes from outside."""
+    """The provenance of an input operand: a new leaf."""
     return next(_leaves)
 
 
 def within(provenance: Provenance, leaves: tuple[tuple[Provenance, Provenance], ...]) -> Provenance:
-    """A provenance with others in place of its leaves; substituted only when needed.
+    """A provenance in which leaves are replaced by other provenances; the substitution is carried out only when needed.
 
     >>> a, b, c = leaf(), leaf(), leaf()
     >>> same(within((PRODUCT, a, b), ((a, c), (b, c))), (PRODUCT, c, c))
@@ -40,14 +41,14 @@ def within(provenance: Provenance, leaves: tuple[tuple[Provenance, Provenance], 
 
 
 def is_alone(provenance: Provenance) -> Provenance | None:
-    """The leaf of which this is a multiple, None where it is none.
+    """The leaf of which this is a constant multiple, or None.
 
     >>> a = leaf()
     >>> is_alone((MULTIPLE, a, -1)) == a, is_alone((PRODUCT, a, a)), is_alone(UNIT)
     (True, None, None)
     """
     while isinstance(provenance, tuple) and provenance[0] == MULTIPLE:
-        provenance = provenance[1]  # type: ignore[assignment]  # what a multiple is of is a provenance
+        provenance = provenance[1]  # type: ignore[assignment]  # the argument of MULTIPLE is a provenance
     return None if isinstance(provenance, tuple) or provenance == UNIT else provenance
 
 
@@ -72,7 +73,7 @@ def _put_in(provenance: Provenance, known: dict[Provenance, Provenance]) -> Prov
 
 
 def same(first: Provenance, second: Provenance) -> bool:
-    """Whether two operands were made as the same product.
+    """Whether two operands were computed as the same product.
 
     >>> a, b, c = leaf(), leaf(), leaf()
     >>> same((PRODUCT, (PRODUCT, a, b), c), (PRODUCT, b, (PRODUCT, c, a)))
@@ -91,8 +92,8 @@ def same(first: Provenance, second: Provenance) -> bool:
 def _canonical(
     provenance: Provenance, known: dict[int, Canonical], numbers: dict[Any, int], opened: dict[int, Provenance]
 ) -> Canonical:
-    """The canonical form; `numbers` numbers the factors that both sides of a comparison have, `opened` keeps alive
-    what `known` distinguishes by its id.
+    """The canonical form; `numbers` numbers the factors of both sides of a comparison, `opened` keeps alive the objects
+    whose ids are keys of `known`.
     """
     todo = [provenance]
     while todo:
@@ -119,7 +120,7 @@ def _canonical(
 
 
 def _parts(node: tuple[Any, ...]) -> tuple[Provenance, ...]:
-    """The provenances in a node; what else is in it are constants and marks."""
+    """The provenances among the arguments of a node; the others are constants and markers."""
     return node[1:2] if node[0] == MULTIPLE else tuple(part for part in node[1:] if isinstance(part, (tuple, int)))
 
 

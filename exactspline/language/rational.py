@@ -1,7 +1,7 @@
-"""Naive semantics: quotients on which every operation is carried out as Table 1 says, nothing cancelled.
+"""Naive semantics: quotients on which every operation is carried out as in Table 1, without cancellation.
 
 Two rationals whose denominators are structurally the same product (see `exactspline.language.provenance`) share it when
-added; any two others are cross-multiplied.
+added; all others are cross-multiplied.
 """
 
 from __future__ import annotations
@@ -32,11 +32,12 @@ from exactspline.numbers.sides import Side
 
 T = TypeVar("T", bound=Counted)
 
+#: The largest number of factors of the denominator of a derivative: every differentiation doubles it.
+MOST_FACTORS = 1024
+
 
 class Product(Generic[T]):
-    """A denominator: a product of operands, multiplied out when first asked for; `factors` are what it was once made
-    of.
-    """
+    """A denominator: a product of operands, expanded on first use; `factors` are the original operands."""
 
     __slots__ = ("_value", "factors", "parts")
 
@@ -49,19 +50,19 @@ class Product(Generic[T]):
         return Product(*self.unexpanded(), *other.unexpanded(), factors=self.factors + other.factors)
 
     def missing(self, other: Product[T]) -> list[T]:
-        """The factors of another product that this one lacks, as often as it lacks them."""
+        """The factors of another product that this one lacks, with multiplicity."""
         rest = list(self.factors)
         lacking = []
         for factor in other.factors:
-            found = next((i for i, own in enumerate(rest) if _agree(own, factor)), None)
-            if found is None:
+            index = next((i for i, own in enumerate(rest) if _agree(own, factor)), None)
+            if index is None:
                 lacking.append(factor)
             else:
-                rest.pop(found)
+                rest.pop(index)
         return lacking
 
     def unexpanded(self) -> tuple[T, ...]:
-        """What has to be multiplied to get its value."""
+        """The factors that must be multiplied to obtain its value."""
         return self.parts if self._value is None else (self._value,)
 
     def same(self, other: Product[T]) -> bool:
@@ -70,7 +71,7 @@ class Product(Generic[T]):
 
     @property
     def value(self) -> T:
-        """The product multiplied out."""
+        """The expanded product."""
         if self._value is None:
             value = self.parts[0]
             for part in self.parts[1:]:
@@ -80,12 +81,12 @@ class Product(Generic[T]):
 
 
 def _agree(a: Any, b: Any) -> bool:
-    """Equal structure, and equal degree (checked first, cheaply) and value (checked last)."""
+    """Whether two factors have equal degree (checked first, because it is cheap), equal structure and equal value."""
     return a is b or bool(a.degree == b.degree and same(a.provenance, b.provenance) and a == b)
 
 
 class _HasParts(Protocol[D_co]):
-    """What has a numerator and a denominator with degrees of one kind."""
+    """An object whose numerator and denominator have degrees of the same type."""
 
     @property
     def numerator(self) -> HasDegree[D_co]: ...
@@ -96,8 +97,8 @@ class _HasParts(Protocol[D_co]):
 class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     """``numerator / denominator`` over one reading; the numerator is a scalar or a `Vector`, the denominator a scalar.
 
-    Numerator and denominator keep their own degrees; `degree` is the larger. Only the quotient rule raises its
-    numerator to the degree of its denominator. Nothing is ever cancelled.
+    Numerator and denominator have separate degrees; `degree` is the larger one. Only the quotient rule elevates the
+    numerator to the degree of the denominator. Nothing is ever cancelled.
 
     >>> from exactspline import BSpline
     >>> t = BSpline.identity(0, 1)
@@ -119,11 +120,11 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
 
     @property
     def denominator(self) -> T:
-        """The denominator, multiplied out."""
+        """The denominator, expanded."""
         return self.product.value
 
     @property
-    def is_vector(self) -> bool:  # type: ignore[override]  # a value of a class elsewhere, here of the object
+    def is_vector(self) -> bool:  # type: ignore[override]  # elsewhere an attribute of the class, here of the object
         """Whether the numerator is a vector."""
         return isinstance(self.numerator, Vector)
 
@@ -171,15 +172,15 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return f"Rational({self.numerator!r}, {self.denominator!r})"
 
     def __call__(self, *place: Number, **side: Side | str) -> mpq | tuple[mpq, ...]:
-        """Value at a parameter (and from a side), or at two: an exact number, a tuple of them for a vector;
-        `ZeroDivisionError` at a pole.
+        """The value at one parameter (as a limit from a side if one is given) or two: an exact number, or a tuple of
+        them for a vector. Raises `ZeroDivisionError` at a pole.
         """
         return self.point(*place, **side) if self.is_vector else self.number(*place, **side)
 
     def point(self, *place: Number, **side: Side | str) -> tuple[mpq, ...]:
         """The value of a vector quotient.
 
-        Raises `FormulaError` for a scalar one, `ZeroDivisionError` at a pole.
+        Raises `FormulaError` for a scalar quotient, `ZeroDivisionError` at a pole.
         """
         functions: Any = self.vector
         denominator: Any = self.denominator
@@ -197,10 +198,10 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return value
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same function: cross-multiplied, so that common factors do not matter.
+        """Whether both are the same function, decided by cross-multiplication, so that common factors do not matter.
 
-        Where a denominator vanishes identically, if only on one segment, there is no function: such a quotient equals
-        nothing, not even itself. A quotient that is a spline (or a vector of splines) equals it.
+        If a denominator vanishes identically, even if only on one segment, the quotient is not a function and equals
+        nothing, not even itself. A quotient equals a spline (or vector of splines) that is the same function.
 
         >>> from exactspline import BSpline
         >>> t = BSpline.identity(0, 1)
@@ -225,7 +226,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
             return False
 
     def _can_be(self, other: object) -> TypeGuard[Any]:
-        """Whether something that is not written as a quotient is a value of the same reading, scalar or vector."""
+        """Whether an object that is not a quotient is a scalar or vector of the same reading."""
         parts = other.components if isinstance(other, Vector) else (other,)
         own = type(self.denominator)
         return (
@@ -235,7 +236,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         )
 
     def __hash__(self) -> int:
-        if self.is_vector:  # that of the vector of its components, as which it may be written
+        if self.is_vector:  # the hash of the vector of its components, which is equal to it
             return hash(tuple(self[i] for i in range(len(self))))
         return self.denominator.hash_of_quotient(self.scalar)
 
@@ -277,12 +278,12 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(self.numerator, self.product * Product(factor))
 
     def dividing(self, numerator: object) -> Rational[T]:
-        """`numerator`, an operand or a vector that is not a quotient, divided by this."""
+        """`numerator`, an operand or a vector that is not a quotient, divided by this quotient."""
         top: Any = numerator
         return Rational(top * self.denominator, self.scalar)
 
     def times_vector(self, vector: Components) -> Rational[T]:
-        """A vector times this: one quotient."""
+        """The product with a vector, as one quotient."""
         own: Any = vector
         return Rational(own * self.scalar, self.product)
 
@@ -292,9 +293,20 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return self.dividing(cast(Operand, other)) if _fits(other) else NotImplemented
 
     def d(self, order: int = 1, *, by: str | None = None) -> Rational[T]:
-        """The derivative by the quotient rule, row T17, `order` times: ``(p'w - p w') / (w w)``."""
+        """The derivative of the given order: the quotient rule, row T17, ``(p'w - p w') / (w w)``, applied `order`
+        times.
+
+        Nothing is cancelled, so that the degree of the denominator doubles each time. Raises `FormulaError` if it would
+        be a product of more than `MOST_FACTORS` factors.
+        """
         result = self
-        for _ in range(checked_order(order)):
+        factors = len(self.product.factors) << min(checked_order(order), MOST_FACTORS.bit_length())
+        if factors > MOST_FACTORS:
+            raise FormulaError(
+                f"a derivative of order {order} whose denominator is a product of more than {MOST_FACTORS} factors",
+                remedy="every derivative squares the denominator: take lower orders, or lowest terms in between",
+            )
+        for _ in range(order):
             p: Any = result.numerator
             w = result.denominator
             product = Product(w, w, factors=result.product.factors * 2)
@@ -302,7 +314,9 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return result
 
     def levelled(self, other: object) -> tuple[Rational[T], Rational[T]]:
-        """This quotient and another value over one denominator, their numerators multiplied by the missing factors."""
+        """This quotient and another value over a common denominator, their numerators multiplied by the missing
+        factors.
+        """
         if not isinstance(other, Rational):
             return self, Rational(cast(Any, other) * self.denominator, self.product)
         mine, its = self.product.missing(other.product), other.product.missing(self.product)
@@ -312,7 +326,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(_all_times(self.numerator, mine), shared), Rational(_all_times(other.numerator, its), shared)
 
     def multilinear(self, function: Callable[..., object], vectors: tuple[object, ...]) -> Rational[T]:
-        """A product of vectors that is linear in each: of the numerators, over the product of the denominators."""
+        """A multilinear product of vectors: the product of the numerators over the product of the denominators."""
         numerators = [v.numerator if isinstance(v, Rational) else v for v in vectors]
         first, *rest = [v.product for v in vectors if isinstance(v, Rational)]
         for product in rest:
@@ -320,7 +334,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(function(*numerators), first)
 
     def joining(self, parts: tuple[object, ...]) -> Rational[T]:
-        """One quotient of the components of all parts, over one denominator."""
+        """One quotient with the components of all parts, over a common denominator."""
         one = self.denominator.constant(1)
         first, *rest = [one.scaled(part) if isinstance(part, CONSTANTS) else part for part in parts]
         joined, product = _components(first), first.product if isinstance(first, Rational) else Product(one)
@@ -336,19 +350,21 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(Vector(*joined), product)
 
     def elevated(self) -> tuple[T | Vector[T], T]:
-        """Numerator and denominator elevated to one degree: control points and weights of a NURBS."""
+        """Numerator and denominator elevated to the same degree, as required for the control points and weights of a
+        NURBS.
+        """
         w = highest = self.denominator
         for x in self.numerator if isinstance(self.numerator, Vector) else [self.numerator]:
             highest = highest.elevated_to(x)
         return self.numerator.elevated_to(highest), w.elevated_to(highest)
 
     def elevated_to(self, other: T) -> Rational[T]:
-        """The same rational, its numerator at least of the degree of `other`."""
+        """The same quotient, its numerator elevated to at least the degree of `other`."""
         return Rational(self.numerator.elevated_to(other), self.product)
 
 
 class RingOperand(Operand):
-    """An operand without true quotients: ``/`` by it makes a `Rational`, which is Table 1's row T3."""
+    """An operand without true quotients: division by it returns a `Rational`, which is row T3 of Table 1."""
 
     __slots__ = ()
 
@@ -364,12 +380,12 @@ class RingOperand(Operand):
         return other.dividing(self) if isinstance(other, Operand) else NotImplemented
 
     def dividing(self: T, numerator: object) -> Rational[T]:
-        """`numerator`, an operand or a vector of this reading, over this."""
+        """`numerator`, an operand or a vector of this reading, over this operand."""
         return Rational(cast("T | Vector[T]", numerator), self)
 
 
 def _components(value: Any) -> list[Any]:
-    """The components of a vector or of a scalar; of a quotient, those of its numerator."""
+    """The components of a vector, or a scalar as the only component; for a quotient, those of its numerator."""
     value = value.numerator if isinstance(value, Rational) else value
     return list(value) if isinstance(value, Vector) else [value]
 

@@ -1,4 +1,4 @@
-"""A reading: what the operands of a formula are, and what follows from the value of the formula."""
+"""Readings: interpretations of the operands of a formula, and what the value of the formula then proves."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from exactspline.language.kind import Kind, Symbol
 
 
 class Reading(ABC):
-    """One way to evaluate formulas. A new reading is one new file that provides one of these, and nothing else.
+    """One way to evaluate formulas. To add a reading, add one file that provides one of these; nothing else changes.
 
-    `name` is its name in the ledger, `proves` what an equality of two values in it proves.
+    `name` is its name in the ledger, `proves` is what the equality of two values in this reading proves.
     """
 
     name: ClassVar[str]
@@ -26,7 +26,7 @@ class Reading(ABC):
 
     @abstractmethod
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Argument:
-        """What formulas of a kind are handed, in a dimension; polynomial curves have no denominator."""
+        """The argument for formulas of a kind in a dimension; polynomial curves have no denominator."""
 
     def of(self, formula: Formula, dimension: int, *, polynomial: bool = False) -> object:
         """The value of a formula in this reading.
@@ -42,13 +42,13 @@ class Reading(ABC):
 def freely_differentiable(
     kind: Kind, reading: Reading, dimension: int, *, polynomial: bool = False
 ) -> tuple[Symbol, ...]:
-    """The operands of a kind, for a reading in which each is an independent function, all of one degree.
+    """The operands of a kind, for a reading in which they are independent functions, all of the same degree.
 
     Raises `InapplicableError` for a kind whose operands depend on each other.
     """
     if kind.rules(dimension) or kind.composed:
         raise InapplicableError(
             f"the reading {reading.name!r} does not apply to the kind {kind.name!r}",
-            remedy="its operands depend on each other: ask for an identity, or check one curve",
+            remedy="its operands depend on each other: prove an identity, or check a single curve",
         )
     return kind.symbols(dimension, polynomial=polynomial)

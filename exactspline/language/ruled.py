@@ -1,4 +1,4 @@
-"""Ruled surfaces: a directrix and a generator, as formulas return them."""
+"""Ruled surfaces, given by a directrix and a generator, as values of formulas."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ V = TypeVar("V")
 
 
 class RuledSurface(Immutable, Displayed, Generic[T_co]):
-    """``directrix + ζ generator`` in any reading: two vectors (or vector quotients) of one parameter s, and the ruling
-    parameter ζ.
+    """``directrix + ζ generator`` in any reading: two vectors (or vector quotients) that depend on a parameter s, and
+    the ruling parameter ζ.
 
     >>> RuledSurface(Vector(1, 2, 3), Vector(0, 0, 1)).at(5)
     Vector(1, 2, 8)
@@ -37,8 +37,8 @@ class RuledSurface(Immutable, Displayed, Generic[T_co]):
         return RuledSurface, (self.directrix, self.generator)
 
     def __eq__(self, other: object) -> bool:
-        """Whether directrix and generator agree (see `exactspline.geometry.ruled_surfaces` for one surface written in
-        two ways).
+        """Whether both directrix and generator are equal (see `exactspline.geometry.ruled_surfaces` for two
+        representations of the same surface).
         """
         if not isinstance(other, RuledSurface):
             return NotImplemented
@@ -56,12 +56,12 @@ class RuledSurface(Immutable, Displayed, Generic[T_co]):
 
     @property
     def degree(self: RuledSurface[HasDegree[D]]) -> D:
-        """Degree in s: that of directrix + ζ generator with ζ a number, under Table 1."""
+        """The degree in s of directrix + ζ generator for a constant ζ, counted as in Table 1."""
         return self.joined.degree
 
     @property
     def joined(self) -> T_co:
-        """Directrix and generator side by side, as one vector of twice as many components (over one denominator where
+        """Directrix and generator concatenated to one vector of twice as many components (over a common denominator if
         they are quotients).
         """
         directrix: Any = self.directrix
@@ -89,8 +89,8 @@ def development(surface: RuledSurface[Vector[R]]) -> R:
 
 
 def differences(a: RuledSurface[V], b: RuledSurface[V]) -> tuple[V, V]:
-    """Vectors that vanish exactly where two ruled surfaces (in any reading) coincide: ``G × Ḡ`` and ``(δ̄ − δ) ×
-    G``.
+    """Vectors that vanish exactly where the rulings of two ruled surfaces (in any reading) coincide: ``G × Ḡ`` and
+    ``(δ̄ − δ) × G``.
     """
     between: Any = b.directrix
     first: Any = a.generator
@@ -101,7 +101,7 @@ def differences(a: RuledSurface[V], b: RuledSurface[V]) -> tuple[V, V]:
 
 
 def _extended(value: Any, before: list[Any], behind: list[Any]) -> Any:
-    """A vector, or the numerator of a vector quotient, with components before and after its own."""
+    """A vector or vector quotient with additional components before and after those of the vector or numerator."""
     if isinstance(value, Rational):
         return value.with_numerator(lambda v: Vector(*before, *v, *behind))
     return Vector(*before, *value, *behind)

@@ -1,4 +1,4 @@
-"""Surfaces: three functions of two parameters over a common denominator, S = p/w of u and v."""
+"""Surfaces: three functions of the parameters u and v over a common denominator, S = p/w."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ class Surface(Evaluated, Generic[T]):
     """A surface as named operands of one reading, functions of u and v.
 
     ``p`` the vector of numerators, ``w`` the denominator, ``S`` the surface itself: the `Rational` ``p/w``, or ``p``
-    when it is polynomial (then ``w`` is the constant of degree 0). Derivatives are by a parameter that is named:
-    ``S.d(1, by="u")``.
+    when it is polynomial (then ``w`` is the constant of degree 0). Derivatives name their parameter: ``S.d(1,
+    by="u")``.
 
     >>> from exactspline.language.vector import dot
     >>> from exactspline.readings.jet import JetReading
@@ -49,11 +49,11 @@ class Surface(Evaluated, Generic[T]):
         return dict(zip(COORDINATES, self.p, strict=False)) | {"w": self.w}
 
     def copied(self) -> Surface[T]:
-        """The same operands in a surface of its own."""
+        """A new surface with the same operands."""
         return Surface(self.p, self.w, polynomial=self.polynomial)
 
     def mapped(self, change: Callable[[T], U]) -> Surface[U]:
-        """The surface with every operand changed: into another reading, or onto another domain."""
+        """The surface with `change` applied to every operand, such as a conversion to another reading or domain."""
         return Surface(self.p.mapped(change), change(self.w), polynomial=self.polynomial)
 
 
@@ -91,8 +91,8 @@ SURFACE, PLANAR_MAP = SurfaceKind("surface", 3), SurfaceKind("planar map", 2)
 class SurfaceCurve(Surface[T], Generic[T]):
     """A curve on a surface: ``gamma`` is S at the parameters ``u`` and ``v``, two functions of the curve's parameter.
 
-    Derivatives by u and v are those of the surface, derivatives without a parameter those along the curve: the chain
-    rule holds.
+    Derivatives with respect to u and v are those of the surface; derivatives that name no parameter are taken along the
+    curve, by the chain rule.
 
     >>> from exactspline.readings.jet import JetReading
     >>> c = JetReading(1).argument(CURVE_ON_SURFACE, 3, polynomial=True)
@@ -108,15 +108,15 @@ class SurfaceCurve(Surface[T], Generic[T]):
         self.u, self.v, self.gamma = u, v, self.S
 
     def operands(self) -> dict[str, T]:
-        """Those of the surface, and the parameters."""
+        """The operands of the surface, and the parameters."""
         return super().operands() | {"u": self.u, "v": self.v}
 
     def copied(self) -> SurfaceCurve[T]:
-        """The same operands in a curve of its own."""
+        """A new curve with the same operands."""
         return SurfaceCurve(self.p, self.w, self.u, self.v, polynomial=self.polynomial)
 
     def mapped(self, change: Callable[[T], U]) -> SurfaceCurve[U]:
-        """The curve with every operand changed."""
+        """The curve with `change` applied to every operand."""
         w, u, v = change(self.w), change(self.u), change(self.v)
         return SurfaceCurve(self.p.mapped(change), w, u, v, polynomial=self.polynomial)
 
@@ -136,11 +136,11 @@ class SurfaceCurveKind(Kind):
         return (*along, *[Symbol(name, name, BOTH, "") for name in surface])
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """Those of a surface and of a curve, and the parameters."""
+        """The names of a surface and of a curve, and the parameters."""
         return {"p": True, "w": False, "S": True, "gamma": True, "u": False, "v": False}
 
     def takes(self, other: Kind, dimension: int) -> bool:
-        """Formulas of surfaces and of space curves too."""
+        """Whether formulas of the other kind apply; those for surfaces and for space curves do."""
         return other is self or other.name in ("surface", "curve", "space")
 
     def argument(
@@ -153,11 +153,11 @@ class SurfaceCurveKind(Kind):
 
 
 class FormsKind(Kind):
-    """The six coefficients of two quadratic forms, functions of u and v: E, F, G of the first and L, M, N of the second
-    fundamental form of a surface, whatever the surface.
+    """The six coefficients of two quadratic forms, as independent functions of u and v: E, F, G of the first and L, M,
+    N of the second fundamental form of an arbitrary surface.
 
-    What is said of them alone holds for every surface, and is short. Surfaces hand over their own:
-    ``Operands(E=…, F=…, …)``. Beside them stands a function ``w``, for forms that have a denominator.
+    An identity in these coefficients alone holds for every surface, and is short. To apply it to a surface, pass its
+    coefficients: ``Operands(E=…, F=…, …)``. There is also a function ``w``, for forms that have a denominator.
 
     >>> from exactspline.readings.jet import JetReading
     >>> c = JetReading(1).argument(FORMS, 3)
@@ -171,7 +171,7 @@ class FormsKind(Kind):
     counted = ()
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
-        """The six coefficients and w; where degrees are asked for, all of one degree."""
+        """The six coefficients and w, all of the same degree."""
         return tuple(Symbol(name, name, BOTH) for name in "EFGLMNw")
 
     def names(self, dimension: int) -> dict[str, bool]:

@@ -33,7 +33,7 @@ T_co = TypeVar("T_co", covariant=True)
 U = TypeVar("U")
 S = TypeVar("S", bound=Scalar)
 F = TypeVar("F", bound=FieldOperand)
-#: What takes over products: a quotient, a node of a tree.
+#: Representations that implement products themselves: a quotient, a node of a tree.
 Q = TypeVar("Q", bound=OwnProducts)
 P = ParamSpec("P")
 
@@ -53,7 +53,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
     _derivatives: dict[str | None, Vector[T_co]]
 
     def __init__(self, *components: T_co) -> None:
-        #: First derivatives by parameter are kept once they were asked for.
+        #: First derivatives by parameter, cached on first use.
         fill(self, components=components, _derivatives={})
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -74,7 +74,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         return Vector(*self.components[index]) if isinstance(index, slice) else self.components[index]
 
     def __call__(self, *place: Number, **side: Side | str) -> tuple[mpq, ...]:
-        """The values of components that are functions, at a parameter (or at two)."""
+        """The values of components that are functions, at one or two parameters."""
         functions: tuple[Any, ...] = self.components
         return tuple(a(*place, **side) for a in functions)
 
@@ -160,13 +160,13 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         return Vector(*[a * constant for a in components])
 
     def elevated_to(self, other: object) -> Vector[T_co]:
-        """The same vector, every component at least of the degree of `other`."""
+        """The same vector, every component elevated to at least the degree of `other`."""
         components: tuple[Any, ...] = self.components
         return Vector(*[a.elevated_to(other) for a in components])
 
     @property
     def degree(self: Vector[HasDegree[D]]) -> D:
-        """The largest degree of the components: a number, two of them, or an expression."""
+        """The largest degree of the components: a number, a pair of numbers, or an expression."""
         degree = self.components[0].degree
         for a in self.components[1:]:
             degree = larger(degree, a.degree)
@@ -181,19 +181,19 @@ class Vector(Immutable, Displayed, Generic[T_co]):
 
 def _same_length(a: Vector[Any], b: Vector[Any]) -> None:
     if len(a) != len(b):
-        raise ShapeError(f"vectors of {len(a)} and {len(b)} components", remedy="use vectors of one dimension")
+        raise ShapeError(f"vectors of {len(a)} and {len(b)} components", remedy="use vectors of the same dimension")
 
 
 def expect_vector(given: object) -> None:
-    """`ShapeError` for anything but a vector of a reading."""
+    """Raise `ShapeError` for anything but a vector of a reading."""
     if not getattr(given, "is_vector", False):
         raise ShapeError(f"{a_kind(given)}, where a vector is expected", remedy="give a Vector, such as curve.p")
 
 
 def _multilinear(function: Callable[P, T]) -> Callable[P, T]:
-    """Let a reading intercept a product of vectors: a quotient multiplies the denominators, a tree records a node."""
+    """Let a reading intercept products of vectors: a quotient multiplies the denominators, a tree records a node."""
 
-    def product(*vectors: P.args, **no: P.kwargs) -> T:  # its documentation is the function's own
+    def product(*vectors: P.args, **no: P.kwargs) -> T:  # documented by `function`
         for vector in vectors:
             if type(vector) is not Vector and isinstance(vector, OwnProducts):
                 return cast(T, vector.multilinear(product, vectors))
@@ -202,18 +202,18 @@ def _multilinear(function: Callable[P, T]) -> Callable[P, T]:
 
     product.__name__ = product.__qualname__ = function.__name__
     product.__doc__, product.__module__ = function.__doc__, function.__module__
-    product.__wrapped__ = function  # type: ignore[attr-defined]  # what `inspect.signature` looks for
+    product.__wrapped__ = function  # type: ignore[attr-defined]  # for `inspect.signature`
     return product
 
 
 @_multilinear
 def dot(a: Vector[S], b: Vector[S]) -> S:
-    """Scalar product of two vectors of one dimension (rows T11, T14, T15).
+    """Scalar product of two vectors of the same dimension (rows T11, T14, T15).
 
     >>> dot(Vector(1, 2, 3), Vector(4, 5, 6))
     32
 
-    Raises `ShapeError` when the dimensions differ.
+    Raises `ShapeError` if the dimensions differ.
     """
     _same_length(a, b)
     first, *rest = [x * y for x, y in zip(a.components, b.components, strict=True)]
@@ -262,8 +262,8 @@ def cross(a: Vector[S], b: Vector[S]) -> Vector[S]:
 def det(*rows: Vector[S]) -> S:
     """Determinant of n vectors in Rⁿ: ``[a b]``, the triple scalar product ``[a b c]``, the n-fold scalar product.
 
-    Two vectors: ``a_x b_y - a_y b_x``. Three: a cross product followed by a dot product, as the paper counts it. More:
-    Laplace expansion with shared minors.
+    Two vectors: ``a_x b_y - a_y b_x``. Three vectors: a cross product followed by a dot product, as counted in the
+    paper. More: Laplace expansion with shared minors.
 
     >>> det(Vector(1, 0), Vector(0, 1)), det(Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1))
     (1, 1)
@@ -290,14 +290,14 @@ triple = det
 def generalized_cross(*rows: Vector[S]) -> Vector[S]:
     """The vector orthogonal to n−1 vectors of Rⁿ with ``det(a, …, z, x) = generalized_cross(a, …, z)·x`` for all x.
 
-    In space it is the cross product; in the plane, `perp` with the sign that makes the determinant right.
+    In space it is the cross product; in the plane it is `perp` up to the sign required by the determinant.
 
     >>> generalized_cross(Vector(1, 0, 0, 0), Vector(0, 1, 0, 0), Vector(0, 0, 1, 0))
     Vector(0, 0, 0, 1)
     """
     n = len(rows) + 1
     if n < 2 or any(len(row) != n for row in rows):
-        raise ShapeError(f"generalized cross product of {n - 1} vectors", remedy=f"they must have {n} components each")
+        raise ShapeError(f"generalized cross product of {n - 1} vectors", remedy=f"each must have {n} components")
     minors: dict[tuple[int, ...], S] = {(j,): rows[0][j] for j in range(n)}
     for size in range(2, n):
         minors = {columns: _expand(minors, rows[size - 1], columns) for columns in combinations(range(n), size)}
@@ -321,7 +321,7 @@ def _expand(minors: dict[tuple[int, ...], S], row: Vector[S], columns: tuple[int
 
 
 def join(*parts: Vector[S] | S | Constant) -> Vector[S]:
-    """One vector of the components of all parts: vectors, scalars and constants of one reading.
+    """One vector with the components of all parts: vectors, scalars and constants of one reading.
 
     >>> join(Vector(1, 2), 3)
     Vector(1, 2, 3)

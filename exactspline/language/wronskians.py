@@ -1,8 +1,8 @@
-"""Wronskians, what is orthogonal to a vector and its derivatives, and the numerator of a logarithmic derivative.
+"""Wronskians, the vector orthogonal to a vector and its derivatives, and the numerator of a logarithmic derivative.
 
-Written out, these are determinants and sums of products of derivatives, and that is what they are in most readings. But
-a determinant of derivatives of forms of degree n has a lower degree than its products: a reading that knows how to
-carry such an operation out at its true degree says so by `OwnWronskians`. A formula never asks.
+In most readings these are computed as determinants and sums of products of derivatives. But a determinant of
+derivatives of forms of degree n has a lower degree than the products in it: a reading that can carry out such an
+operation at its true degree implements `OwnWronskians`. Formulas do not depend on this.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ T = TypeVar("T")
 
 
 class OwnWronskians(ABC):
-    """An operand whose reading carries out the operations of this file itself."""
+    """An operand whose reading implements the operations of this module itself."""
 
     __slots__ = ()
 
     @abstractmethod
     def wronskian(self, functions: Sequence[Self]) -> Self:
-        """The determinant of functions, this one among them, and of their derivatives."""
+        """The Wronskian of functions, of which this is one."""
 
     @abstractmethod
     def logarithmic_numerator(self, powers: Sequence[tuple[Self, int]]) -> Self:
-        """``Π f · F′/F`` of ``F = Π fᵉ``, this one among the f."""
+        """``Π f · F′/F`` for ``F = Π fᵉ``, where this is one of the f."""
 
 
 def wronskian(a: Vector[R], order: int | None = None) -> R:
     """Determinant of a vector of n components and its first n−1 derivatives.
 
-    It vanishes identically where the components are linearly dependent functions. `order` is the number of components
-    where `a` does not know it (a node of a tree).
+    It vanishes identically if the components are linearly dependent. `order` is the number of components, required if
+    `a` does not know it (a node of a tree).
 
     >>> from exactspline import BSpline
     >>> from exactspline.language import Vector
@@ -69,8 +69,9 @@ def wronskians(w: R, p: Vector[R]) -> Vector[R]:
 
 
 def osculating(a: Vector[R], order: int) -> Vector[R]:
-    """The vector orthogonal to `a` and its derivatives, `order` vectors in all and one component more: the line, plane
-    or sphere through this many consecutive points. Up to signs its components are the Wronskians of all others.
+    """The vector orthogonal to `a` and its first ``order − 1`` derivatives, where `a` has ``order + 1`` components: the
+    line, plane or sphere through `order` consecutive points. Each component is, up to sign, the Wronskian of all other
+    components of `a`.
 
     >>> from exactspline import BSpline
     >>> from exactspline.language import Vector
@@ -86,14 +87,14 @@ def osculating(a: Vector[R], order: int) -> Vector[R]:
 
 
 def logarithmic_numerator(*powers: tuple[R, int]) -> R:
-    """``Π f · F′/F`` of ``F = Π fᵉ``, the numerator of a logarithmic derivative: ``Σ e f′ Π (the others)``.
+    """``Π f · F′/F`` for ``F = Π fᵉ``, the numerator of a logarithmic derivative: ``Σ e f′ Π (the other f)``.
 
     >>> from exactspline import BSpline
     >>> t = BSpline.identity(0, 1)
     >>> logarithmic_numerator((t, 2), (t + 1, -1)) == 2 * (t + 1) - t
     True
 
-    Raises `FormulaError` where nothing is given.
+    Raises `FormulaError` if no function is given.
     """
     if not powers:
         raise FormulaError("the logarithmic derivative of nothing", remedy="give functions with their exponents")
@@ -104,7 +105,7 @@ def logarithmic_numerator(*powers: tuple[R, int]) -> R:
 
 
 def logarithmic_sum(parts: Sequence[tuple[R, R, int]]) -> R:
-    """``Σ e g Π (the other f)`` of triples (f, g, e)."""
+    """``Σ e g Π (the other f)`` over triples (f, g, e)."""
     terms: list[Any] = []
     for k, (_, derivative, e) in enumerate(parts):
         product: Any = derivative
@@ -115,6 +116,6 @@ def logarithmic_sum(parts: Sequence[tuple[R, R, int]]) -> R:
 
 
 def _own(a: Vector[T]) -> OwnWronskians | None:
-    """A component that carries out these operations itself."""
+    """A component that implements these operations itself, or None."""
     first: object = a[0] if type(a) is Vector and len(a) else None
     return first if isinstance(first, OwnWronskians) else None

@@ -1,1 +1,1 @@
-"""What numbers are before there are polynomials: the gate for what comes in, intervals, rounding, values, sides."""
+"""Numbers: conversion of input to exact numbers, intervals, rounding to doubles, immutable values, sides of a point."""

@@ -1,8 +1,8 @@
-"""The only gate between other numbers and ``gmpy2.mpq``, and between gmpy2 and FLINT both ways.
+"""The only conversions of other numbers to ``gmpy2.mpq``, and between gmpy2 and FLINT.
 
 gmpy2 accepts floats silently (``mpq(0.1)`` is a 55-bit number that nobody wrote, ``mpq(1, 3) + 0.5`` is an ``mpfr``),
-so every number of a user passes through :func:`rational` and nothing else in the package builds an ``mpq`` from
-outside data. The package imports what it needs of gmpy2 from here, so that another implementation can take its place.
+so every number from a user passes through :func:`rational`, and no other code in the package makes an ``mpq`` from
+input data. The package imports all names of gmpy2 from here, so that another implementation could replace it.
 """
 
 from __future__ import annotations
@@ -49,20 +49,20 @@ __all__ = [
     "to_fmpz",
 ]
 
-#: What :func:`rational` accepts as an exact number; ``SupportsIndex`` covers the integers of other libraries.
+#: The types that :func:`rational` accepts as exact numbers; ``SupportsIndex`` covers the integers of other libraries.
 Number: TypeAlias = int | str | Fraction | Decimal | mpz | mpq | flint.fmpz | flint.fmpq | SupportsIndex
 
 _TYPES = {type(mpq()), type(mpz()), int, Fraction}
-#: Largest decimal or binary exponent read from text: beyond it a few characters would fill the memory.
+#: Largest decimal or binary exponent read from text: a few characters with a larger one could exhaust the memory.
 MAX_EXPONENT = 100_000
 #: Longest text read as one number.
 MAX_TEXT = 4_000_000
 
-#: How deep lists of numbers are nested: rows of points of a surface are three.
+#: Maximal nesting depth of lists of numbers: rows of points of a surface have three levels.
 DEEPEST = 8
 
-#: Modulo this prime polynomials are compared before they are compared over the integers; it fits an unsigned long of 32
-#: bits, which is what one has on some platforms (WebAssembly among them).
+#: Polynomials are compared modulo this prime before they are compared over the integers. It fits into 32 bits, the size
+#: of an unsigned long on some platforms (such as WebAssembly).
 PRIME = (1 << 31) - 1
 
 _FRACTION = re.compile(r"\s*([+-]?\d+)\s*/\s*([+-]?\d+)\s*", re.ASCII)
@@ -73,20 +73,20 @@ _HEX = re.compile(r"\s*([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+
 def rational(value: Number) -> mpq:
     """The exact value of a number as ``gmpy2.mpq``.
 
-    Takes ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, the integers of
-    other libraries (numpy's too), and text: ``"3/4"``, ``"0.1"``, ``"1e-6"``, C99 hex floats such as ``"0x1.8p-3"``.
+    Accepts ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, the integers of
+    other libraries (such as numpy), and text: ``"3/4"``, ``"0.1"``, ``"1e-6"``, C99 hex floats such as ``"0x1.8p-3"``.
 
     >>> rational("0.1"), rational("3/4"), rational("0x1.8p-3")
     (mpq(1,10), mpq(3,4), mpq(3,16))
 
-    Raises `NumberError` for anything else: a float, a NaN, an mpfr or a numpy float is refused, since the decimal it
-    shows is not its value.
+    Raises `NumberError` for anything else: a float, a NaN, an mpfr or a numpy float is rejected, because the decimal
+    that it prints is not its value.
 
     >>> rational(0.1)  # doctest: +ELLIPSIS
     Traceback (most recent call last):
     exactspline.errors.NumberError: 0.1 is a float, whose exact value is not what it shows; write "0.1" ...
     """
-    given = cast(Any, value)  # compared by type: a bool, which is an int, is refused
+    given = cast(Any, value)  # compared by type, so that a bool, which is an int, is rejected
     kind = type(given)
     if kind in _TYPES:
         return mpq(given)
@@ -117,7 +117,7 @@ def rational(value: Number) -> mpq:
 
 
 def from_float(value: float) -> mpq:
-    """The exact binary value of a float, of Python or of numpy: the one door through which a float enters.
+    """The exact binary value of a Python or numpy float: the only way to convert a float.
 
     >>> from_float(0.5), from_float(0.1) == rational("0.1")
     (mpq(1,2), False)
@@ -132,7 +132,7 @@ def from_float(value: float) -> mpq:
 
 
 def is_float(value: object) -> TypeGuard[float]:
-    """Whether something is a float of Python or of numpy, of whatever width.
+    """Whether an object is a Python or numpy float of any width.
 
     >>> is_float(0.5), is_float(1), is_float("0.5")
     (True, False, False)
@@ -145,39 +145,39 @@ def from_floats(values: Iterable[float]) -> list[mpq]: ...
 @overload
 def from_floats(values: Iterable[Iterable[float]]) -> list[list[mpq]]: ...
 def from_floats(values: Iterable[float] | Iterable[Iterable[float]]) -> list[mpq] | list[list[mpq]]:
-    """The exact binary values of floats in a sequence, or in a sequence of sequences such as control points.
+    """The exact binary values of the floats in a sequence, or in a sequence of sequences such as control points.
 
     >>> from_floats([(0.5, 1.0), (0.25, -2.0)])
     [[mpq(1,2), mpq(1,1)], [mpq(1,4), mpq(-2,1)]]
 
-    Raises `NumberError` with the place of what is not a float.
+    Raises `NumberError`, with its position, for an element that is not a float.
     """
     return _from_floats(values, DEEPEST)
 
 
 def _from_floats(values: Iterable[Any], depth: int) -> list[Any]:
-    """The values of floats in sequences nested to some depth."""
+    """The values of floats in nested sequences, up to a depth."""
     if depth == 0:
         raise NumberError(
-            f"lists in lists, more than {DEEPEST} deep", remedy="give a list of floats, or of rows of them"
+            f"lists nested more than {DEEPEST} levels deep", remedy="give a list of floats, or of rows of floats"
         )
     given: Iterable[float | Iterable[float]] = as_items(values, "floats")
-    found: list[Any] = []
+    values_found: list[Any] = []
     for i, value in enumerate(given):
         try:
             if isinstance(value, Iterable) and not isinstance(value, str):
-                found.append(_from_floats(value, depth - 1))
+                values_found.append(_from_floats(value, depth - 1))
             else:
-                found.append(from_float(value))
+                values_found.append(from_float(value))
         except NumberError as error:
             raise error.at(f"[{i}]") from None
-    return found
+    return values_found
 
 
 class Rounding(StrEnum):
     """How a real number is rounded to a double."""
 
-    #: To the nearest double; a tie goes to the even one.
+    #: To the nearest double, ties to even.
     NEAREST = "nearest"
     #: To the largest double not above the number, and to the smallest not below it.
     DOWN = "down"
@@ -197,8 +197,8 @@ def double(value: mpq, rounding: str = Rounding.NEAREST) -> float:
     >>> double(mpq(1, 3)), double(mpq(1, 3), "up") - double(mpq(1, 3), "down") == 2.0**-54
     (0.3333333333333333, True)
 
-    Raises `OverflowError` for a number beyond the largest double (but not where that is what is asked for), like
-    ``float`` of an int; `NumberError` for an unknown rounding mode.
+    Raises `OverflowError` for a number beyond the largest double (unless it is rounded to that double), like ``float``
+    of an int; `NumberError` for an unknown rounding mode.
     """
     return _finite(_rounded(value, checked_rounding(rounding)))
 
@@ -208,15 +208,15 @@ def double_between(
 ) -> float:
     """The correctly rounded double of a real number.
 
-    ``enclosed(digits)`` are rational numbers with the number between them, at most ``10^−digits`` apart, and
-    ``sign_above(t)`` is the sign of the number minus t, exactly.
+    ``enclosed(digits)`` returns rational bounds of the number, at most ``10^−digits`` apart, and ``sign_above(t)`` the
+    exact sign of the number minus t.
 
     >>> third = mpq(1, 3)
     >>> double_between(lambda digits: (third, third), lambda t: (third > t) - (third < t)) == 1 / 3
     True
 
-    Raises what `double` raises. Source: A. Ziv, Fast evaluation of elementary mathematical functions with correctly
-    rounded last bit, ACM TOMS 1991; a number on a border is distinguished from its neighbours exactly.
+    Raises the errors of `double`. Source: A. Ziv, Fast evaluation of elementary mathematical functions with correctly
+    rounded last bit, ACM TOMS 1991; a number at a rounding boundary is decided exactly.
     """
     way, digits = checked_rounding(rounding), 20
     while True:
@@ -229,7 +229,7 @@ def double_between(
 
 
 def _one_of(low: float, high: float, sign_above: Callable[[mpq], int], rounding: Rounding) -> float:
-    """Which of two neighbours a number between them is rounded to."""
+    """The one of two neighbouring doubles to which a number between them is rounded."""
     if rounding is Rounding.DOWN:
         return high if sign_above(_unrounded(high)) >= 0 else low
     if rounding is Rounding.UP:
@@ -240,20 +240,20 @@ def _one_of(low: float, high: float, sign_above: Callable[[mpq], int], rounding:
 
 
 def _rounded(value: mpq, rounding: Rounding) -> float:
-    """The rounded double, infinite beyond the largest."""
+    """The rounded double, infinite beyond the largest double."""
     try:
-        found = int(value.numerator) / int(value.denominator)
+        double_value = int(value.numerator) / int(value.denominator)
     except OverflowError:
-        found = inf if value > 0 else -inf
-    if rounding is Rounding.DOWN and (found == inf or _unrounded(found) > value):
-        return nextafter(found, -inf)
-    if rounding is Rounding.UP and (found == -inf or _unrounded(found) < value):
-        return nextafter(found, inf)
-    return found
+        double_value = inf if value > 0 else -inf
+    if rounding is Rounding.DOWN and (double_value == inf or _unrounded(double_value) > value):
+        return nextafter(double_value, -inf)
+    if rounding is Rounding.UP and (double_value == -inf or _unrounded(double_value) < value):
+        return nextafter(double_value, inf)
+    return double_value
 
 
 def _unrounded(value: float) -> mpq:
-    """The value of a double; infinity counts as the next finite double would."""
+    """The value of a double; infinity has the value that the next larger double would have."""
     if isfinite(value):
         return mpq(*value.as_integer_ratio())
     return mpq(2) ** 1024 * (1 if value > 0 else -1)
@@ -302,7 +302,7 @@ def from_flint(value: flint.fmpq | flint.fmpz) -> mpq:
 
 
 def sign(value: mpq | mpz | int | flint.fmpz | flint.fmpq) -> int:
-    """1, −1 or 0: the sign of an exact number of whatever library.
+    """The sign, 1, −1 or 0, of an exact number of any library.
 
     >>> sign(mpq(1, 2)), sign(flint.fmpz(-3)), sign(0)
     (1, -1, 0)
@@ -311,7 +311,8 @@ def sign(value: mpq | mpz | int | flint.fmpz | flint.fmpq) -> int:
 
 
 def content(values: Iterable[mpq]) -> mpq:
-    """The positive number of which rational numbers, not all 0, are coprime integer multiples.
+    """The content of rational numbers that are not all 0: the positive number of which they are coprime integer
+    multiples.
 
     >>> content([mpq(4, 3), mpq(-2)])
     mpq(2,3)
@@ -321,7 +322,7 @@ def content(values: Iterable[mpq]) -> mpq:
 
 
 def over_one_denominator(values: Iterable[mpq]) -> tuple[list[int], int]:
-    """Rational numbers as integers, and their least common denominator.
+    """The numerators of rational numbers over their least common denominator, and this denominator.
 
     >>> over_one_denominator([mpq(1, 2), mpq(-2, 3)])
     ([3, -4], 6)
@@ -332,8 +333,8 @@ def over_one_denominator(values: Iterable[mpq]) -> tuple[list[int], int]:
 
 
 def text(value: mpq | mpz | int) -> str:
-    """Shortest exact text of an exact number, read back by :func:`rational`; of any length, where Python refuses to
-    write an int of more than 4,300 digits.
+    """The shortest exact text of an exact number, which :func:`rational` can read. It can have any length, although
+    Python does not convert an int of more than 4,300 digits.
 
     >>> text(mpq(3, 4)), text(mpq(-2)), len(text(10**5000))
     ('3/4', '-2', 5001)
@@ -342,7 +343,7 @@ def text(value: mpq | mpz | int) -> str:
 
 
 def short_text(value: mpq) -> str:
-    """Its exact text or, where that is long, its beginning and its length: for messages.
+    """The exact text of a number or, if it is long, its beginning and its length, for use in messages.
 
     >>> short_text(mpq(3, 4)), short_text(mpq(10) ** 50)
     ('3/4', '1000000000… (51 characters)')

@@ -1,4 +1,4 @@
-"""Values: objects that are made once and never change."""
+"""Immutable values: objects that do not change after construction."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ _set = object.__setattr__
 
 
 class Immutable:
-    """A value: nothing of it can be set or deleted, a copy of it is the value itself.
+    """An immutable value: its attributes cannot be set or deleted, and a copy of it is the value itself.
 
-    What is computed lazily is kept by `fill`; two threads that compute the same thing keep equal results, so
-    that none of them has to wait.
+    Lazily computed attributes are stored with `fill`. Two threads that compute the same attribute store equal results,
+    so that no lock is needed.
 
     >>> from exactspline import BSpline
     >>> BSpline.bezier([0, 1]).degree = 2
@@ -35,6 +35,6 @@ class Immutable:
 
 
 def fill(value: Immutable, /, **fields: object) -> None:
-    """Set the fields of a value: when it is made, and when a part that is computed lazily is kept."""
+    """Set the attributes of a value: at construction, and to store lazily computed ones."""
     for name, content in fields.items():
         _set(value, name, content)

@@ -1,8 +1,9 @@
-"""Intervals with rational ends, and boxes of two: parts of each other, hulls, rounding, quotients, FLINT's balls,
+"""Intervals with rational ends, and boxes of two intervals: subdivision, hulls, rounding, quotients, FLINT's balls,
 decimals.
 
-This is the exact interval arithmetic of the package. Bounds in doubles, for thousands of forms at once, are values with
-errors (`exactspline.programs.doubles`, `exactspline.polynomials.doubles`): what rounding does to them is proved there.
+This is the exact interval arithmetic of the package. Bounds in doubles, for thousands of forms in one operation, are
+values with error bounds (`exactspline.programs.doubles`, `exactspline.polynomials.doubles`); the effect of rounding is
+proved there.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from exactspline.numbers.exact import mpq, mpz, rational, short_text, text, to_f
 
 
 class Interval(NamedTuple):
-    """A closed interval; where both ends agree, a number.
+    """A closed interval; a number if both ends are equal.
 
     >>> whole = Interval(mpq(1), mpq(3))
     >>> whole.middle, whole.width, whole.part(Interval(mpq(0), mpq(1, 2)))
@@ -29,17 +30,17 @@ class Interval(NamedTuple):
 
     @classmethod
     def point(cls, t: mpq) -> Interval:
-        """The interval of one number."""
+        """The interval that consists of one number."""
         return cls(t, t)
 
     @property
     def width(self) -> mpq:
-        """The distance of its ends."""
+        """The distance between its ends."""
         return mpq(self.high - self.low)
 
     @property
     def middle(self) -> mpq:
-        """The middle, off by at most half the width."""
+        """The midpoint, at most half the width from every number of the interval."""
         return mpq((self.low + self.high) / 2)
 
     @property
@@ -49,7 +50,7 @@ class Interval(NamedTuple):
         return Interval(self.low, middle), Interval(middle, self.high)
 
     def at(self, x: mpq) -> mpq:
-        """The number at a local parameter, 0 at the lower end and 1 at the upper one."""
+        """The number at a local parameter, which is 0 at the lower end and 1 at the upper end."""
         return mpq(self.low + (self.high - self.low) * x)
 
     def local(self, t: mpq) -> mpq:
@@ -61,7 +62,7 @@ class Interval(NamedTuple):
         return Interval(self.at(local.low), self.at(local.high))
 
     def grown(self, by: mpq) -> Interval:
-        """With so much more on either side."""
+        """The interval enlarged by this amount on both sides."""
         return Interval(mpq(self.low - by), mpq(self.high + by))
 
     def contains(self, other: Interval) -> bool:
@@ -69,12 +70,12 @@ class Interval(NamedTuple):
         return self.low <= other.low and other.high <= self.high
 
     def meets(self, other: Interval) -> bool:
-        """Whether there is a number in both."""
+        """Whether both have a number in common."""
         return self.low <= other.high and other.low <= self.high
 
     @property
     def shortly(self) -> str:
-        """Its text for messages, long numbers abbreviated."""
+        """Its text for messages, with long numbers abbreviated."""
         return f"[{short_text(self.low)}, {short_text(self.high)}]"
 
     def __str__(self) -> str:
@@ -82,7 +83,7 @@ class Interval(NamedTuple):
 
 
 class Box(NamedTuple):
-    """A closed rectangle of two parameters; where both sides are numbers, a point.
+    """A closed rectangle in two parameters; a point if both sides are numbers.
 
     >>> box = Box(Interval(mpq(1), mpq(3)), Interval(mpq(0), mpq(1)))
     >>> box.at(mpq(1, 2), mpq(1, 3)), str(box), str(Box.point(mpq(0), mpq(1, 2)))
@@ -94,7 +95,7 @@ class Box(NamedTuple):
 
     @classmethod
     def point(cls, x: mpq, y: mpq) -> Box:
-        """The box of one point."""
+        """The box that consists of one point."""
         return cls(Interval.point(x), Interval.point(y))
 
     @property
@@ -104,20 +105,20 @@ class Box(NamedTuple):
 
     @property
     def middle(self) -> tuple[mpq, mpq]:
-        """The middle."""
+        """The midpoint."""
         return self.first.middle, self.second.middle
 
     def halves(self, direction: int) -> tuple[Box, Box]:
-        """Its two halves, a side cut in two (direction 0: the first)."""
+        """Its two halves, by bisection of a side (direction 0: the first parameter)."""
         low, high = self[direction].halves
         return self.with_side(direction, low), self.with_side(direction, high)
 
     def with_side(self, direction: int, side: Interval) -> Box:
-        """With another side in a direction."""
+        """The box with the side in one direction replaced."""
         return Box(self.first, side) if direction else Box(side, self.second)
 
     def at(self, x: mpq, y: mpq) -> tuple[mpq, mpq]:
-        """The point with local parameters, 0 at the lower ends and 1 at the upper ones."""
+        """The point with the given local parameters, which are 0 at the lower ends and 1 at the upper ends."""
         return self.first.at(x), self.second.at(y)
 
     def part(self, local: Box) -> Box:
@@ -126,7 +127,7 @@ class Box(NamedTuple):
 
     def local(self, box: Box) -> Box:
         """A box in local parameters."""
-        first, second = (Interval(*map(own.local, side)) for own, side in zip(self, box, strict=True))
+        first, second = (Interval(*map(side_of.local, side)) for side_of, side in zip(self, box, strict=True))
         return Box(first, second)
 
     def contains(self, other: Box) -> bool:
@@ -134,16 +135,16 @@ class Box(NamedTuple):
         return self.first.contains(other.first) and self.second.contains(other.second)
 
     def meets(self, other: Box) -> bool:
-        """Whether there is a point in both."""
+        """Whether both have a point in common."""
         return self.first.meets(other.first) and self.second.meets(other.second)
 
     def is_inside(self, outer: Box) -> bool:
-        """Whether no point of it is on the border of another one or outside."""
+        """Whether it is contained in the interior of another box."""
         return all(low < a and b < high for (a, b), (low, high) in zip(self, outer, strict=True))
 
     @property
     def shortly(self) -> str:
-        """Its text for messages, as a product, long numbers abbreviated.
+        """Its text for messages, as a product, with long numbers abbreviated.
 
         >>> UNIT.shortly
         '[0, 1] × [0, 1]'
@@ -160,24 +161,26 @@ UNIT = Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1)))
 
 
 def hull(boxes: Iterable[Box]) -> Box:
-    """The smallest box around others."""
-    first, second = (Interval(min(a for a, _ in own), max(b for _, b in own)) for own in zip(*boxes, strict=True))
+    """The smallest box that contains all given boxes."""
+    first, second = (
+        Interval(min(a for a, _ in intervals), max(b for _, b in intervals)) for intervals in zip(*boxes, strict=True)
+    )
     return Box(first, second)
 
 
 def joined(intervals: Iterable[tuple[mpq, mpq]]) -> list[Interval]:
-    """Intervals in order, those that meet as one.
+    """The union of intervals as disjoint intervals in ascending order.
 
     >>> [str(each) for each in joined([(mpq(2), mpq(3)), (mpq(0), mpq(1)), (mpq(1), mpq(2)), (mpq(5), mpq(6))])]
     ['[0, 3]', '[5, 6]']
     """
-    found: list[Interval] = []
+    union: list[Interval] = []
     for low, high in sorted(intervals):
-        if found and low <= found[-1].high:
-            found[-1] = Interval(found[-1].low, max(high, found[-1].high))
+        if union and low <= union[-1].high:
+            union[-1] = Interval(union[-1].low, max(high, union[-1].high))
         else:
-            found.append(Interval(low, high))
-    return found
+            union.append(Interval(low, high))
+    return union
 
 
 def rounded_outwards(b: Interval, digits: int) -> Interval:
@@ -191,7 +194,7 @@ def rounded_outwards(b: Interval, digits: int) -> Interval:
 
 
 def quotient(a: Interval, b: Interval) -> Interval:
-    """Bounds of a quotient whose denominator is not zero.
+    """Bounds of a quotient; the denominator must not contain zero.
 
     >>> quotient(Interval(mpq(-1), mpq(2)), Interval(mpq(1), mpq(4)))
     Interval(low=mpq(-1,1), high=mpq(2,1))
@@ -216,7 +219,7 @@ def _dyadic(mantissa: object, exponent: object) -> mpq:
 
 
 def ball_around(low: mpq, high: mpq) -> arb:
-    """A ball, of FLINT's present precision, that holds an interval.
+    """A ball, at FLINT's current precision, that contains an interval.
 
     >>> ball_around(mpq(1, 2), mpq(1, 2))
     0.500000000000000
@@ -226,7 +229,7 @@ def ball_around(low: mpq, high: mpq) -> arb:
 
 
 def certain(b: Interval, digits: int) -> str:
-    """The decimals on which both ends agree, followed by dots; where they agree on none, the two ends.
+    """The decimals in which both ends agree, followed by dots; the two ends if they do not agree in any.
 
     >>> certain(Interval(mpq(1, 3), mpq(3334, 10000)), 6), certain(Interval(mpq(-1, 100), mpq(1, 100)), 2)
     ('0.333…', '-0.01 … 0.01')
@@ -239,17 +242,17 @@ def certain(b: Interval, digits: int) -> str:
 
 
 def _truncated(q: mpq, digits: int) -> str:
-    """A number to this many digits behind the point, cut off towards zero."""
+    """A number with this many digits after the decimal point, truncated towards zero."""
     return shifted(int(abs(q) * mpz(10) ** digits) * (-1 if q < 0 else 1), digits, negative=q < 0)
 
 
 def shifted(scaled: int, digits: int, *, negative: bool = False) -> str:
-    """An integer divided by a power of ten, as a decimal with this many digits behind the point.
+    """An integer divided by a power of ten, as a decimal with this many digits after the decimal point.
 
     >>> shifted(-25, 3), shifted(7, 0)
     ('-0.025', '7')
     """
-    # those of Python are not written beyond 4300 digits
+    # Python does not convert integers of more than 4300 digits
     whole, part = divmod(mpz(abs(scaled)), mpz(10) ** digits)
     decimals = f".{str(part).rjust(digits, '0')}" if digits else ""
     return f"{'-' if negative or scaled < 0 else ''}{whole}{decimals}"

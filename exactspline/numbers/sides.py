@@ -1,4 +1,4 @@
-"""The two sides of a point of the line."""
+"""The two sides of a point on the real line."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """Papers as data: one folder per source, with its formulas, its claims, its constructions and the words of the source.
 No folder is privileged: those of the library are in this package, those of users anywhere, and the same code reads both
-(`exactspline.papers.folder`). Nothing outside this package names one. Every formula is written in one place, and
-everything else (tables, proofs, LaTeX, programs) is derived from it; those that belong to no single paper stand in
-`exactspline.formulas`, and a folder here has their claims.
+(`exactspline.papers.folder`). No code outside this package refers to a particular paper. Every formula is written in
+one place, and everything else (tables, proofs, LaTeX, programs) is derived from it. Formulas that do not belong to a
+single paper are in `exactspline.formulas`, and a folder here contains their claims.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from pathlib import Path
 from exactspline.errors import FormulaError, as_text, nearest
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE
-from exactspline.papers.folder import Paper, Table, folder_at, paper_in, told_of
+from exactspline.papers.folder import Paper, Table, description_of, folder_at, paper_in
 from exactspline.papers.loading import checked_formulas, guarded, run_file
 
 __all__ = [
@@ -38,13 +38,13 @@ __all__ = [
     "resolve",
 ]
 
-#: Papers loaded from folders, by their names.
+#: Papers loaded from folders, by name.
 _loaded: dict[str, Paper] = {}
 
 
 @cache
 def papers() -> tuple[Paper, ...]:
-    """The papers that come with the library, each after those that it uses.
+    """The papers included in the library, each after those that it uses.
 
     >>> [p.name for p in papers() if p.default]
     ['chen_riesenfeld_cohen_2007', 'lifted']
@@ -57,7 +57,7 @@ def papers() -> tuple[Paper, ...]:
             made[name] = paper_in(folders[name], name, make, package=f"{__package__}.{name}")
         return made[name]
 
-    for name in sorted(folders, key=lambda name: (told_of(folders[name], name)["order"], name)):
+    for name in sorted(folders, key=lambda name: (description_of(folders[name], name)["order"], name)):
         make(name)
     return tuple(made.values())
 
@@ -69,12 +69,12 @@ def default_papers() -> tuple[Paper, ...]:
 
 
 def paper(name: str) -> Paper:
-    """The paper with this name: one that comes with the library, or one that was loaded.
+    """The paper with this name: one included in the library, or one that was loaded.
 
     >>> paper("lifted").uses[0].name
     'chen_riesenfeld_cohen_2007'
 
-    Raises `FormulaError` with the nearest names.
+    Raises `FormulaError`, with the nearest names, for an unknown one.
     """
     if as_text(name, "the name of a paper") in _loaded:
         return _loaded[name]
@@ -85,7 +85,7 @@ def paper(name: str) -> Paper:
     return known[name]
 
 
-copyreg.pickle(Paper, lambda each: (paper, (each.name,)))  # by reference: formulas are code
+copyreg.pickle(Paper, lambda each: (paper, (each.name,)))  # pickled by name: formulas are code
 
 
 @cache
@@ -94,7 +94,8 @@ def _by_name() -> dict[str, Paper]:
 
 
 def owner(formula: Formula) -> Paper | None:
-    """The paper to which a formula belongs, among those of the library and those that were loaded.
+    """The paper to which a formula belongs, among those of the library and those that were loaded; None if there is
+    none.
 
     >>> owner(find("f2")).name
     'chen_riesenfeld_cohen_2007'
@@ -104,15 +105,15 @@ def owner(formula: Formula) -> Paper | None:
 
 
 def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:
-    """The paper in a user's folder. Its formulas are checked before they run; with `trust` they run as they stand.
+    """The paper in a user's folder. Its formulas are checked before they run; with `trust` they run unchecked.
 
-    Raises `ClaimError` for what is not a folder of a paper, `FormulaError` for formulas that are none, with file and
-    line.
+    Raises `ClaimError` if this is not the folder of a paper, and `FormulaError`, with file and line, for invalid
+    formulas.
     """
     place = folder_at(folder)
-    for own in papers():
-        if _is_folder(own.folder, place):
-            return own
+    for paper_here in papers():
+        if _is_folder(paper_here.folder, place):
+            return paper_here
     name = place.resolve().name
     taken = {each.name: each.folder for each in papers()}
     taken |= {each.name: each.folder for each in _loaded.values()}
@@ -129,39 +130,39 @@ def _is_folder(folder: Traversable, place: Path) -> bool:
 
 
 def named_papers(names: Iterable[str], *, trust: bool = False) -> tuple[Paper, ...]:
-    """Papers by their names or folders, ``all`` for all that come with the library; without a name the default ones.
+    """Papers given by name or folder, ``all`` for all papers of the library; without names, the default papers.
 
-    Raises `FormulaError` for a name that is neither, with the nearest names.
+    Raises `FormulaError`, with the nearest names, for a name that is neither.
     """
     names = list(names)
     if not names:
         return default_papers()
-    found: list[Paper] = []
+    named: list[Paper] = []
     for name in names:
         if name == "all":
-            found += papers()
+            named += papers()
         elif any(name == each.name for each in papers()):
-            found.append(paper(name))
+            named.append(paper(name))
         elif Path(name).is_dir() or "/" in name:
-            found.append(load_paper(name, trust=trust))
+            named.append(load_paper(name, trust=trust))
         else:
-            found.append(paper(name))
-    return tuple(dict.fromkeys(found))
+            named.append(paper(name))
+    return tuple(dict.fromkeys(named))
 
 
 @cache
 def all_formulas() -> dict[str, Formula]:
-    """Every formula of the default papers; where two share a name, as ``paper:name``."""
-    found: dict[str, Formula] = {}
+    """The formulas of the default papers by name, as ``paper:name`` where a name occurs twice."""
+    formulas: dict[str, Formula] = {}
     for source in default_papers():
         for name, formula in source.formulas.items():
-            found[name if name not in found else f"{source.name}:{name}"] = formula
-    return found
+            formulas[name if name not in formulas else f"{source.name}:{name}"] = formula
+    return formulas
 
 
 def formulas_by_module() -> Mapping[str, Formula]:
-    """The formulas that come with the library, by ``papers.paper.module:name`` or ``formulas.module:name``: which
-    users' formulas may import.
+    """The formulas of the library, which users' formulas may import, by ``papers.paper.module:name`` or
+    ``formulas.module:name``.
     """
     return {
         f"{formula.__module__.removeprefix('exactspline.')}:{name}": formula
@@ -171,7 +172,7 @@ def formulas_by_module() -> Mapping[str, Formula]:
 
 
 def known_as(formula: Formula) -> str:
-    """The name by which `find` finds a formula: its own, with its paper where two papers share it.
+    """The name by which `find` returns a formula: its name, preceded by the paper if several papers have this name.
 
     >>> known_as(find("f2"))
     'f2'
@@ -184,8 +185,8 @@ def known_as(formula: Formula) -> str:
 
 @cache
 def _owners(name: str) -> tuple[Paper, ...]:
-    """The papers of the library with a formula of this name. A paper that is not needed otherwise is not imported: its
-    files say whether they define one.
+    """The papers of the library with a formula of this name, determined from the text of their files, so that papers
+    that are not needed are not imported.
     """
     defined = re.compile(rf"^def {re.escape(name)}\(", re.MULTILINE)
     return tuple(
@@ -202,21 +203,21 @@ def _sources(source: Paper) -> tuple[str, ...]:
 
 
 def find(name: str) -> Formula:
-    """The formula of the library with this name: ``name``, if one paper alone has one, or ``paper:name``, also of a
-    paper that was loaded.
+    """The formula of the library with this name: ``name`` if only one paper has it, or ``paper:name``, where the paper
+    may also be one that was loaded.
 
     >>> find("f2"), find("lifted:evolute_lifted").name
     (<formula f2, eq. (8)>, 'evolute_lifted')
 
-    Raises `FormulaError` with the nearest names, and for a name that several papers have.
+    Raises `FormulaError` for an unknown name, with the nearest ones, and for a name that several papers have.
     """
-    source, _, own = as_text(name, "the name of a formula").rpartition(":")
+    source, _, formula_name = as_text(name, "the name of a formula").rpartition(":")
     if source:
-        return paper(source).find(own)
+        return paper(source).find(formula_name)
     known = all_formulas()
     if len(owners := _owners(name) if name in known else ()) > 1:
-        told = " or ".join(f"{each.name}:{name}" for each in owners)
-        raise FormulaError(f"{len(owners)} papers have a formula called {name!r}", remedy=f"write {told}")
+        options = " or ".join(f"{each.name}:{name}" for each in owners)
+        raise FormulaError(f"{len(owners)} papers have a formula called {name!r}", remedy=f"write {options}")
     if name not in known:
         remedy = nearest(name, known, listed_by="list formulas")
         raise FormulaError(f"there is no formula called {name!r}", remedy=remedy)
@@ -224,7 +225,7 @@ def find(name: str) -> Formula:
 
 
 def formula_of(given: Formula | str) -> Formula:
-    """The formula itself, or the one of the library with that name.
+    """The given formula, or the formula of the library with the given name.
 
     Raises `FormulaError` for anything else.
     """
@@ -232,15 +233,15 @@ def formula_of(given: Formula | str) -> Formula:
 
 
 def resolve(name: str, *, trust: bool = False) -> Formula:
-    """A formula named by the user: ``name``, ``paper:name``, ``FOLDER:name`` or ``file.py:name``.
+    """A formula as named by a user: ``name``, ``paper:name``, ``FOLDER:name`` or ``file.py:name``.
 
-    Raises `FormulaError` with the nearest names, and for a file or a folder with errors in it.
+    Raises `FormulaError` for an unknown name, with the nearest ones, and for errors in a file or folder.
     """
-    place, _, own = name.rpartition(":")
+    place, _, formula_name = name.rpartition(":")
     if place.endswith(".py"):
-        return _of_file(Path(place), own, trust)
+        return _of_file(Path(place), formula_name, trust)
     if place and (Path(place).is_dir() or "/" in place):
-        return load_paper(place, trust=trust).find(own)
+        return load_paper(place, trust=trust).find(formula_name)
     return find(name)
 
 
@@ -248,10 +249,10 @@ def _of_file(file: Path, name: str, trust: bool) -> Formula:
     if not file.is_file():
         raise FormulaError("there is no such file", where=str(file), remedy="write file.py:function")
     if not trust:
-        found = checked_formulas(file, formulas_by_module, plain=True)
-        if name not in found:
-            raise FormulaError(f"there is no formula called {name!r}", where=str(file), remedy=nearest(name, found))
-        return found[name]
+        formulas = checked_formulas(file, formulas_by_module, plain=True)
+        if name not in formulas:
+            raise FormulaError(f"there is no formula called {name!r}", where=str(file), remedy=nearest(name, formulas))
+        return formulas[name]
     function = getattr(run_file(file), name, None)
     if isinstance(function, Formula):
         return guarded(function, str(file))

@@ -1,6 +1,6 @@
-"""The folder of a paper: its description, its formulas and its claims, read by the same code whoever wrote them. A
-folder contains formulas (``formulas.py``), claims (``claims.toml``) and its description (``paper.toml``), which may
-also stand in the first lines of ``claims.toml``.
+"""The folder of a paper, read by the same code for papers of the library and of users. A folder contains formulas
+(``formulas.py``), claims (``claims.toml``) and a description (``paper.toml``), which may also be given in the first
+lines of ``claims.toml``.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from exactspline.errors import ClaimError, FormulaError, as_path, nearest
 from exactspline.language.formula import Formula
 from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
 
-try:  # compiled, and with bounds on the depth of what strangers write
+try:  # compiled, and with limits on the nesting depth of untrusted input
     import tomli as toml
 except ModuleNotFoundError:  # in a browser
-    import tomllib as toml  # type: ignore[no-redef]  # the same functions under another name
+    import tomllib as toml  # type: ignore[no-redef]  # has the same functions
 
 
-class Told(TypedDict):
+class Description(TypedDict):
     """The description of a folder."""
 
     title: str
@@ -37,10 +37,10 @@ class Told(TypedDict):
     order: int
 
 
-#: The largest size of a table in bytes.
+#: The largest size of a file of tables in bytes.
 CHARACTERS = 4_000_000
-#: The defaults of the description.
-SILENT: Told = {
+#: The default values of the description.
+SILENT: Description = {
     "title": "",
     "reference": "",
     "formulas": ["formulas"],
@@ -55,7 +55,7 @@ SILENT: Told = {
 
 @dataclass(frozen=True)
 class Table:
-    """A table of a file of a paper, with its place: ``file, entry number``."""
+    """A table in a file of a paper, with its place: ``file, entry number``."""
 
     place: str
     entry: dict[str, Any]
@@ -65,11 +65,12 @@ class Table:
 class Paper:
     """A source: its folder, its title, the modules of its formulas and the files of its claims.
 
-    ``uses`` are the papers whose formulas its own may build on and its claims may name. ``errors`` are its errors, each
-    a name that groups the claims failing for one reason, with an explanation. A ``default`` paper is used where none
-    is named. ``package`` is where its modules are imported from (its own, or one in `exactspline.formulas` for what
-    belongs to no single source), empty for a user's folder; then formulas are checked before they run, unless the
-    folder is ``trusted``; what they may import from other papers is ``importable``.
+    ``uses`` are the papers whose formulas may be used by its formulas and named in its claims. ``errors`` are its
+    errors: each is a name for the group of claims that fail for the same reason, with an explanation. A ``default``
+    paper is used if no paper is named. ``package`` is the package from which its modules are imported (its package, or
+    one in `exactspline.formulas` for formulas that do not belong to a single source). It is empty for a user's folder;
+    then formulas are checked before they run, unless the folder is ``trusted``, and may import the formulas in
+    ``importable`` from other papers.
     """
 
     name: str
@@ -91,51 +92,54 @@ class Paper:
 
     @property
     def formulas(self) -> dict[str, Formula]:
-        """Its own formulas by name, in the order of the source."""
+        """The formulas of this paper by name, in the order of the source."""
         if "formulas" not in self._kept:
             self._kept["formulas"] = self._read_formulas()
         return self._kept["formulas"]
 
     def _read_formulas(self) -> dict[str, Formula]:
-        found: dict[str, Formula] = {}
+        formulas: dict[str, Formula] = {}
         for module in self.modules if self.package else ():
             home = f"{self.package}.{module}"
             values = vars(import_module(home)).values()
-            found |= {f.name: f for f in values if isinstance(f, Formula) and f.__module__ == home}
+            formulas |= {f.name: f for f in values if isinstance(f, Formula) and f.__module__ == home}
         for _, file in () if self.package else self.formula_files():
-            found |= trusted_formulas(file) if self.trusted else checked_formulas(file, self.importable)
-        return found
+            formulas |= trusted_formulas(file) if self.trusted else checked_formulas(file, self.importable)
+        return formulas
 
     def formula_files(self) -> list[tuple[str, Traversable]]:
-        """The files of its formulas that there are, by their names."""
+        """The existing files of its formulas, with their names."""
         home = resources.files(self.package) if self.package else self.folder
         files = [(f"{module}.py", home.joinpath(*f"{module}.py".split("/"))) for module in self.modules]
         return [(name, file) for name, file in files if file.is_file()]
 
     def find(self, name: str) -> Formula:
-        """The formula with this name: its own, or one of a paper that it uses.
+        """The formula with this name, of this paper or of one that it uses.
 
         >>> from exactspline.papers import paper
         >>> paper("chen_riesenfeld_cohen_2007").find("f2")
         <formula f2, eq. (8)>
 
-        Raises `FormulaError` with the nearest names, and where several papers that it uses have one.
+        Raises `FormulaError` for an unknown name, with the nearest ones, and if several of the papers that it uses have
+        one.
         """
         if name in self.formulas:
             return self.formulas[name]
         having = [source for source in self.uses if name in source.formulas]
         if len({source.formulas[name] for source in having}) > 1:
-            told = " and of ".join(source.name for source in having)
-            raise FormulaError(f"{name!r} is a formula of {told}", remedy="call the one meant in a formula of your own")
+            papers = " and of ".join(source.name for source in having)
+            raise FormulaError(
+                f"{name!r} is a formula of {papers}", remedy="define a formula that calls the intended one"
+            )
         if having:
             return having[0].formulas[name]
         known = [known for source in (self, *self.uses) for known in source.formulas]
-        raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=nearest(name, known))
+        raise FormulaError(f"{self.name} has no formula called {name!r}", remedy=nearest(name, known))
 
     def claim_tables(self) -> Iterator[Table]:
-        """Its claims as written in its files; the fields of ``common`` in a file belong to each of its claims.
+        """Its claims as written in its files; the fields of ``common`` in a file apply to each of its claims.
 
-        Raises `ClaimError` for what is not a table of claims.
+        Raises `ClaimError` for a file that is not a table of claims.
         """
         for file in self.claim_files:
             data = self._read(file)
@@ -155,20 +159,20 @@ class Paper:
         return {name: Table(f"{self.name}/{file}, {name}", each) for name, each in tables if isinstance(each, dict)}
 
     def curve_files(self) -> list[Traversable]:
-        """The files of its own curves, in ``curves/``."""
+        """The files of its curves, in ``curves/``."""
         place = self.folder.joinpath("curves")
         return sorted((f for f in place.iterdir() if f.is_file()), key=lambda f: f.name) if place.is_dir() else []
 
     def digests(self) -> dict[str, str]:
-        """The SHA-256 digests of its files by their names."""
-        found = dict(_files(self.folder)) | dict(self.formula_files())
-        # what is read is listed also where it is a link; other links lead nowhere
+        """The SHA-256 digests of its files by name."""
+        files = dict(_files(self.folder)) | dict(self.formula_files())
+        # files that are read are listed even if they are links; other links are ignored
         names = ("paper.toml", "claims.toml", "constructions.toml", "README.md")
         for path in (*names, *self.claim_files):
             if (file := self.folder.joinpath(*path.split("/"))).is_file():
-                found[path] = file
-        found |= {f"curves/{file.name}": file for file in self.curve_files()}
-        return {name: _digest(file) for name, file in sorted(found.items())}
+                files[path] = file
+        files |= {f"curves/{file.name}": file for file in self.curve_files()}
+        return {name: _digest(file) for name, file in sorted(files.items())}
 
     def _read(self, file: str) -> dict[str, object]:
         return read_toml(self.folder.joinpath(*file.split("/")), f"{self.name}/{file}")
@@ -185,17 +189,17 @@ def _files(folder: Traversable, path: str = "") -> Iterator[tuple[str, Traversab
 
 
 def _digest(file: Traversable) -> str:
-    found = sha256()
+    digest = sha256()
     with file.open("rb") as stream:
         while part := stream.read(1 << 20):
-            found.update(part)
-    return found.hexdigest()
+            digest.update(part)
+    return digest.hexdigest()
 
 
 def read_toml(file: Traversable, place: str) -> dict[str, object]:
-    """A file of tables; empty where there is none.
+    """The contents of a TOML file; empty if it does not exist.
 
-    Raises `ClaimError` for what is not TOML, with the line.
+    Raises `ClaimError`, with the line, for a file that is not TOML.
     """
     if not file.is_file():
         return {}
@@ -209,11 +213,11 @@ def read_toml(file: Traversable, place: str) -> dict[str, object]:
         raise ClaimError(f"not TOML:  {error}", where=place, remedy="correct the file") from None
 
 
-#: How the files of a folder are listed.
+#: Explains how to list the files of a folder.
 LISTED = 'formulas = ["plane"] means plane.py, claims = ["section2.toml"] that file'
 
 
-def told_of(folder: Traversable, name: str) -> Told:
+def description_of(folder: Traversable, name: str) -> Description:
     """The description of a folder.
 
     Raises `ClaimError` for an unknown field, one of the wrong type, or a file that is listed and does not exist.
@@ -232,16 +236,18 @@ def told_of(folder: Traversable, name: str) -> Told:
         good = all(isinstance(text, str) and text.isprintable() for text in [*texts, *[value] * isinstance(value, str)])
         if type(value) is not type(usual[key]) or not good:
             raise ClaimError(f"{key} is {value!r}", where=f"{name}/{file}", remedy=f"write it like {usual[key]!r}")
-    told = cast(Told, usual | data)
-    for path in (*told["formulas"], *told["claims"]):
+    description = cast(Description, usual | data)
+    for path in (*description["formulas"], *description["claims"]):
         if any(part in ("", ".", "..") for part in path.split("/")):
             raise ClaimError(f"the file {path!r}", where=f"{name}/{file}", remedy="name files inside the folder")
-    listed = [f"{module}.py" for module in told["formulas"] if "formulas" in data and not told["formulas_in"]]
-    listed += [claims for claims in told["claims"] if "claims" in data]
+    listed = [
+        f"{module}.py" for module in description["formulas"] if "formulas" in data and not description["formulas_in"]
+    ]
+    listed += [claims for claims in description["claims"] if "claims" in data]
     for path in listed:
         if not folder.joinpath(*path.split("/")).is_file():
             raise ClaimError(f"the file {path!r} does not exist", where=f"{name}/{file}", remedy=LISTED)
-    return told
+    return description
 
 
 def paper_in(
@@ -253,24 +259,24 @@ def paper_in(
     trusted: bool = False,
     importable: Importable = dict,
 ) -> Paper:
-    """The paper in a folder; `used` gives the papers that it uses.
+    """The paper in a folder; `used` returns the paper with a name, for those that it uses.
 
-    Raises `ClaimError` for a user's folder that says that its formulas are modules of a package.
+    Raises `ClaimError` for a user's folder that declares its formulas as modules of a package.
     """
-    told = told_of(folder, name)
-    if told["formulas_in"] and not package:
+    description = description_of(folder, name)
+    if description["formulas_in"] and not package:
         raise ClaimError("formulas_in", where=f"{name}/paper.toml", remedy="name files of the folder in `formulas`")
     return Paper(
         name,
-        told["title"] or _heading(folder) or name,
-        told["reference"],
+        description["title"] or _heading(folder) or name,
+        description["reference"],
         folder,
-        tuple(told["formulas"]),
-        tuple(told["claims"]),
-        tuple(used(other) for other in told["uses"]),
-        told["errors"],
-        told["default"],
-        package and (told["formulas_in"] or package),
+        tuple(description["formulas"]),
+        tuple(description["claims"]),
+        tuple(used(other) for other in description["uses"]),
+        description["errors"],
+        description["default"],
+        package and (description["formulas_in"] or package),
         trusted,
         importable,
     )
@@ -287,11 +293,13 @@ def _heading(folder: Traversable) -> str:
 def folder_at(path: str | Path) -> Path:
     """The folder of a paper at a path.
 
-    Raises `ClaimError` where there is none, or none of a paper.
+    Raises `ClaimError` if it does not exist or is not the folder of a paper.
     """
     folder = Path(as_path(path))
     if not folder.is_dir():
-        raise ClaimError("there is no such folder", where=str(path), remedy="exactspline paper new FOLDER writes one")
+        raise ClaimError("there is no such folder", where=str(path), remedy="exactspline paper new FOLDER creates one")
     if not any((folder / file).is_file() for file in ("paper.toml", "claims.toml", "formulas.py")):
-        raise ClaimError("is not a folder of a paper", where=str(path), remedy="it holds formulas.py and claims.toml")
+        raise ClaimError(
+            "is not the folder of a paper", where=str(path), remedy="it must contain formulas.py and claims.toml"
+        )
     return folder

@@ -1,9 +1,9 @@
 """Users' formulas, checked before they run.
 
-A file of formulas is code. Before any of it runs, its syntax tree is checked: functions whose bodies are expressions
-of the language (``+ − * / **``, derivatives, the operands of an argument, products of vectors) and calls of functions
-defined above them. The checked code is compiled and run without any of Python's built-in names, so that nothing can be
-reached that is not named here.
+A file of formulas is code. Before any of it runs, its syntax tree is checked: it may contain functions whose bodies are
+expressions of the language (``+ − * / **``, derivatives, the operands of an argument, products of vectors) and calls of
+functions defined above them. The checked code is compiled and run without any of Python's built-in names, so that it
+can access only what is listed here.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from exactspline.language.wronskians import wronskian
 from exactspline.numbers.exact import rational
 from exactspline.papers.symbols import not_a_symbol
 
-#: What a file of formulas may import from exactspline, and call.
+#: The names that a file of formulas may import from exactspline and call.
 LANGUAGE: dict[str, Callable[..., Any]] = {
     "complex_product": complex_product,
     "complex_quotient": complex_quotient,
@@ -51,14 +51,14 @@ HOMES: dict[str, set[str]] = {
     **{f"exactspline.language.{name}": set(LANGUAGE) for name in ("complex_numbers", "vector", "wronskians")},
 }
 IMPORT = 'write "from exactspline.language import formula, det, …"'
-#: Rooms from whose modules formulas may be imported.
+#: Packages from whose modules formulas may be imported.
 ROOMS = ("exactspline.formulas.", "exactspline.papers.")
-TRUST = "--trust runs the file as it stands, which may do anything"
-#: Limits: of a file, of a formula with all calls expanded, of powers, of derivatives, of its degree.
+TRUST = "--trust runs the file unchecked, with all permissions of Python"
+#: Limits on the size of a file, the size of a formula with all calls expanded, powers, derivatives, and the degree.
 CHARACTERS, WRITTEN_OUT, POWER, ORDER, DEGREE, DIGITS = 200_000, 100_000, 64, 20, 2000, 200
-#: The most rows whose determinant is counted, and how many products it may have.
+#: The maximal number of rows of a determinant, and of products in its expansion.
 LARGE, DETERMINANT = 20, 40_320
-#: Functions whose value has as many components as one of their arguments.
+#: Functions whose value has the same number of components as one of their arguments.
 PAIRS = {"complex_product", "complex_quotient", "conjugate"}
 _OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow)
 _BRANCHES = (ast.If, ast.IfExp, ast.BoolOp, ast.Compare, ast.While, ast.Match, ast.Assert, ast.Try)
@@ -67,8 +67,8 @@ _REPEATS = (ast.For, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 
 @dataclass
 class Checked:
-    """The functions that were checked: the size of each with all calls expanded, and its degree; the number of
-    components of its value, at most, where its arguments are scalars.
+    """The functions checked so far: for each its size with all calls expanded, its degree, and the maximal number of
+    components of its value if its arguments are scalars.
     """
 
     file: str
@@ -87,7 +87,7 @@ class Checked:
 
 def formulas_of(text: str, file: str, known: Mapping[str, Formula], *, plain: bool = False) -> dict[str, Formula]:
     """The formulas of a file, checked and then run. `known` are those of other papers, by ``module:name``; with
-    `plain`, unmarked functions of one argument count as formulas of a curve.
+    `plain`, undecorated functions of one argument are formulas of a curve.
 
     >>> text = "@formula('eq. (1)', on='plane')\\ndef f(c): return det(c.p, c.p.d(1))"
     >>> formulas_of(f"from exactspline.language import formula, det\\n{text}", "formulas.py", {})
@@ -96,12 +96,12 @@ def formulas_of(text: str, file: str, known: Mapping[str, Formula], *, plain: bo
     Traceback (most recent call last):
     exactspline.errors.FormulaError: my.py, line 1: import os; write "from exactspline.language import formula, det, …"
 
-    Raises `FormulaError` with file and line for whatever is not a formula.
+    Raises `FormulaError`, with file and line, for anything that is not allowed in a formula.
     """
     try:
         return _run(_parsed(text, file), file, known, plain)
     except (RecursionError, MemoryError):
-        raise FormulaError("an expression nested too deeply", where=file, remedy="give its parts names") from None
+        raise FormulaError("an expression nested too deeply", where=file, remedy="assign its parts to names") from None
 
 
 def _parsed(text: str, file: str) -> ast.Module:
@@ -121,16 +121,18 @@ def _run(tree: ast.Module, file: str, known: Mapping[str, Formula], plain: bool)
     names, read = _checked(tree, file, known)
     space: dict[str, Any] = {"__builtins__": {}, "__name__": file, **names}
     body: list[ast.stmt] = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
-    exec(compile(ast.Module(body, []), file, "exec"), space)  # nothing but what `_checked` has accepted
-    own = {name: space[name] for name in read.functions if name not in names}
+    exec(compile(ast.Module(body, []), file, "exec"), space)  # only code accepted by `_checked`
+    defined = {name: space[name] for name in read.functions if name not in names}
     if plain:
         single = {node.name for node in body if isinstance(node, ast.FunctionDef) and len(node.args.args) == 1}
-        own |= {n: Formula(f, file, CURVE, "") for n, f in own.items() if n in single and not isinstance(f, Formula)}
-    return {name: f for name, f in own.items() if isinstance(f, Formula)}
+        defined |= {
+            n: Formula(f, file, CURVE, "") for n, f in defined.items() if n in single and not isinstance(f, Formula)
+        }
+    return {name: f for name, f in defined.items() if isinstance(f, Formula)}
 
 
 def _checked(tree: ast.Module, file: str, known: Mapping[str, Formula]) -> tuple[dict[str, Any], Checked]:
-    """The imports of a file, after every statement of it is checked."""
+    """The imports of a file, and its functions; every statement is checked."""
     names: dict[str, Any] = {}
     read = Checked(file)
     for i, node in enumerate(tree.body):
@@ -144,7 +146,7 @@ def _checked(tree: ast.Module, file: str, known: Mapping[str, Formula]) -> tuple
         elif isinstance(node, ast.FunctionDef):
             _function(node, read)
         elif not (i == 0 and isinstance(node, ast.Expr) and _is_text(node.value)):
-            raise read.refuse(node, _told(node), _instead(node))
+            raise read.refuse(node, _described(node), _instead(node))
     return names, read
 
 
@@ -195,39 +197,39 @@ def _function(node: ast.FunctionDef, read: Checked) -> None:
 
 
 def _attributes(node: ast.FunctionDef, read: Checked) -> tuple[set[str], set[str]]:
-    """What the argument of a function has, and its constants: from its decorator; of a function without one, what any
-    argument without constants has.
+    """The attributes of the argument of a function, and its constants, according to its decorator; without a decorator,
+    the attributes of any argument without constants.
     """
     kinds = _kinds(node, read)
     if node.decorator_list and "formula" not in read.imported:
         raise read.refuse(node, "the function 'formula' is unknown here", IMPORT)
-    found = {"generator", "directrix"}
+    attributes = {"generator", "directrix"}
     for kind in kinds:
         for n in kind.dimensions:
-            found |= {*kind.names(n), *kind.parts}
+            attributes |= {*kind.names(n), *kind.parts}
             for part in kind.parts.values():
-                found |= set(part.names(n))
+                attributes |= set(part.names(n))
     constants = {name for kind in kinds if isinstance(kind, CurveKind) for name in kind.constants}
-    return found - constants, constants
+    return attributes - constants, constants
 
 
 def _vectors(node: ast.FunctionDef, read: Checked) -> dict[str, int]:
-    """The operands of a function that are vectors, with their components."""
-    found: dict[str, int] = {}
+    """The operands of a function that are vectors, with their numbers of components."""
+    lengths: dict[str, int] = {}
     for kind in _kinds(node, read):
         for each in (kind, *kind.parts.values()):
             for n in each.dimensions:
-                found |= {name: max(n, found.get(name, 1)) for name, vector in each.names(n).items() if vector}
-    return found
+                lengths |= {name: max(n, lengths.get(name, 1)) for name, vector in each.names(n).items() if vector}
+    return lengths
 
 
 def _kinds(node: ast.FunctionDef, read: Checked) -> list[Kind]:
-    """The kind that a decorator names; without one any."""
+    """The kind named by the decorator; without one, all kinds."""
     return [kind_of(_decorated(node, read))] if node.decorator_list else [*KINDS.values()]
 
 
 def _decorated(node: ast.FunctionDef, read: Checked) -> str:
-    """The kind of argument that ``@formula("source", on="kind", symbol="…")`` names."""
+    """The kind of argument named by ``@formula("source", on="kind", symbol="…")``."""
     call = node.decorator_list[0]
     good = (
         len(node.decorator_list) == 1
@@ -242,7 +244,7 @@ def _decorated(node: ast.FunctionDef, read: Checked) -> str:
     )
     if not good or not isinstance(call, ast.Call):
         raise read.refuse(
-            node, f"how {node.name} is marked", '@formula("place in the source", on="plane") and one argument'
+            node, f"the decorator of {node.name}", '@formula("place in the source", on="plane") and one argument'
         )
     symbol = next(
         (str(k.value.value) for k in call.keywords if k.arg == "symbol" and isinstance(k.value, ast.Constant)), ""
@@ -263,13 +265,13 @@ def _is_text(node: ast.AST) -> bool:
 
 
 def _is_plain(node: ast.AST) -> bool:
-    """Whether a text can be printed anywhere: on a terminal, in a page, as LaTeX."""
+    """Whether a text can safely be printed on a terminal, in HTML, and in LaTeX."""
     return isinstance(node, ast.Constant) and str(node.value).isprintable() and not set("<>$") & set(str(node.value))
 
 
 class _Body:
-    """A walk through the body of a function. For every expression it returns the size with all calls expanded, and a
-    bound of its degree.
+    """A traversal of the body of a function. For every expression it returns the size with all calls expanded, and a
+    bound on its degree.
     """
 
     def __init__(self, read: Checked, names: dict[str, tuple[int, int]]) -> None:
@@ -277,7 +279,7 @@ class _Body:
         self.lengths, self.length = dict.fromkeys(names, 1), 1
 
     def size(self, node: ast.FunctionDef) -> tuple[int, int]:
-        """The same for the value of a function."""
+        """The size and the degree of the value of a function."""
         body = node.body[1:] if isinstance(node.body[0], ast.Expr) and _is_text(node.body[0].value) else node.body
         *steps, last = body or [node]
         if not isinstance(last, ast.Return) or last.value is None:
@@ -289,9 +291,9 @@ class _Body:
         return sum(n for n, _ in self.names.values()) + total, degree
 
     def assign(self, node: ast.stmt) -> None:
-        """``name = expression``, or several of them."""
+        """Check ``name = expression``, or several of them."""
         if not isinstance(node, ast.Assign) or len(node.targets) != 1:
-            raise self.read.refuse(node, _told(node), _instead(node))
+            raise self.read.refuse(node, _described(node), _instead(node))
         target, value = node.targets[0], node.value
         pairs = [(target, value)]
         if isinstance(target, ast.Tuple):
@@ -303,7 +305,7 @@ class _Body:
             taken = isinstance(name, ast.Name) and (name.id in self.read.functions or name.id == self.argument)
             if not isinstance(name, ast.Name) or name.id.startswith("_") or taken:
                 raise self.read.refuse(
-                    node, "an assignment to what is not a name of its own", "write name = expression"
+                    node, "an assignment to something other than a new name", "write name = expression"
                 )
             made[name.id] = self.expression(given)
             lengths[name.id] = self.components(given)
@@ -311,7 +313,7 @@ class _Body:
         self.lengths |= lengths
 
     def components(self, node: ast.expr) -> int:
-        """How many components a value has, at most; 1 for a scalar."""
+        """An upper bound on the number of components of a value; 1 for a scalar."""
         if isinstance(node, ast.Name):
             return self.lengths.get(node.id, 1)
         if isinstance(node, ast.Attribute):
@@ -326,23 +328,23 @@ class _Body:
             return 1
         if isinstance(node.func, ast.Attribute):
             return self.components(node.func.value)
-        found, name = (
+        lengths, name = (
             [self.components(arg) for arg in node.args],
             node.func.id if isinstance(node.func, ast.Name) else "",
         )
         known = {
-            "join": sum(found),
-            "generalized_cross": len(found) + 1,
+            "join": sum(lengths),
+            "generalized_cross": len(lengths) + 1,
             "cross": 3,
             "perp": 2,
-            "ruled": max(found, default=1),
+            "ruled": max(lengths, default=1),
         }
         if name in known:
             return known[name]
-        return 1 if name in LANGUAGE and name not in PAIRS else self.read.lengths.get(name, 2) * max(found, default=1)
+        return 1 if name in LANGUAGE and name not in PAIRS else self.read.lengths.get(name, 2) * max(lengths, default=1)
 
     def terms(self, name: str, node: ast.Call) -> int:
-        """How many products a determinant of indeterminates has, written out: of n rows n!."""
+        """The number of products in the expansion of a determinant of indeterminates: n! for n rows."""
         if name == "wronskian" and node.args:
             order = next((k.value.value for k in node.keywords if isinstance(k.value, ast.Constant)), 0)
             n = max(self.components(node.args[0]), order if isinstance(order, int) else 0)
@@ -363,7 +365,7 @@ class _Body:
         }
         handled = ways.get(type(node))
         if handled is None:
-            raise self.read.refuse(node, _told(node), _instead(node))
+            raise self.read.refuse(node, _described(node), _instead(node))
         size, degree = handled(node)
         if size > WRITTEN_OUT:
             raise self.read.refuse(
@@ -392,7 +394,7 @@ class _Body:
 
     def _sign(self, node: ast.UnaryOp) -> tuple[int, int]:
         if not isinstance(node.op, (ast.USub, ast.UAdd)):
-            raise self.read.refuse(node, _told(node), _instead(node))
+            raise self.read.refuse(node, _described(node), _instead(node))
         return self.expression(node.operand)
 
     def _operation(self, node: ast.BinOp) -> tuple[int, int]:
@@ -406,14 +408,18 @@ class _Body:
             return m + n, a * n
         (n_, b) = self.expression(node.right)
         if isinstance(node.op, ast.Div) and _is_number(node.left) and _is_number(node.right):
-            told = ast.unparse(node)
-            raise self.read.refuse(node, f"{told} is a float in Python", f'write rational("{told.replace(" ", "")}")')
+            quotient = ast.unparse(node)
+            raise self.read.refuse(
+                node, f"{quotient} is a float in Python", f'write rational("{quotient.replace(" ", "")}")'
+            )
         return m + n_ + 1, max(a, b) if isinstance(node.op, (ast.Add, ast.Sub)) else a + b
 
     def _operand(self, node: ast.Attribute) -> tuple[int, int]:
         size = self.expression(node.value)
-        own = isinstance(node.value, ast.Name) and node.value.id == self.argument and node.attr in self.read.constants
-        if node.attr not in self.read.attributes and not own:
+        is_constant = (
+            isinstance(node.value, ast.Name) and node.value.id == self.argument and node.attr in self.read.constants
+        )
+        if node.attr not in self.read.attributes and not is_constant:
             known = sorted(self.read.attributes | self.read.constants)
             raise self.read.refuse(node, f"the argument has no {node.attr!r}", nearest(node.attr, known))
         return size
@@ -431,19 +437,19 @@ class _Body:
         if name == "rational":
             return self._rational(node)
         if name == "formula":
-            raise self.read.refuse(node, "formula marks a function", "write @formula above it")
+            raise self.read.refuse(node, "formula is a decorator", "write @formula above a function")
         if node.keywords and not (name == "wronskian" and [k.arg for k in node.keywords] == ["order"]):
             raise self.read.refuse(node, f"named arguments of {name}", "write the arguments separately")
         if name == "wronskian" and node.keywords and not _is_small(node.keywords[0].value):
             raise self.read.refuse(node, "the order of a Wronskian", "write a small integer")
-        found = [self.expression(arg) for arg in node.args]
+        arguments = [self.expression(arg) for arg in node.args]
         size, degree = self.read.functions[name]
-        products = sum(d for _, d in found) or 1
+        products = sum(d for _, d in arguments) or 1
         if (terms := self.terms(name, node)) > DETERMINANT:
             raise self.read.refuse(
                 node, f"a {name} of more than {DETERMINANT} products", "at most 8 vectors of 8 components"
             )
-        return size + sum(n for n, _ in found) + terms, max(degree, 1) * products
+        return size + sum(n for n, _ in arguments) + terms, max(degree, 1) * products
 
     def _above(self, name: str) -> str:
         known = list(self.read.functions)
@@ -467,11 +473,11 @@ class _Body:
         return size + 1, degree + 1
 
     def _component(self, node: ast.Subscript) -> tuple[int, int]:
-        found, index = self.expression(node.value), node.slice
+        measure, index = self.expression(node.value), node.slice
         bounds = [index] if not isinstance(index, ast.Slice) else [index.lower, index.upper, index.step]
         if not all(each is None or _is_small(each) for each in bounds):
             raise self.read.refuse(node, "the index of a component", "write v[0], v[1], … or v[0:2]")
-        return found
+        return measure
 
 
 def _is_number(node: ast.expr) -> bool:
@@ -482,12 +488,12 @@ def _is_small(node: ast.expr) -> bool:
     return isinstance(node, ast.Constant) and type(node.value) is int and 0 <= node.value <= ORDER
 
 
-def _told(node: ast.AST) -> str:
+def _described(node: ast.AST) -> str:
     """A description of a construct that is not allowed, in the author's terms."""
     if isinstance(node, _BRANCHES):
         return "a formula branches"
     if isinstance(node, _REPEATS):
-        return "a formula repeats"
+        return "a formula contains a loop"
     if isinstance(node, (ast.Import, ast.ImportFrom)):
         return ast.unparse(node)
     if isinstance(node, (ast.Expr, ast.expr, ast.Assign)):
@@ -498,7 +504,7 @@ def _told(node: ast.AST) -> str:
 
 def _instead(node: ast.AST) -> str:
     if isinstance(node, _BRANCHES):
-        return "it is one expression, the same for every curve; cases are separate claims"
+        return "write one expression that is the same for every curve, and cases as separate claims"
     if isinstance(node, _REPEATS):
         return "write the terms separately"
     if isinstance(node, (ast.Import, ast.ImportFrom)):

@@ -1,4 +1,4 @@
-"""Formulas loaded from files that are not modules of this package."""
+"""Loading of formulas from files that are not modules of this package."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 
-#: A function that gives the formulas that others may import, by ``papers.paper.module:name``.
+#: A function that returns the formulas that others may import, by ``papers.paper.module:name``.
 Importable = Callable[[], Mapping[str, Formula]]
 
 
 def checked_formulas(file: Traversable, importable: Importable, *, plain: bool = False) -> dict[str, Formula]:
-    """The formulas of a file, read before they run (see `exactspline.papers.formula_check`).
+    """The formulas of a file, checked before they run (see `exactspline.papers.formula_check`).
 
-    Raises `FormulaError` with file and line.
+    Raises `FormulaError`, with file and line, for an invalid file.
     """
     from exactspline.papers.formula_check import CHARACTERS, ROOMS, formulas_of
 
@@ -40,22 +40,22 @@ def checked_formulas(file: Traversable, importable: Importable, *, plain: bool =
 
 
 def trusted_formulas(file: Traversable) -> dict[str, Formula]:
-    """The formulas of a file that is run unchecked.
+    """The formulas of a file, which is run unchecked.
 
     Raises `FormulaError` for any error in it.
     """
     place = str(file)
     module = run_file(Path(place))
-    found = [f for f in vars(module).values() if isinstance(f, Formula) and f.__module__ == module.__name__]
-    return {f.name: guarded(f, place) for f in found}
+    formulas = [f for f in vars(module).values() if isinstance(f, Formula) and f.__module__ == module.__name__]
+    return {f.name: guarded(f, place) for f in formulas}
 
 
-#: The files that were run unchecked in this process.
+#: The files run unchecked in this process.
 _ran_unchecked: dict[str, None] = {}
 
 
 def ran_unchecked() -> tuple[str, ...]:
-    """The files of formulas that were run as they stand (``--trust``): what they say is theirs.
+    """The files of formulas that were run unchecked (``--trust``), for whose results their authors are responsible.
 
     >>> ran_unchecked()
     ()
@@ -64,12 +64,12 @@ def ran_unchecked() -> tuple[str, ...]:
 
 
 def forget_what_ran() -> None:
-    """Begin anew, as a command does."""
+    """Clear the list of `ran_unchecked`; called at the start of a command."""
     _ran_unchecked.clear()
 
 
 def run_file(file: Path) -> ModuleType:
-    """A Python file run as a temporary module, unchecked; `ran_unchecked` names it from then on.
+    """Run a Python file unchecked as a temporary module; it is listed in `ran_unchecked` afterwards.
 
     Raises `FormulaError` for any error in it.
     """
@@ -83,34 +83,34 @@ def run_file(file: Path) -> ModuleType:
     except ExactSplineError:
         raise
     except (Exception, SystemExit) as error:
-        raise told(error, str(file)) from None
+        raise described(error, str(file)) from None
     return module
 
 
 def run_module(name: str) -> ModuleType:
-    """A module of the user, imported, unchecked; `ran_unchecked` names it from then on."""
+    """Import a module of the user unchecked; it is listed in `ran_unchecked` afterwards."""
     _ran_unchecked[name] = None
     return import_module(name)
 
 
 def guarded(formula: Formula, file: str) -> Formula:
-    """The formula, whose errors name the file and the line at which they arise."""
+    """The formula, with errors that name the file and the line in which they occur."""
     function = formula.function
 
     @wraps(function)
     def value(c: object) -> Any:
         try:
-            found = function(c)
-            if problem := _no_value(found):
+            result = function(c)
+            if problem := _no_value(result):
                 raise FormulaError(problem, where=f"{file}, {formula.name}", remedy=VALUES)
-            return found
+            return result
         except ExactSplineError as error:
             if error.where.startswith(file):
                 raise
             line = _line(sys.exc_info()[2], file)
             raise error.at(f"{file}, line {line}, {formula.name}: ".removesuffix(": ")) from None
         except (TypeError, AttributeError, IndexError, ValueError, ArithmeticError, RecursionError) as error:
-            raise told(error, file, formula.name) from None
+            raise described(error, file, formula.name) from None
 
     formula.function = value
     return formula
@@ -121,7 +121,7 @@ VALUES = "return a scalar, a vector, a quotient or a ruled surface made of opera
 
 
 def _no_value(value: object) -> str:
-    """Why a value is not one of a formula; empty where it is."""
+    """The reason why an object is not a possible value of a formula; empty if it is one."""
     if isinstance(value, CONSTANTS):
         return f"the value is the number {value}, which does not depend on the argument"
     if isinstance(value, Vector):
@@ -130,19 +130,19 @@ def _no_value(value: object) -> str:
         return "" if all(isinstance(x, Operand) for x in value) else "the value is a vector of numbers or of vectors"
     if isinstance(value, RuledSurface):
         ends = (value.directrix, value.generator)
-        return next((told for end in ends if (told := _no_value(end))), "") or (
+        return next((described for end in ends if (described := _no_value(end))), "") or (
             "" if all(getattr(end, "is_vector", False) for end in ends) else "directrix and generator are not vectors"
         )
     return "" if isinstance(value, Operand) else f"the value is a {type(value).__name__}"
 
 
-def told(error: BaseException, file: str, name: str = "") -> FormulaError:
-    """An error in a file, in its author's terms."""
+def described(error: BaseException, file: str, name: str = "") -> FormulaError:
+    """An error in a file, described in terms of the language of formulas."""
     line = _line(error.__traceback__, file)
     problem = f"{type(error).__name__}: {' '.join(str(error).split())}"
     remedies: dict[type[BaseException], Callable[[], str]] = {
         AttributeError: lambda: "name operands that the argument has",
-        TypeError: lambda: "scalars and vectors: write dot, cross or det for products of vectors",
+        TypeError: lambda: "write dot, cross or det for products of vectors",
         IndexError: lambda: "components are counted from 0",
         ZeroDivisionError: lambda: "nothing can be divided by zero",
     }
@@ -152,7 +152,7 @@ def told(error: BaseException, file: str, name: str = "") -> FormulaError:
 
 
 def _line(trace: TracebackType | None, file: str) -> int:
-    """The line of a file in which an error arose."""
+    """The line of a file in which an error occurred."""
     line = 0
     while trace is not None:
         if trace.tb_frame.f_code.co_filename == file:

@@ -1,4 +1,4 @@
-"""A new paper: a small working one, copied into a user's folder."""
+"""New papers: a small working example, copied into a user's folder."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from exactspline.errors import ClaimError
 
 #: The folder that is copied.
 TEMPLATE = "new_paper"
-#: The suffix of its Python file, which is not a module here.
+#: The suffix of its Python file, which is not a module of this package.
 TEXT = ".txt"
 
 
 def write_new_paper(folder: str | Path) -> list[Path]:
-    """Write the small paper into a folder; return the files written.
+    """Write the example paper into a folder; return the files written.
 
     >>> import tempfile
     >>> [path.name for path in write_new_paper(Path(tempfile.mkdtemp()) / "mine")]
     ['README.md', 'claims.toml', 'arch.json', 'formulas.py']
 
-    Raises `ClaimError` for a folder that is not empty, or cannot be written.
+    Raises `ClaimError` for a folder that is not empty or cannot be written.
     """
     place = Path(folder)
     if place.exists() and (not place.is_dir() or any(place.iterdir())):

@@ -1,4 +1,4 @@
-"""The symbols of strangers' formulas: LaTeX that writes a sign, and nothing that reads, writes or links."""
+"""Symbols of users' formulas: only LaTeX that typesets a symbol is allowed, no commands that read, write or link."""
 
 from __future__ import annotations
 
@@ -12,26 +12,27 @@ Vert vert hat widehat tilde widetilde bar overline underline vec dot ddot breve 
 mathit mathsf mathcal mathbb mathfrak boldsymbol operatorname text frac tfrac sqrt left right quad qquad bot top
 dagger ddagger flat sharp natural
 """
-#: Commands of LaTeX that may stand in a symbol: letters, signs, accents and alphabets.
+#: LaTeX commands that are allowed in a symbol: letters, signs, accents and alphabets.
 COMMANDS = frozenset(_COMMANDS.split())
-#: Single signs after a backslash: blanks, and signs with another meaning without it.
+#: Single characters allowed after a backslash: spaces, and characters that need to be escaped.
 SIGNS = frozenset(",;:!| {}")
 
 
 def not_a_symbol(symbol: str) -> str:
-    r"""Why a text is not LaTeX for a symbol, which stands in the pages and the LaTeX of others; empty where it is.
+    r"""The reason why a text is not acceptable as LaTeX for a symbol, which appears in HTML and LaTeX of others; empty
+    if it is acceptable.
 
     >>> not_a_symbol(r"[\kappa_{1}\ \hat{D}']"), not_a_symbol(r"\input{x}"), not_a_symbol("a}^{b")
-    ('', 'the command \\input', 'braces that do not match')
+    ('', 'the command \\input', 'unbalanced braces')
     """
     for command in re.findall(r"\\([A-Za-z]+|.|$)", symbol):
         if command not in COMMANDS and command not in SIGNS:
             return f"the command \\{command}"
-    if found := re.search(r"[%#&~$]|\^\^", symbol):
-        return f"{found[0]!r} in it"
+    if character := re.search(r"[%#&~$]|\^\^", symbol):
+        return f"{character[0]!r} in it"
     depth = 0
     for brace in re.findall(r"(?<!\\)[{}]", symbol):
         depth += 1 if brace == "{" else -1
         if depth < 0:
             break
-    return "braces that do not match" if depth else ""
+    return "unbalanced braces" if depth else ""

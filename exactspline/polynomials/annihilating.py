@@ -16,7 +16,7 @@ from flint import fmpq_poly, fmpz, fmpz_poly, nmod_poly
 from exactspline.numbers.exact import PRIME, mpq, sign, to_fmpq
 from exactspline.polynomials.cost import check_reach
 from exactspline.polynomials.elimination import resultant
-from exactspline.polynomials.factors import factorize
+from exactspline.polynomials.factors import factorize, greatest_common_divisor
 
 #: The highest degree of a polynomial that is computed.
 DEGREE = 200
@@ -93,7 +93,7 @@ def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
     """
     (f, a), (g, b) = ((p.numer(), p.denom()) for p in (top, bottom))
     f, g = f * b, g * a
-    m = m // m.gcd(f.gcd(g))
+    m = m // greatest_common_divisor([f, g, m])
     check_size(m.degree(), max(f.height_bits(), g.height_bits()))
     return primitive(resultant(_rows(m), [fmpz_poly([-f[j], g[j]]) for j in range(max(f.degree(), g.degree()) + 1)]))
 
@@ -116,7 +116,7 @@ def square_free(p: fmpz_poly) -> fmpz_poly:
     >>> square_free(fmpz_poly([1, 2, 1]))
     x + 1
     """
-    return primitive(p // p.gcd(p.derivative()))
+    return primitive(p // greatest_common_divisor([p, p.derivative()]))
 
 
 def irreducible_factors(p: fmpz_poly) -> tuple[fmpz_poly, ...]:

@@ -260,7 +260,9 @@ class Term(RingOperand):
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The derivative of an order, by the one parameter."""
         if by is not None and by != self.recorder.all[self._only()]:
-            raise FormulaError(f"a derivative by {by!r} in a program", remedy="name the parameter on which it depends")
+            raise FormulaError(
+                f"a derivative with respect to {by!r} in a program", remedy="name the parameter on which it depends"
+            )
         result = self
         for _ in range(order):
             result = result._derived()

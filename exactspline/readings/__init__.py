@@ -1,5 +1,5 @@
-"""Readings: what the operands of a formula can be. The spline reading is `exactspline.splines.bspline` and
-`exactspline.splines.nurbs` themselves.
+"""Readings: the possible interpretations of the operands of a formula. The spline reading is provided directly by
+`exactspline.splines.bspline` and `exactspline.splines.nurbs`.
 """
 
 import lazy_loader

@@ -1,9 +1,8 @@
-"""The monomial reading: one term of the curve in the scaled Bernstein basis, of symbolic degree d.
+"""The monomial reading: a single term of the curve in the scaled Bernstein basis, for symbolic degree d.
 
 Numerators are the monomial ``u^(d − a) v^a`` and the denominator is ``u^(d − b) v^b`` with symbolic a and b. A formula
-that is linear in p and in w returns a few monomials next to that of the product, whose coefficients are polynomials in
-d, a and b: the coefficients of ``p_a w_b`` in every scaled Bernstein coefficient of the result, for all degrees at
-once.
+that is linear in p and in w returns a few monomials near that of the product. Their coefficients are polynomials in d,
+a and b: the coefficients of ``p_a w_b`` in every scaled Bernstein coefficient of the result, for all degrees d.
 """
 
 from __future__ import annotations
@@ -44,8 +43,8 @@ class Monomials(RingOperand):
             return NotImplemented
         if self.exponents != other.exponents:
             raise FormulaError(
-                "a sum of terms of different degree in p or in w",
-                remedy="this reading is for formulas homogeneous in both",
+                "a sum of terms of different degrees in p or in w",
+                remedy="this reading requires formulas homogeneous in both",
             )
         terms = self._no_terms() | self.terms
         for shift, c in other.terms.items():
@@ -74,11 +73,11 @@ class Monomials(RingOperand):
         return Monomials(self.exponents, {shift: c * q for shift, c in self.terms.items()})
 
     def elevated_to(self, other: object) -> Monomials:
-        """Itself: this reading needs no degree elevation."""
+        """The operand itself: this reading needs no degree elevation."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Monomials:
-        """``(∂v − ∂u)``, the derivative by the local parameter, term by term."""
+        """``(∂v − ∂u)``, the derivative with respect to the local parameter, term by term."""
         self.only_parameter(by)
         result, (u, v) = self, self.exponents
         for _ in range(order):
@@ -91,7 +90,7 @@ class Monomials(RingOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether there is no term."""
+        """Whether there are no terms."""
         return not self.terms
 
 
@@ -108,7 +107,7 @@ class BernsteinTermReading(Reading):
     proves = "which coefficients of an expression linear in p and in w vanish, for every degree d"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The same term for all numerators, another one for the denominators."""
+        """The argument with one term for all numerators and another one for the denominators."""
         freely_differentiable(kind, self, dimension)
         context = fmpq_mpoly_ctx.get(["d", "a", "b"], Ordering.degrevlex)
         d, a, b = context.gens()
@@ -127,9 +126,9 @@ def every_coefficient(value: Value) -> tuple[mpq, mpq] | None:
     """A proof that no scaled Bernstein coefficient of a vector that is linear in p and in w is identically zero, for
     every degree d ≥ 1, or None.
 
-    The vector has degree 2d − 1. Its coefficients 2k and 2k + 1, k = 0 … d − 1, contain the product ``p_(k+1) w_k``
-    with the numbers that are returned; they are not zero. (For one a and one b no two terms meet in one coefficient, so
-    that nothing cancels.)
+    The vector has degree 2d − 1. For k = 0 … d − 1, its coefficients 2k and 2k + 1 contain the product ``p_(k+1) w_k``
+    with the two factors returned, which are not zero. (For fixed a and b different terms contribute to different
+    coefficients, so that nothing cancels.)
 
     >>> from exactspline.language.kinds import CURVE
 

@@ -1,7 +1,7 @@
 """The degree reading: max-plus expressions in named degrees, ``9d − 6`` or ``max(2d − 1, d1 + d2)``.
 
-The degree of a product is the sum, of a sum the maximum, of a derivative one less. Constants have degree 0. This is the
-counting of Table 1.
+The degree of a product is the sum of the degrees, that of a sum their maximum, and a derivative lowers it by one.
+Constants have degree 0. These are the rules of Table 1.
 """
 
 from __future__ import annotations
@@ -34,15 +34,18 @@ def _plus(a: Term, b: Term) -> Term:
 
 
 def _dominates(a: Term, b: Term, start: int = 1) -> bool:
-    """Whether a ≥ b for all degrees ≥ `start`: slopes not smaller, and not smaller at the corner."""
+    """Whether a ≥ b for all degrees ≥ `start`: no coefficient is smaller, nor is the value where all degrees are
+    `start`.
+    """
     difference = _plus(a, (tuple((name, -k) for name, k in b[0]), -b[1]))
     return all(k >= 0 for _, k in difference[0]) and sum(k for _, k in difference[0]) * start + difference[1] >= 0
 
 
 class Degree(RingOperand, PartlyOrdered):
-    """A maximum of affine forms in named degrees, which are at least 1, in the parameter that is counted.
+    """A maximum of affine forms in named degrees, which are at least 1; a degree with respect to the parameter
+    `counted`.
 
-    A `still` one does not depend on that parameter: derivatives leave it unchanged.
+    A `still` degree belongs to an operand that does not depend on this parameter: derivatives leave it unchanged.
 
     >>> d = Degree.named("d")
     >>> (d + d).elevated_to(d), d * d, (d * d).d(3)
@@ -79,7 +82,7 @@ class Degree(RingOperand, PartlyOrdered):
 
     @property
     def degree(self) -> Degree:
-        """Itself."""
+        """The degree itself."""
         return self
 
     def max(self, other: Degree) -> Degree:
@@ -106,15 +109,15 @@ class Degree(RingOperand, PartlyOrdered):
         return self._made(terms, (PRODUCT, self.provenance, other.provenance), self.still and other.still)
 
     def scaled(self, constant: Constant) -> Degree:
-        """A constant factor leaves the degree."""
+        """The degree itself: a constant factor does not change it."""
         return self._made(self.terms, (MULTIPLE, self.provenance, mpq(constant)), self.still)
 
     def constant(self, value: Constant) -> Degree:
-        """A constant has degree 0; it is as `still` as this degree."""
+        """The degree 0 of a constant, `still` if this degree is."""
         return self._made([((), 0)], (MULTIPLE, UNIT, mpq(value)), self.still)
 
     def d(self, order: int = 1, *, by: str | None = None) -> Degree:
-        """One less for every derivative by the parameter that is counted, below 0 if need be."""
+        """The degree lowered by one for every derivative with respect to the parameter `counted`, possibly below 0."""
         provenance = self.provenance
         for _ in range(order):
             provenance = (DERIVATIVE, provenance, by)
@@ -124,11 +127,11 @@ class Degree(RingOperand, PartlyOrdered):
 
     @property
     def is_zero(self) -> bool:
-        """A degree never shows that something vanishes."""
+        """Always False: a degree never shows that an operand vanishes."""
         return False
 
     def at(self, values: Mapping[str, int]) -> int:
-        """The number for given degrees.
+        """The value for given values of the named degrees.
 
         >>> parse_degree("9d - 6").at({"d": 3})
         21
@@ -139,11 +142,11 @@ class Degree(RingOperand, PartlyOrdered):
 
     @property
     def names(self) -> frozenset[str]:
-        """The names of the degrees that occur in it."""
+        """The names of the degrees that occur in this expression."""
         return frozenset(name for coefficients, _ in self.terms for name, _ in coefficients)
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are equal for all degrees ≥ 1; `equal_from` also finds later agreement."""
+        """Whether both are equal for all degrees ≥ 1; see `equal_from` for equality above a larger bound."""
         return isinstance(other, Degree) and equal_from(self, other) == 1
 
     def __hash__(self) -> int:
@@ -166,7 +169,7 @@ def _term_text(term: Term) -> str:
 
 
 def equal_from(a: Degree, b: Degree, limit: int = 1000) -> int | None:
-    """The least d₀ ≥ 1 such that both are equal whenever all named degrees are ≥ d₀; None when there is none up to
+    """The least d₀ ≥ 1 such that both are equal whenever all named degrees are ≥ d₀; None if there is none up to
     `limit`.
 
     >>> d = Degree.named("d")
@@ -188,13 +191,13 @@ def equal_from(a: Degree, b: Degree, limit: int = 1000) -> int | None:
 
 
 def _below(a: Degree, b: Degree, start: int) -> bool:
-    """Whether a ≤ b wherever all degrees are ≥ start."""
+    """Whether a ≤ b whenever all degrees are ≥ `start`."""
     return all(any(_dominates(s, t, start) for s in b.terms) or _in_hull(t, b, start) for t in a.terms)
 
 
 def _in_hull(term: Term, b: Degree, start: int) -> bool:
-    """Whether a convex combination of the terms of b dominates the term (exact linear programming; by LP duality this
-    is also necessary).
+    """Whether a convex combination of the terms of b dominates `term`, decided by exact linear programming. By LP
+    duality this is also necessary for ``term ≤ b``.
     """
     if len(b.terms) == 1:
         return False
@@ -202,13 +205,13 @@ def _in_hull(term: Term, b: Degree, start: int) -> bool:
 
     terms, names = sorted(b.terms), sorted(b.names | {name for name, _ in term[0]})
     slopes = [[-dict(t[0]).get(name, 0) for t in terms] for name in names]
-    wanted = [-dict(term[0]).get(name, 0) for name in names]
+    target = [-dict(term[0]).get(name, 0) for name in names]
     corner = [-sum(k for _, k in t[0]) * start - t[1] for t in terms]
     try:
         linprog(
             [0] * len(terms),
             [*slopes, corner],
-            [*wanted, -sum(k for _, k in term[0]) * start - term[1]],
+            [*target, -sum(k for _, k in term[0]) * start - term[1]],
             [[1] * len(terms)],
             [1],
         )
@@ -218,12 +221,12 @@ def _in_hull(term: Term, b: Degree, start: int) -> bool:
 
 
 def parse_degree(text: str) -> Degree:
-    """Read a degree as it is written: ``9d-6``, ``12(d−1)``, ``d1 + d2``, ``max(d1, d2)``.
+    """Parse a degree: ``9d-6``, ``12(d−1)``, ``d1 + d2``, ``max(d1, d2)``.
 
     >>> parse_degree("12(d-1)"), parse_degree("max(d1, d2)")
     (12d − 12, max(d2, d1))
 
-    Raises `FormulaError` when it cannot be read.
+    Raises `FormulaError` if the text is not a degree.
     """
     return _parsed(as_text(text, "a degree"))
 
@@ -251,20 +254,21 @@ def _parsed(text: str) -> Degree:
 
 
 class DifferentiatedPartByPart(Rational[Degree]):
-    """A quotient whose derivative is counted as if numerator and denominator were differentiated one by one. This is
-    not a rule of Table 1: it is how (24) and (35) give γ′ the degree d − 1 "either polynomial or rational".
+    """A quotient whose derivative is counted as if numerator and denominator were differentiated separately. This is
+    not a rule of Table 1, but the way in which (24) and (35) give γ′ the degree d − 1 "either polynomial or rational".
     """
 
     __slots__ = ()
 
     def d(self, order: int = 1, *, by: str | None = None) -> DifferentiatedPartByPart:
-        """The degrees of both lowered."""
+        """The quotient with the degrees of numerator and denominator lowered."""
         return DifferentiatedPartByPart(self.numerator.d(order, by=by), self.denominator.d(order, by=by))
 
 
 class DegreeReading(Reading):
-    """Degrees in one parameter: ``s`` of the first curve, ``s̄`` of the second one, ``u`` or ``v`` of a surface. With
-    the `counting` ``part by part`` a rational curve is differentiated as in (24). `name` replaces ``d``.
+    """Degrees with respect to one parameter: ``s`` of the first curve, ``s̄`` of the second one, ``u`` or ``v`` of a
+    surface. With the `counting` ``part by part``, a rational curve is differentiated as in (24). `degree` is the name
+    of the degree of the curve.
 
     >>> from exactspline.language.kinds import PAIR
     >>> c = DegreeReading().argument(PAIR, 3)
@@ -273,7 +277,7 @@ class DegreeReading(Reading):
     """
 
     name = "degree"
-    proves = "what Table 1 counts, for every degree d"
+    proves = "the degree by Table 1, for every degree d"
 
     def __init__(
         self,
@@ -286,7 +290,7 @@ class DegreeReading(Reading):
         self.counting = choice(Counting, counting, "counting")
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The degrees of the operands; what does not depend on the parameter that is counted has degree 0."""
+        """The degrees of the operands; those that do not depend on the parameter `counted` have degree 0."""
         parameter = self.parameter
 
         def operand(symbol: Symbol) -> Degree:

@@ -1,4 +1,4 @@
-"""The order reading: how many derivatives of a curve a formula needs. A first pass before the jet ring is made."""
+"""The order reading: the highest derivative of a curve in a formula, which determines the jet ring."""
 
 from __future__ import annotations
 
@@ -41,35 +41,36 @@ class Order(RingOperand):
     __mul__ = __add__
 
     def scaled(self, constant: Constant) -> Order:
-        """A constant factor needs no derivative."""
+        """The same order: a constant factor needs no derivative."""
         return self
 
     def constant(self, value: Constant) -> Order:
-        """A constant needs no derivative."""
+        """Order 0: a constant needs no derivative."""
         return Order(0)
 
     def elevated_to(self, other: object) -> Order:
-        """Raising a degree needs no derivative."""
+        """The same order: degree elevation needs no derivative."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Order:
-        """That many more derivatives."""
+        """The order increased by that of the derivative."""
         return Order(self.order + order)
 
 
 class OrderReading(Reading):
-    """Every operand of order 0."""
+    """The reading in which every operand has order 0."""
 
     name = "order"
-    proves = "how many derivatives a formula needs"
+    proves = "the highest derivative in a formula"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The operands themselves, not differentiated."""
+        """The operands, all of order 0."""
         return kind.argument(dimension, lambda _: Order(0), Order(0), polynomial=polynomial)
 
 
 def is_polynomial(formula: Formula, dimension: int) -> bool:
-    """Whether a formula is a polynomial in the curve and its derivatives: no quotient on a rational curve.
+    """Whether a formula is a polynomial in the numerators, the denominator and their derivatives on a rational curve,
+    and not a quotient.
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f0, f2
     >>> is_polynomial(f2, 2), is_polynomial(f0, 2)
@@ -80,7 +81,7 @@ def is_polynomial(formula: Formula, dimension: int) -> bool:
 
 
 def order_of(formula: Formula, dimension: int) -> int:
-    """The highest derivative of the curve that a formula needs.
+    """The order of the highest derivative of the curve in a formula.
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D3
     >>> order_of(D3, 3)
@@ -106,5 +107,5 @@ def _orders(formula: Formula, dimension: int) -> Any:
 
 @lru_cache(64)
 def _argument(kind: Kind, dimension: int) -> Evaluated:
-    """One argument for all formulas of a kind, so that what they share is found once."""
+    """One argument for all formulas of a kind, so that common subformulas are evaluated once."""
     return OrderReading().argument(kind, dimension).remembering()

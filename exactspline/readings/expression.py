@@ -1,4 +1,4 @@
-"""Expression trees as data: what the tree reading makes and printers walk."""
+"""Expression trees as data, made by the tree reading and traversed by printers."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 
 class Operation(StrEnum):
-    """What a node does; products of vectors have the names of their functions."""
+    """The operation of a node; products of vectors have the names of their functions."""
 
     #: An operand, a constant, and a formula called by its name.
     LEAF = "leaf"
@@ -27,15 +27,15 @@ class Operation(StrEnum):
     PERP = "perp"
     GENERALIZED_CROSS = "generalized_cross"
     JOIN = "join"
-    #: A directrix with its generator; a normal with its height, brought to one denominator.
+    #: A directrix with its generator; a normal with its height, brought to a common denominator.
     RULED = "ruled"
     LEVEL = "level"
-    #: A part of a ruled surface that is called by its name.
+    #: A part of a ruled surface that is accessed by name.
     DIRECTRIX = "directrix"
     GENERATOR = "generator"
 
 
-#: Operations that compute nothing.
+#: Operations without arithmetic.
 ATOMS = (Operation.LEAF, Operation.NUMBER, Operation.NAMED)
 
 
@@ -45,7 +45,7 @@ class Expression:
     __slots__ = ("args", "is_vector", "op", "value")
     args: tuple[Expression, ...]
     is_vector: bool
-    #: The name of a leaf, a number, the order of a derivative, …, depending on the operation.
+    #: Depending on the operation: the name of a leaf, a number, the order of a derivative, …
     value: Any
 
     def __init__(

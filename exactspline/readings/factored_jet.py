@@ -1,7 +1,7 @@
-"""The factored reading: differential polynomials kept as products, never multiplied out unless a sum asks for it.
+"""The factored reading: differential polynomials kept as products, expanded only when a sum requires it.
 
-A naive numerator is mostly a product of the same few factors; kept apart they need not be found again. Sums factor out
-what both sides share.
+The numerator of a naive computation is usually a product of the same few factors; kept separate, they need not be found
+again by factorization. Sums factor out the common factors of both sides.
 """
 
 from __future__ import annotations
@@ -17,12 +17,11 @@ from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.polynomials.factorization import Factorization
-from exactspline.readings.jet import Jet, JetReading, JetRing, bounded_product
+from exactspline.polynomials.factors import bounded_product
+from exactspline.readings.jet import Jet, JetReading, JetRing
 
-#: Longer sums are tried for the factors that were met before, which are shorter.
+#: Sums with more terms are tested for divisibility by factors met before that are shorter.
 LONG = 100
-#: This many pairs of terms are multiplied at once where products are multiplied out for a sum.
-PAIRS_OF_SUMS = 3 * 10**7
 #: Monic polynomials with exponents.
 Powers = Factorization[fmpq_mpoly]
 ONE = Powers()
@@ -62,7 +61,7 @@ class FactoredJet(RingOperand):
         return bool(self.unit == 0)
 
     def expanded(self) -> fmpq_mpoly:
-        """Multiplied out."""
+        """The expanded polynomial."""
         return multiplied(self.ring, self.powers) * self.unit
 
     def __mul__(self, other: object) -> FactoredJet:
@@ -104,18 +103,18 @@ class FactoredJet(RingOperand):
         )
 
     def elevated_to(self, other: object) -> FactoredJet:
-        """Itself: degree elevation does not change a function."""
+        """The operand itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> FactoredJet:
-        """The total derivative, by the product rule for all factors at once."""
+        """The total derivative, by the product rule for all factors."""
         result = self
         for _ in range(order):
             ring, provenance = result.ring, (DERIVATIVE, result.provenance)
             total = ring.context.constant(0)
             for i, (p, e) in enumerate(result.powers):
                 others = Powers((q, 1) for j, (q, _) in enumerate(result.powers) if j != i)
-                total += e * Jet(ring, p).d(by=by).polynomial * multiplied(ring, others)
+                total += e * bounded_product(Jet(ring, p).d(by=by).polynomial, multiplied(ring, others))
             lowered = Powers((p, e - 1) for p, e in result.powers)
             result = _product(ring, total * result.unit, lowered, provenance)
         return result
@@ -128,14 +127,14 @@ class FactoredJet(RingOperand):
         same: bool = multiplied(self.ring, left) * self.unit == multiplied(self.ring, right) * other.unit
         return same
 
-    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
+    __hash__ = None  # type: ignore[assignment]  # not hashable
 
     def __repr__(self) -> str:
         return repr(Jet(self.ring, self.expanded()))
 
 
 def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, provenance: Provenance) -> FactoredJet:
-    """A polynomial times powers: made monic, the variables that divide it factored out."""
+    """A polynomial times powers, made monic and with the variables that divide it factored out."""
     if not p:
         return FactoredJet(ring, fmpq(0), ONE, provenance)
     unit = p.leading_coefficient()
@@ -143,12 +142,12 @@ def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, provenance: Provenanc
     content = p.term_content()
     content = content / content.leading_coefficient()
     variables = Powers((x, int(e)) for x, e in zip(ring.gens, content.degrees(), strict=True))
-    rest, found = p / content, powers * variables
+    rest, divided = p / content, powers * variables
     if len(rest) > LONG:
         for q in ring.repeated:
             times, rest = divided_out(rest, q)
-            found = found * Powers([(q, times)])
-    return FactoredJet(ring, unit, found * Powers([(rest, 1)]) if rest.total_degree() > 0 else found, provenance)
+            divided = divided * Powers([(q, times)])
+    return FactoredJet(ring, unit, divided * Powers([(rest, 1)]) if rest.total_degree() > 0 else divided, provenance)
 
 
 def _remember(ring: JetRing, powers: Powers) -> None:
@@ -158,35 +157,35 @@ def _remember(ring: JetRing, powers: Powers) -> None:
 
 
 def divided_out(p: fmpq_mpoly, q: fmpq_mpoly) -> tuple[int, fmpq_mpoly]:
-    """How often q divides p, and what is left."""
+    """The multiplicity of q as a factor of p, and the cofactor."""
     times = 0
     while True:
         try:
-            p = p / q  # given up at the first remainder
+            p = p / q  # stops at the first remainder
         except DomainError:
             return times, p
         times += 1
 
 
 def multiplied(ring: JetRing, powers: Powers) -> fmpq_mpoly:
-    """The product multiplied out, short factors last.
+    """The expanded product; short factors are multiplied last.
 
-    Raises `FormulaError` where it is too large to be worked with.
+    Raises `FormulaError` if it is too large.
     """
     result = ring.context.constant(1)
     for base, e in sorted(powers, key=lambda power: -len(power[0])):
         for _ in range(e):
-            result = bounded_product(result, base, PAIRS_OF_SUMS)
+            result = bounded_product(result, base)
     return result
 
 
 def _factored(operand: Operand) -> FactoredJet:
-    assert isinstance(operand, Jet)  # what the reading of jets is made of
+    assert isinstance(operand, Jet)  # the operands of the jet reading
     return FactoredJet.of(operand)
 
 
 class FactoredJetReading(Reading):
-    """The indeterminate argument, whose products stay products."""
+    """The argument with indeterminate operands, whose products stay products."""
 
     name = "factored jet"
     proves = "an identity for every curve of every degree"
@@ -195,6 +194,6 @@ class FactoredJetReading(Reading):
         self.order = order
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Every operand an indeterminate."""
+        """The argument in which every operand is an indeterminate."""
         jets = JetReading(self.order).argument(kind, dimension, polynomial=polynomial)
         return jets.mapped(_factored)

@@ -1,7 +1,7 @@
 """The generic reading: one Bézier segment of a given degree whose control points and weights are indeterminates.
 
-What a formula returns has Bézier coefficients that are polynomials in them; one that is not the zero polynomial
-vanishes only on special curves.
+The value of a formula has Bézier coefficients that are polynomials in them; a coefficient that is not the zero
+polynomial vanishes only on special curves.
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ class Generic(RingOperand):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Generic) and self.coefficients == other.coefficients
 
-    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
+    __hash__ = None  # type: ignore[assignment]  # not hashable
 
     def constant(self, value: Constant) -> Generic:
         """A constant of degree 0."""
         return Generic(self.context, [self.context.constant(to_fmpq(rational(value)))])
 
     def elevated_to(self, other: Generic) -> Generic:
-        """The same function, at least of the degree of `other`."""
+        """The same function, elevated to at least the degree of `other`."""
         by = other.degree - self.degree
         return (
             self
@@ -82,7 +82,7 @@ class Generic(RingOperand):
         return Generic(self.context, [q * x for x in self.coefficients])
 
     def d(self, order: int = 1, *, by: str | None = None) -> Generic:
-        """The derivative by the parameter of the segment."""
+        """The derivative with respect to the parameter of the segment."""
         self.only_parameter(by)
         result = self
         for _ in range(order):
@@ -92,7 +92,7 @@ class Generic(RingOperand):
 
 
 class GenericReading(Reading):
-    """One Bézier segment of a degree, whose control points and weights are indeterminates.
+    """One Bézier segment of a given degree, whose control points and weights are indeterminates.
 
     >>> from exactspline.language.kinds import CURVE
     >>> c = GenericReading(2).argument(CURVE, 2)
@@ -101,19 +101,21 @@ class GenericReading(Reading):
     """
 
     name = "generic"
-    proves = "what holds for all curves of one degree except special ones"
+    proves = "a statement about all curves of one degree except special ones"
 
     def __init__(self, degree: int) -> None:
         self.degree = degree
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Functions of the only parameter.
+        """The argument as functions of the only parameter.
 
         Raises `FormulaError` for a kind with several parameters, or with constants.
         """
         symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
         if len({parameter for symbol in symbols for parameter in symbol.parameters}) > 1:
-            raise FormulaError(f"a generic segment of {kind!r}", remedy="this reading has one parameter")
+            raise FormulaError(
+                f"a generic segment of {kind!r}", remedy="this reading applies to functions of one parameter"
+            )
         names = [f"{symbol.name}_{i}" for symbol in symbols for i in range(self.degree + 1)]
         context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
         gens, size = context.gens(), self.degree + 1

@@ -1,8 +1,8 @@
 """The jet reading: the curve is indeterminate, its derivatives are the variables x, x′, x″, …, w, w′, ….
 
-What a formula returns is a differential polynomial over the rationals. Two that are equal agree for every curve of
-every degree, so that an equality here is a proof for all curves. A polynomial homogeneous of degree k and of weight m
-(number of primes) has nominal B-spline degree ``kd − m``.
+The value of a formula is a differential polynomial over the rationals. If two of them are equal, the formulas agree for
+every curve of every degree, so that an equality here is a proof for all curves. A polynomial homogeneous of degree k
+and of weight m (number of primes) has nominal B-spline degree ``kd − m``.
 """
 
 from __future__ import annotations
@@ -24,16 +24,17 @@ from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import Number, mpq, rational, to_fmpq
 from exactspline.polynomials.factorization import superscript
+from exactspline.polynomials.factors import bounded_product
 
 PRIMES = ("", "′", "″", "‴")
 
 
-#: The terms of a polynomial: exponents, numerator, denominator.
+#: The terms of a polynomial: exponents, numerator and denominator of each.
 Terms = tuple[tuple[tuple[int, ...], int, int], ...]
 
 
 def terms_of(polynomial: fmpq_mpoly) -> Terms:
-    """The terms as integers, since FLINT's polynomials cannot be pickled."""
+    """The terms as integers, because FLINT's polynomials cannot be pickled."""
     return tuple((tuple(map(int, exponents)), int(c.p), int(c.q)) for exponents, c in polynomial.to_dict().items())
 
 
@@ -66,7 +67,7 @@ class JetRing:
         self.context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
         self.gens = self.context.gens()
         self.index = {variable: i for i, variable in enumerate(self.variables)}
-        #: Polynomials met as repeated factors: a factor hidden in a sum is mostly one of these (see
+        #: Polynomials that have occurred as repeated factors: a factor of a sum is usually one of these (see
         #: `exactspline.readings.factored_jet`).
         self.repeated: list[fmpq_mpoly] = []
         self._ruled: dict[str, fmpq_mpoly] = {}
@@ -75,7 +76,7 @@ class JetRing:
         return _ring, self._made_of
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are rings of the same polynomials."""
+        """Whether both consist of the same polynomials."""
         return isinstance(other, JetRing) and self._made_of == other._made_of
 
     def __hash__(self) -> int:
@@ -99,10 +100,11 @@ class JetRing:
         return Jet(self, self.context.constant(to_fmpq(rational(value))), (MULTIPLE, UNIT, rational(value)))
 
     def derivative(self, i: int, by: str | None) -> fmpq_mpoly | None:
-        """The derivative of the i-th variable: the next one, or the rule of the kind of argument; None for what does
-        not depend on the parameter.
+        """The derivative of the i-th variable: the next variable, or by the rule of the kind of argument; None if it
+        does not depend on the parameter.
 
-        Raises `FormulaError` where the ring has none, and for a function of several parameters where none is named.
+        Raises `FormulaError` if the ring does not contain it, and for a function of several parameters if none is
+        named.
         """
         name, orders = self.variables[i]
         parameters = self.symbols[name].parameters
@@ -124,17 +126,17 @@ class JetRing:
             return Parameter.FIRST
         raise FormulaError(
             f"the derivative of {name}, a function of {' and '.join(parameters)}",
-            remedy=f"say by which: d(1, by={str(parameters[0])!r})",
+            remedy=f"name one of them: d(1, by={str(parameters[0])!r})",
         )
 
     def lowered(self, i: int, parameter: Parameter) -> int:
-        """The place of the variable of which the i-th one is a derivative by that parameter."""
+        """The index of the variable whose derivative with respect to the parameter is the i-th variable."""
         name, orders = self.variables[i]
         which = self.symbols[name].parameters.index(parameter)
         return self.index[name, tuple(n - 1 if k == which else n for k, n in enumerate(orders))]
 
     def _next(self, name: str, orders: tuple[int, ...], which: int) -> fmpq_mpoly:
-        """The variable with one order raised."""
+        """The variable with one order increased."""
         raised = tuple(n + 1 if k == which else n for k, n in enumerate(orders))
         if (name, raised) not in self.index:
             raise FormulaError(
@@ -143,24 +145,24 @@ class JetRing:
         return self.gens[self.index[name, raised]]
 
     def primes(self, i: int) -> str:
-        """The i-th variable as it is written."""
+        """The notation for the i-th variable."""
         name, orders = self.variables[i]
         symbol = self.symbols[name]
         return symbol.text + derivative_mark(symbol.parameters, orders)
 
 
 def orders_up_to(order: int, parameters: int) -> list[tuple[int, ...]]:
-    """The orders of the derivatives in this many parameters, up to a total order.
+    """The orders of derivatives in this many parameters, up to a total order.
 
     >>> orders_up_to(2, 1), orders_up_to(1, 2)
     ([(0,), (1,), (2,)], [(0, 0), (1, 0), (0, 1)])
     """
-    found = (orders for orders in product(range(order, -1, -1), repeat=parameters) if sum(orders) <= order)
-    return sorted(found, key=sum)
+    orders_found = (orders for orders in product(range(order, -1, -1), repeat=parameters) if sum(orders) <= order)
+    return sorted(orders_found, key=sum)
 
 
 def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
-    """How a derivative is written: primes, or the letters of the parameters.
+    """The notation for a derivative: primes, or the letters of the parameters.
 
     >>> derivative_mark(("s",), (2,)), derivative_mark(("u", "v"), (2, 1)), derivative_mark((), (0,))
     ('″', '_uuv', '')
@@ -170,26 +172,6 @@ def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
         return PRIMES[order] if order < len(PRIMES) else f"⁽{superscript(order)}⁾"
     letters = "".join(letter * n for letter, n in zip(parameters, orders, strict=True))
     return f"_{letters}" if letters else ""
-
-
-#: The largest number of terms of a polynomial, and of pairs of terms that are multiplied at once.
-TERMS, PAIRS = 10**6, 10**9
-
-
-def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly, pairs: int = PAIRS) -> fmpq_mpoly:
-    """The product of two polynomials.
-
-    Raises `FormulaError` where it is too large.
-    """
-    if len(a) * len(b) > pairs:
-        raise FormulaError(f"a product of {len(a)} by {len(b)} terms", remedy=SHORTER)
-    product: fmpq_mpoly = a * b
-    if len(product) > TERMS:
-        raise FormulaError(f"a polynomial of {len(product)} terms", remedy=SHORTER)
-    return product
-
-
-SHORTER = f"at most {TERMS} are allowed: factor the formula, or name its parts"
 
 
 class Jet(RingOperand):
@@ -231,13 +213,13 @@ class Jet(RingOperand):
         return Jet(self.ring, self.polynomial * to_fmpq(rational(constant)), (MULTIPLE, self.provenance, mpq(constant)))
 
     def elevated_to(self, other: object) -> Jet:
-        """Itself: degree elevation does not change a function."""
+        """The operand itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Jet:
-        """The total derivative, or that by one parameter.
+        """The total derivative, or the derivative with respect to one parameter.
 
-        Raises `FormulaError` when the ring lacks the variable that it needs, and for a parameter that it does not have.
+        Raises `FormulaError` if the ring lacks a required variable, and for a parameter that it does not have.
         """
         ring, result, provenance = self.ring, self.polynomial, self.provenance
         refuse_letter(by, ring.parameters)
@@ -256,7 +238,7 @@ class Jet(RingOperand):
 
     @property
     def grading(self) -> tuple[int, int]:
-        """Degree k in the functions and weight m (number of primes); `FormulaError` when it is not homogeneous in
+        """Degree k in the functions and weight m (number of primes); raises `FormulaError` if it is not homogeneous in
         both.
         """
         orders = [sum(k) for _, k in self.ring.variables]
@@ -266,7 +248,7 @@ class Jet(RingOperand):
         if len(gradings) != 1:
             raise FormulaError(
                 f"a polynomial with the gradings {sorted(gradings)}",
-                remedy="degree and weight exist for homogeneous ones only",
+                remedy="degree and weight are defined only for homogeneous polynomials",
             )
         return gradings.pop()
 
@@ -286,7 +268,7 @@ class Jet(RingOperand):
 
 
 def polynomial_text(jet: Jet, limit: int = 12) -> str:
-    """The polynomial as it is written, cut after `limit` terms."""
+    """The polynomial as text, truncated after `limit` terms."""
     p, count = jet.polynomial, len(jet.polynomial)
     if not count:
         return "0"
@@ -304,17 +286,17 @@ def _term_text(ring: JetRing, exponents: Any, c: mpq) -> str:
 
 
 def _ring(kind: Kind, dimension: int, order: int, polynomial: bool) -> JetRing:
-    """The unpickled ring."""
+    """Unpickles a ring."""
     return JetRing(kind, dimension, order, polynomial=polynomial)
 
 
 def _jet(ring: JetRing, terms: Terms) -> Jet:
-    """The unpickled polynomial, with a new provenance, since numbers of leaves mean nothing in another process."""
+    """Unpickles a polynomial, with a new provenance, because numbers of leaves have no meaning in another process."""
     return Jet(ring, ring.of_terms(terms))
 
 
 class JetReading(Reading):
-    """The indeterminate argument, with its derivatives up to an order.
+    """The argument with indeterminate operands, and their derivatives up to an order.
 
     >>> from exactspline.language.kinds import PAIR
     >>> c = JetReading(1).argument(PAIR, 3)
@@ -329,6 +311,6 @@ class JetReading(Reading):
         self.order = order
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Every operand an indeterminate; a polynomial curve has the denominator 1."""
+        """The argument in which every operand is an indeterminate; a polynomial curve has the denominator 1."""
         ring = JetRing(kind, dimension, self.order, polynomial=polynomial)
         return kind.argument(dimension, lambda symbol: ring[symbol.name], ring.number(1), polynomial=polynomial)

@@ -1,8 +1,8 @@
-"""The reading at infinity: the leading coefficients in the power basis, for symbolic degree d.
+"""The reading at infinity: leading coefficients in the power basis, for symbolic degree d.
 
 A component of the curve is ``t^d (a_0 + a_1/t + a_2/t² + …)`` with indeterminate a_i, and its k-th derivative has the
 coefficients ``(d − i)(d − i − 1)…(d − i − k + 1) a_i``. The value of a formula is known to a few terms of its
-expansion; the number of those that vanish is how far the true degree lies below the nominal one, for all d at once.
+expansion; the number of leading terms that vanish is the difference between nominal and true degree, for all d.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import rational, to_fmpq
-from exactspline.polynomials.factors import factorize
+from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.readings.degree import Degree, parse_degree
 from exactspline.readings.differential_order import order_of
 
-#: An upper bound of the vanishing terms of every formula of the library.
+#: Limit on the number of terms; an upper bound for the vanishing terms of every formula of the library.
 MAX_TERMS = 40
 
 
 class Across(NamedTuple):
-    """The derivative by the other parameter of a surface: the next coefficient after each that is known."""
+    """The derivative with respect to the other parameter of a surface, given on the known coefficients."""
 
     parameter: Parameter
     follows: dict[int, fmpq_mpoly]
@@ -49,9 +49,9 @@ class Across(NamedTuple):
 
 
 class Expansion(RingOperand):
-    """A sum of parts ``t^(k d − m) (c_0 + c_1/t + …)``, one for each degree k and weight m: the c_i are polynomials in
-    d and the coefficients of the curve, known to a few terms. Zero has no part at all; a part whose known terms vanish
-    need not be zero.
+    """A sum of parts ``t^(k d − m) (c_0 + c_1/t + …)``, one for each degree k and weight m; the c_i are polynomials in
+    d and the coefficients of the curve, and only a few of them are known. Zero has no parts; a part whose known terms
+    all vanish is not necessarily zero.
 
     >>> from exactspline.language.kinds import CURVE
 
@@ -84,7 +84,7 @@ class Expansion(RingOperand):
         return max((k for k, _ in self.parts), default=0)
 
     def constant(self, value: Constant) -> Expansion:
-        """A constant: it expands to itself."""
+        """The expansion of a constant."""
         number = to_fmpq(rational(value))
         if not number:
             return self._made({})
@@ -121,12 +121,12 @@ class Expansion(RingOperand):
         return self._made(parts)
 
     def elevated_to(self, other: object) -> Expansion:
-        """Itself: degree elevation does not change a function."""
+        """The operand itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Expansion:
-        """The derivative, term by term; that of a constant is exactly zero. By the other parameter of a surface it is
-        that of the coefficients, which are functions of it.
+        """The derivative, term by term; that of a constant is exactly zero. For the other parameter of a surface, the
+        coefficients are differentiated, which are functions of it.
         """
         if self.across is None:
             self.only_parameter(by)
@@ -134,7 +134,7 @@ class Expansion(RingOperand):
             parts = {g: [self.across(a, order) for a in terms] for g, terms in self.parts.items() if g[0]}
             return self._made(parts)
         elif by is None:
-            raise FormulaError("the derivative of a function of two parameters", remedy="say by which")
+            raise FormulaError("the derivative of a function of two parameters", remedy="name the parameter")
         result, d = self, self.context.gens()[0]
         for _ in range(order):
             parts = {
@@ -147,21 +147,21 @@ class Expansion(RingOperand):
 
     @property
     def leading(self) -> dict[tuple[int, int], tuple[int, fmpq_mpoly]] | None:
-        """For every part, how many leading terms vanish identically in d, and the first that does not; None as long as
-        all known terms of some part vanish.
+        """For every part, the number of leading terms that vanish identically in d, and the first that does not; None
+        if all known terms of some part vanish.
         """
-        found = {}
+        by_grading = {}
         for grading, terms in self.parts.items():
             drop = next((i for i, a in enumerate(terms) if a), None)
             if drop is None:
                 return None
-            found[grading] = drop, terms[drop]
-        return found
+            by_grading[grading] = drop, terms[drop]
+        return by_grading
 
 
 def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
-    """The integers d ≥ 1 at which a polynomial in d (its first variable) and other variables vanishes for all values of
-    the others.
+    """The integers d ≥ 1 for which a polynomial in d (its first variable) and other variables vanishes for all values
+    of the others.
     """
     if polynomial and polynomial.degrees()[0] == 0:
         return ()
@@ -171,7 +171,7 @@ def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
         e = tuple(map(int, exponents))
         grouped.setdefault(e[1:], {})[e[0]] = c
     for powers in grouped.values():
-        common = common.gcd(fmpq_poly([powers.get(i, 0) for i in range(max(powers) + 1)]))
+        common = greatest_common_divisor([common, fmpq_poly([powers.get(i, 0) for i in range(max(powers) + 1)])])
         if common.degree() == 0:
             return ()
     return tuple(
@@ -184,8 +184,8 @@ def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
 
 
 class StillExpansion(Expansion):
-    """What does not depend on the parameter that goes to infinity: a constant there, and so are its derivatives by a
-    parameter of its own.
+    """The expansion of an operand that does not depend on the parameter that goes to infinity. It is a constant there,
+    as are its derivatives with respect to its own parameter.
     """
 
     __slots__ = ("derivatives",)
@@ -193,24 +193,24 @@ class StillExpansion(Expansion):
     derivatives: list[StillExpansion]
 
     def d(self, order: int = 1, *, by: str | None = None) -> StillExpansion:
-        """The derivative of that order: another constant."""
+        """The derivative of the given order, again a constant."""
         return self.derivatives[order]
 
 
 class LeadingTermsReading(Reading):
-    """Leading coefficients at infinity of a parameter, to this many terms, with derivatives up to an order of what does
-    not depend on it: the second curve and the point stay constant, and the coefficients of a surface are functions of
-    its other parameter.
+    """Leading coefficients as one parameter goes to infinity, to this many terms. Operands that do not depend on this
+    parameter, such as the second curve and the point, are constants with derivatives up to `order`; the coefficients of
+    a surface are functions of its other parameter.
     """
 
     name = "infinity"
-    proves = "the true degree on the generic curve, for every d except those named"
+    proves = "the true degree on the generic curve, for every d except those listed"
 
     def __init__(self, terms: int, order: int = 0, parameter: Parameter = Parameter.FIRST) -> None:
         self.terms, self.order, self.parameter = terms, order, parameter
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Expansions of the functions of s; constants for everything else."""
+        """The argument with expansions of the functions of the parameter, and constants for all other operands."""
         symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
         if any(len(symbol.parameters) > 1 for symbol in symbols):
             return self._surface(kind, dimension, symbols, polynomial)
@@ -234,7 +234,9 @@ class LeadingTermsReading(Reading):
         return kind.argument(dimension, operand, one, polynomial=polynomial)
 
     def _surface(self, kind: Kind, dimension: int, symbols: tuple[Symbol, ...], polynomial: bool) -> Evaluated:
-        """Expansions whose coefficients are functions of the other parameter, with their derivatives."""
+        """The argument with expansions whose coefficients, with their derivatives, are functions of the other
+        parameter.
+        """
         (other,) = (p for p in kind.parameters(dimension) if p != self.parameter)
         places = [(s.name, i, n) for s in symbols for i in range(self.terms) for n in range(self.order + 1)]
         context = fmpq_mpoly_ctx.get(["d", *[f"{name}{i}_{n}" for name, i, n in places]], Ordering.degrevlex)
@@ -257,7 +259,7 @@ def generic_true_degree(
 ) -> Degree:
     """The true degree of a polynomial formula on the generic curve for symbolic d, homogeneous or not.
 
-    Leading terms of parts of different degree and weight have no monomial in common: nothing cancels between them.
+    Leading terms of parts of different degree and weight have no monomials in common, so that they cannot cancel.
 
     >>> from exactspline.language.formula import formula
     >>> @formula("an example")
@@ -267,7 +269,7 @@ def generic_true_degree(
     max(2d − 2, d)
     """
     order = order_of(formula, dimension)
-    found = _resolved(
+    leading = _resolved(
         formula,
         lambda terms: LeadingTermsReading(terms, order, parameter).argument(
             formula.kind, dimension, polynomial=polynomial
@@ -276,7 +278,7 @@ def generic_true_degree(
     )
     symbols = formula.kind.symbols(dimension, polynomial=polynomial)
     name = next(symbol.degree_in(parameter) for symbol in symbols if parameter in symbol.parameters)
-    degrees = [parse_degree(f"{k}{name}-{m + drop}") for part in found for (k, m), (drop, _) in part.items()]
+    degrees = [parse_degree(f"{k}{name}-{m + drop}") for part in leading for (k, m), (drop, _) in part.items()]
     result = degrees[0]
     for degree in degrees[1:]:
         result = result.max(degree)
@@ -287,20 +289,20 @@ Leading = dict[tuple[int, int], tuple[int, fmpq_mpoly]]
 
 
 def _resolved(formula: Callable[[Any], Any], curve: Callable[[int], Any], name: str) -> list[Leading]:
-    """The leading terms of the components that are not zero, with as many known terms as necessary. Where all have the
-    same degree and weight, components that need more terms than another have a lower degree and are left out.
+    """The leading terms of the components that are not zero, with as many known terms as necessary. If all have the
+    same degree and weight, components that require more terms than others have a lower degree and are omitted.
     """
     for terms in range(1, MAX_TERMS):
         result = formula(curve(terms))
         components = list(result) if isinstance(result, Vector) else [result]
         if not all(isinstance(c, Expansion) for c in components):
-            raise FormulaError(f"{name} is a quotient", remedy="ask for numerator and denominator separately")
-        found = [c.leading for c in components if c.parts]
-        last = [part for part in found if part is not None]
+            raise FormulaError(f"{name} is a quotient", remedy="pass numerator and denominator separately")
+        leading = [c.leading for c in components if c.parts]
+        last = [part for part in leading if part is not None]
         gradings = {grading for c in components for grading in c.parts}
-        if last and (len(last) == len(found) or len(gradings) == 1):
+        if last and (len(last) == len(leading) or len(gradings) == 1):
             return last
-    raise FormulaError(f"{name} vanishes to {MAX_TERMS} terms", remedy="it may be identically zero")
+    raise FormulaError(f"the first {MAX_TERMS - 1} terms of {name} vanish", remedy="it may be identically zero")
 
 
 def drop_of(
@@ -308,20 +310,20 @@ def drop_of(
 ) -> tuple[int, int, int, tuple[int, ...]]:
     """``(k, m, drop, exceptions)``: the formula has true degree ``k d − m − drop`` on the generic curve of degree d.
 
-    Proved for every d ≥ drop (so that the coefficients exist) except the exceptions, where it is lower. A vector has
-    the largest degree of its components. ``curve`` is the curve at infinity, known to a number of terms.
+    Proved for every d ≥ drop (so that the coefficients exist) except the exceptions, where it is lower. The degree of a
+    vector is the largest degree of its components. ``curve`` returns the curve at infinity to a given number of terms.
 
     Raises `FormulaError` for formulas that are not polynomials in the curve, or not homogeneous (see
     `generic_true_degree`).
     """
-    found = _resolved(formula, curve, name)
-    gradings = {grading for part in found for grading in part}
+    resolved = _resolved(formula, curve, name)
+    gradings = {grading for part in resolved for grading in part}
     if len(gradings) > 1:
         raise FormulaError(
             f"a sum of terms of degree and weight {sorted(gradings)}", remedy="homogeneous formulas only"
         )
     ((k, m),) = gradings
-    leading = [part[k, m] for part in found]
+    leading = [part[k, m] for part in resolved]
     least = min(drop for drop, _ in leading)
     exceptions = set.intersection(*[set(common_roots(term)) for drop, term in leading if drop == least])
     return k, m, least, tuple(sorted(exceptions))

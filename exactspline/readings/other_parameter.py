@@ -1,6 +1,6 @@
-"""The same curve in another parameter t: with ``ρ = ds/dt`` the derivative of everything is ``d/dt = ρ d/ds``.
+"""The same curve with another parameter t: with ``ρ = ds/dt``, derivatives are ``d/dt = ρ d/ds``.
 
-ρ is a function of its own, so that what holds here holds of every change of parameter.
+ρ is an independent function, so that what holds here holds for every change of parameter.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from exactspline.language.operand import Constant, FieldOperand
 
 
 class InOtherParameter(FieldOperand):
-    """An operand of a reading that can divide, differentiated by another parameter.
+    """An operand of a reading with division, differentiated with respect to another parameter.
 
     >>> from exactspline.language.kinds import kind_of
     >>> from exactspline.readings.rational_jet import RationalJetReading
@@ -48,11 +48,11 @@ class InOtherParameter(FieldOperand):
         return self._made(self.value.scaled(constant))
 
     def elevated_to(self, other: object) -> InOtherParameter:
-        """Itself: degree elevation does not change a function."""
+        """The operand itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> InOtherParameter:
-        """The derivative by the other parameter."""
+        """The derivative with respect to the other parameter."""
         value = self.value
         for _ in range(order):
             value = value.d(1, by=by) * self.speed
@@ -66,4 +66,4 @@ class InOtherParameter(FieldOperand):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, InOtherParameter) and bool(self.value == other.value)
 
-    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
+    __hash__ = None  # type: ignore[assignment]  # not hashable

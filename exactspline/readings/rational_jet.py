@@ -1,7 +1,7 @@
 """The fraction reading: quotients of differential polynomials in lowest terms.
 
-Where the jet reading carries out the naive algorithm, this one computes the function itself, cancelling common factors
-after every operation: a way to prove an identity between large naive expressions without multiplying them out.
+The jet reading carries out the naive algorithm; this one computes the function itself and cancels common factors after
+every operation. This proves identities between large naive expressions without expanding them.
 """
 
 from __future__ import annotations
@@ -15,11 +15,12 @@ from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import rational, to_fmpq
-from exactspline.readings.jet import Jet, JetRing, Terms, bounded_product, terms_of
+from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
+from exactspline.readings.jet import Jet, JetRing, Terms, terms_of
 
 
 class JetFraction(FieldOperand):
-    """``top / bottom`` without common factor, the bottom monic.
+    """``top / bottom`` without common factors, with monic `bottom`.
 
     >>> from exactspline.language.kinds import CURVE
 
@@ -52,12 +53,14 @@ class JetFraction(FieldOperand):
         if self.bottom == right.bottom:
             return JetFraction(self.ring, *_without_common(self.top + right.top, self.bottom))
         if self.bottom.is_one() or right.bottom.is_one():
-            top = self.top * right.bottom + right.top * self.bottom  # has no common factor with the other bottom
-            return JetFraction(self.ring, top, self.bottom * right.bottom)
+            # has no common factor with the other denominator
+            top = bounded_product(self.top, right.bottom) + bounded_product(right.top, self.bottom)
+            return JetFraction(self.ring, top, bounded_product(self.bottom, right.bottom))
         shared = _gcd(self.bottom, right.bottom)
         mine, its = self.bottom / shared, right.bottom / shared
-        top, rest = _without_common(self.top * its + right.top * mine, shared)
-        return JetFraction(self.ring, top, mine * its * rest)
+        total = bounded_product(self.top, its) + bounded_product(right.top, mine)
+        top, rest = _without_common(total, shared)
+        return JetFraction(self.ring, top, bounded_product(bounded_product(mine, its), rest))
 
     def __mul__(self, other: object) -> JetFraction:
         right = self.beside(other)
@@ -72,7 +75,7 @@ class JetFraction(FieldOperand):
         return JetFraction(self.ring, bounded_product(first, second), bounded_product(beneath, below))
 
     def reciprocal(self) -> JetFraction:
-        """``1 / a``; `VanishingDivisorError` for zero."""
+        """``1 / a``; raises `VanishingDivisorError` for zero."""
         if not self.top:
             raise VanishingDivisorError(
                 "division by an expression that vanishes on every curve", remedy="check the formula"
@@ -86,7 +89,7 @@ class JetFraction(FieldOperand):
         return JetFraction(self.ring, self.top * factor, self.bottom if factor else self.ring.context.constant(1))
 
     def elevated_to(self, other: object) -> JetFraction:
-        """Itself: degree elevation does not change a function."""
+        """The operand itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> JetFraction:
@@ -100,7 +103,7 @@ class JetFraction(FieldOperand):
             shared = _gcd(numerator, result.bottom)
             rest = result.bottom / shared
             again = _gcd(numerator / shared, result.bottom)
-            result = JetFraction(result.ring, numerator / shared / again, rest * (result.bottom / again))
+            result = JetFraction(result.ring, numerator / shared / again, bounded_product(rest, result.bottom / again))
         return result
 
     @property
@@ -109,8 +112,9 @@ class JetFraction(FieldOperand):
         return not self.top
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same quotient. Values of this reading are in lowest terms, so that equal ones look
-        alike; quotients that look different are still multiplied out, unless their values at one point differ.
+        """Whether both are the same quotient. Values of this reading are in lowest terms, so that equal values have
+        equal representations. Different representations are still compared by cross-multiplication, unless their values
+        at one point differ.
         """
         if not isinstance(other, JetFraction):
             return False
@@ -118,7 +122,7 @@ class JetFraction(FieldOperand):
             return bool(self.top == other.top)
         if self._at_a_point(other.bottom) != other._at_a_point(self.bottom):
             return False
-        return bool(self.top * other.bottom == other.top * self.bottom)
+        return bool(bounded_product(self.top, other.bottom) == bounded_product(other.top, self.bottom))
 
     def _at_a_point(self, factor: fmpq_mpoly) -> fmpq:
         """The numerator times a polynomial, at one point of small integers."""
@@ -126,14 +130,14 @@ class JetFraction(FieldOperand):
         value: fmpq = self.top(*point) * factor(*point)
         return value
 
-    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
+    __hash__ = None  # type: ignore[assignment]  # not hashable
 
     def __repr__(self) -> str:
         return f"({Jet(self.ring, self.top)!r}) / ({Jet(self.ring, self.bottom)!r})"
 
 
 def _fraction(ring: JetRing, top: Terms, bottom: Terms) -> JetFraction:
-    """The unpickled fraction."""
+    """Unpickles a fraction."""
     return JetFraction(ring, ring.of_terms(top), ring.of_terms(bottom))
 
 
@@ -147,12 +151,12 @@ def _without_common(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fm
 
 def _gcd(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
     """The monic greatest common divisor (of 0 and b: b made monic)."""
-    common = b if len(a) >= len(b) and _divides(b, a) else a.gcd(b)
+    common = b if len(a) >= len(b) and _divides(b, a) else greatest_common_divisor([a, b])
     return common / common.leading_coefficient() if common else common
 
 
 def _divides(b: fmpq_mpoly, a: fmpq_mpoly) -> bool:
-    """Whether b divides a. Mostly the first terms say no, so that this costs nothing beside a common divisor."""
+    """Whether b divides a. A negative answer usually follows from the first terms, far cheaper than a gcd."""
     try:
         a / b
     except (DomainError, ZeroDivisionError):
@@ -161,7 +165,7 @@ def _divides(b: fmpq_mpoly, a: fmpq_mpoly) -> bool:
 
 
 class RationalJetReading(Reading):
-    """The indeterminate argument, whose quotients are in lowest terms."""
+    """The argument with indeterminate operands, whose quotients are in lowest terms."""
 
     name = "rational jet"
     proves = "an identity for every curve of every degree"
@@ -170,7 +174,7 @@ class RationalJetReading(Reading):
         self.order = order
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Every operand an indeterminate."""
+        """The argument in which every operand is an indeterminate."""
         ring = JetRing(kind, dimension, self.order, polynomial=polynomial)
 
         def fraction(x: Jet) -> JetFraction:

@@ -1,7 +1,7 @@
 """The sympy reading: a formula becomes an expression of sympy in the functions x(s), y(s), z(s), w(s) of the parameter.
 
-Its calculus (the derivatives) and its algebra (sparse polynomials over sympy's own ground types) are sympy's and share
-nothing with the jets of `exactspline.readings.jet`: where both agree, a claim was decided twice. The second curve of a
+Differentiation and algebra (sparse polynomials over sympy's ground types) are those of sympy and share no code with the
+jets of `exactspline.readings.jet`: if both agree, a claim has been decided twice, independently. The second curve of a
 pair has the parameter s̄, surfaces have u and v; the coordinates of a point are symbols.
 """
 
@@ -29,8 +29,7 @@ from exactspline.polynomials.factorization import Factorization, multiplied
 
 PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in Parameter}
 FIRST = PARAMETER[Parameter.FIRST]
-#: The points at which divisibility of values is tried first, coordinate by coordinate, repeated cyclically: any
-#: integers will do.
+#: Coordinates of the points at which divisibility of values is tested first, repeated cyclically; arbitrary integers.
 POINTS = tuple(tuple(3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(89)) for k in (1, 2, 3))
 
 
@@ -68,7 +67,7 @@ class SympyExpression(FieldOperand):
         return self._made(self.expression * right.expression, self.parameters | right.parameters)
 
     def reciprocal(self) -> Self:
-        """``1 / a``; `FormulaError` for what vanishes identically."""
+        """``1 / a``; raises `FormulaError` if a vanishes identically."""
         if self.is_zero:
             raise FormulaError("division by an expression that vanishes on every curve", remedy="check the formula")
         return self._made(1 / self.expression, self.parameters)
@@ -78,19 +77,19 @@ class SympyExpression(FieldOperand):
         return self._made(self.expression * _number(constant), self.parameters)
 
     def elevated_to(self, other: object) -> Self:
-        """Itself: degree elevation does not change a function."""
+        """The operand itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
-        """The derivative by its parameter, or by the one that is named.
+        """The derivative with respect to its parameter, or the one that is named.
 
-        Raises `FormulaError` for what depends on two parameters, where none is named.
+        Raises `FormulaError` for an expression in two parameters if none is named.
         """
         if by is not None:
             return self._made(sympy.diff(self.expression, PARAMETER[by], order), self.parameters)
         if len(self.parameters) > 1:
             raise FormulaError(
-                "the derivative of what depends on two parameters", remedy="differentiate operands of one curve"
+                "the derivative of an expression in two parameters", remedy="differentiate operands of one curve"
             )
         if not self.parameters or not order:
             return self if not order else self.constant(0)
@@ -104,14 +103,14 @@ class SympyExpression(FieldOperand):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, SympyExpression) and vanishes(self.expression - other.expression)
 
-    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
+    __hash__ = None  # type: ignore[assignment]  # not hashable
 
     def __repr__(self) -> str:
         return str(self.expression)
 
 
 class AlongCurve(SympyExpression):
-    """An expression on a curve on a surface, whose parameters are functions: `flow` are their derivatives."""
+    """An expression on a curve on a surface, whose parameters are functions; `flow` contains their derivatives."""
 
     __slots__ = ("flow",)
 
@@ -128,7 +127,9 @@ class AlongCurve(SympyExpression):
         return type(self)(expression, parameters, self.flow)
 
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
-        """The partial derivative by a parameter of the surface; any other is along the curve, by the chain rule."""
+        """The partial derivative with respect to a named surface parameter; otherwise along the curve, by the chain
+        rule.
+        """
         if by not in (None, Parameter.FIRST):
             return super().d(order, by=by)
         expression = self.expression
@@ -144,7 +145,7 @@ def _number(value: Any) -> sympy.Rational:
 
 
 class SympyReading(Reading):
-    """The indeterminate argument, its operands functions of sympy.
+    """The argument with functions of sympy as operands.
 
     >>> from exactspline.language.kinds import PAIR
     >>> c = SympyReading().argument(PAIR, 3)
@@ -156,8 +157,8 @@ class SympyReading(Reading):
     proves = "an identity for every curve of every degree, in an independent algebra"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Functions of their parameter, with derivatives by the rules of the kind where it has some, and symbols for
-        constants.
+        """The argument with functions of their parameters, differentiated by the rules of the kind if it has any, and
+        with symbols for constants.
         """
         rules, known = kind.rules(dimension), dict[str, SympyExpression]()
         texts = {symbol.name: symbol.text for symbol in kind.symbols(dimension, polynomial=polynomial)}
@@ -182,7 +183,7 @@ class SympyReading(Reading):
 
 
 def _linked(name: str, derivative: Callable[[], sympy.Expr]) -> Any:
-    """A function of sympy whose derivative is an expression in others."""
+    """A function of sympy whose derivative is an expression in other functions."""
     return type(name, (AppliedUndef,), {"fdiff": lambda self, argindex=1: derivative()})
 
 
@@ -190,13 +191,13 @@ def _linked(name: str, derivative: Callable[[], sympy.Expr]) -> Any:
 def vanishes(expression: sympy.Expr) -> bool:
     """Whether an expression is identically zero when the functions and all their derivatives are independent.
 
-    Everything is brought over one denominator and multiplied out.
+    Everything is brought to a common denominator and expanded.
 
     >>> x = sympy.Function("x")(FIRST)
     >>> vanishes((x.diff(FIRST) / x).diff(FIRST) - x.diff(FIRST, 2) / x + (x.diff(FIRST) / x) ** 2)
     True
 
-    Raises `FormulaError` for a denominator that vanishes identically, or an expression that is not rational.
+    Raises `FormulaError` for a denominator that vanishes identically, and for an expression that is not rational.
     """
     if expression.is_Rational:
         return bool(expression == 0)
@@ -218,14 +219,14 @@ class _Product:
         return _Product(self.unit * other.unit, self.powers * other.powers)
 
     def to_the(self, exponent: int) -> _Product:
-        """A power, also a negative one; `FormulaError` for 1/0."""
+        """A power, possibly negative; raises `FormulaError` for 1/0."""
         if not self.unit and exponent < 0:
             raise FormulaError("division by an expression that vanishes on every curve", remedy="check the formula")
         return _Product(self.unit**exponent, self.powers**exponent)
 
 
 class _Fractions:
-    """The field of the functions and derivatives that occur in an expression, and a walk through its tree."""
+    """The field generated by the functions and derivatives in an expression, and evaluation of its tree in it."""
 
     def __init__(self, expression: sympy.Expr) -> None:
         atoms = expression.atoms(sympy.Derivative, AppliedUndef, sympy.Symbol)
@@ -235,7 +236,7 @@ class _Fractions:
         self.known: dict[sympy.Expr, _Product] = {}
 
     def value(self, e: sympy.Expr) -> _Product:
-        """An expression as a product; what occurs twice is computed once."""
+        """An expression as a product; repeated subexpressions are computed once."""
         if e not in self.known:
             self.known[e] = self._value(e)
         return self.known[e]
@@ -254,7 +255,7 @@ class _Fractions:
         raise FormulaError(f"{e} is not a rational expression", remedy="formulas are made of + − · / and derivatives")
 
     def sum(self, terms: list[_Product]) -> _Product:
-        """The sum: common factors are factored out, the rest is multiplied out."""
+        """The sum: common factors are factored out, the rest is expanded."""
         terms = [term for term in terms if term.unit]
         common = reduce(Factorization.shared, [term.powers for term in terms]) if terms else Factorization()
         denominator = reduce(_lcm, [int(term.unit.denominator) for term in terms], 1)
@@ -269,8 +270,8 @@ class _Fractions:
         return shared.times(self.product(total, [base for base, _ in common.below]))
 
     def product(self, total: PolyElement, denominators: list[PolyElement]) -> _Product:
-        """A polynomial as a product: its content, the variables that divide it, the given denominators that do, and
-        the rest.
+        """A polynomial as a product: its content, the variables and the given denominators that divide it, and the
+        cofactor.
         """
         content, rest = total.primitive()
         if rest.LC < 0:
@@ -294,7 +295,9 @@ class _Fractions:
         return _Product(sympy.QQ(int(content)), powers)
 
     def _may_divide(self, base: PolyElement, p: PolyElement) -> bool:
-        """Whether the values at some integer points divide each other: cheap, and necessary (both are primitive)."""
+        """Whether the value of `base` divides that of p at some integer points: a cheap necessary condition (both are
+        primitive).
+        """
         for point in POINTS:
             below = _at(base, point)
             if below and _at(p, point) % below:
@@ -314,26 +317,26 @@ def _at(p: PolyElement, point: tuple[int, ...]) -> int:
 
 
 def _quotient(p: PolyElement, q: PolyElement) -> PolyElement | None:
-    """The exact quotient, or None where there is none: the leading terms one after the other, from a heap."""
+    """The exact quotient, or None if there is none, by division of leading terms taken from a heap."""
     lead, *others = sorted(q.items(), reverse=True)
-    left, found = dict(p), {}
-    heap = [tuple(-e for e in monomial) for monomial in left]
+    remainder, quotient = dict(p), {}
+    heap = [tuple(-e for e in monomial) for monomial in remainder]
     heapify(heap)
     while heap:
         monomial = tuple(-e for e in heappop(heap))
-        c = left.pop(monomial, 0)
+        c = remainder.pop(monomial, 0)
         if not c:
             continue
         step = tuple(a - b for a, b in zip(monomial, lead[0], strict=True))
         if min(step) < 0 or c % lead[1]:
             return None
-        found[step] = factor = c // lead[1]
+        quotient[step] = factor = c // lead[1]
         for other, coefficient in others:
             place = tuple(a + b for a, b in zip(step, other, strict=True))
-            if place not in left:
+            if place not in remainder:
                 heappush(heap, tuple(-e for e in place))
-            left[place] = left.get(place, 0) - factor * coefficient
-    return q.ring.from_dict(found)
+            remainder[place] = remainder.get(place, 0) - factor * coefficient
+    return q.ring.from_dict(quotient)
 
 
 def _lcm(a: int, b: int) -> int:

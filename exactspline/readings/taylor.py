@@ -1,7 +1,7 @@
-"""The series reading: Taylor series at a parameter, truncated. Values and derivatives of any formula there, without
-splines or quotient rules.
+"""The series reading: truncated Taylor series at a parameter. It gives values and derivatives of any formula there,
+without splines or quotient rules.
 
-Coefficients are the numbers of the curve's expansion: ``mpq`` (exact), mpmath's ``mpf`` or intervals.
+Coefficients have the type of numbers in the expansion of the curve: ``mpq`` (exact), ``mpf`` of mpmath, or intervals.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from exactspline.numbers.sides import Side
 
 
 class Coefficient(Scalar, Protocol):
-    """A number of the arithmetic of a series."""
+    """A coefficient of a series."""
 
     def __truediv__(self, other: int, /) -> Self: ...
 
 
 class Series(FieldOperand):
-    """``a_0 + a_1 h + a_2 h² + …`` as far as it is known.
+    """A truncated series ``a_0 + a_1 h + a_2 h² + …``.
 
     >>> h = Series([mpq(0), mpq(1), mpq(0), mpq(0)])
     >>> (1 / (1 - h)).coefficients
@@ -57,7 +57,7 @@ class Series(FieldOperand):
         return Series(sum(a[j] * b[i - j] for j in range(i + 1)) for i in range(min(len(a), len(b))))
 
     def reciprocal(self) -> Series:
-        """``1 / a``; `FormulaError` when the value here is zero."""
+        """``1 / a``; raises `FormulaError` if the constant term is zero."""
         a = self.coefficients
         if a[0] == 0:
             raise FormulaError(
@@ -73,11 +73,11 @@ class Series(FieldOperand):
         return Series(a * constant for a in self.coefficients)
 
     def elevated_to(self, other: object) -> Series:
-        """Itself: degree elevation does not change a function."""
+        """The operand itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Series:
-        """The derivative, known to correspondingly fewer terms."""
+        """The derivative, with correspondingly fewer terms."""
         self.only_parameter(by)
         if order >= len(self.coefficients):
             raise FormulaError(
@@ -101,7 +101,7 @@ class Series(FieldOperand):
 
 
 class Function(Protocol):
-    """A piecewise polynomial: what is expanded."""
+    """A piecewise polynomial that can be expanded."""
 
     @property
     def degree(self) -> int:
@@ -115,7 +115,7 @@ class Function(Protocol):
 
 
 def taylor(spline: Function, t: Number, terms: int, side: Side | str = Side.RIGHT) -> Series:
-    """The expansion of a spline at a parameter (at a knot the one on the given side).
+    """The expansion of a spline at a parameter (at a knot, on the given side).
 
     >>> from exactspline import BSpline
     >>> taylor(BSpline.bezier([0, 0, 1]), "1/2", 3).coefficients

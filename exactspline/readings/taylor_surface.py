@@ -1,6 +1,6 @@
 """The series reading in two variables: Taylor series of a surface at a point, truncated by total degree.
 
-Values and partial derivatives of any formula there, without splines or quotient rules.
+It gives values and partial derivatives of any formula there, without splines or quotient rules.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import Number, mpq
 
-#: Coefficients by the exponents of the two variables; what is zero is left out.
+#: Nonzero coefficients by the exponents of the two variables.
 Coefficients = dict[tuple[int, int], mpq]
 
 
@@ -61,7 +61,7 @@ class DoubleSeries(FieldOperand):
         return DoubleSeries(product, terms)
 
     def reciprocal(self) -> DoubleSeries:
-        """``1 / a``; `FormulaError` when the value here is zero."""
+        """``1 / a``; raises `FormulaError` if the constant term is zero."""
         if not self.value:
             raise FormulaError("division by a series that vanishes at this point", remedy="expand at another point")
         inverse = self.constant(1 / self.value)
@@ -76,26 +76,28 @@ class DoubleSeries(FieldOperand):
         return DoubleSeries({place: a * mpq(constant) for place, a in self.coefficients.items()}, self.terms)
 
     def elevated_to(self, other: object) -> DoubleSeries:
-        """Itself: degree elevation does not change a function."""
+        """The operand itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> DoubleSeries:
-        """The derivative by one of the two parameters, known to this many terms less.
+        """The derivative with respect to one of the two parameters, with `order` fewer terms.
 
-        Raises `FormulaError` where none is named, and for more derivatives than are known.
+        Raises `FormulaError` if no parameter is named, and for derivatives beyond the known terms.
         """
         if by not in (Parameter.U, Parameter.V):
-            raise FormulaError(f"a derivative by {by!r} of a function of u and v", remedy='write d(1, by="u")')
+            raise FormulaError(
+                f"a derivative with respect to {by!r} of a function of u and v", remedy='write d(1, by="u")'
+            )
         if order >= self.terms:
             raise FormulaError(
                 f"a derivative of order {order} of a series of {self.terms} terms", remedy="expand further"
             )
-        which, found = (0 if by == Parameter.U else 1), Coefficients()
+        which, derived = (0 if by == Parameter.U else 1), Coefficients()
         for place, a in self.coefficients.items():
             if (n := place[which]) >= order:
                 lowered = tuple(e - order if k == which else e for k, e in enumerate(place))
-                found[lowered[0], lowered[1]] = a * (factorial(n) // factorial(n - order))
-        return DoubleSeries(found, self.terms - order)
+                derived[lowered[0], lowered[1]] = a * (factorial(n) // factorial(n - order))
+        return DoubleSeries(derived, self.terms - order)
 
     @property
     def value(self) -> mpq:
@@ -112,17 +114,17 @@ class DoubleSeries(FieldOperand):
 
 
 class Function(Protocol):
-    """A function of two parameters: what is expanded."""
+    """A function of two parameters that can be expanded."""
 
     def partial(self, i: int, j: int) -> Self:
-        """The derivative of order i by the first and j by the second."""
+        """The derivative of order i in the first and j in the second parameter."""
 
     def __call__(self, s: Number, t: Number) -> mpq:
         """The value at two parameters."""
 
 
 def double_taylor(spline: Function, u: Number, v: Number, terms: int) -> DoubleSeries:
-    """The expansion of a spline in two parameters at a point, at a knot the one from the right.
+    """The expansion of a spline in two parameters at a point (at a knot, from the right).
 
     >>> from exactspline import TensorSpline
     >>> f = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, 0], [0, 1]])
@@ -135,7 +137,7 @@ def double_taylor(spline: Function, u: Number, v: Number, terms: int) -> DoubleS
 
 
 class DoubleTaylorReading(Reading):
-    """A surface of splines, expanded at a point to this many terms.
+    """A surface made of splines, expanded at a point to this many terms.
 
     >>> from exactspline import example
     >>> from exactspline.language.kinds import SURFACE
@@ -152,7 +154,7 @@ class DoubleTaylorReading(Reading):
         self.given, self.place, self.terms = given, (u, v), terms
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The expansion of the surface at hand."""
+        """The expansion of the given surface."""
         u, v = self.place
-        # what is given is made of functions
+        # the operands of the given argument are functions
         return self.given.mapped(lambda operand: double_taylor(cast(Function, operand), u, v, self.terms))

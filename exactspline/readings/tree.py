@@ -1,4 +1,4 @@
-"""The tree reading: the formula itself, never simplified, for printing, for counting operations and for evaluation in
+"""The tree reading: the formula itself as an unsimplified tree, for printing, counting operations, and evaluation in
 any other reading.
 """
 
@@ -21,7 +21,7 @@ from exactspline.language.vector import Vector, cross, det, dot, generalized_cro
 from exactspline.readings.expression import Expression, Operation
 from exactspline.readings.printing.text import print_text
 
-#: Products of vectors whose value is again a vector.
+#: Products of vectors whose value is a vector.
 VECTOR_PRODUCTS = {Operation.CROSS, Operation.PERP, Operation.GENERALIZED_CROSS, Operation.JOIN}
 
 
@@ -77,11 +77,11 @@ class Node(Expression, Operand, OwnVectors):
         raise FormulaError("a formula iterates over a vector", remedy="use v[0], v[1], …")
 
     def d(self, order: int = 1, *, by: str | None = None) -> Node:
-        """The node of a derivative (of order 0: itself)."""
+        """The node of a derivative (for order 0 the node itself)."""
         return Node(Operation.DERIVATIVE, (self,), Derivation(order, by), vector=self.is_vector) if order else self
 
     def scaled(self, constant: Constant) -> Node:
-        """The node of this times a constant."""
+        """The node of the product with a constant."""
         return Node(Operation.TIMES, (self, Node(Operation.NUMBER, value=constant)), vector=self.is_vector)
 
     def constant(self, value: Constant) -> Node:
@@ -94,7 +94,7 @@ class Node(Expression, Operand, OwnVectors):
         return NotImplemented if left is None else Node(Operation.OVER, (left, self), vector=left.is_vector)
 
     def times_vector(self, vector: object) -> Node:
-        """A tree has no vectors except its own."""
+        """Not implemented: all vectors of this reading are nodes."""
         refused: Node = NotImplemented
         return refused
 
@@ -113,7 +113,7 @@ class Node(Expression, Operand, OwnVectors):
         return Node(Operation.RULED, (self, generator))
 
     def levelled(self, height: object) -> tuple[Node, Node]:
-        """The nodes of this normal and its height, brought to one denominator."""
+        """The nodes of this normal and its height, brought to a common denominator."""
         row = (self, height if isinstance(height, Node) else self.constant(cast(Constant, height)))
         return Node(Operation.LEVEL, row, 0, vector=self.is_vector), Node(Operation.LEVEL, row, 1)
 
@@ -132,15 +132,15 @@ class Node(Expression, Operand, OwnVectors):
 
 
 class Derivation(NamedTuple):
-    """The order of a derivative, and the parameter by which it is taken where it is named."""
+    """The order of a derivative, and its parameter if it is named."""
 
     order: int
     by: str | None = None
 
 
 class NamedCall(NamedTuple):
-    """The symbol of a formula that another one calls, and whether it is called on the second of two curves (then it
-    gets a bar).
+    """The symbol of a formula called by another one, and whether it is called on the second of two curves (and has a
+    bar).
     """
 
     symbol: str
@@ -150,7 +150,7 @@ class NamedCall(NamedTuple):
 class Traced(Argument):
     """The argument of the tree reading: its operands are leaves, and formulas called on it keep their names.
 
-    A leaf of one part of the argument has that part in its name: ``second.p``.
+    The name of a leaf of a part of the argument contains the name of the part: ``second.p``.
     """
 
     def __init__(self, kind: Kind, dimension: int, *, expand: bool = False, path: str = "") -> None:
@@ -174,8 +174,8 @@ class Traced(Argument):
         return Node(Operation.LEAF, value=self._path + name, vector=names[name])
 
     def calls(self, formula: Callee) -> object:
-        """A formula called by another one: a node with its symbol (or its body, where it has none or is to be
-        expanded).
+        """A formula called by another one: a node with its symbol, or its body if it has no symbol or is to be
+        expanded.
         """
         body = formula.function(self)
         if self._expand or not formula.symbol:
@@ -189,7 +189,7 @@ class Traced(Argument):
 
 
 class TreeReading(Reading):
-    """The formula itself; formulas that it calls keep their names, unless it is to be expanded."""
+    """The formula itself; formulas that it calls are shown by name, unless `expand` is set."""
 
     name = "tree"
     proves = "nothing: it is the formula"
@@ -198,20 +198,20 @@ class TreeReading(Reading):
         self.expand = expand
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Traced:
-        """Leaves by name."""
+        """The argument whose operands are named leaves."""
         return Traced(kind, dimension, expand=self.expand)
 
 
 def speaks_of_gamma_alone(formula: Formula, dimension: int) -> bool:
-    """Whether a formula consists of γ alone, not of its numerator and denominator: then what holds for indeterminate
+    """Whether a formula contains only γ, not its numerator and denominator: then what holds for indeterminate
     coordinates of γ holds for rational curves.
 
     >>> from exactspline.papers import find
     >>> speaks_of_gamma_alone(find("torsion"), 3), speaks_of_gamma_alone(find("torsion_reduced"), 3)
     (True, False)
     """
-    found = joined(trace(formula, dimension, expand=True))
-    todo = list(found) if isinstance(found, Vector) else [found]
+    parts = joined(trace(formula, dimension, expand=True))
+    todo = list(parts) if isinstance(parts, Vector) else [parts]
     while todo:
         node = todo.pop()
         if isinstance(node, Node):
@@ -222,7 +222,7 @@ def speaks_of_gamma_alone(formula: Formula, dimension: int) -> bool:
 
 
 def nodes(tree: Node) -> Iterator[Node]:
-    """All nodes of a tree, each once."""
+    """All nodes of a tree, each one once."""
     seen, todo = set[int](), [tree]
     while todo:
         node = todo.pop()
@@ -247,7 +247,7 @@ def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node
 
 
 def evaluate(node: Node, c: object) -> object:
-    """The value of a tree in the reading of the curve `c`; a node that occurs twice is evaluated once."""
+    """The value of a tree in the reading of the curve `c`; a shared node is evaluated once."""
     known: dict[int, object] = {}
 
     def visit(n: Node) -> object:
@@ -258,7 +258,7 @@ def evaluate(node: Node, c: object) -> object:
     return visit(node)
 
 
-#: The function that computes an operation from the values of its arguments.
+#: The functions for operations that depend only on the values of their arguments.
 _CARRIED_OUT: dict[Operation, Callable[..., object]] = {
     Operation.PLUS: add,
     Operation.MINUS: sub,
@@ -267,10 +267,10 @@ _CARRIED_OUT: dict[Operation, Callable[..., object]] = {
     Operation.NEGATIVE: neg,
     Operation.DIRECTRIX: attrgetter("directrix"),
     Operation.GENERATOR: attrgetter("generator"),
-    # functions of vectors have the names of their nodes' operations
+    # functions of vectors have the names of their operations
     **{Operation(f.__name__): f for f in (dot, cross, det, perp, generalized_cross, join, ruled)},
 }
-#: The function that computes an operation from the values of its arguments and the value of the node.
+#: The functions for operations that also depend on the `value` of the node.
 _WITH_VALUE: dict[Operation, Callable[..., object]] = {
     Operation.DERIVATIVE: lambda a, derivation: a.d(derivation.order, by=derivation.by),
     Operation.POWER: pow,
@@ -280,7 +280,7 @@ _WITH_VALUE: dict[Operation, Callable[..., object]] = {
 
 
 def applied(n: Node, args: Sequence[object], c: object) -> object:
-    """The value of one node from those of its arguments, in the reading of the curve `c`."""
+    """The value of one node from the values of its arguments, in the reading of the curve `c`."""
     if n.op is Operation.LEAF:
         return attrgetter(n.value)(c)
     if n.op is Operation.NUMBER:

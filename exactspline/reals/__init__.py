@@ -1,4 +1,5 @@
-"""Real numbers, exactly: rational, quadratic and algebraic ones of one type, and what is needed to compute with them.
+"""Exact real numbers: one type for rational, quadratic and algebraic numbers.
 
-Higher packages compute with `Real` (`exactspline.reals.real`); a root of a spline is one that knows where it was found.
+Higher packages compute with `Real` (`exactspline.reals.real`); a root of a spline is a `Real` with its place on the
+spline.
 """

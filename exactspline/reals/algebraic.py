@@ -1,6 +1,7 @@
-"""A real number by a polynomial with this zero: equality, order, hash, whether it is rational, minimal polynomial.
+"""Operations on a real number that use a polynomial of which it is a zero: equality, order, hash, rationality, minimal
+polynomial.
 
-Digits decide first. Polynomials are asked for where digits cannot decide, and their cost is bounded beforehand.
+Enclosures are tried first. Polynomials are used only if enclosures cannot decide, and their cost is bounded beforehand.
 """
 
 from __future__ import annotations
@@ -28,24 +29,24 @@ from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.reals.digits import SUSPICIOUS, Digits
 
 _RATIONAL = type(mpq())
-#: The types that a real number is compared and computed with.
+#: The types with which a real number can be compared and combined.
 EXACT = (int, Fraction, type(mpz()), _RATIONAL, fmpz, type(to_fmpq(mpq())))
-#: Digits beyond which it is left open whether two numbers are equal.
+#: The number of digits after which it remains undecided whether two numbers are equal.
 OPEN = 1500
 
 
 @total_ordering
 class Algebraic(Digits):
-    """What a real number is asked that its digits cannot answer. A kind of number defines `_annihilator`."""
+    """Operations on real numbers that enclosures cannot decide. Subclasses define `_annihilator`."""
 
     __slots__ = ("_exact", "_isolating", "_minimal")
-    #: The number itself where it was found to be rational; False where it was found not to be.
+    #: The number itself if it is known to be rational; False if it is known to be irrational.
     _exact: mpq | bool | None
     _minimal: fmpz_poly | None
-    #: A polynomial and an interval in which it has this zero and no other.
+    #: A polynomial and an interval in which this number is its only zero.
     _isolating: tuple[fmpz_poly, mpq, mpq] | None
 
-    #: Digits from which on it is asked whether numbers that they do not separate are equal.
+    #: The number of digits after which numbers not yet separated are tested for equality.
     _suspicious = SUSPICIOUS
 
     def _annihilator(self) -> fmpz_poly:
@@ -54,12 +55,12 @@ class Algebraic(Digits):
 
     @property
     def closed_form(self) -> str | None:
-        """Its text where it is known as ``p/q`` or ``a + b√c``, None elsewhere."""
+        """The number as text ``p/q`` or ``a + b√c`` if such a form is known, else None."""
         return text(self._exact) if isinstance(self._exact, _RATIONAL) else None
 
     def _isolated(self) -> tuple[fmpz_poly, mpq, mpq]:
-        """A polynomial that has this number as a simple zero and no other between two numbers, at which it is not zero;
-        the number itself twice where it is rational and was found.
+        """A polynomial with this number as a simple zero, and two numbers between which it has no other zero and at
+        which it is not zero; if the number is known to be rational, both are this number.
         """
         if self._isolating is None:
             fill(self, _isolating=self._computed_isolating())
@@ -76,33 +77,33 @@ class Algebraic(Digits):
                 certain = bool(arb_poly(slope)(ball_around(low, high)) != 0)
             for end in (low, high) if certain else ():
                 if sign_at(p, end) == 0:
-                    self._found(end)
+                    self._set_rational(end)
                     return linear(end), end, end
             if certain:
                 return p, low, high
             digits *= 2
 
-    def _found(self, value: mpq) -> None:
+    def _set_rational(self, value: mpq) -> None:
         fill(self, _exact=value)
 
     @property
     def exact(self) -> mpq | None:
-        """The number itself where it is rational, None where it is irrational: decided exactly, without factoring.
+        """The rational value of the number, None if it is irrational: decided exactly, without factorization.
 
-        The denominator of a rational zero divides the leading coefficient a of a polynomial: of the multiples of 1/a at
-        most one is in an interval narrower than that.
+        The denominator of a rational zero divides the leading coefficient a of the polynomial, and an interval of width
+        below 1/a contains at most one multiple of 1/a.
 
         >>> from exactspline.reals.real import square_root
         >>> (square_root(2) * square_root(18)).exact, square_root(2).exact
         (mpq(6,1), None)
         """
         if self._exact is None:
-            found = self._decided()
-            fill(self, _exact=False if found is None else found)
+            value = self._decided()
+            fill(self, _exact=False if value is None else value)
         return None if isinstance(self._exact, bool) else self._exact
 
     def _decided(self) -> mpq | None:
-        """The number where it is rational."""
+        """The number if it is rational, else None."""
         p, low, high = self._isolated()
         if low == high:
             return low
@@ -115,7 +116,7 @@ class Algebraic(Digits):
             return None
         if sign_at(p, candidate) != 0:
             return None
-        self._found(candidate)
+        self._set_rational(candidate)
         return candidate
 
     def minimal_polynomial(self) -> list[int]:
@@ -125,7 +126,7 @@ class Algebraic(Digits):
         >>> (square_root(2) + square_root(8)).minimal_polynomial()
         [-18, 0, 1]
 
-        Raises `ReachError` where computing it is too expensive.
+        Raises `ReachError` if its computation would be too expensive.
         """
         return [int(x) for x in self._irreducible().coeffs()]
 
@@ -141,7 +142,7 @@ class Algebraic(Digits):
         return next(f for f in irreducible_factors(p) if changes_sign(f, low, high))
 
     def is_root_of(self, polynomial: fmpz_poly) -> bool:
-        """Whether a polynomial with integer coefficients vanishes here, exactly.
+        """Whether a polynomial with integer coefficients vanishes at this number, decided exactly.
 
         >>> from exactspline.reals.real import square_root
         >>> square_root(2).is_root_of(fmpz_poly([0, -2, 0, 1])), square_root(2).is_root_of(fmpz_poly([-1, 1]))
@@ -150,7 +151,7 @@ class Algebraic(Digits):
         p, low, high = self._isolated()
         if low == high:
             return sign_at(polynomial, low) == 0
-        # a divisor of `p` has no other zero between low and high, nor at them, and this one once at most
+        # a divisor of `p` has no other zero in [low, high], and this one with multiplicity at most one
         common = greatest_common_divisor([p, polynomial])
         return common.degree() > 0 and changes_sign(common, low, high)
 
@@ -170,7 +171,7 @@ class Algebraic(Digits):
         return self._against(other) < 0
 
     def __hash__(self) -> int:
-        """That of the number where it is rational, otherwise that of ``⌊2⁶⁴ x⌋``."""
+        """The hash of the number if it is rational, otherwise that of ``⌊2⁶⁴ x⌋``."""
         if (exact := self.exact) is not None:
             return hash(exact)
         digits = 20
@@ -181,7 +182,7 @@ class Algebraic(Digits):
             digits *= 2
 
     def _against(self, other: Any) -> int:
-        """The sign of the difference to another number."""
+        """The sign of the difference from another number."""
         if not isinstance(other, Algebraic):
             return self._against_number(rational(int(other) if isinstance(other, bool) else other))
         if self is other:
@@ -193,16 +194,16 @@ class Algebraic(Digits):
         return self._parted(other) or _order(self, other)
 
     def _parted(self, other: Algebraic) -> int:
-        """The order of two numbers where it is known at little cost; 0 where it is not."""
+        """The order of two numbers if it can be decided cheaply, else 0."""
         return 0
 
     def _against_number(self, t: mpq) -> int:
-        """The sign of the number minus a rational one, exactly."""
+        """The exact sign of the number minus a rational number."""
         return _order(self, t)
 
     def _equals(self, other: Algebraic | mpq) -> bool:
-        """Whether two numbers are equal: the common divisor of their polynomials changes sign at both, and once over
-        both.
+        """Whether two numbers are equal: the gcd of their polynomials changes sign in the isolating interval of each,
+        and only once in their union.
         """
         p, a, b = self._isolated()
         if not isinstance(other, Algebraic):
@@ -217,7 +218,7 @@ class Algebraic(Digits):
 
 
 def _order(x: Algebraic, y: Algebraic | mpq) -> int:
-    """The sign of ``x − y``: by digits, and where these do not separate the numbers by polynomials."""
+    """The sign of ``x − y``, by enclosures or, if these do not separate the numbers, by polynomials."""
     digits, suspected = 10, False
     suspicious = max(n._suspicious for n in (x, y) if isinstance(n, Algebraic))
     while True:
@@ -233,7 +234,7 @@ def _order(x: Algebraic, y: Algebraic | mpq) -> int:
                     return 0
                 suspected = True
             except (ReachError, OpenError):
-                # different numbers are separated by digits even where equality could not be shown
+                # different numbers are separated by enclosures even if equality could not be decided
                 if digits > OPEN:
                     raise
         digits *= 2

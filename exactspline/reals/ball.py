@@ -1,4 +1,4 @@
-"""Real numbers known by FLINT's balls alone: angles, arc lengths."""
+"""Real numbers known only by enclosures in FLINT's balls: angles, arc lengths."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ from exactspline.reals.real import Real
 
 
 class InBalls(Real):
-    """The number in a ball that shrinks with FLINT's precision: ``ball(bits)``, a function with a name, so that the
-    number can be pickled. It is not known to be algebraic: `OpenError` where a question needs too many digits.
+    """A number enclosed by ``ball(bits)``, a ball that shrinks as FLINT's precision increases; a named function, so
+    that the number can be pickled. The number is not known to be algebraic, so that comparisons raise `OpenError` if
+    they need too many digits.
     """
 
     __slots__ = ("ball",)
@@ -29,14 +30,14 @@ class InBalls(Real):
         return InBalls, (self.ball,)
 
     def _enclosed(self, digits: int) -> Interval:
-        bits, wanted = 10 * digits // 3 + 40, mpq(1, 10**digits)
+        bits, width = 10 * digits // 3 + 40, mpq(1, 10**digits)
         while digits <= OPEN and bits < 8 * OPEN:
             with ctx.workprec(bits):
-                found = self.ball(bits)
-            if found.is_finite() and (ends := ball_ends(found)).width <= wanted:
+                ball = self.ball(bits)
+            if ball.is_finite() and (ends := ball_ends(ball)).width <= width:
                 return ends
             bits *= 2
-        raise OpenError(f"the ball leaves the answer open at {digits} digits", remedy="ask for an enclosure")
+        raise OpenError(f"undecided at {digits} digits", remedy="use an enclosure")
 
     def _against_number(self, t: mpq) -> int:
         digits = 20
@@ -47,4 +48,4 @@ class InBalls(Real):
             digits *= 2
 
     def _annihilator(self) -> fmpz_poly:
-        raise OpenError("this number is not known to be algebraic", remedy="ask for digits (`enclosure`)")
+        raise OpenError("this number is not known to be algebraic", remedy="use an enclosure (`enclosure`)")

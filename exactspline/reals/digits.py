@@ -1,4 +1,4 @@
-"""A real number that is known by intervals around it, as narrow as asked: its digits, doubles and text."""
+"""Enclosures, digits, doubles and text of real numbers that are known by arbitrarily narrow intervals."""
 
 from __future__ import annotations
 
@@ -12,28 +12,28 @@ from exactspline.numbers.intervals import Interval, shifted
 if TYPE_CHECKING:
     import mpmath
 
-#: Digits at which numbers that are still not separated are suspected to be equal.
+#: The number of digits at which numbers not yet separated are suspected to be equal.
 SUSPICIOUS = 10
-#: Digits behind the point beyond which a text shows no more.
+#: The maximal number of digits after the decimal point in a text.
 LONGEST = 400
 
 
 class Digits(Immutable):
-    """What a real number shows of itself. A kind of number defines `_enclosed` and `_against_number`."""
+    """Numerical representations of a real number. Subclasses define `_enclosed` and `_against_number`."""
 
     __slots__ = ()
 
     def _enclosed(self, digits: int) -> Interval:
-        """An interval with the number in it, or at an end of it, at most ``10^−digits`` wide."""
+        """A closed interval that contains the number, at most ``10^−digits`` wide."""
         raise NotImplementedError
 
     def _against_number(self, t: mpq) -> int:
-        """The sign of the number minus a rational one, exactly."""
+        """The exact sign of the number minus a rational number."""
         raise NotImplementedError
 
     @property
     def closed_form(self) -> str | None:
-        """Its text where it is known as ``p/q`` or ``a + b√c``, None elsewhere."""
+        """The number as text ``p/q`` or ``a + b√c`` if such a form is known, else None."""
         return None
 
     @property
@@ -42,7 +42,7 @@ class Digits(Immutable):
         return self._against_number(mpq(0))
 
     def enclosure(self, digits: int) -> Interval:
-        """Rational numbers, at most ``10^−digits`` apart, with this number between them or at one of them.
+        """A closed interval with rational ends, at most ``10^−digits`` wide, that contains this number.
 
         >>> from exactspline.reals.real import square_root
         >>> square_root(2).enclosure(3)
@@ -53,14 +53,14 @@ class Digits(Immutable):
         return self._enclosed(digits)
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
-        """The correctly rounded double: the nearest (of two equally near the even one), or the one ``up`` or ``down``.
+        """The correctly rounded double: to nearest (ties to even), or rounded ``up`` or ``down``.
 
-        Raises `OverflowError` beyond the largest.
+        Raises `OverflowError` beyond the largest double.
         """
         return double_between(self._enclosed, self._against_number, rounding)
 
     def doubles(self) -> dict[str, float]:
-        """All three correctly rounded doubles by the names of the rounding modes."""
+        """The correctly rounded doubles for the three rounding modes, by their names."""
         return {str(way): self.double(way) for way in Rounding}
 
     def __float__(self) -> float:
@@ -71,20 +71,20 @@ class Digits(Immutable):
         return self._floor(mpq(0))
 
     def __ceil__(self) -> int:
-        found = self._floor(mpq(0))
-        return found + (self._against_number(mpq(found)) > 0)
+        integer = self._floor(mpq(0))
+        return integer + (self._against_number(mpq(integer)) > 0)
 
     def __round__(self) -> int:
-        """The nearest integer, of two equally near the even one.
+        """The nearest integer; ties are rounded to even.
 
         >>> from math import floor
         >>> from exactspline.reals.real import Real, square_root
         >>> floor(-square_root(2)), round(square_root(2)), round(Real("5/2"))
         (-2, 1, 2)
         """
-        found = self._floor(mpq(1, 2))
-        tie = found % 2 == 1 and self._against_number(found - mpq(1, 2)) == 0
-        return found - tie
+        integer = self._floor(mpq(1, 2))
+        tie = integer % 2 == 1 and self._against_number(integer - mpq(1, 2)) == 0
+        return integer - tie
 
     def _floor(self, shift: mpq) -> int:
         """``⌊x + shift⌋``."""
@@ -98,7 +98,7 @@ class Digits(Immutable):
             digits *= 2
 
     def decimal(self, digits: int) -> str:
-        """The number to this many digits behind the point, off by less than the last of them.
+        """The number to this many digits after the decimal point, with an error below one unit of the last digit.
 
         >>> from exactspline.reals.real import Real, square_root
         >>> square_root(2).decimal(5), Real("2/3").decimal(3)
@@ -108,8 +108,8 @@ class Digits(Immutable):
         return shifted(int((2 * middle * mpz(10) ** digits + 1) // 2), digits)
 
     def mpf(self, digits: int = 15) -> mpmath.mpf:
-        """An ``mpmath.mpf`` that is off by at most ``10^−digits`` and shows these digits; mpmath's own precision is not
-        touched.
+        """An ``mpmath.mpf`` with an error of at most ``10^−digits`` that prints these digits; the working precision of
+        mpmath is not changed.
 
         >>> from exactspline.reals.real import square_root
         >>> square_root(2).mpf(30)
@@ -120,36 +120,38 @@ class Digits(Immutable):
         return shown(self.enclosure(digits + 1).middle, digits)
 
     def significant(self, digits: int) -> mpmath.mpf:
-        """An ``mpmath.mpf`` with a relative error below ``10^−digits``; exactly 0 where the number is 0."""
+        """An ``mpmath.mpf`` with a relative error below ``10^−digits``; exactly 0 if the number is 0."""
         from exactspline.reals.shown_mpf import significant
 
-        wanted = digits + 2
+        requested = digits + 2
         while True:
-            found = self.enclosure(wanted)
-            if self._reached_zero(found, wanted):
+            enclosure = self.enclosure(requested)
+            if self._reached_zero(enclosure, requested):
                 return significant(mpq(0), digits)
-            least = min(abs(found.low), abs(found.high))
-            if found.low * found.high > 0 and found.width * mpz(10) ** digits <= least:
-                return significant(found.middle, digits)
-            wanted *= 2
+            least = min(abs(enclosure.low), abs(enclosure.high))
+            if enclosure.low * enclosure.high > 0 and enclosure.width * mpz(10) ** digits <= least:
+                return significant(enclosure.middle, digits)
+            requested *= 2
 
-    def _reached_zero(self, found: Interval, digits: int) -> bool:
-        return found.low <= 0 <= found.high and (found.width == 0 or (digits > SUSPICIOUS and self.sign == 0))
+    def _reached_zero(self, enclosure: Interval, digits: int) -> bool:
+        return enclosure.low <= 0 <= enclosure.high and (
+            enclosure.width == 0 or (digits > SUSPICIOUS and self.sign == 0)
+        )
 
     def shortly(self, digits: int = 6) -> str:
-        """Its closed form, or this many significant digits and dots."""
+        """Its closed form, or this many significant digits followed by dots."""
         if (known := self.closed_form) is not None:
             return known
-        wanted = digits + 14
+        requested = digits + 14
         while True:
-            found = self.enclosure(wanted)
-            least = min(abs(found.low), abs(found.high))
-            if found.width * 10 ** (digits + 2) <= least or wanted > LONGEST:
+            enclosure = self.enclosure(requested)
+            least = min(abs(enclosure.low), abs(enclosure.high))
+            if enclosure.width * 10 ** (digits + 2) <= least or requested > LONGEST:
                 break
-            wanted *= 2
+            requested *= 2
         from exactspline.reals.shown_mpf import significant
 
-        return f"{significant(found.middle, digits)}…"
+        return f"{significant(enclosure.middle, digits)}…"
 
     def __str__(self) -> str:
         return self.shortly(15)

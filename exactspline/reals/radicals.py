@@ -1,4 +1,4 @@
-"""Square roots of rational numbers in a short form."""
+"""Square roots of rational numbers in simplified form."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from math import prod
 
 from exactspline.numbers.exact import gcd, is_square, isqrt, mpq, mpz
 
-#: Primes whose squares are removed from a radicand.
+#: The primes whose squares are removed from a radicand.
 _PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(isqrt(p)) + 1))]
 _PRODUCT = prod(_PRIMES, start=mpz(1))
 
 
 def square_root_parts(q: mpq) -> tuple[mpq, int]:
-    """The a and b of ``√q = a√b`` for a rational number q ≥ 0; b is 1 where the root is rational.
+    """a and b with ``√q = a√b`` for a rational number q ≥ 0; b is 1 if the root is rational.
 
     >>> square_root_parts(mpq(9, 4)), square_root_parts(mpq(12))
     ((mpq(3,2), 1), (mpq(2,1), 3))

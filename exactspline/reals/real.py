@@ -1,8 +1,9 @@
-"""Real numbers: rational, quadratic and algebraic ones, known exactly, with `+ − * /`, order, equality and digits.
+"""Exact real numbers (rational, quadratic and algebraic) with `+ − * /`, order, equality and digits.
 
-A number is the tree of the operations that made it, over rational numbers and roots; an interval around it shrinks when
-digits are needed. Only what digits cannot decide (equality, whether it is rational, a minimal polynomial) asks for a
-polynomial with this zero, whose cost is bounded beforehand (`exactspline.polynomials.annihilating`).
+A number is represented by the expression tree of the operations that made it, over rational numbers and roots, and by
+an enclosure that is refined on demand. A polynomial of which the number is a zero is computed only for what enclosures
+cannot decide (equality, rationality, the minimal polynomial), at a cost that is bounded beforehand
+(`exactspline.polynomials.annihilating`).
 """
 
 from __future__ import annotations
@@ -24,18 +25,18 @@ from exactspline.reals.algebraic import EXACT, Algebraic
 from exactspline.reals.radicals import square_root_parts
 
 V = TypeVar("V")
-#: An operation on numbers, on balls and on quotients of polynomials.
+#: An operation that applies to numbers, balls and quotients of polynomials.
 Operation: TypeAlias = Callable[..., object]
-#: Bits beyond those of the digits asked for.
+#: Guard bits in addition to those of the requested digits.
 GUARD = 16
 
 
 class Real(Algebraic):
-    """A real number, known exactly: ``Real(number)`` is a rational one, the others are roots and values of curves, and
-    what `+ − * /`, `abs` and `square_root` make of them.
+    """An exact real number: ``Real(number)`` is a rational number; others are roots and values of curves, and the
+    results of `+ − * /`, `abs` and `square_root`.
 
-    Numbers compare by value, also with exact ones of other libraries; equal ones have one hash. ``float(x)`` is the
-    correctly rounded double.
+    Numbers are compared by value, also with exact numbers of other libraries; equal numbers have equal hashes.
+    ``float(x)`` is the correctly rounded double.
 
     >>> x = square_root(2)
     >>> y = (x + 1) * (x - 1), x / 2, 1 / (x + square_root(3)), -x < 0 < abs(-x)
@@ -44,25 +45,26 @@ class Real(Algebraic):
     >>> (x + square_root(3)).minimal_polynomial(), x.decimal(30)
     ([1, 0, -10, 0, 1], '1.414213562373095048801688724210')
 
-    Whatever takes a polynomial (equality of numbers that digits do not separate, hash, `exact`, `minimal_polynomial`)
-    raises `ReachError` where it would have too high a degree; `OpenError` for one not known to be algebraic.
+    Operations that require a polynomial (equality of numbers that enclosures do not separate, hash, `exact`,
+    `minimal_polynomial`) raise `ReachError` if its degree would be too high, and `OpenError` for a number not known to
+    be algebraic.
     """
 
     __slots__ = ()
-    #: What made it, of which numbers; a number without operands is a leaf of the tree.
+    #: The operation that made it, and its operands; a number without operands is a leaf of the tree.
     _operation: Operation
     _operands: tuple[Real, ...] = ()
 
     def __new__(cls, *given: object, **named: object) -> Self:
-        """``Real(number)`` is one of the kind for rational numbers."""
+        """``Real(number)`` is a `RationalNumber`."""
         return cast(Self, object.__new__(RationalNumber if cls is Real else cls))
 
     def __init__(self, value: Number) -> None:
         """A rational number."""
 
     def _in_terms(self) -> tuple[Real | None, fmpq_poly, fmpq_poly]:
-        """A number and two polynomials, of whose values there this number is the quotient; None and constants for a
-        rational one.
+        """A number x and two polynomials p and q such that this number is ``p(x)/q(x)``; None and constants for a
+        rational number.
         """
         return self, fmpq_poly([0, 1]), fmpq_poly([1])
 
@@ -100,10 +102,10 @@ class Real(Algebraic):
         """An integer power."""
         if type(exponent) is not int:
             return NotImplemented
-        found, base = Real(1), self if exponent >= 0 else 1 / self
+        power, base = Real(1), self if exponent >= 0 else 1 / self
         for digit in bin(abs(exponent))[2:]:
-            found = found * found * base if digit == "1" else found * found
-        return found
+            power = power * power * base if digit == "1" else power * power
+        return power
 
     def __neg__(self) -> Real:
         return RationalNumber(0) - self
@@ -116,14 +118,14 @@ class Real(Algebraic):
 
 
 class RationalNumber(Real):
-    """A rational number among the real ones."""
+    """A rational number as a `Real`."""
 
     __slots__ = ("value",)
     value: mpq
 
     def __init__(self, value: Number) -> None:
-        found = rational(value)
-        fill(self, value=found, _exact=found, _isolating=None, _minimal=None)
+        exact = rational(value)
+        fill(self, value=exact, _exact=exact, _isolating=None, _minimal=None)
 
     def __reduce__(self) -> tuple[object, ...]:
         return RationalNumber, (self.value,)
@@ -165,7 +167,7 @@ class Quadratic(Real):
         return Quadratic, (self.a, self.b, self.c)
 
     def _enclosed(self, digits: int) -> Interval:
-        """Multiples of ``10^−digits`` around ``b√c``, moved by a."""
+        """Multiples of ``10^−digits`` that enclose ``b√c``, shifted by a."""
         scale = mpz(10) ** digits
         root = isqrt(mpz(self.b**2 * self.c * scale**2))
         low, high = (root, root + 1) if self.b > 0 else (-root - 1, -root)
@@ -183,7 +185,7 @@ class Quadratic(Real):
 
     @property
     def closed_form(self) -> str:
-        """``(a + b√c)/d`` in integers."""
+        """``(a + b√c)/d`` with integers."""
         a, b = self.a, self.b
         d = int(lcm(a.denominator, b.denominator))
         p, q = mpz(a * d), mpz(b * d)
@@ -195,14 +197,14 @@ class Quadratic(Real):
 
 
 class Expression(Real):
-    """An operation on real numbers, of which one at least is not rational."""
+    """An operation on real numbers, at least one of which is irrational."""
 
     __slots__ = ("_operands", "_operation", "_reached")
     _operation: Operation
     _operands: tuple[Real, ...]
-    #: The best interval reached, one tuple, so that threads see both ends of one interval.
+    #: The narrowest enclosure computed so far; a single tuple, so that threads never see ends of different intervals.
     _reached: Interval | None
-    #: Digits cost less than the polynomial of a tree.
+    #: More digits than for other numbers, because they cost less than the polynomial of a tree.
     _suspicious = 320
 
     def __init__(self, operation: Operation, *operands: Real) -> None:
@@ -212,7 +214,7 @@ class Expression(Real):
         return Expression, (self._operation, *self._operands)
 
     def _enclosed(self, digits: int) -> Interval:
-        """By FLINT's balls, with more and more bits."""
+        """By FLINT's balls, with increasing precision."""
         if isinstance(self._exact, type(mpq())):
             return Interval.point(self._exact)
         known = self._reached
@@ -221,15 +223,15 @@ class Expression(Real):
             with ctx.workprec(bits + GUARD):
                 ball = _folded(self, _is_leaf, partial(_ball, bits * 3 // 10 + 1))
             if ball.is_finite():
-                found = ball_ends(ball)
-                if known is None or found.width < known.width:
-                    known = found
+                enclosure = ball_ends(ball)
+                if known is None or enclosure.width < known.width:
+                    known = enclosure
                     fill(self, _reached=known)
             bits *= 2
         return known
 
     def _against_number(self, t: mpq) -> int:
-        """Where all operands but one are rational, by a comparison of that one."""
+        """If all operands but one are rational, by comparing this operand."""
         if self._operation is _root:
             return 1 if t < 0 else self._operands[0]._against_number(t * t)
         (x, y), operation = self._operands, self._operation
@@ -249,8 +251,8 @@ class Expression(Real):
         if len(places) == 1:
             (place,) = places
             modulus = place._annihilator()
-            found = _folded(self, _is_place, partial(_quotient_modulo, modulus))
-            return annihilating.quotient_at(modulus, found.top, found.bottom)
+            value = _folded(self, _is_place, partial(_quotient_modulo, modulus))
+            return annihilating.quotient_at(modulus, value.top, value.bottom)
         for x in _in_order(self, _is_place)[:-1]:
             x._irreducible()
         p, q = (x._irreducible() for x in self._operands)
@@ -259,7 +261,7 @@ class Expression(Real):
         return annihilating.product_of(p, q if self._operation is mul else annihilating.inverted(q))
 
 
-#: ``x ∘ q`` compared with t is x compared with ``t ∘⁻¹ q``.
+#: The inverses ``∘⁻¹`` of operations: comparing ``x ∘ q`` with t is comparing x with ``t ∘⁻¹ q``.
 _INVERSES: dict[Operation, Callable[..., mpq]] = {add: sub, sub: add, mul: truediv, truediv: mul}
 
 
@@ -281,30 +283,30 @@ def _is_leaf(x: Real) -> bool:
 
 
 def _is_place(x: Real) -> bool:
-    """Whether a part of a tree is a number of which the whole is a rational function, or a rational one."""
+    """Whether a node of a tree is rational, or a number of which the tree can be taken as a rational function."""
     return not x._operands or x._operation is _root
 
 
 def _in_order(number: Real, is_leaf: Callable[[Real], bool]) -> list[Real]:
-    """The parts of a tree, each once and after its operands; without recursion."""
-    found: dict[int, Real] = {}
+    """The nodes of a tree, each once and after its operands, computed without recursion."""
+    ordered: dict[int, Real] = {}
     todo = [number]
     while todo:
         x = todo[-1]
-        missing = [] if is_leaf(x) else [y for y in x._operands if id(y) not in found]
+        missing = [] if is_leaf(x) else [y for y in x._operands if id(y) not in ordered]
         if missing:
             todo += missing
         else:
-            found.setdefault(id(x), todo.pop())
-    return list(found.values())
+            ordered.setdefault(id(x), todo.pop())
+    return list(ordered.values())
 
 
 def _folded(number: Real, is_leaf: Callable[[Real], bool], of_leaf: Callable[[Real], V]) -> V:
-    """The value of a tree: its operations on the values of its leaves."""
-    found: dict[int, V] = {}
+    """The value of a tree: its operations applied to the values of its leaves."""
+    values: dict[int, V] = {}
     for x in _in_order(number, is_leaf):
-        found[id(x)] = of_leaf(x) if is_leaf(x) else cast(V, x._operation(*(found[id(y)] for y in x._operands)))
-    return found[id(number)]
+        values[id(x)] = of_leaf(x) if is_leaf(x) else cast(V, x._operation(*(values[id(y)] for y in x._operands)))
+    return values[id(number)]
 
 
 def _places(number: Real) -> list[Real]:
@@ -314,7 +316,7 @@ def _places(number: Real) -> list[Real]:
 
 
 def combined(operation: Operation, x: Real, y: Real) -> Real:
-    """``x ∘ y``: rational or quadratic where that is known at once, otherwise a tree.
+    """``x ∘ y``: a rational or quadratic number if this is known immediately, otherwise a tree.
 
     Raises `ZeroDivisionError` for a quotient by 0.
     """
@@ -322,9 +324,9 @@ def combined(operation: Operation, x: Real, y: Real) -> Real:
         raise ZeroDivisionError("a real number divided by 0")
     parts = _known(x), _known(y)
     if parts[0] is not None and parts[1] is not None:
-        found = _of_quadratics(operation, *parts[0], *parts[1])
-        if found is not None:
-            return found
+        result = _of_quadratics(operation, *parts[0], *parts[1])
+        if result is not None:
+            return result
     zeros = [known is not None and not known[0] and not known[1] for known in parts]
     if operation in (mul, truediv) and any(zeros):
         return RationalNumber(0)
@@ -343,7 +345,7 @@ def _known(x: Real) -> tuple[mpq, mpq, int] | None:
 
 
 def _of_quadratics(operation: Operation, a: mpq, b: mpq, c: int, e: mpq, f: mpq, g: int) -> Real | None:
-    """``(a + b√c) ∘ (e + f√g)`` where it is rational or quadratic."""
+    """``(a + b√c) ∘ (e + f√g)`` if it is rational or quadratic, else None."""
     if b and f and c != g:
         if not is_square(c * g):
             if a == e == 0 and operation in (mul, truediv):
@@ -362,7 +364,7 @@ def _of_quadratics(operation: Operation, a: mpq, b: mpq, c: int, e: mpq, f: mpq,
 
 
 def quadratic(a: mpq, b: mpq, c: int) -> Real:
-    """``a + b√c``, where c is 1 or not a square and without square factors of small primes.
+    """``a + b√c``, where c is 1, or a non-square without square factors of small primes.
 
     >>> quadratic(mpq(1), mpq(0), 5), quadratic(mpq(1), mpq(1), 5)
     (<Real 1>, <Real 1 + √5>)
@@ -371,7 +373,7 @@ def quadratic(a: mpq, b: mpq, c: int) -> Real:
 
 
 def square_root(x: Number | Real) -> Real:
-    """The square root of a number that is not negative.
+    """The square root of a non-negative number.
 
     >>> square_root("9/4"), square_root(12), square_root(1 + square_root(2))
     (<Real 3/2>, <Real 2√3>, <Real 1.553774…>)
@@ -391,7 +393,7 @@ def square_root(x: Number | Real) -> Real:
 
 
 def real(value: Number | Real) -> Real:
-    """Any exact number as a real one.
+    """Any exact number as a `Real`.
 
     Raises `NumberError` for anything that is not an exact number.
     """
@@ -399,7 +401,7 @@ def real(value: Number | Real) -> Real:
 
 
 def between(low: Number | Real, high: Number | Real) -> mpq:
-    """A rational number strictly between two numbers ``low < high``: a dyadic one of few digits.
+    """A rational number strictly between two numbers ``low < high``: a dyadic number with few bits.
 
     >>> between(0, square_root("1/2"))
     mpq(1,2)
@@ -411,17 +413,17 @@ def between(low: Number | Real, high: Number | Real) -> mpq:
             break
         digits *= 2
     scale = 1
-    while (found := mpq(int(a * scale // 1) + 1, scale)) >= b:
+    while (number := mpq(int(a * scale // 1) + 1, scale)) >= b:
         scale *= 2
-    return found
+    return number
 
 
 class Extreme(Real):
-    """The largest or the smallest of several numbers, without deciding which of them it is."""
+    """The maximum or minimum of several numbers, without deciding which of them it is."""
 
     __slots__ = ("among", "side")
     among: tuple[Real, ...]
-    #: 1 for the largest, −1 for the smallest.
+    #: 1 for the maximum, −1 for the minimum.
     side: int
 
     def __init__(self, side: int, among: Iterable[Real]) -> None:
@@ -440,5 +442,5 @@ class Extreme(Real):
         return max(signs) if self.side > 0 else min(signs)
 
     def _annihilator(self) -> fmpz_poly:
-        found = max(self.among) if self.side > 0 else min(self.among)
-        return found._annihilator()
+        value = max(self.among) if self.side > 0 else min(self.among)
+        return value._annihilator()

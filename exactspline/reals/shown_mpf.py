@@ -1,4 +1,4 @@
-"""Numbers of mpmath that show the digits they have. This module loads mpmath."""
+"""Numbers of mpmath that print their significant digits. Importing this module loads mpmath."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from exactspline.numbers.exact import mpq
 
 
 class ShownMpf(mp.mpf):  # type: ignore[misc]  # mpmath has no types
-    """An mpf that shows its own number of significant digits, whatever the precision that mpmath works with; what is
-    computed with it is an ordinary mpf.
+    """An mpf that prints a fixed number of significant digits, independently of the working precision of mpmath;
+    results of computations with it are ordinary mpf numbers.
     """
 
     __slots__ = ("digits",)
@@ -27,14 +27,14 @@ class ShownMpf(mp.mpf):  # type: ignore[misc]  # mpmath has no types
 
 def _made(value: tuple[int, ...], digits: int) -> ShownMpf:
     sign, mantissa, exponent, bits = value
-    found = ShownMpf.__new__(ShownMpf)
-    found._mpf_ = sign, libmp.MPZ(mantissa), exponent, bits
-    found.digits = digits
-    return found
+    made = ShownMpf.__new__(ShownMpf)
+    made._mpf_ = sign, libmp.MPZ(mantissa), exponent, bits
+    made.digits = digits
+    return made
 
 
 def shown(value: mpq, digits: int) -> ShownMpf:
-    """A number with an error far below ``10^−digits``, that shows as many digits behind the point."""
+    """A number with an error far below ``10^−digits``, printed with this many digits after the decimal point."""
     whole = int(abs(value))
     bits = whole.bit_length() + (10 ** max(digits, 0)).bit_length() + 4
     return _made(
@@ -44,6 +44,6 @@ def shown(value: mpq, digits: int) -> ShownMpf:
 
 
 def significant(value: mpq, digits: int) -> ShownMpf:
-    """A number with a relative error far below ``10^−digits``, that shows as many significant digits."""
+    """A number with a relative error far below ``10^−digits``, printed with this many significant digits."""
     bits = (10 ** max(digits, 0)).bit_length() + 8
     return _made(libmp.from_rational(int(value.numerator), int(value.denominator), bits), max(digits, 1))

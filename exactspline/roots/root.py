@@ -197,11 +197,11 @@ class Root(Real, Displayed):
     def _keep(self, low: mpq, high: mpq) -> None:
         """Keep an interval, unless another thread was faster with a narrower one."""
         if low == high:
-            self._found(low)
+            self._set_rational(low)
         elif high - low < self.high - self.low:
             fill(self, _reached=Interval(low, high))
 
-    def _found(self, value: mpq) -> None:
+    def _set_rational(self, value: mpq) -> None:
         fill(self, _exact=value, _reached=Interval.point(value))
 
     def _enclosed(self, digits: int) -> Interval:
@@ -252,7 +252,7 @@ class Root(Real, Displayed):
         a, b = self.segment
         sign = sign_at(self._zero.factor.polynomial, (t - a) / (b - a))
         if sign == 0:
-            self._found(t)
+            self._set_rational(t)
             return 0
         return 1 if sign == self._zero.sign else -1
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from exactspline.errors import ShapeError, as_items
+from exactspline.errors import ShapeError, as_flag, as_items
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import mpq, ratio, text
 from exactspline.numbers.immutable import Immutable, fill
@@ -234,7 +234,7 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
 
     Raises `ShapeError` for anything but a `BSpline`.
     """
-    f = spline_of(f)
+    f, periodic = spline_of(f), as_flag(periodic, "whether the ends of the domain are one knot")
     return ZeroSet(f, periodic, [isolate(c, f.degree) if c else None for c in f.polynomials])
 
 

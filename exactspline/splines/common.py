@@ -13,6 +13,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, mesh_of
 from exactspline.splines.spans import common_forms
 from exactspline.splines.tensor import TensorSpline, make
+from exactspline.splines.tensor_univariate import named
 
 S = TypeVar("S", BSpline, TensorSpline)
 
@@ -72,11 +73,10 @@ def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
     return [f.over_forms(mesh, row) for f, row in zip(splines, rows, strict=True)]
 
 
-def on_one_mesh(splines: Iterable[TensorSpline]) -> list[TensorSpline]:
+def on_one_mesh(splines: Iterable[TensorSpline], letters: tuple[str, str]) -> list[TensorSpline]:
     """Components over the same breakpoints, as they are but with the meshes of the first, so that operations need not
-    compare them.
+    compare them, and with names of their parameters.
     """
-    first, *rest = splines
-    return [first] + [
-        make(f.degree, first.meshes, f.continuity, f.stride, f._own, f.denominators, f.provenance) for f in rest
-    ]
+    found = list(splines)
+    meshes = named(found[0].meshes, letters)
+    return [make(f.degree, meshes, f.continuity, f.stride, f._own, f.denominators, f.provenance) for f in found]

@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError, as_path
+from exactspline.errors import CurveFileError, ExactSplineError, as_path, as_text
 from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_points
@@ -61,7 +61,7 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
         'one curve is {"degree": …, "knots": […], "control_points": […]}; several, {"curves": […]}, are '
         "read by exactspline.interchange.files.read",
     )
-    return curve_from_data(data, name)
+    return curve_from_data(data, as_text(name, "the name of a curve"))
 
 
 def curve_from_data(given: Mapping[str, object], name: str = "") -> Nurbs:

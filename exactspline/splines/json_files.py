@@ -117,7 +117,7 @@ def parsed(text: str) -> object:
             text, parse_int=_Decimal, parse_float=_Decimal, parse_constant=_refuse, object_pairs_hook=once_each
         )
     except RecursionError:
-        raise CurveFileError("brackets are nested too deep", remedy="a curve needs three levels") from None
+        raise CurveFileError("brackets are nested too deeply", remedy="a curve needs three levels") from None
     except json.JSONDecodeError as error:
         raise CurveFileError(
             f"is not JSON ({error.msg})",

@@ -10,7 +10,7 @@ from exactspline.errors import ExactSplineError, ShapeError, shown
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import checked_order
 from exactspline.language.rational import Rational
-from exactspline.language.surface_kind import Surface
+from exactspline.language.surface_kind import BOTH, Surface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.immutable import Immutable
@@ -367,11 +367,11 @@ def _splines(
         return TensorSpline((degree[0], degree[1]), *knots, values)
 
     if weights is None:
-        p = on_one_mesh([spline([[point[k] for point in row] for row in net]) for k in range(len(net[0][0]))])
+        p = on_one_mesh([spline([[point[k] for point in row] for row in net]) for k in range(len(net[0][0]))], BOTH)
         return Vector(*p), p[0].constant(1)
     scaled = [[lifted(x, w) for x, w in zip(*rows, strict=True)] for rows in zip(net, weights, strict=True)]
     p = [spline([[point[k] for point in row] for row in scaled]) for k in range(len(net[0][0]))]
-    *p, w = on_one_mesh([*p, spline(weights)])
+    *p, w = on_one_mesh([*p, spline(weights)], BOTH)
     check_weight(w)
     return Vector(*p), w
 

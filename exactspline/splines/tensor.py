@@ -15,8 +15,9 @@ from typing import Any, ClassVar
 from flint import fmpz, fmpz_mat, fmpz_poly
 
 from exactspline.errors import FormulaError, ShapeError, as_instance, shown
-from exactspline.language.arguments import Curve, Pair
+from exactspline.language.arguments import PARAMETERS, Curve, Pair
 from exactspline.language.choices import Parameter
+from exactspline.language.letters import refuse_letter
 from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.language.rational import RingOperand
@@ -33,7 +34,17 @@ from exactspline.splines.tensor_direct import derived, lowered, true_degrees
 from exactspline.splines.tensor_lines import joined, lines
 from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
 from exactspline.splines.tensor_parts import Continuity, Degrees, TensorParts
-from exactspline.splines.tensor_univariate import changed_one, one_parameter, packed_segments, replaced, smooth, spread
+from exactspline.splines.tensor_univariate import (
+    changed_one,
+    exchanged,
+    letters_of,
+    named,
+    one_parameter,
+    packed_segments,
+    replaced,
+    smooth,
+    spread,
+)
 
 #: The directions of parameters: those of two curves, and those of a surface.
 DIRECTION = {Parameter.FIRST: 0, Parameter.U: 0, Parameter.SECOND: 1, Parameter.V: 1}
@@ -228,16 +239,25 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> TensorSpline:
-        """The derivative by the parameter that is named: s or u the first one, s̄ or v the second; where none is, of
-        what depends on one parameter only; `FormulaError` for anything else (see `partial`).
+        """The derivative by the parameter that is named: u or v on a surface, s or s̄ on two curves, any of them on what
+        belongs to neither; where none is, of what depends on one parameter only; `FormulaError` for anything else
+        (see `partial`).
         """
         if by is not None:
             if by not in DIRECTION:
-                raise FormulaError(f"a derivative by {by!r}", remedy=f"the parameters are {', '.join(DIRECTION)}")
-            return self.partial(order, 0) if DIRECTION[Parameter(by)] == 0 else self.partial(0, order)
+                raise FormulaError(
+                    f"a derivative with respect to {by!r}", remedy=f"the parameters are {', '.join(DIRECTION)}"
+                )
+            letters = letters_of(self.meshes)
+            if letters is not None:
+                refuse_letter(by, letters)
+            direction = DIRECTION[Parameter(by)] if letters is None else letters.index(by)
+            return self.partial(0, order) if direction else self.partial(order, 0)
         if self.profile is None:
+            first, second = letters_of(self.meshes) or PARAMETERS
             raise FormulaError(
-                "a derivative of a spline in two parameters", remedy="say by which: d(1, by='s') or d(1, by='s̄')"
+                "a derivative of a spline in two parameters",
+                remedy=f"say by which: d(1, by={str(first)!r}) or d(1, by={str(second)!r})",
             )
         return lifted(self.profile[1].d(order), self.meshes, self.profile[0], self.stride)
 
@@ -357,7 +377,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
 
     def transposed(self) -> TensorSpline:
         """The spline with its parameters exchanged."""
-        meshes, continuity = (self.meshes[1], self.meshes[0]), (self.continuity[1], self.continuity[0])
+        meshes, continuity = exchanged(self.meshes), (self.continuity[1], self.continuity[0])
         if self.profile is not None:
             return lifted(self.profile[1], meshes, 1 - self.profile[0])
         degree, stride = Degrees(self.degree.t, self.degree.s), tensor_bernstein.stride_for(self.degree.t)
@@ -481,5 +501,5 @@ def surface_pair(first: Curve[BSpline], second: Curve[BSpline]) -> Pair[TensorSp
     """
     for each in (first, second):
         as_instance(each, Curve, "a curve", 'give a Nurbs, such as exactspline.example("cusp")')
-    meshes, room = (first.w.mesh, second.w.mesh), max(BISECTOR_ROOM * first.p.degree, 1)
+    meshes, room = named((first.w.mesh, second.w.mesh), PARAMETERS), max(BISECTOR_ROOM * first.p.degree, 1)
     return Pair(first.mapped(lambda f: lifted(f, meshes, 0, room)), second.mapped(lambda f: lifted(f, meshes, 1, room)))

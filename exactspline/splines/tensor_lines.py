@@ -11,6 +11,7 @@ from exactspline.polynomials import tensor_bernstein
 from exactspline.polynomials.bernstein import primitive
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.tensor_parts import Degrees, Parts, TensorParts
+from exactspline.splines.tensor_univariate import replaced
 
 
 def lines(f: TensorParts) -> list[list[BSpline]]:
@@ -48,7 +49,7 @@ def joined(found: list[list[BSpline]], old: TensorParts) -> Parts:
     continuity = (old.continuity[0], first.continuity)
     return (
         Degrees(old.degree.s, first.degree),
-        (old.meshes[0], first.mesh),
+        replaced(old.meshes, 1, first.mesh),
         continuity,
         stride,
         tuple(polynomials),

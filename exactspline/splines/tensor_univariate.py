@@ -44,11 +44,37 @@ def changed_one(mesh: Mesh, change: Callable[[BSpline], BSpline]) -> BSpline:
     return change(BSpline.from_forms(0, mesh, smooth(len(mesh)), [(fmpz_poly([1]), ONE)] * len(mesh)))
 
 
+class NamedMeshes(tuple[Mesh, Mesh]):
+    """The breakpoints in two directions whose parameters have names, as those of a surface or of two curves have."""
+
+    letters: tuple[str, str]
+
+
+def named(meshes: tuple[Mesh, Mesh], letters: tuple[str, str] | None) -> tuple[Mesh, Mesh]:
+    """The meshes with the names of their parameters; as they are where there are none."""
+    if letters is None:
+        return meshes
+    found = NamedMeshes(meshes)
+    found.letters = letters
+    return found
+
+
+def letters_of(meshes: tuple[Mesh, Mesh]) -> tuple[str, str] | None:
+    """The names of the parameters; None where they have none."""
+    return meshes.letters if isinstance(meshes, NamedMeshes) else None
+
+
 def replaced(meshes: tuple[Mesh, Mesh], direction: int, mesh: Mesh) -> tuple[Mesh, Mesh]:
     """The meshes with one replaced; the same tuple where it does not change, since operands are aligned by identity."""
     if mesh is meshes[direction]:
         return meshes
-    return (meshes[0], mesh) if direction else (mesh, meshes[1])
+    return named((meshes[0], mesh) if direction else (mesh, meshes[1]), letters_of(meshes))
+
+
+def exchanged(meshes: tuple[Mesh, Mesh]) -> tuple[Mesh, Mesh]:
+    """The meshes in the other order."""
+    letters = letters_of(meshes)
+    return named((meshes[1], meshes[0]), None if letters is None else (letters[1], letters[0]))
 
 
 def one_parameter(a: Profile, b: Profile) -> tuple[int, BSpline, BSpline] | None:

@@ -1,7 +1,7 @@
-"""What claims assume, as mathematics: each assumption is tied to the polynomial of which it speaks.
+"""The assumptions of claims, each represented by the polynomial that it is about.
 
-There is one table. The prover asks it which factors have no zero, and compares polynomials, never the names by which
-they print. On a given curve `exactspline.verification.evaluation` checks the same objects.
+There is a single table. From it the prover determines which factors have no zero, by comparing polynomials, never their
+printed names. `exactspline.verification.evaluation` checks the same objects on a given curve.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from exactspline.papers import find
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading
 
-#: The kinds of arguments in the plane, in space, and with a second curve.
+#: Kinds of arguments in the plane, in space, and with two curves.
 PLANE, SPACE, PAIR = ("plane", "plane point"), ("space", "point"), ("pair",)
 ALONE = ("curve", *PLANE, *SPACE)
 #: Kinds of arguments with two parameters.
@@ -33,13 +33,14 @@ SURFACES = ("surface", "planar map")
 
 @dataclass(frozen=True)
 class Assumption:
-    """That a polynomial in the curve has no zero (`everywhere`), or that it vanishes on no whole segment.
+    """The assumption that a polynomial in the curve has no zero (`everywhere`), or that it vanishes on no whole
+    segment.
 
-    ``name`` is how claims write it, ``subject`` that of which it speaks, ``words`` how it is read, ``meaning`` the
-    explanation of a factor that has no zero because of it. ``polynomial`` gives the polynomial in any reading of an
-    argument of one of the ``kinds``; it depends on the parameter of the second curve where ``second`` is set.
-    ``formula`` is the name of the formula that gives it (its squared length, where that is a vector); a denominator of
-    a curve has none. ``implies`` are the names of others that follow from it.
+    ``name`` is its notation in claims, ``subject`` the expression that it is about, ``words`` its statement in words,
+    ``meaning`` the reason to give for a factor that has no zero because of it. ``polynomial`` returns the polynomial in
+    any reading, for an argument of one of the ``kinds``; it depends on the parameter of the second curve if ``second``
+    is set. ``formula`` is the name of the formula whose value it is (or whose squared length, for a vector); the
+    denominator of a curve has none. ``implies`` are the names of assumptions that follow from it.
     """
 
     name: str
@@ -54,7 +55,7 @@ class Assumption:
     implies: tuple[str, ...] = ()
 
     def speaks_of(self, kind: Kind) -> bool:
-        """Whether its polynomial exists on arguments of a kind."""
+        """Whether its polynomial is defined for arguments of a kind."""
         return _one_taken(kind, self.kinds)
 
     def __str__(self) -> str:
@@ -74,12 +75,12 @@ def _first(c: Any) -> Any:
 
 
 def _formula(name: str) -> Callable[[Any], Any]:
-    """The formula with this name, of the first curve; of a vector its squared length."""
+    """The formula with this name on the first curve; for a vector its squared length."""
 
     def value(c: Any) -> Any:
         formula = find(name)
-        found = formula(c if formula.kind is PAIR_OF_CURVES else _first(c))
-        return norm2(found) if isinstance(found, Vector) else found
+        operand = formula(c if formula.kind is PAIR_OF_CURVES else _first(c))
+        return norm2(operand) if isinstance(operand, Vector) else operand
 
     return value
 
@@ -93,7 +94,7 @@ _EVERYWHERE = (
         "w",
         "w",
         "w has no zero",
-        "the weight function, without a zero",
+        "the weight function, without zeros",
         lambda c: _first(c).w,
         (*ALONE, *PAIR, *SURFACES),
     ),
@@ -101,7 +102,7 @@ _EVERYWHERE = (
         "w̄",
         "w̄",
         "w̄ has no zero",
-        "the weight function of the second curve, without a zero",
+        "the weight function of the second curve, without zeros",
         lambda c: c.second.w,
         PAIR,
         second=True,
@@ -176,10 +177,10 @@ _SOMEWHERE = (
 
 
 def stated_assumption(name: str, what: Formula | str, kind: Kind, everywhere: bool) -> Assumption:
-    """An assumption of an author: that a formula that is a polynomial in the curve, or a constant, has no zero, or that
-    it vanishes on no whole segment.
+    """An assumption stated by an author: that a constant, or a formula that is a polynomial in the curve, has no zero,
+    or that it vanishes on no whole segment.
 
-    Raises `ClaimError` for a quotient, for what vanishes on every curve, and for what depends on a second curve.
+    Raises `ClaimError` for a quotient, and for a formula that vanishes on every curve or depends on a second curve.
     """
     shown = what if isinstance(what, str) else what.name
     if kind.parts or (isinstance(what, Formula) and not all(is_polynomial(what, n) for n in kind.dimensions)):
@@ -195,13 +196,13 @@ def stated_assumption(name: str, what: Formula | str, kind: Kind, everywhere: bo
         order = 0 if isinstance(what, str) else order_of(what, n)
         if polynomial(JetReading(order).argument(kind, n)).is_zero:
             raise ClaimError(
-                f"{shown!r} vanishes on every curve", where="assumes", remedy="nothing can be assumed of it"
+                f"{shown!r} vanishes on every curve", where="assumes", remedy="no assumption about it can hold"
             )
     words = f"{shown} has no zero" if everywhere else f"{shown} vanishes on no whole segment"
     return Assumption(name, shown, words, "not zero by assumption", polynomial, (kind.name,), everywhere)
 
 
-#: Every assumption by its name.
+#: All assumptions by name.
 ASSUMPTIONS = {each.name: each for each in (*_EVERYWHERE, *_SOMEWHERE)}
 
 
@@ -211,27 +212,28 @@ def assumption(name: str) -> Assumption:
     >>> assumption("γ′×γ″").words
     'γ′×γ″ has no zero'
 
-    Raises `ClaimError` with the nearest names.
+    Raises `ClaimError`, with the nearest names, for an unknown one.
     """
     if name not in ASSUMPTIONS:
         near = get_close_matches(name, ASSUMPTIONS, 3, 0) or list(ASSUMPTIONS)
-        raise ClaimError(f"the assumption {name!r} is unknown", remedy=f"nearest are {', '.join(map(repr, near))}")
+        raise ClaimError(f"the assumption {name!r} is unknown", remedy=f"the nearest are {', '.join(map(repr, near))}")
     return ASSUMPTIONS[name]
 
 
 def zero_free(jet: Jet, assumed: Iterable[Assumption] = _EVERYWHERE) -> Assumption | None:
-    """The assumption by which an irreducible jet polynomial has no zero: it divides the polynomial that has none.
+    """The assumption by which an irreducible jet polynomial has no zero, because it divides the polynomial of the
+    assumption; or None.
 
-    Without a list all assumptions of that kind count: those of a regular curve without points of zero curvature.
+    By default all assumptions of this type are used: those of a regular curve without points of zero curvature.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.jet import JetReading
     >>> c = JetReading(2).argument(CURVE, 2)
     >>> zero_free(c.w).name, zero_free(norm2(find("D1")(c))).name, zero_free(find("f2")(c))
     ('w', 'γ′', None)
     """
-    wanted = tuple(each for each in assumed if each.everywhere)
+    everywhere = tuple(each for each in assumed if each.everywhere)
     ring = jet.ring
-    for each, polynomial in _polynomials(wanted, ring.kind, ring.dimension, ring.order, ring.polynomial):
+    for each, polynomial in _polynomials(everywhere, ring.kind, ring.dimension, ring.order, ring.polynomial):
         if not divmod(polynomial, jet.polynomial)[1]:
             return each
     return None
@@ -241,12 +243,12 @@ def zero_free(jet: Jet, assumed: Iterable[Assumption] = _EVERYWHERE) -> Assumpti
 def _polynomials(
     assumed: tuple[Assumption, ...], kind: Kind, dimension: int, order: int, polynomial: bool
 ) -> list[tuple[Assumption, fmpq_mpoly]]:
-    """The polynomials of assumptions without exception, in the ring of that kind, dimension and order."""
-    argument, found = JetReading(order).argument(kind, dimension, polynomial=polynomial), []
+    """The polynomials of the assumptions that hold everywhere, in the ring of this kind, dimension and order."""
+    argument, polynomials = JetReading(order).argument(kind, dimension, polynomial=polynomial), []
     for each in assumed:
         spoken_of = any(kind.takes(kind_of(name), dimension) for name in each.kinds)
         if spoken_of and order_of(Formula(each.polynomial, each.name, kind, ""), dimension) <= order:
             value = each.polynomial(argument)
             if value.polynomial.total_degree() > 0:
-                found.append((each, value.polynomial))
-    return found
+                polynomials.append((each, value.polynomial))
+    return polynomials

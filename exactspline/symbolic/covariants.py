@@ -1,13 +1,13 @@
-"""The distance of a differential polynomial from a covariant of binary forms, and its true degree.
+"""The height of a differential polynomial above the covariants of binary forms, and its true degree.
 
 Let F be homogeneous of degree k in the curve and of weight m, and L the derivation with ``L f⁽ⁱ⁾ = i (d − i + 1)
 f⁽ⁱ⁻¹⁾``: the effect of an infinitesimal projective change of parameter on the derivatives of polynomials of degree d.
 The height of F is the j with ``Lʲ F ≠ 0 = Lʲ⁺¹ F``; F is a covariant exactly when j = 0. On the generic curve of degree
-d the polynomial F has degree ``k d − 2 m + j`` in the parameter: exactly that, and never more on any curve. The proof
-is in ``docs/degree-theorem.md``.
+d, the polynomial F has degree exactly ``k d − 2 m + j`` in the parameter, and on no curve is the degree larger. The
+proof is in ``docs/degree-theorem.md``.
 
-Of a surface all this holds in each parameter: along a line of constant v its derivatives by v are curves of degree d_u,
-free and independent of each other. Weight and height then count the derivatives by u alone.
+For a surface all this holds in each parameter: along a line of constant v its derivatives by v are independent curves
+of degree d_u. Weight and height then count only derivatives by u.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
 from exactspline.errors import FormulaError, InapplicableError
 from exactspline.language.choices import Parameter
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.leading_terms import common_roots
@@ -27,10 +28,10 @@ from exactspline.readings.leading_terms import common_roots
 
 @dataclass(frozen=True)
 class TrueDegree:
-    """Degree k, weight m and height j for symbolic d, which may have another `name`.
+    """Degree k, weight m and height j for symbolic degree d; `name` is the name of d.
 
-    `lower` are the d ≥ 1 at which the true degree is below ``k d − 2 m + j``, with what it is there: −1 stands for a
-    polynomial that vanishes on all curves of that degree.
+    `lower` lists the d ≥ 1 for which the true degree is below ``k d − 2 m + j``, each with its true degree, where −1
+    means that the polynomial vanishes on all curves of this degree.
     """
 
     k: int
@@ -41,7 +42,7 @@ class TrueDegree:
 
     @property
     def nominal(self) -> Degree:
-        """``k d − m``, as Table 1 counts."""
+        """``k d − m``, the degree by Table 1."""
         return _affine(self.name, self.k, -self.m)
 
     @property
@@ -51,7 +52,7 @@ class TrueDegree:
 
     @property
     def surplus(self) -> int:
-        """``m − j``: by how much the nominal degree can be lowered on every curve."""
+        """``m − j``: the amount by which the nominal degree exceeds the true degree on every curve."""
         return self.m - self.j
 
     def at(self, d: int) -> int:
@@ -64,8 +65,8 @@ def _affine(name: str, k: int, constant: int) -> Degree:
 
 
 def true_degree(jets: Jet | Iterable[Jet], parameter: Parameter = Parameter.FIRST) -> TrueDegree:
-    """k, m, j and the true degree in a parameter of a differential polynomial, or of a vector of them (the largest of
-    the components).
+    """k, m, j and the true degree, with respect to a parameter, of a differential polynomial or a vector of them (for a
+    vector, the maximum over the components).
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f2
     >>> from exactspline.language.kinds import CURVE
@@ -80,22 +81,22 @@ def true_degree(jets: Jet | Iterable[Jet], parameter: Parameter = Parameter.FIRS
     >>> [true_degree(second, parameter).generic for parameter in (Parameter.U, Parameter.V)]
     [4d_u − 6, 4d_v − 2]
 
-    Raises `FormulaError` when it is zero, or not homogeneous in degree and weight (see `graded`).
+    Raises `FormulaError` if it is zero, or not homogeneous in degree and weight (see `graded`).
     """
     parts = [jet for jet in ([jets] if isinstance(jets, Jet) else jets) if not jet.is_zero]
     if not parts:
-        raise FormulaError("the zero polynomial has no degree", remedy="ask for one that does not vanish")
+        raise FormulaError("the zero polynomial has no degree", remedy="give a nonzero polynomial")
     gradings = {grading(jet, parameter) for jet in parts}
     if len(gradings) > 1:
         raise FormulaError(
             f"components with the gradings {sorted(gradings)}",
-            remedy="degree and weight of a vector exist when all agree",
+            remedy="a vector has degree and weight only if those of all components agree",
         )
     return _true_degree(parts, gradings.pop(), parameter)
 
 
 def _true_degree(parts: list[Jet], known: tuple[int, int], parameter: Parameter) -> TrueDegree:
-    """The same of polynomials of one known degree and weight."""
+    """The same for polynomials of a known common degree and weight."""
     (k, m), ring = known, parts[0].ring
     lowest: list[fmpq_mpoly] = []
     j, images = -1, [_with_d(ring, jet.polynomial) for jet in parts]
@@ -109,7 +110,7 @@ def _true_degree(parts: list[Jet], known: tuple[int, int], parameter: Parameter)
 
 
 def product_of(factors: Sequence[tuple[TrueDegree, int]]) -> TrueDegree:
-    """k, m, j and the true degree of a product from those of its factors with their exponents: all of them add."""
+    """k, m, j and the true degree of a product, from its factors and their exponents: all of them are additive."""
     k, m, j = (sum(getattr(f, name) * e for f, e in factors) for name in ("k", "m", "j"))
     lower = []
     for d in sorted({d for f, _ in factors for d, _ in f.lower}):
@@ -120,12 +121,13 @@ def product_of(factors: Sequence[tuple[TrueDegree, int]]) -> TrueDegree:
 
 
 def _degree_name(ring: JetRing, parameter: Parameter) -> str:
-    """The degree in a parameter of the functions of a ring."""
+    """The name of the degree, with respect to a parameter, of the functions of a ring."""
     return next(s.degree_in(parameter) for s in ring.symbols.values() if parameter in s.parameters)
 
 
 def graded(jet: Jet, parameter: Parameter = Parameter.FIRST) -> list[Jet]:
-    """The homogeneous parts of a differential polynomial; on the generic curve their leading terms do not cancel.
+    """The homogeneous parts of a differential polynomial; on the generic curve their leading terms do not cancel each
+    other.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.jet import JetReading
     >>> x = JetReading(1).argument(CURVE, 2).p[0]
@@ -148,24 +150,22 @@ def _graded(jet: Jet, parameter: Parameter) -> list[tuple[tuple[int, int], Jet]]
 
 
 def grading(jet: Jet, parameter: Parameter = Parameter.FIRST) -> tuple[int, int]:
-    """Degree k and weight m in the functions of a parameter. `FormulaError` when it is not homogeneous in
-    both.
-    """
+    """Degree k and weight m in the functions of a parameter; raises `FormulaError` if it is not homogeneous in both."""
     if (known := _homogeneous(jet, parameter)) is not None:
         return known
     moving = _moving(jet.ring, parameter)
     exponents = ([int(x) for x in m] for m in jet.polynomial.monoms())
-    found = {(sum(e[n] for n, _ in moving), sum(e[n] * i for n, i in moving)) for e in exponents}
-    if len(found) != 1:
+    gradings = {(sum(e[n] for n, _ in moving), sum(e[n] * i for n, i in moving)) for e in exponents}
+    if len(gradings) != 1:
         raise FormulaError(
-            f"a polynomial with the gradings {sorted(found)}",
-            remedy="degree and weight exist for homogeneous ones only",
+            f"a polynomial with the gradings {sorted(gradings)}",
+            remedy="degree and weight are defined only for homogeneous polynomials",
         )
-    return found.pop()
+    return gradings.pop()
 
 
 def _homogeneous(jet: Jet, parameter: Parameter) -> tuple[int, int] | None:
-    """Degree and weight where a polynomial is homogeneous in both: by Euler's theorem, from those of one monomial."""
+    """Degree and weight of a polynomial that is homogeneous in both, else None, from one monomial (Euler)."""
     p, gens, moving = jet.polynomial, jet.ring.gens, _moving(jet.ring, parameter)
     if not p:
         return None
@@ -180,25 +180,25 @@ def _homogeneous(jet: Jet, parameter: Parameter) -> tuple[int, int] | None:
 
 
 def _moving(ring: JetRing, parameter: Parameter) -> list[tuple[int, int]]:
-    """The places of the variables that depend on a parameter, and their orders in it.
+    """The indices of the variables that depend on a parameter, with their orders of differentiation in it.
 
-    Raises `InapplicableError` where operands depend on each other: the degree theorem is about independent ones.
+    Raises `InapplicableError` if operands depend on each other: the degree theorem requires independent operands.
     """
     if ring.rules or ring.kind.composed:
         raise InapplicableError(
-            f"the degree theorem does not apply to the kind {ring.kind.name!r}", remedy="ask for the nominal degree"
+            f"the degree theorem does not apply to the kind {ring.kind.name!r}", remedy="use the nominal degree"
         )
-    found = [(n, orders, ring.symbols[name].parameters) for n, (name, orders) in enumerate(ring.variables)]
-    return [(n, orders[own.index(parameter)]) for n, orders, own in found if parameter in own]
+    dependent = [(n, orders, ring.symbols[name].parameters) for n, (name, orders) in enumerate(ring.variables)]
+    return [(n, orders[own.index(parameter)]) for n, orders, own in dependent if parameter in own]
 
 
 def _beyond(ring: JetRing, degrees: Mapping[Parameter, int]) -> list[int]:
-    """The places of the derivatives that vanish where the functions have these degrees."""
+    """The indices of the derivatives that vanish if the functions have these degrees."""
     return [n for parameter, d in degrees.items() for n, i in _moving(ring, parameter) if i > d]
 
 
 def generic_degree(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -> Degree:
-    """The true degree of a vector on the generic curve for symbolic d, homogeneous or not.
+    """The true degree of a vector, homogeneous or not, on the generic curve for symbolic d.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.jet import JetReading
     >>> c = JetReading(1).argument(CURVE, 2)
@@ -215,26 +215,24 @@ def generic_degree(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) 
 
 
 def truncated(jets: Iterable[Jet], d: int, parameter: Parameter = Parameter.FIRST) -> list[Jet]:
-    """The polynomials on curves of degree d: derivatives of higher order are zero."""
+    """The polynomials on curves of degree d, on which derivatives of higher order are zero."""
     return [Jet(jet.ring, _truncated(jet.ring, jet.polynomial, {parameter: d})) for jet in jets]
 
 
 def without_content(jets: Sequence[Jet]) -> list[Jet]:
     """The polynomials divided by their greatest common divisor."""
-    common = jets[0].polynomial
-    for jet in jets[1:]:
-        common = common.gcd(jet.polynomial)
+    common = greatest_common_divisor(jet.polynomial for jet in jets)
     return [Jet(jet.ring, jet.polynomial / common) for jet in jets]
 
 
 def degree_at(jets: Sequence[Jet], d: int, parameter: Parameter = Parameter.FIRST) -> int:
-    """The true degree of a vector on the generic curve of one degree d, homogeneous or not; −1 where it vanishes."""
+    """The true degree of a vector, homogeneous or not, on the generic curve of a given degree d; −1 if it vanishes."""
     parts = [part for jet in jets for part in graded(jet, parameter)]
     return max((true_degree(part, parameter).at(d) for part in parts), default=-1)
 
 
 def degree_on_patch(jets: Sequence[Jet], degrees: Mapping[Parameter, int], parameter: Parameter) -> int:
-    """The true degree in one parameter of a vector on the generic patch of these degrees; −1 where it vanishes.
+    """The true degree in one parameter of a vector on the generic patch of the given degrees; −1 if it vanishes.
 
     >>> from exactspline.language.kinds import SURFACE
     >>> from exactspline.papers import paper
@@ -249,14 +247,14 @@ def degree_on_patch(jets: Sequence[Jet], degrees: Mapping[Parameter, int], param
 
 
 def _with_d(ring: JetRing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-    """The polynomial in a ring that has d besides the jets."""
+    """The polynomial in the ring with the additional variable d."""
     context = fmpq_mpoly_ctx.get(["d", *ring.context.names()], Ordering.degrevlex)
     made: fmpq_mpoly = polynomial.project_to_context(context)
     return made
 
 
 def _lowered(ring: JetRing, polynomial: fmpq_mpoly, parameter: Parameter) -> fmpq_mpoly:
-    """The derivation L over the polynomials in d."""
+    """The image under the derivation L, over the polynomials in d."""
     gens = polynomial.context().gens()
     d, total = gens[0], polynomial.context().constant(0)
     used = polynomial.degrees()
@@ -270,8 +268,8 @@ def _lowered(ring: JetRing, polynomial: fmpq_mpoly, parameter: Parameter) -> fmp
 def _at(
     jets: Sequence[Jet], k: int, m: int, degrees: Mapping[Parameter, int], parameter: Parameter | None = None
 ) -> int:
-    """The true degree for one number d: derivatives above d are zero, and L has numbers for coefficients. Where several
-    are given, it is the degree in the `parameter`.
+    """The true degree for given degrees: derivatives of higher order are zero, and L has numerical coefficients. If
+    several degrees are given, it is the degree in `parameter`.
     """
     counted = parameter or next(iter(degrees))
     ring, j, d = jets[0].ring, -1, degrees[counted]

@@ -1,4 +1,4 @@
-"""Identical up to a factor: the factor is found in the jet ring by exact division, factored, and named."""
+"""Equality up to a factor: the factor is computed in the jet ring by exact division, factored, and named."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, cast
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from exactspline.errors import ClaimError, ExactSplineError, ReachError, as_integer, as_items
+from exactspline.errors import ClaimError, ExactSplineError, ReachError, as_flag, as_integer, as_items
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair, T
@@ -37,7 +37,7 @@ from exactspline.symbolic.substitution import substitute
 
 
 class Named(NamedTuple):
-    """An irreducible jet polynomial and its name: that of a formula, or its text where it has none."""
+    """An irreducible jet polynomial and its name: that of a formula or, if there is none, its text."""
 
     name: str
     polynomial: fmpq_mpoly
@@ -45,7 +45,7 @@ class Named(NamedTuple):
 
 @dataclass(frozen=True)
 class Factor(Displayed):
-    """A quotient of jet polynomials, as a constant and powers of irreducible ones with names where they have one."""
+    """A quotient of jet polynomials, as a constant times powers of named irreducible polynomials."""
 
     constant: mpq
     powers: Factorization[Named]
@@ -66,7 +66,7 @@ class Factor(Displayed):
 
     @property
     def names(self) -> frozenset[str]:
-        """The names in it."""
+        """The names of the factors."""
         return frozenset(base.name for base, _ in self.powers)
 
     @property
@@ -93,20 +93,24 @@ class Factor(Displayed):
 
 
 def _factor(constant: mpq, powers: tuple[tuple[str, Terms, int], ...], ring: JetRing) -> Factor:
-    """The unpickled factor."""
+    """Unpickles a factor."""
     named = [(Named(name, ring.of_terms(terms)), e) for name, terms, e in powers]
     return Factor(constant, Factorization(named), ring)
 
 
+#: What `polynomial` asks.
+POLYNOMIAL = "whether curves are polynomial"
+
+
 def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False) -> Evaluated:
-    """The indeterminate curve (and point, or two curves) with as many derivatives as the formulas need, in the
-    fraction reading: rational, or with w = 1.
+    """The indeterminate curve (and point, or two curves) with as many derivatives as the formulas need, in the fraction
+    reading; with w = 1 if `polynomial` is set.
 
     >>> jets_for(("f2",), 2, polynomial=True).w
     (1) / (1)
     """
     chosen = list(map(formula_of, as_items(formulas, "formulas")))
-    dimension = as_integer(dimension, "a dimension", 1)
+    dimension, polynomial = as_integer(dimension, "a dimension", 1), as_flag(polynomial, POLYNOMIAL)
     kind = common_kind(each.kind for each in chosen)
     order = max((order_of(each, dimension) for each in chosen), default=0)
     shared, key = _SHARED.get(), (kind, dimension, order, polynomial)
@@ -118,15 +122,15 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     return made
 
 
-#: Indeterminate curves by kind, dimension, order and whether w = 1, which remember the values of formulas.
+#: Indeterminate curves by kind, dimension, order and whether w = 1; they memoize the values of formulas.
 SharedJets = dict[tuple[Kind, int, int, bool], Evaluated]
 _SHARED: ContextVar[SharedJets | None] = ContextVar("shared jets", default=None)
 
 
 @contextmanager
 def sharing(jets: SharedJets | None = None) -> Iterator[None]:
-    """In this context, `jets_for` returns these arguments and adds to them, so that many proofs compute a formula
-    once; without any those of the context around it.
+    """A context in which `jets_for` reuses and extends these arguments (by default those of the enclosing context), so
+    that a formula is computed once for many proofs.
     """
     shared = _SHARED.get() if jets is None else jets
     token = _SHARED.set({} if shared is None else shared)
@@ -137,32 +141,32 @@ def sharing(jets: SharedJets | None = None) -> Iterator[None]:
 
 
 def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int) -> bool:
-    """Whether the formulas, and a factor as claims write it, involve γ alone and not its denominator."""
+    """Whether the formulas, and a factor in the notation of claims, involve only γ and not its denominator."""
     weighted = {"w", "W"} & {part.partition("^")[0] for part in factor.split()}
     return not weighted and all(speaks_of_gamma_alone(each, dimension) for each in formulas)
 
 
 def jets_with_roots(formulas: Sequence[Formula], factor: str, dimension: int, *, polynomial: bool = False) -> Evaluated:
-    """The same with the roots of the frame adjoined; for formulas of γ alone γ has indeterminate coordinates."""
+    """Like `jets_for`, with the roots of the frame adjoined; formulas in γ only get indeterminate coordinates of γ."""
     alone = without_denominator(formulas, factor, dimension)
     return jets_for(formulas, dimension, polynomial=polynomial or alone)
 
 
 def find_factor(left: Value, right: Value) -> Factor | None:
-    """The quotient left/right of two formulas in the fraction reading, or None when they are not proportional; the
-    constant 0 where the left side alone vanishes.
+    """The quotient left/right of two formulas in the fraction reading, or None if they are not proportional; the
+    constant 0 if only the left side vanishes.
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f1, f2
     >>> c = jets_for(("f1", "f2"), 2)
     >>> str(find_factor(f1(c), f2(c)))
     'w'
 
-    Raises `ClaimError` when the right side vanishes identically.
+    Raises `ClaimError` if the right side vanishes identically.
     """
     (ps, _), (qs, _) = split(cast(Any, left)), split(cast(Any, right))
     pivot = next((i for i, q in enumerate(qs) if not q.is_zero), None)
     if pivot is None:
-        raise ClaimError("the right side vanishes identically", remedy="a factor of zero is not determined")
+        raise ClaimError("the right side vanishes identically", remedy="then the factor is not determined")
     if len(ps) != len(qs):
         return None
     quotient = ps[pivot] / qs[pivot]
@@ -172,7 +176,7 @@ def find_factor(left: Value, right: Value) -> Factor | None:
 
 
 def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Factor:
-    """A quotient of jet polynomials as a product of named irreducible ones."""
+    """A quotient of jet polynomials as a product of named irreducible polynomials."""
     a, tops = factors_of(top)
     b, bottoms = factors_of(bottom)
     constant = from_flint(a) / from_flint(b)
@@ -186,12 +190,13 @@ def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Factor:
     return Factor(constant, Factorization(in_order), ring)
 
 
-#: Terms from which on a polynomial is first restricted to a line.
+#: A polynomial with at least this many terms is first restricted to a line.
 LONG = 2000
 
 
 def factors_of(p: fmpq_mpoly) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
-    """A constant, and irreducible factors with coprime integer coefficients, the first one positive, with exponents.
+    """A constant, and irreducible factors with their exponents; they have coprime integer coefficients, the first
+    positive.
 
     >>> from flint import Ordering, fmpq_mpoly_ctx
     >>> x, y = fmpq_mpoly_ctx.get(["x", "y"], Ordering.degrevlex).gens()
@@ -201,15 +206,15 @@ def factors_of(p: fmpq_mpoly) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
     if len(p) >= LONG and irreducible_on_a_line(p):
         unit = to_fmpq(content(map(from_flint, p.coeffs())) * sign(p.leading_coefficient()))
         return unit, [(p / unit, 1)]
-    constant, found = factorize(p)
-    return constant, list(found)
+    constant, factors = factorize(p)
+    return constant, list(factors)
 
 
 def irreducible_on_a_line(p: fmpq_mpoly) -> bool:
-    """Whether a polynomial is shown to be irreducible by its values on a line: there it keeps its total degree, and so
-    do its factors, so that it would be a product there, too.
+    """Whether a polynomial is proved irreducible by its restriction to a line on which it keeps its total degree: then
+    its factors keep theirs, so that a factorization would remain one on the line.
 
-    By Hilbert's irreducibility theorem most lines show that of an irreducible polynomial; false decides nothing.
+    By Hilbert's irreducibility theorem most lines prove this for an irreducible polynomial; False decides nothing.
     """
     line = fmpq_mpoly_ctx.get(["t"], Ordering.lex)
     (t,) = line.gens()
@@ -224,8 +229,8 @@ def irreducible_on_a_line(p: fmpq_mpoly) -> bool:
 
 
 def name_of(jet: Jet) -> tuple[str, mpq]:
-    """The name of an irreducible jet polynomial and its quotient by what the name stands for; its text where it has
-    none.
+    """The name of an irreducible jet polynomial (its text if there is none), and its quotient by the polynomial with
+    this name.
     """
     for name, other in named_parts(jet.ring):
         if len(other.polynomial) == len(jet.polynomial):
@@ -236,7 +241,7 @@ def name_of(jet: Jet) -> tuple[str, mpq]:
 
 
 def name_of_vector(core: Sequence[Jet]) -> tuple[str, mpq]:
-    """The name of a vector of jet polynomials and its quotient by what the name stands for, like `name_of`."""
+    """The name of a vector of jet polynomials, and its quotient by the vector with this name, like `name_of`."""
     ring, n = core[0].ring, len(core)
     if all(jet.is_zero for jet in core):
         return "0", mpq(1)
@@ -257,7 +262,7 @@ def name_of_vector(core: Sequence[Jet]) -> tuple[str, mpq]:
 
 
 def _proportion(core: Sequence[Jet], other: Sequence[Jet]) -> mpq | None:
-    """The constant by which a vector is a multiple of another one, if it is."""
+    """The constant by which a vector is a multiple of another one; None if it is not a multiple."""
     pivot = next((i for i, jet in enumerate(other) if not jet.is_zero), None)
     if pivot is None or core[pivot].is_zero:
         return None
@@ -267,20 +272,20 @@ def _proportion(core: Sequence[Jet], other: Sequence[Jet]) -> mpq | None:
 
 
 def named_parts(ring: JetRing) -> Iterator[tuple[str, Jet]]:
-    """The denominators and the scalar polynomial formulas of the library that this ring can express."""
+    """The denominators and the scalar polynomial formulas of the library that can be expressed in this ring."""
     return ((name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero)
 
 
 def named_values(ring: JetRing) -> Iterator[tuple[str, object]]:
-    """The denominators and the polynomial formulas of the library that this ring can express, vectors among them; each
-    is computed when it is first reached.
+    """The denominators and the polynomial formulas of the library, including vectors, that can be expressed in this
+    ring; each is computed when it is first reached.
     """
     yield from _denominators(ring.kind, ring.dimension, ring.order, ring.polynomial)
     for source in naming():
         yield from _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
 
 
-#: The paper whose names take precedence; None outside of any paper.
+#: The paper whose names take precedence; None if there is no current paper.
 _SPOKEN_OF: ContextVar[Paper | None] = ContextVar("spoken of", default=None)
 
 
@@ -295,7 +300,7 @@ def naming() -> tuple[Paper, ...]:
 
 @contextmanager
 def speaking_of(source: Paper) -> Iterator[None]:
-    """In this context, factors have the names that a paper gives them."""
+    """A context in which factors have the names given by a paper."""
     token = _SPOKEN_OF.set(source)
     try:
         yield
@@ -314,8 +319,8 @@ def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> l
 
 
 class _Names:
-    """The polynomial formulas of one paper that a ring can express, with their values, each computed when the first
-    comes to it.
+    """The polynomial formulas of one paper that can be expressed in a ring, with their values, each computed on first
+    use.
     """
 
     def __init__(self, source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> None:
@@ -336,8 +341,8 @@ class _Names:
                 yield found
 
     def _named(self, formula: Formula) -> tuple[str, object] | None:
-        """Its name and value; None where it has none here. A formula of a user that fails gives nothing its name, and
-        changes no verdict on the others.
+        """Its name and value; None if it has no value here. A formula of a user that raises an error is skipped, so
+        that it does not affect verdicts on others.
         """
         try:
             return self._value(formula)
@@ -362,12 +367,12 @@ def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynom
     return _Names(source, kind, dimension, order, polynomial)
 
 
-#: Formulas of a higher degree in a surface are not held against factors: they have millions of terms.
+#: Formulas of a higher degree in a surface are not compared with factors: they have millions of terms.
 NAMED_DEGREE = 10
 
 
 def _degree_in_surface(formula: Formula, dimension: int, polynomial: bool) -> int:
-    """How many operands are multiplied in a term, at most."""
+    """The maximal number of operands multiplied in a term."""
     argument = DegreeReading(parameter=BOTH[0]).argument(formula.kind, dimension, polynomial=polynomial)
     (components, _) = split(formula(argument))
     return max(sum(k for _, k in names) for x in components for names, _ in cast(Degree, x.degree).terms)

@@ -1,7 +1,7 @@
-"""Maps of the plane, of space and of curves: the maps under which invariance is claimed.
+"""Maps of the plane, of space and of curves, under which claims state invariance.
 
-Each map is written once, for coordinates and a denominator of any reading and with constants of any: indeterminates in
-a proof, numbers on one curve.
+Each map is written once, for coordinates and denominators of any reading and constants of any type: indeterminates in a
+proof, numbers on a given curve.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ M = TypeVar("M", bound=Operand)
 
 @dataclass(frozen=True)
 class Map:
-    """A map of points: ``image`` gives numerators and denominator of the image of p/w, ``unit`` the quantity by a power
-    of which invariants change (the scale, the determinant), None where there is none.
+    """A map of points: ``image`` returns numerators and denominator of the image of p/w, ``unit`` the quantity of which
+    a power is the factor of invariants (the scale, the determinant), or None.
 
-    ``constants`` are the names of the constants, by the dimension. An affine map leaves the denominator.
+    ``constants`` returns the names of the constants for a dimension. An affine map does not change the denominator.
     """
 
     constants: Callable[[int], Sequence[str]]
@@ -32,7 +32,7 @@ class Map:
     dimensions: tuple[int, ...] = (2, 3)
 
     def of_vector(self, v: Vector[M], one: M, constants: Mapping[str, object]) -> Vector[M]:
-        """The image of a vector under an affine map: the image of its end less that of the origin."""
+        """The image of a vector under an affine map: the image of its end point minus that of the origin."""
         moved, _ = self.image(v, one, constants)
         origin, _ = self.image(v.mapped(lambda x: x.constant(0)), one, constants)
         difference: Vector[M] = moved - origin
@@ -56,14 +56,14 @@ def _translated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]
 
 
 def _rotated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
-    """By Cayley's parameters: a rotation about every axis, by every angle but half a turn, which are limits."""
+    """Rotations by Cayley's parameters: all rotations except half turns, which are limits of these."""
     rows = _rotation(len(p), k)
     return Vector(*[_combination(row, p) for row in rows]), w
 
 
 def _rotation(n: int, k: Constants) -> list[list[Any]]:
-    """The rows of a rotation: of the tangent of half its angle in the plane, of a quaternion 1 + a i + b j + c k in
-    space.
+    """The rows of a rotation matrix: given by the tangent of half its angle in the plane, by a quaternion 1 + a i + b j
+    + c k in space.
 
     >>> from exactspline.numbers.exact import mpq
     >>> _rotation(2, {"turn1": mpq(1, 2)})
@@ -84,7 +84,7 @@ def _rotation(n: int, k: Constants) -> list[list[Any]]:
 
 
 def _reflected(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
-    """Reflections in any line or plane, combined with motions: every isometry that reverses orientation."""
+    """A reflection combined with motions: every isometry that reverses orientation."""
     return _moved(Vector(-p[0], *p[1:]), w, k)
 
 
@@ -133,7 +133,7 @@ def _determinant(size: Callable[[int], int]) -> Callable[[Vector[Any], Any, Cons
     return unit
 
 
-#: The maps by their names. A Möbius map is made of similarities and of z ↦ 1/z, whose local scale is w²/‖p‖².
+#: The maps by name. A Möbius map is composed of similarities and z ↦ 1/z, whose local scale is w²/‖p‖².
 MAPS = {
     "translation": Map(_move, _translated, None),
     "rotation": Map(_turn, _rotated, None),

@@ -1,8 +1,8 @@
-"""Reductions found automatically: a formula is evaluated naively over the indeterminate curve, and its numerator and
-denominator are factored. The result is an identity of differential polynomials, ``numerator = constant · factors ·
-core``. Products are kept as products while the formula is evaluated, every factorization is verified by multiplying it
-out again. Every factor is the named formula it is proportional to, sign included; one without a name has coprime
-integer coefficients, the first one positive. The constant therefore carries the sign.
+"""Automatic reduction: a formula is evaluated naively over the indeterminate curve, and its numerator and denominator
+are factored. The result is an identity of differential polynomials, ``numerator = constant · factors · core``. Products
+are kept as products while the formula is evaluated, and every factorization is verified by expanding it. A factor
+proportional to a named formula is replaced by this formula, sign included; a factor without a name has coprime integer
+coefficients, the first positive. The constant therefore carries the sign.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import from_flint, mpq
 from exactspline.papers import find, owner
 from exactspline.polynomials.factorization import Factorization
+from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, multiplied
@@ -60,8 +61,8 @@ class Power:
 
     @property
     def meaning(self) -> str:
-        """The reason why it has no zero, or that it may have roots of its own."""
-        return self.assumption.meaning if self.assumption else "may have roots of its own"
+        """The reason why it has no zero, or that it may have zeros."""
+        return self.assumption.meaning if self.assumption else "may have zeros"
 
     @property
     def has_roots(self) -> bool:
@@ -71,8 +72,8 @@ class Power:
 
 @dataclass(frozen=True)
 class Part:
-    """One part of a formula: ``constant · Π power^above · core / Π power^below``: a core without common factor, 1 for a
-    scalar.
+    """One part of a formula: ``constant · Π power^above · core / Π power^below``. The core is a vector without common
+    factor, 1 for a scalar.
     """
 
     role: str
@@ -88,22 +89,20 @@ class Part:
 
     @property
     def cancelled(self) -> Factor:
-        """The factors removed from the numerator to reach the reduced form: those without zeros, and for a generator
-        every factor.
+        """The factors removed from the numerator to obtain the reduced form: those without zeros, and for a generator
+        all factors.
         """
         gone = [p for p in self.powers if not self._kept(p) and (not p.has_roots or self.role == GENERATOR)]
         return self._factor([(p, p.above - p.below) for p in gone], self.constant)
 
     @property
     def rooted(self) -> Factor:
-        """The factors with roots of their own: kept, each with its name. For a generator they are listed although they
-        are not needed.
-        """
+        """The factors that may have zeros, which are kept. For a generator they are listed although removed."""
         return self._factor([(p, p.above - p.below) for p in self.powers if p.has_roots and p.above > p.below], mpq(1))
 
     @property
     def poles(self) -> Factor:
-        """The remaining factors of the denominator that may have roots: there the value does not exist."""
+        """The remaining factors of the denominator that may have zeros, at which the value is undefined."""
         return self._factor([(p, p.below - p.above) for p in self.powers if p.has_roots and p.below > p.above], mpq(1))
 
     @property
@@ -113,7 +112,7 @@ class Part:
 
     @property
     def kept(self) -> tuple[tuple[Jet, int], ...]:
-        """What the reduced form is a product of beside its core, with exponents."""
+        """The factors of the reduced form other than its core, with exponents."""
         return tuple((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
 
     def _kept(self, p: Power) -> bool:
@@ -147,7 +146,7 @@ class Part:
 
     @cached_property
     def true(self) -> TrueDegree | None:
-        """(k, m, j) of the reduced form; None where it is zero or not homogeneous. Of a product they are the sums."""
+        """(k, m, j) of the reduced form, which are additive for products; None if it is zero or not homogeneous."""
         try:
             counted = [(true_degree(jet, self.parameter), e) for jet, e in self.kept]
             return product_of([*counted, (true_degree(self.core, self.parameter), 1)])
@@ -165,7 +164,7 @@ class Part:
         return self._times(self._of_core, powers)
 
     def _times(self, total: Degree, powers: Iterable[tuple[Jet, int]]) -> Degree:
-        """A degree times those of powers, each found once."""
+        """The degree of a product with powers of factors, each degree computed once."""
         for jet, e in powers:
             if e > 0:
                 if id(jet) not in self._of_factors:
@@ -176,7 +175,7 @@ class Part:
 
     @cached_property
     def _of_factors(self) -> dict[int, Degree]:
-        """Degrees of factors that are known; the factors are those of the part and live as long."""
+        """Known degrees of factors by id; the factors belong to this part and live as long."""
         return {}
 
     @cached_property
@@ -185,7 +184,7 @@ class Part:
 
     @cached_property
     def generic_lowest(self) -> Degree:
-        """The true degree of the value in lowest terms on the generic curve: the larger of numerator and
+        """The true degree of the value in lowest terms on the generic curve: the larger of the degrees of numerator and
         denominator.
         """
         numerator = self._generic((p.jet, p.above - p.below) for p in self.powers)
@@ -200,8 +199,8 @@ class Part:
         return all(c.is_zero for c in self.core)
 
     def data(self) -> dict[str, object]:
-        """The part as data."""
-        found = self.true
+        """The part as data for JSON."""
+        true = self.true
         return {
             "part": self.role,
             "naive": str(self.naive),
@@ -210,12 +209,12 @@ class Part:
             "poles": "" if self.poles.is_one else str(self.poles),
             "shared": "" if self.shared.is_one else str(self.shared),
             "meaning": {p.name: p.meaning for p in self.powers},
-            "k": found and found.k,
-            "m": found and found.m,
-            "j": found and found.j,
-            "nominal": str(found.nominal) if found else "",
+            "k": true and true.k,
+            "m": true and true.m,
+            "j": true and true.j,
+            "nominal": str(true.nominal) if true else "",
             "true": str(self.generic),
-            "lower": {str(d): n for d, n in found.lower} if found else {},
+            "lower": {str(d): n for d, n in true.lower} if true else {},
             "lowest terms": str(self.generic_lowest) if self.is_quotient else "",
         }
 
@@ -228,8 +227,8 @@ class Part:
         return "·".join([*names, *([] if self.is_scalar else [self.core_name])]) or "1"
 
     def on(self, curve: Curve[T] | Pair[T]) -> T | Vector[T]:
-        """The reduced form on a curve, in any reading; splines come at the true degree that the theorem guarantees, by
-        exact division.
+        """The reduced form on a curve, in any reading; splines are returned at the true degree guaranteed by the degree
+        theorem, by exact division.
         """
         values: list[Any] = [each.on(curve) for each in self._substitutions]
         in_one_parameter = hasattr(values[0], "reduce_degree") and isinstance(values[0].degree, int)
@@ -243,7 +242,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Reduction:
-    """What `reduce` found of a formula: one part, or directrix and generator of a ruled surface."""
+    """The result of `reduce`: one part, or the directrix and generator of a ruled surface."""
 
     name: str
     dimension: int
@@ -256,11 +255,12 @@ class Reduction:
 
     @property
     def joined(self) -> list[Jet]:
-        """The components of all parts over their least common denominator, and that denominator last."""
+        """The components of all parts over their least common denominator, followed by this denominator."""
         denominator = self.parts[0].lowest[1]
         for part in self.parts[1:]:
             other = part.lowest[1].polynomial
-            denominator = Jet(denominator.ring, denominator.polynomial * (other / denominator.polynomial.gcd(other)))
+            common = greatest_common_divisor([denominator.polynomial, other])
+            denominator = Jet(denominator.ring, bounded_product(denominator.polynomial, other / common))
         raised = []
         for part in self.parts:
             top, bottom = part.lowest
@@ -284,9 +284,9 @@ def reduce(
     """The reduction of a formula, or of any function that takes a curve and returns a scalar, a vector, a quotient or a
     ruled surface.
 
-    `dimension` is that of the curve, `polynomial` restricts it to curves with w = 1, `parameter` is that in which
-    degrees are counted: the first one where none is named. Without a dimension a formula is read in its own dimension,
-    and a plain function is tried in the plane and then in space.
+    `dimension` is the dimension of the curve, `polynomial` restricts it to curves with w = 1, `parameter` is the
+    parameter with respect to which degrees are counted, by default the first. Without a dimension, a formula is
+    evaluated in the dimension of its kind, and a plain function is tried in the plane and then in space.
 
     >>> from exactspline.papers import find, owner
     >>> part = reduce(find("curvature_squared_derivative")).main
@@ -295,8 +295,7 @@ def reduce(
     >>> part.true.j, part.generic
     (0, 11d − 18)
 
-    Raises `FormulaError` when the function returns anything else, `ShapeError` when it does not fit the
-    dimension.
+    Raises `FormulaError` if the function returns anything else, `ShapeError` if it does not fit the dimension.
     """
     known = _dimensions(formula)
     chosen = [dimension] if dimension else known
@@ -312,24 +311,24 @@ def reduce(
 
 @cache
 def reduction(name: str, dimension: int, polynomial: bool = False, parameter: Parameter | None = None) -> Reduction:
-    """The reduction of a formula of the library, made once."""
+    """The reduction of a formula of the library, cached."""
     return reduce(find(name), dimension=dimension, polynomial=polynomial, parameter=parameter)
 
 
 def _dimensions(formula: Any) -> list[int]:
     kind = _kind(formula)
     if kind is TABLE:
-        raise FormulaError(f"{name_of_function(formula)} is a row of Table 1", remedy="reduce formulas of a curve")
+        raise FormulaError(f"{name_of_function(formula)} is a row of Table 1", remedy="give a formula of a curve")
     if kind.adjoins_roots:
         raise FormulaError(
-            f"{name_of_function(formula)} has roots in it", remedy="reduce a rational formula: a square, a product"
+            f"{name_of_function(formula)} contains square roots", remedy="give a rational formula, such as its square"
         )
     return list(kind.dimensions)
 
 
 def _kind(formula: Any) -> Kind:
     """The kind of argument of a formula; a curve for any other function."""
-    if isinstance(formula, Displayed | type) or not callable(formula):  # a curve can be called too
+    if isinstance(formula, Displayed | type) or not callable(formula):  # curves are callable as well
         expect_formula(formula)
     return formula.kind if isinstance(formula, Formula) else CURVE
 
@@ -352,21 +351,21 @@ def _reduced(formula: Any, dimension: int, polynomial: bool, parameter: Paramete
 
 
 def _naive(formula: Any, kind: Kind, dimension: int, polynomial: bool, counted: Parameter) -> list[Degree]:
-    """The degrees of the parts as Table 1 counts them."""
+    """The degrees of the parts by Table 1."""
     argument = DegreeReading(parameter=counted).argument(kind, dimension, polynomial=polynomial)
     return [part.degree for _, part in _parts(formula(argument), name_of_function(formula))]
 
 
-def counted_in(found: Reduction, formula: Formula, parameter: Parameter) -> Reduction:
-    """The same reduction, its degrees counted in another parameter.
+def counted_in(reduction: Reduction, formula: Formula, parameter: Parameter) -> Reduction:
+    """The same reduction with degrees counted in another parameter.
 
     >>> f = find("surfaces:L")
     >>> [str(counted_in(reduce(f), f, parameter).main.generic) for parameter in (Parameter.U, Parameter.V)]
     ['4d_u − 6', '4d_v − 2']
     """
-    degrees = _naive(formula, found.kind, found.dimension, found.polynomial, parameter)
-    parts = (replace(part, naive=n, parameter=parameter) for part, n in zip(found.parts, degrees, strict=True))
-    return replace(found, parts=tuple(parts))
+    degrees = _naive(formula, reduction.kind, reduction.dimension, reduction.polynomial, parameter)
+    parts = (replace(part, naive=n, parameter=parameter) for part, n in zip(reduction.parts, degrees, strict=True))
+    return replace(reduction, parts=tuple(parts))
 
 
 def _parts(value: Any, name: str) -> list[tuple[str, Any]]:
@@ -396,19 +395,19 @@ def _part(role: str, naive: Degree, value: Any, parameter: Parameter) -> Part:
 
 
 def _irreducible(ring: JetRing, powers: Powers, constant: mpq) -> Factor:
-    """A product as a product of irreducible factors, each factorization multiplied out again."""
-    found = Factorization[Named]()
+    """A product as a product of irreducible factors; each factorization is verified by expanding it."""
+    factors = Factorization[Named]()
     for base, e in powers:
         factor = factored(ring, base, ring.context.constant(1))
         if factor.fraction()[0] != base * int(factor.constant.denominator):
             raise ReductionError("the product of the factors is not what was factored", remedy="report this")
         constant *= factor.constant**e
-        found = found * factor.powers**e
-    return Factor(constant, found, ring)
+        factors = factors * factor.powers**e
+    return Factor(constant, factors, ring)
 
 
 def _named(ring: JetRing, cores: list[fmpq_mpoly], is_scalar: bool) -> tuple[tuple[Jet, ...], str, mpq]:
-    """The core with its name and normalised, and the constant by which it was divided."""
+    """The normalized core, its name, and the constant by which it was divided."""
     core = tuple(Jet(ring, c) for c in cores)
     if not any(cores):
         return core, "", mpq(1)
@@ -428,7 +427,7 @@ def _powers(ring: JetRing, above: Factor, below: Factor) -> tuple[Power, ...]:
 
 
 def _over_one_denominator(value: Any) -> tuple[list[FactoredJet], FactoredJet | None]:
-    """The components of the numerator and the denominator; of a vector of quotients the product of the denominators."""
+    """The components of the numerator, and the denominator; for a vector of quotients a common denominator."""
     if isinstance(value, Rational):
         numerator: Any = value.numerator
         return (list(numerator) if isinstance(numerator, Vector) else [numerator]), value.denominator
@@ -466,9 +465,7 @@ def _content(
     for q in sorted(divisors, key=len, reverse=True):
         e, rests = _divided_out(rests, q)
         common = common * Powers([(q, e)])
-    content = ring.context.constant(0)
-    for p in rests:
-        content = content.gcd(p)
+    content = greatest_common_divisor(rests)
     content = content / content.leading_coefficient()
     cores = [p / content for p in rests]
     if any(core * content != p for core, p in zip(cores, rests, strict=True)):
@@ -477,7 +474,7 @@ def _content(
 
 
 def _divided_out(polynomials: list[fmpq_mpoly], q: fmpq_mpoly) -> tuple[int, list[fmpq_mpoly]]:
-    """A common factor q divided out as often as possible."""
+    """The multiplicity of a common factor q, and the polynomials with q divided out."""
     times = 0
     while True:
         results = [divmod(p, q) for p in polynomials]

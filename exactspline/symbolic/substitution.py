@@ -1,4 +1,4 @@
-"""A jet polynomial evaluated on concrete curves."""
+"""Evaluation of jet polynomials on concrete curves."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from exactspline.readings.jet import Jet
 
 
 def substitute(jet: Jet, curve: Curve[T] | Pair[T] | Surface[T]) -> T:
-    """A jet polynomial on a concrete curve: the variables replaced by the derivatives of p and w.
+    """A jet polynomial on a concrete curve: its variables are replaced by the derivatives of p and w.
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.language.kinds import CURVE
@@ -30,7 +30,7 @@ def substitute(jet: Jet, curve: Curve[T] | Pair[T] | Surface[T]) -> T:
 
 
 def _derived(operand: Any, symbol: Symbol, orders: tuple[int, ...]) -> Any:
-    """A derivative of an operand: of several parameters by each in turn."""
+    """A derivative of an operand; for several parameters, with respect to each in turn."""
     if len(orders) == 1:
         return operand.d(*orders)
     for parameter, order in zip(symbol.parameters, orders, strict=True):
@@ -38,7 +38,7 @@ def _derived(operand: Any, symbol: Symbol, orders: tuple[int, ...]) -> Any:
     return operand
 
 
-#: A constant times the value of a node; the constant alone where there is none.
+#: A constant times the value of a node, or only a constant if there is no node.
 Multiple = tuple[int, int | None]
 #: The exponents of a monomial, and its coefficient.
 Term = tuple[tuple[int, ...], int]
@@ -52,8 +52,8 @@ class Step(NamedTuple):
 
 
 class Substitution:
-    """A jet polynomial by Horner's rule, variable by variable, for many curves: inner values that agree up to a
-    constant are computed once.
+    """Evaluation of a jet polynomial on many curves by Horner's rule, variable by variable; inner values that agree up
+    to a constant are computed once.
     """
 
     def __init__(self, jet: Jet) -> None:
@@ -65,14 +65,14 @@ class Substitution:
         self.unit = mpq(1, below)
         monomials = [tuple(map(int, exponents)) for exponents in jet.polynomial.monoms()]
         numbers = [int(c.p) * (below // int(c.q)) for c in coefficients]
-        #: For each inner value its variable and steps, after those that it needs.
+        #: The variable and steps of each inner value, in the order of evaluation.
         self.nodes: list[tuple[int, list[Step]]] = []
         self._known: dict[tuple[tuple[int, ...], ...], int] = {}
         self.whole = self._value(sorted(zip(monomials, numbers, strict=True), reverse=True), 0)
         self._known.clear()
 
     def _value(self, terms: Sequence[Term], i: int) -> Multiple:
-        """The sum of terms in order without the variables before the i-th."""
+        """The sum of sorted terms, without the variables before the i-th."""
         if not terms:
             return 0, None
         first = terms[0][0]
@@ -106,8 +106,8 @@ class Substitution:
             scaled: T = self._scaled(value)
             return scaled
         some: Any = next(known[name] for name in ("w", *known) if name in known)
-        found: T = some.constant(value * self.unit)
-        return found
+        result: T = some.constant(value * self.unit)
+        return result
 
     def _scaled(self, value: Any) -> Any:
         return value if self.unit == 1 else value * self.unit

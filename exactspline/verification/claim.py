@@ -9,7 +9,7 @@ from dataclasses import field, replace
 from enum import StrEnum
 from typing import ClassVar, TypeVar
 
-from exactspline.errors import ClaimError, ExactSplineError, FormulaError, VanishingDivisorError
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
@@ -421,7 +421,7 @@ class Claim(Immutable, Displayed):
             gone = UndefinedAt(free)
             broken = own.failing(self.curve, self.assumes)
             return inapplicable(broken, gone) if broken else vacuous(gone)
-        except FormulaError as error:
+        except (FormulaError, ReachError) as error:
             return sampled(finding, part, error)
         return finding
 

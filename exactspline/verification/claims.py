@@ -111,7 +111,7 @@ def _shape(declared: str, value: object) -> str:
 def _check_words_of_key(claim: Claim) -> None:
     """Each word of a key also occurs elsewhere in the entry, so that a misspelled key is noticed."""
     words = dict.fromkeys(claim.key.removeprefix(claim.begin_of_key + "-").split("-"))
-    known = set(claim.kind.split())
+    known = set(claim.kind.replace("-", " ").split())
     for field in reversed(declared(type(claim)).entries):  # those of its own kind first: mostly they are all it takes
         if words.keys() <= known:
             return

@@ -55,7 +55,8 @@ def findings(claims: Iterable[Claim]) -> dict[tuple[str, str], Finding]:
         name: tuple(each for each in own if (each.claim.paper, each.claim.key) in wanted)
         for name, own in made.theorems.items()
     }
-    compiled = _compiled(made, chosen) if installed else {}
+    # without a theorem there is nothing for which the theory would be compiled
+    compiled = _compiled(made, chosen) if installed and any(chosen.values()) else {}
     found: dict[tuple[str, str], list[Finding]] = {}
     for each in (each for own in chosen.values() for each in own):
         said = _finding(each, compiled, installed=installed)

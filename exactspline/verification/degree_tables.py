@@ -8,7 +8,7 @@ from functools import cache, partial
 from time import perf_counter
 from typing import Any
 
-from exactspline.errors import FormulaError, InapplicableError, ReductionError, ShapeError
+from exactspline.errors import FormulaError, InapplicableError, ReachError, ReductionError, ShapeError
 from exactspline.geometry.constructions import Construction, Variant, all_constructions, construction, constructions_for
 from exactspline.geometry.derived import derive
 from exactspline.language.arguments import Curve, Pair
@@ -126,7 +126,7 @@ def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -
         return "–"
     try:
         found = true_degree(reduction_of(formula, dimension, polynomial).main.lowest[0])
-    except FormulaError:
+    except (FormulaError, ReachError):
         return "–"
     return f"{found.k}, {found.m}, {found.j}"
 
@@ -329,7 +329,7 @@ def _degrees_of(formula: Formula, polynomial: bool, parameter: Parameter) -> For
     try:
         main = reduction_of(formula, n, polynomial, parameter).main
         cancelled, reduced, lowest = str(main.cancelled), str(main.generic), str(main.generic_lowest)
-    except FormulaError as error:
+    except (FormulaError, ReachError) as error:
         cancelled, reduced, lowest = "–", "–", error.problem
     return FormulaDegrees(formula.name, curves, nominal, cancelled, reduced, lowest)
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from flint import fmpq_mpoly
 
-from exactspline.errors import ExactSplineError, FormulaError
+from exactspline.errors import ExactSplineError, FormulaError, ReachError
 from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
@@ -46,7 +46,7 @@ def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:
     evaluation, known = Evaluation(argument), list(_known(claim, formula.kind, argument))
     try:
         evaluation(tree)
-    except FormulaError:  # too long to be multiplied out: then nothing is known of its divisors
+    except (FormulaError, ReachError):  # too long to be multiplied out: then nothing is known of its divisors
         yield from map(print_text, _divided_by(tree))
         return
     for node, value in evaluation.denominators:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, as_items
 from exactspline.hooks import Displayed
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import kind_of
@@ -87,7 +87,7 @@ def remarks(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
 
 def _joined(status: Status, sources: Iterable[Paper] | None) -> Iterator[Erratum]:
     """The statements of one status that fail, grouped by error."""
-    for source in default_papers() if sources is None else sources:
+    for source in default_papers() if sources is None else as_items(sources, "papers"):
         claims = claims_of(source)
         for error, title in source.errors.items():
             own = [claim for claim in claims if claim.error == error]

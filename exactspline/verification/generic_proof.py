@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 
-from exactspline.errors import FormulaError, as_integer
+from exactspline.errors import ExactSplineError, FormulaError, ReachError, as_flag, as_integer
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands, Pair
 from exactspline.language.choices import Parameter
@@ -23,7 +23,7 @@ from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.taylor_surface import DoubleTaylorReading
 from exactspline.splines.examples import example, example_surface
 from exactspline.symbolic.assumptions import Assumption, zero_free
-from exactspline.symbolic.factorization import Factor, Named, factored, find_factor, jets_for, naming
+from exactspline.symbolic.factorization import POLYNOMIAL, Factor, Named, factored, find_factor, jets_for, naming
 from exactspline.symbolic.reduction import Reduction, counted_in, reduce
 from exactspline.verification.check_arguments import argument
 from exactspline.verification.vocabulary import Name
@@ -37,7 +37,8 @@ def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, poly
 
     Raises `ClaimError` when the right side vanishes identically.
     """
-    return _factor(formula_of(left), formula_of(right), as_integer(dimension, "a dimension", 1), polynomial, naming())
+    dimension, polynomial = as_integer(dimension, "a dimension", 1), as_flag(polynomial, POLYNOMIAL)
+    return _factor(formula_of(left), formula_of(right), dimension, polynomial, naming())
 
 
 @cache
@@ -127,7 +128,7 @@ def transposed(formula: Formula) -> Formula:
 def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
     """The reduction of a formula, made once; its degrees are counted in the first parameter or in the one named."""
     found = _reduction(formula, dimension, polynomial, naming())
-    if isinstance(found, FormulaError):
+    if isinstance(found, ExactSplineError):
         raise found
     return found if parameter is None else counted_in(found, formula, parameter)
 
@@ -135,10 +136,10 @@ def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: 
 @cache
 def _reduction(
     formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]
-) -> Reduction | FormulaError:
+) -> Reduction | ExactSplineError:
     try:
         return reduce(formula, dimension=dimension, polynomial=polynomial)
-    except FormulaError as error:  # of a formula that is too long this is known after long work only
+    except (FormulaError, ReachError) as error:  # of a formula that is too long this is known after long work only
         return error
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from random import Random
 
-from exactspline.errors import FormulaError, as_instance, as_items, shown
+from exactspline.errors import FormulaError, ReachError, as_instance, as_items, shown
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import PLANAR_MAP, SURFACE
@@ -140,7 +140,7 @@ def _row(formula: Formula, degrees: tuple[int, int], polynomial: bool) -> PatchR
     patches = "polynomial" if polynomial else "rational"
     try:
         part = reduction_of(formula, dimension, polynomial).main
-    except FormulaError as error:  # more terms than are multiplied out: the other formulas stand
+    except (FormulaError, ReachError) as error:  # more terms than are multiplied out: the other formulas stand
         return PatchRow(formula.name, patches, (u, v), None, None, str(error))
     attained = _measured(part, witness(dimension, degrees, polynomial=polynomial))
     true = [degree_of_reduced(part, degrees, parameter) for parameter in BOTH]

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from exactspline.errors import FormulaError, as_integer
+from exactspline.errors import FormulaError, as_flag, as_integer
 from exactspline.hooks import Worded
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
@@ -20,7 +20,7 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.factorization import Factor, find_factor, jets_with_roots
+from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_with_roots
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation
 from exactspline.verification.evidence import At, Difference
@@ -198,7 +198,7 @@ def degree(
     Raises `FormulaError` for an unknown formula, and where the degree theorem does not apply to its argument.
     """
     (wanted,) = _formulas(formula)
-    dimension = _given_dimension(dimension)
+    dimension, polynomial = _given_dimension(dimension), as_flag(polynomial, POLYNOMIAL)
     n = wanted.kind.dimensions[0] if dimension is None else dimension
     known = wanted.kind.parameters(n)
     counted = known[0] if parameter is None else choice(Parameter, parameter, "parameter")
@@ -261,7 +261,8 @@ def reduction(
     """
     wanted = find(formula) if isinstance(formula, str) else formula
     counted = None if parameter is None else choice(Parameter, parameter, "parameter")
-    return reduce(wanted, dimension=_given_dimension(dimension), polynomial=polynomial, parameter=counted)
+    dimension, polynomial = _given_dimension(dimension), as_flag(polynomial, POLYNOMIAL)
+    return reduce(wanted, dimension=dimension, polynomial=polynomial, parameter=counted)
 
 
 def _given_dimension(dimension: int | None) -> int | None:

@@ -77,7 +77,7 @@ def entries_by_fork(source: Source) -> list[dict[str, Any]]:
     with open(ours) as pipe:
         answer = pipe.read()
     if os.waitpid(child, 0)[1]:
-        raise CurveFileError("is not an archive that rhino3dm can read", remedy="repair the file")
+        raise CurveFileError("is not an archive readable by rhino3dm", remedy="repair the file")
     found: list[dict[str, Any]] = json.loads(answer)
     return found
 

@@ -165,11 +165,11 @@ def test_what_differs_is_told():
     answer = Points(Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 4)]))
     assert answer.check("(0,0) (2,5)").differences == (
         "point 1 is (2, 4), not (2, 5)",
-        "at t = 1 it gives (2, 5), where (2, 4) is right",
+        "at t = 1 it gives (2, 5) instead of (2, 4)",
     )
     # wrong at both ends alike, so that the witness is inside
     answer = Points(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)]))
-    assert answer.check("0 0\n1 3\n2 0").differences[-1] == "at t = 1/2 it gives (1, 3/2), where (1, 1/2) is right"
+    assert answer.check("0 0\n1 3\n2 0").differences[-1] == "at t = 1/2 it gives (1, 3/2) instead of (1, 1/2)"
     assert Parameters((mpq(1, 2),)).check("0.5")
     assert Parameters(()).check("none")
     assert Parameters((mpq(1, 2),)).check("none").differences == ("t = 1/2 is missing",)
@@ -218,7 +218,7 @@ def test_formulas_are_compared_for_all_curves():
     told = compare_formulas(given, find("f2")).differences
     assert len(told) == 2
     assert "the quotient is w" in told[0]
-    left, right = re.search(r"gives (\S+), where (\S+) is right", told[1]).groups()
+    left, right = re.search(r"gives (\S+) instead of (\S+)", told[1]).groups()
     assert rational(left) != rational(right)
 
 

@@ -1,20 +1,12 @@
 """The command line as a user meets it: tables, JSON, exit status, one-line errors."""
 
 import json
-import os
-import subprocess
-import sys
 
 import pytest
 from click.testing import CliRunner
 
 from exactspline.cli import app
-
-
-def run(*arguments):
-    """The command in a process of its own, as a user runs it."""
-    command = [sys.executable, "-m", "exactspline", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False, env=os.environ | {"COLUMNS": "200"})
+from tests.support.command import run, run_alone
 
 
 def test_prove_as_json_follows_the_schema():
@@ -26,7 +18,7 @@ def test_prove_as_json_follows_the_schema():
 
 
 def test_prove_on_a_curve_shows_the_cancelled_factor():
-    done = run("prove", "--curve", "rational_cubic", "--claim", "C4.1")
+    done = run_alone("prove", "--curve", "rational_cubic", "--claim", "C4.1")
     assert done.returncode == 0
     assert "f0 = w^-3 · f2" in done.stdout
     assert "all as recorded" in done.stdout
@@ -190,7 +182,7 @@ def test_bad_files_give_one_line_and_status_2(tmp_path):
 
 
 def test_one_bad_curve_in_a_batch_is_reported_and_the_rest_goes_on(tmp_path):
-    done = run("prove", "--claim", "C4.1", "--curve", tmp_path / "none.json", "--curve", "cusp")
+    done = run_alone("prove", "--claim", "C4.1", "--curve", tmp_path / "none.json", "--curve", "cusp")
     assert done.returncode == 2
     assert "cusp: polynomial" in done.stdout
     assert "none.json" in done.stderr
@@ -212,7 +204,7 @@ def test_reduce_on_a_formula_of_the_library():
         CliRunner().invoke(app, ["formula", "reduce", "curvature_squared_derivative", "--json"]).stdout
     )["rows"]
     assert (part["naive"], part["reduced"], part["true"]) == ("48d", "[X X′ X″ X‴]·f2", "11d − 18")
-    assert part["meaning"]["f2"] == "may have roots of its own"
+    assert part["meaning"]["f2"] == "may have zeros"
     table = run("formula", "reduce", "rectifying_developable").stdout
     assert "10d − 18" in table
     assert "positive where the curve is regular" in table
@@ -243,22 +235,22 @@ def test_reduce_on_a_function_of_a_stranger(tmp_path, monkeypatch):
         "strange_formulas:pedal",
         str(tmp_path / "strange_formulas.py") + ":pedal",
     ):
-        done = run("formula", "reduce", target, "--trust")
+        done = run_alone("formula", "reduce", target, "--trust")
         assert done.returncode == 0
         assert "4d − 4" in done.stdout
     (tmp_path / "checked.py").write_text(OWN.partition("def broken")[0])
-    assert "4d − 4" in run("formula", "reduce", "checked.py:pedal").stdout
+    assert "4d − 4" in run_alone("formula", "reduce", "checked.py:pedal").stdout
 
 
 def test_a_module_runs_with_trust_alone_and_it_is_said(tmp_path, monkeypatch):
     """Before: any module was imported without --trust, and nothing said that it ran unchecked."""
     (tmp_path / "mine.py").write_text("open('ran', 'w').close()\n\n\ndef speed(c):\n    return c.gamma.d(1)\n")
     monkeypatch.chdir(tmp_path)
-    done = run("formula", "reduce", "mine:speed")
+    done = run_alone("formula", "reduce", "mine:speed")
     assert (done.returncode, done.stdout) == (2, "")
     assert "--trust" in done.stderr
     assert not (tmp_path / "ran").exists()
-    done = run("formula", "reduce", "mine:speed", "--trust")
+    done = run_alone("formula", "reduce", "mine:speed", "--trust")
     assert done.returncode == 0
     assert "formulas that ran unchecked (--trust): mine" in done.stdout
 

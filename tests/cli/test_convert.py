@@ -21,7 +21,7 @@ def test_from_one_format_to_another(tmp_path):
     source.write_bytes(G2)
     done = run(source, target)
     assert done.exit_code == 2  # 0 before, although a curve is left out
-    assert "skipped: circle: no curve or no spline" in done.stderr
+    assert "skipped: circle: not a spline curve" in done.stderr
     assert "2 curves from g2 to" in done.stderr
     assert [named.curve.degree for named in read(target).curves] == [1, 2]
 

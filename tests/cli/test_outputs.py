@@ -10,7 +10,7 @@ import pytest
 from exactspline.geometry.derived import derive
 from exactspline.splines.curve_files import read_curve
 from exactspline.splines.examples import example
-from tests.cli.test_cli import run
+from tests.support.command import run
 
 CURVE = {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "control_points": [[0, 0], [1, 1], [2, 0]]}
 

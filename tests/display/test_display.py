@@ -36,9 +36,9 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.claims import all_claims, claims_of, select
-from exactspline.verification.errata import errata
 from exactspline.verification.statement import latex_of, sides, statements
 from exactspline.verification.verdict import REFUTED
+from tests.support.decided import errors_in_print
 
 
 class Balanced(HTMLParser):
@@ -144,7 +144,7 @@ def test_claims_statements_rows_and_errata_show_themselves():
     for claim in all_claims():
         assert claim.id in text_of(claim)
         assert len(sides(claim)) == len(set(claim.named))
-    entry = next(errata())
+    entry = errors_in_print()[0]
     assert entry.statements[0].statement in text_of(entry)
     assert worded(next(statements("C4.2b")).finding.witness) in text_of(next(statements("C4.2b")))
     assert REFUTED in text_of(verdicts("C4.2b").rows_of_ledger[0])

@@ -15,15 +15,13 @@ from tests.support import import_graph
 ROOT = Path(exactspline.__file__).parent
 ARCHITECTURE = Path(__file__).parents[2] / "docs" / "architecture.md"
 
-MODULES = sorted(ROOT.rglob("*.py"))
-GRAPH = import_graph.module_graph()
 #: Above every floor: the front door and the two ways to start the command line.
 FRONT = {"", "__main__"}
 
 
 def test_a_package_imports_only_from_those_below_it():
-    packages = import_graph.package_graph(GRAPH)
-    assert set(packages) == {name.split(".")[0] for name in GRAPH} - FRONT
+    packages = import_graph.package_graph(import_graph.module_graph())
+    assert set(packages) == {name.split(".")[0] for name in import_graph.module_graph()} - FRONT
     for package, targets in packages.items():
         for other in targets:
             assert import_graph.FLOOR[other] < import_graph.FLOOR[package], f"{package} imports {other}"
@@ -31,11 +29,11 @@ def test_a_package_imports_only_from_those_below_it():
 
 def test_no_circle_of_modules_lazy_imports_and_types_included():
     """Passed before: 38 modules in one circle, tied by services and by imports for types alone."""
-    assert import_graph.circles(GRAPH) == []
+    assert import_graph.circles(import_graph.module_graph()) == []
 
 
 def test_nothing_imports_the_front_door():
-    assert [name for name, targets in GRAPH.items() if "" in targets and name not in FRONT] == []
+    assert [name for name, targets in import_graph.module_graph().items() if "" in targets and name not in FRONT] == []
 
 
 PLANTED = {
@@ -59,8 +57,13 @@ def test_an_import_is_seen(code):
 
 def test_a_formula_that_is_looked_up_by_its_name_is_an_import():
     """Passed before: a room below the papers looks up one of their formulas by its name."""
-    assert import_graph.imported(ast.parse("find('f2')"), set(GRAPH), "language.kind") == {"papers"}
-    assert import_graph.imported(ast.parse("'a text about x.y: f2'; text.find('f2')"), set(GRAPH)) == set()
+    assert import_graph.imported(ast.parse("find('f2')"), set(import_graph.module_graph()), "language.kind") == {
+        "papers"
+    }
+    assert (
+        import_graph.imported(ast.parse("'a text about x.y: f2'; text.find('f2')"), set(import_graph.module_graph()))
+        == set()
+    )
 
 
 def test_a_circle_is_seen():
@@ -134,76 +137,75 @@ def test_what_breaks_a_contract_is_found(files, told, tmp_path):
 
 @pytest.mark.skipif(not ARCHITECTURE.exists(), reason="the documents are in the checkout only")
 def test_the_picture_in_the_documents_is_that_of_the_code():
-    assert import_graph.text_picture(import_graph.package_graph(GRAPH)) in ARCHITECTURE.read_text(encoding="utf-8")
+    assert import_graph.text_picture(import_graph.package_graph(import_graph.module_graph())) in ARCHITECTURE.read_text(
+        encoding="utf-8"
+    )
 
 
-def in_a_paper(path: Path) -> bool:
-    return path.relative_to(ROOT).parts[0] == "papers" and len(path.relative_to(ROOT).parts) > 2
+#: A module of formulas: of a paper, or of the room of those that belong to none.
+OF_FORMULAS = re.compile(r"papers\.\w+\.\w+|formulas\.\w+(\.\w+)*")
 
 
-#: The files of formulas.
-PAPERS = [p for p in MODULES if in_a_paper(p) and p.name != "__init__.py"]
-FORMULAS = [p for p in MODULES if p.relative_to(ROOT).parts[0] == "formulas" and p.name != "__init__.py"]
+def formulas():
+    """The modules of formulas with their syntax trees."""
+    return {name: tree for name, tree in import_graph.trees().items() if OF_FORMULAS.fullmatch(name)}
 
 
 def test_formulas_import_the_language_and_formulas_alone():
-    for path in (*PAPERS, *FORMULAS):
-        names = import_graph.imported(ast.parse(path.read_text(encoding="utf-8")), set(GRAPH))
-        own = {"papers"} if path in PAPERS else set()
-        assert {name.split(".")[0] for name in names} <= {"language", "formulas"} | own
+    assert len(formulas()) > 30
+    for name, tree in formulas().items():
+        own = {"papers"} if name.startswith("papers.") else set()
+        found = import_graph.imported(tree, set(import_graph.module_graph()))
+        assert {other.split(".")[0] for other in found} <= {"language", "formulas"} | own
 
 
 def test_nothing_outside_papers_names_one():
-    names = {path.parent.name for path in PAPERS}
-    for path in MODULES:
-        if path.relative_to(ROOT).parts[0] != "papers":
-            code = ast.unparse(without_docstrings(ast.parse(path.read_text(encoding="utf-8"))))
-            assert not [name for name in names if re.search(rf"papers\.{name}\b|paper\(['\"]{name}['\"]", code)], path
+    papers = {name.split(".")[1] for name in formulas() if name.startswith("papers.")}
+    pattern = re.compile(rf"papers\.({'|'.join(papers)})\b|paper\(['\"]({'|'.join(papers)})['\"]")
+    for name, tree in import_graph.trees().items():
+        prose = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+        for node in ast.walk(tree):
+            if name.split(".")[0] != "papers" and id(node) not in prose and isinstance(node, NAMES_PAPERS):
+                assert not pattern.search(ast.unparse(node)), name
 
 
-def without_docstrings(tree: ast.Module) -> ast.Module:
-    for node in ast.walk(tree):
-        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node) is not None:
-            node.body = node.body[1:] or [ast.Pass()]
-    return tree
+#: An import, a text, or a call.
+NAMES_PAPERS = (ast.Import, ast.ImportFrom, ast.Constant, ast.Call)
 
 
 FORBIDDEN = (ast.If, ast.IfExp, ast.Compare, ast.While, ast.For, ast.BoolOp, ast.Try, ast.Match, ast.Assert, ast.Lambda)
 
 
-@pytest.mark.parametrize("path", [*PAPERS, *FORMULAS], ids=lambda p: p.stem)
-def test_formulas_contain_no_branch_no_comparison_no_float(path):
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        assert not isinstance(node, FORBIDDEN), f"line {node.lineno}: {type(node).__name__}"
-        assert not (isinstance(node, ast.Constant) and isinstance(node.value, (float, complex, bool))), (
-            f"line {node.lineno}: {node.value}"
-        )
+def test_formulas_contain_no_branch_no_comparison_no_float():
+    def is_forbidden(node):
+        rounded = isinstance(node, ast.Constant) and isinstance(node.value, (float, complex, bool))
+        return isinstance(node, FORBIDDEN) or rounded
+
+    for name, tree in formulas().items():
+        assert [f"{name}, line {node.lineno}" for node in ast.walk(tree) if is_forbidden(node)] == []
 
 
 #: `testing` has curves whose numbers are doubles, for libraries that compute in them.
 ROOMS_WITH_FLOATS = "display", "verification", "testing"
 #: The certified filter, which proves what rounding does to its doubles.
-PROVED_FLOATS = [ROOT / "programs" / "doubles.py", ROOT / "polynomials" / "doubles.py"]
+PROVED_FLOATS = "programs.doubles", "polynomials.doubles"
 
 
-@pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(ROOT)))
-def test_rooms_are_without_floats(path):
-    text = path.read_text(encoding="utf-8")
-    if path.relative_to(ROOT).parts[0] not in ROOMS_WITH_FLOATS and path not in PROVED_FLOATS:
-        assert not [
-            n.value for n in ast.walk(ast.parse(text)) if isinstance(n, ast.Constant) and isinstance(n.value, float)
-        ]
+def test_rooms_are_without_floats():
+    for name, tree in import_graph.trees().items():
+        if name.split(".")[0] not in ROOMS_WITH_FLOATS and name not in PROVED_FLOATS:
+            constants = [n.value for n in ast.walk(tree) if isinstance(n, ast.Constant) and isinstance(n.value, float)]
+            assert constants == [], name
 
 
-@pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(ROOT)))
-def test_public_things_have_docstrings(path):
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    assert ast.get_docstring(tree)
-    for node in tree.body:
-        if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not node.name.startswith("_"):
-            if any(ast.unparse(mark) == "overload" for mark in node.decorator_list):
-                continue  # the docstring is at the definition that follows
-            assert ast.get_docstring(node), node.name
+def test_public_things_have_docstrings():
+    for name, tree in import_graph.trees().items():
+        assert ast.get_docstring(tree), name
+        for node in tree.body:
+            if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not node.name.startswith("_"):
+                if any(ast.unparse(mark) == "overload" for mark in node.decorator_list):
+                    continue  # the docstring is at the definition that follows
+                assert ast.get_docstring(node), f"{name}: {node.name}"
 
 
 def loaded_after(code: str) -> set[str]:

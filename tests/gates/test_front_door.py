@@ -74,21 +74,18 @@ def test_every_name_of_a_stub_is_there():
             assert getattr(module, alias.name) is not None
 
 
-def test_checkers_know_the_types(tmp_path):
+def test_checkers_know_the_types_and_refuse_a_method_that_is_a_function(tmp_path):
+    """Passed before: `curve.plot()`."""
     asked = {
         "xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])": "exactspline.splines.nurbs.Nurbs",
         "xs.zeros(xs.BSpline.bezier([1, -1]))": "exactspline.roots.zero_set.ZeroSet",
         'xs.example("circle").insert_knot("1/2")': "exactspline.splines.nurbs.Nurbs",
         'xs.prove("f1", "f2").holds': "bool",
     }
-    done = checked(tmp_path, "".join(f"reveal_type({code})\n" for code in asked))
+    wrong = 'xs.example("circle").plot()\nxs.example_surface("sphere").plot\n'
+    done = checked(tmp_path, "".join(f"reveal_type({code})\n" for code in asked) + wrong)
     told = [kind.removeprefix("builtins.") for kind in re.findall(r'Revealed type is "(.*?)"', done.stdout)]
     assert told == list(asked.values()), done.stdout + done.stderr
-
-
-def test_checkers_refuse_a_method_that_is_a_function(tmp_path):
-    """Passed before: `curve.plot()`."""
-    done = checked(tmp_path, 'xs.example("circle").plot()\nxs.example_surface("sphere").plot\n')
     assert re.findall(r"error: (.*?)  \[attr-defined\]", done.stdout) == [
         '"Nurbs" has no attribute "plot"',
         '"NurbsSurface" has no attribute "plot"',

@@ -15,7 +15,6 @@ from exactspline.geometry.registry import ASKED, REGISTRY
 from exactspline.questions.entry import Answered, questions_of
 from tests.support import gates, import_graph
 
-FILES = gates.trees()
 CHECKOUT = Path(__file__).parents[2]
 
 
@@ -54,7 +53,7 @@ SENTENCES = {
 
 
 def test_no_sentence_decides():
-    assert gates.found_in(FILES, gates.decisions_by_sentences) == BY_SENTENCES.keys()
+    assert gates.found_in(gates.trees(), gates.decisions_by_sentences) == BY_SENTENCES.keys()
 
 
 @pytest.mark.parametrize("code", SENTENCES.values(), ids=SENTENCES)
@@ -64,7 +63,7 @@ def test_a_sentence_that_decides_is_found(code):
 
 def test_no_part_of_a_name_decides():
     """Passed before: an object whose name begins with "evolute" does not exist where the curve is straight."""
-    assert gates.found_in(FILES, gates.names_taken_apart, DECIDING) == NAMES_TAKEN_APART.keys()
+    assert gates.found_in(gates.trees(), gates.names_taken_apart, DECIDING) == NAMES_TAKEN_APART.keys()
     assert planted("def f(name):\n    return name.startswith('evolute')", gates.names_taken_apart)
     assert planted("def f(row):\n    return re.match('D1', row.name)", gates.names_taken_apart)
 
@@ -84,7 +83,7 @@ QUESTION = "class A(Facts):\n    @{}\n    def loops(self) -> Places[Feature]:\n 
 
 
 def test_an_answer_about_places_is_that_of_an_entry():
-    assert gates.found_in(FILES, gates.unregistered, ("geometry/", "questions/")) == UNREGISTERED.keys()
+    assert gates.found_in(gates.trees(), gates.unregistered, ("geometry/", "questions/")) == UNREGISTERED.keys()
     assert planted(QUESTION.format("property"), gates.unregistered) == ["A.loops"]
     assert planted(QUESTION.format("question(Of.PLANE_CURVE)"), gates.unregistered) == []
 
@@ -92,7 +91,7 @@ def test_an_answer_about_places_is_that_of_an_entry():
 def test_every_class_with_questions_is_in_the_registry():
     """Passed before: a class of surfaces whose questions no schema, glossary or command has."""
     known = {each.__name__ for owner in ASKED for each in owner.__mro__}
-    assert {place.rpartition(": ")[2] for place in gates.found_in(FILES, gates.asked_classes)} <= known
+    assert {place.rpartition(": ")[2] for place in gates.found_in(gates.trees(), gates.asked_classes)} <= known
     assert planted(QUESTION.format("question(Of.SURFACE)"), gates.asked_classes) == ["A"]
     assert "A" not in known
     for owner in ASKED:
@@ -122,7 +121,7 @@ def test_no_second_list_of_questions():
     def finder(tree):
         return gates.lists_of_questions(tree, NAMED)
 
-    assert gates.found_in(FILES, finder) == LISTS_OF_QUESTIONS.keys()
+    assert gates.found_in(gates.trees(), finder) == LISTS_OF_QUESTIONS.keys()
     for code in SPELLED.values():
         assert planted(code, finder), code
     assert planted("ASKED = ['inflections', 'corners']", finder) == []
@@ -163,7 +162,7 @@ ENCLOSURE = "class Enclosure:\n    def __lt__(self, other): ...\n    def refine(
 
 
 def test_there_is_one_real_type():
-    assert gates.found_in(FILES, gates.numbers) == SECOND_NUMBERS.keys()
+    assert gates.found_in(gates.trees(), gates.numbers) == SECOND_NUMBERS.keys()
     assert planted(SURD, gates.numbers) == ["Surd"]
     assert planted(ENCLOSURE, gates.numbers) == ["Enclosure"]
     assert planted(VIEW, gates.numbers) == []
@@ -172,7 +171,7 @@ def test_there_is_one_real_type():
 def test_there_is_one_way_to_a_curvature():
     rooms = ("geometry", "splines", "roots", "programs", "display", "classroom", "reals", "verification")
     oracle = "batch/oracle", "batch/inspections"
-    assert gates.found_in(FILES, gates.ways_to_a_curvature, (*rooms, *oracle)) == WAYS.keys()
+    assert gates.found_in(gates.trees(), gates.ways_to_a_curvature, (*rooms, *oracle)) == WAYS.keys()
     assert planted("class Curve:\n    def curvature_at(self, t): ...", gates.ways_to_a_curvature) == [
         "Curve.curvature_at"
     ]
@@ -195,7 +194,7 @@ BARE_LISTS = {
 
 def test_no_answer_is_a_bare_list_of_points():
     """Passed before: the umbilics of a sphere, the zeros of a map that vanishes on a patch."""
-    assert gates.found_in(FILES, gates.lists_of_places, ("geometry/", "questions/")) == BARE_LISTS.keys()
+    assert gates.found_in(gates.trees(), gates.lists_of_places, ("geometry/", "questions/")) == BARE_LISTS.keys()
     code = "@question(Of.SURFACE)\ndef umbilics(self) -> {}: ..."
     for bad in ("tuple[Umbilic, ...]", "list[Feature]", "Sequence[Place]", "tuple[Feature, ...] | None"):
         assert planted(code.format(bad), gates.lists_of_places)
@@ -245,13 +244,63 @@ ROUNDS = {
 
 
 def test_exact_rooms_round_nothing():
-    assert gates.found_in(FILES, gates.rounding, gates.EXACT) == ROUNDED.keys()
+    assert gates.found_in(gates.trees(), gates.rounding, gates.EXACT) == ROUNDED.keys()
 
 
 @pytest.mark.parametrize("code", ROUNDS.values(), ids=ROUNDS)
 def test_what_rounds_is_found(code):
     assert planted(code, gates.rounding)
     assert not planted("from math import gcd, isqrt\ndef f(x):\n    return gcd(x, isqrt(x))", gates.rounding)
+
+
+# ---- no cost without a bound
+
+#: Where FLINT's own functions may be called: the doors, and what costs nothing.
+UNBOUNDED = {
+    "geometry/balls.py: _integral": "paid for, by degree and bits",
+    "geometry/bisector/common_zeros.py: _certainly_apart": "modulo a prime, in one variable",
+    "geometry/bisector/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
+    "geometry/bisector/over_root.py: _most": "modulo a prime, in one variable",
+    "geometry/bisector/polynomials.py: common_divisor": "over the field of a root: Euclid's algorithm, bounded",
+    "geometry/planarity.py: _primitive": "integers",
+    "polynomials/bernstein.py: add": "integers",
+    "polynomials/bernstein.py: common_denominators": "integers",
+    "polynomials/bernstein.py: primitive": "integers",
+    "polynomials/elimination.py: discriminant": "the door: by values at integers, after the bound was checked",
+    "polynomials/elimination.py: resultant": "the same",
+    "polynomials/factors.py: _by_flint": "the door",
+    "polynomials/factors.py: _certainly_coprime_on_a_line": "modulo a prime, in one variable",
+    "polynomials/factors.py: _certainly_primitive": "modulo a prime, in one variable",
+    "polynomials/factors.py: _certainly_without": "modulo a prime, in one variable",
+    "polynomials/factors.py: _content": "integers",
+    "polynomials/factors.py: _divisor_in_many": "the door",
+    "polynomials/factors.py: _divisor_of_two": "the door",
+    "polynomials/factors.py: _one_degree": "modulo a prime, paid for",
+    "polynomials/factors.py: _split": "the door",
+    "polynomials/factors.py: certainly_coprime": "modulo a prime, in one variable",
+    "polynomials/factors.py: certainly_square_free": "modulo a prime, in one variable",
+    "polynomials/factors.py: factorize_square_free": "the door",
+    "polynomials/factors.py: prime_factors": "integers, of a bounded number of bits",
+    "polynomials/patch_forms.py: PatchForm.primitive": "integers",
+    "polynomials/two_parameters.py: as_polynomial": "integers",
+    "programs/denominators.py: common_multiple": "integers",
+    "splines/blossom.py: _primitive": "integers",
+    "splines/common.py: with_common_denominators": "integers",
+    "splines/lowest_terms.py: _common": "integers",
+    "splines/lowest_terms.py: _greatest_common_divisor": "integers",
+    "splines/lowest_terms.py: primitive": "integers",
+    "splines/spans.py: common_forms": "integers",
+    "splines/tensor_lowest_terms.py: in_lowest_terms": "integers",
+    "verification/minimality/__init__.py: _bezout": "modulo a prime, in one variable",
+}
+
+
+def test_every_costly_call_goes_through_a_bounded_door():
+    """Passed before: a common divisor of polynomials in many variables that takes minutes and cannot be interrupted."""
+    assert gates.found_in(gates.trees(), gates.unbounded_costs) == UNBOUNDED.keys()
+    for name in ("gcd", "factor", "factor_squarefree", "resultant", "discriminant", "complex_roots"):
+        assert planted(f"def f(p, q):\n    return p.{name}(q)", gates.unbounded_costs) == ["f"]
+    assert planted("def f(ps):\n    return reduce(fmpz_poly.gcd, ps)", gates.unbounded_costs) == ["f"]
 
 
 # ---- law 7: what only developers run is not in the wheel
@@ -262,14 +311,14 @@ BY_NAME = {
     "testing.families": "the same",
     "testing.reported": "the same",
 }
-GRAPH = import_graph.module_graph()
-#: Papers, and the formulas that they name in their tables.
-PAPERS = [name for name in GRAPH if name.startswith(("papers.", "formulas."))]
-ENTRANCES = ["", "__main__", *PAPERS, *(f"cli.{entry.home.partition(':')[0]}" for entry in leaves().values())]
 
 
 def test_what_only_developers_run_is_not_in_the_wheel():
-    assert GRAPH.keys() - gates.reached(GRAPH, ENTRANCES) == BY_NAME.keys()
+    graph = import_graph.module_graph()
+    papers = [name for name in graph if name.startswith(("papers.", "formulas."))]  # with formulas of their tables
+    commands = [f"cli.{entry.home.partition(':')[0]}" for entry in leaves().values()]
+    entrances = ["", "__main__", *papers, *commands]
+    assert graph.keys() - gates.reached(graph, entrances) == BY_NAME.keys()
 
 
 def test_a_module_that_only_tests_import_is_found():

@@ -62,6 +62,17 @@ def test_the_oracle_notices_a_line_that_is_missing():
     assert bisector_campaign.differences(found, first, second, Random(1))
 
 
+def test_a_line_at_infinity_is_none_for_the_oracle():
+    """In the campaign of 10,000 pairs one was called different: γ and its mirror image, parallel planes at s = 1/2."""
+    first = bezier(("7/3", "5/3", "-2/3"), ("-4/3", 2, "-2/3"), ("7/3", "5/3", 2))
+    second = mapped(first, lambda x, y, z: (x, y, -1 - z))
+    found = curve_bisector(first, second)
+    assert [one.poles for line in found.lines for one in line.pieces] == [[mpq(1, 2)]]
+    ((i, one),), ((j, other),) = spans(first), spans(second)
+    ends, s = bisector_campaign.polynomials_of(first, i, second, j), mpq(1, 2)
+    assert len(of_slice(ends, s, other)) == len(said_of(found, (one, other), s)) == 2
+
+
 @pytest.mark.parametrize("at", ["both begin", "both end", "one begins"])
 @over_dials
 def test_a_pair_at_doubled_end_points_is_told_once(number, at):

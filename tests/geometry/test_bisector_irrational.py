@@ -14,6 +14,9 @@ from gmpy2 import mpq
 
 from exactspline import BSpline
 from exactspline.cli import app
+from exactspline.display.bisector_data import curve_bisector_data
+from exactspline.errors import ReachError
+from exactspline.geometry.bisector import root_lines
 from exactspline.geometry.bisector.over_root import OverRoot, by_powers
 from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.two_curves import curve_bisector
@@ -123,6 +126,27 @@ def test_lines_over_a_cusp_at_infinity():
         other = bezier((0, height, 0), (1, height, 0), (2, height + 4, 0), domain=(0, 2))
         (pole,) = component(curve_bisector(CUSP_IN_ORIGIN, other)).over_root.poles
         assert pole == zeros(as_splines([fmpz_poly(polynomial)], ZERO, mpq(2))[0])[0]
+
+
+def test_poles_out_of_reach_are_named_and_the_rest_is_there(monkeypatch):
+    """Before: `ReachError` for the whole output; and a pole that could not be decided was said to be none."""
+
+    def refuse(*_):
+        raise ReachError("the resultant")
+
+    other = bezier((0, 2, 0), (1, 2, 0), (2, 6, 0), domain=(0, 2))
+    whole = curve_bisector(CUSP_IN_ORIGIN, other)
+    for name, instead in (("resultant", refuse), ("vanish_together", lambda *_: None)):
+        with monkeypatch.context() as patch:
+            patch.setattr(root_lines, name, instead)
+            found = curve_bisector(CUSP_IN_ORIGIN, other)
+            assert component(found).over_root.poles is None
+            assert found.left_out == ("the poles of the lines over (0.707107……) of one curve",)
+            data = curve_bisector_data(found, 20)
+        assert not data["complete"]
+        (line,) = [x for x in data["lines"] if x["over_root"]]
+        assert line["over_root"]["poles"] is None
+        assert len(found.pairs) == len(whole.pairs)
 
 
 def test_a_line_through_an_irrational_cusp_has_no_lines_there():

@@ -356,10 +356,9 @@ def test_a_singular_point_on_a_seam_is_one():
 # ---- many surfaces
 
 
-@pytest.mark.parametrize("start", [0, 48])
-def test_a_sample_of_the_campaign(start):
+def test_a_sample_of_the_campaign():
     """``python -m tests.campaigns.surfaces 1000`` has all of it. Passed before: K ≤ 0 proved where K > 0."""
-    table = run(16, start=start)
+    table = run(16, start=0)
     assert sum(own["surfaces"] for own in table.values()) == 16
     assert {name: (own["different"], own["slow"]) for name, own in table.items()} == dict.fromkeys(table, (0, 0))
     # two of each family: as many of `corners` may be incomplete as there are

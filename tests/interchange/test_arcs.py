@@ -86,7 +86,7 @@ def test_parabola_and_hyperbola():
 @pytest.mark.parametrize(("form", "start", "end", "why"), [
     ([1, 0, 1, 0, 0, -1], (1, 0), (1, 1), "not exactly on the conic"),
     ([0, 1, 0, 0, 0, -1], (1, 1), (-1, -1), "no such arc"),
-    ([0, 1, 0, 0, 0, -1], (1, 1), (-2, "-1/2"), "two branches"),
+    ([0, 1, 0, 0, 0, -1], (1, 1), (-2, "-1/2"), "different branches"),
     ([0, 1, 0, 0, 0, -1], (1, 1), (1, 1), "not closed"),
     ([1, 0, -1, 0, 0, 0], (1, 1), (2, 2), "pair of lines"),
     ([1, 0, 1, 0, 0, 0], (0, 0), (0, 0), "pair of lines"),

@@ -64,7 +64,7 @@ SEEDS = seeds()
 
 @pytest.mark.parametrize("name", SEEDS)
 def test_a_damaged_text_file_is_read_or_refused(name):
-    @settings(max_examples=250)
+    @settings(max_examples=100)
     @given(mutated(SEEDS[name]))
     def run(data):
         survives(data, name)
@@ -77,7 +77,7 @@ def test_a_damaged_font_is_read_or_refused(build):
     pytest.importorskip("fontTools")
     original = build()
 
-    @settings(max_examples=150)
+    @settings(max_examples=60)
     @given(mutated([original]))
     def run(data):
         survives(data, "font")
@@ -141,7 +141,7 @@ def test_what_is_built_to_exhaust_ends_soon_in_little_memory(data, request):
 
 def test_entities_in_entities_are_not_expanded():
     bomb = b'<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><svg><path d="&b;"/></svg>'
-    with pytest.raises(ExactSplineError, match="entity 'b' holds entities"):
+    with pytest.raises(ExactSplineError, match="entity 'b' contains entities"):
         read(bomb, "svg")
 
 
@@ -155,12 +155,12 @@ def test_a_curve_that_would_take_too_long_is_named():
 
 @pytest.mark.parametrize("name", sorted(originals()))
 def test_changed_files_and_kept_ones(name):
-    """Some twenty seconds of `tests.campaigns.readers`, from its kept files too."""
+    """Some seconds of `tests.campaigns.readers`, from its kept files too."""
     if name in ("font", "glif"):
         pytest.importorskip("fontTools")
     # every archive is read by a process of its own
-    failures, read_well, longest = fuzz(name, 300 if name == "3dm" else 3000, seed=0, keep=False)
+    failures, read_well, longest = fuzz(name, 100 if name == "3dm" else 1000, seed=0, keep=False)
     assert failures == 0
     # an archive has check sums
-    assert read_well > (3 if name == "3dm" else 50)
+    assert read_well > (0 if name == "3dm" else 15)
     assert longest < SOON

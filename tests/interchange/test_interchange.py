@@ -212,7 +212,7 @@ def test_a_periodic_brep_curve_with_knots_that_are_none_is_named(knots):
 def test_brep_circles_are_circles_and_trimmed_curves_are_named():
     reading = read(BREP)
     circle = reading.curves[1]
-    assert "whole circle" in circle.notes[0]
+    assert "full circle" in circle.notes[0]
     for t in ("1/7", 1, "5/3", 3, "39/10"):
         x, y = circle.curve(t)
         assert (x - 1) ** 2 + (y - 2) ** 2 == mpq(25, 4)
@@ -272,8 +272,8 @@ def test_a_bulge_is_the_tangent_of_a_quarter_of_the_angle():
 @pytest.mark.parametrize(("words", "why"), [
     ("0 ARC 10 0 20 0 40 1 50 0 51 30", "not a multiple of 90"),
     ("0 ELLIPSE 10 0 20 0 11 1 21 0 40 0.5 41 0 42 1.0", "not a multiple of π/2"),
-    ("0 SPLINE 70 8 71 3 72 8 73 4 10 0 20 0", "8 knots announced, 0 there"),
-    ("0 SPLINE 71 3 11 0 21 0", "fit points alone"),
+    ("0 SPLINE 70 8 71 3 72 8 73 4 10 0 20 0", "8 knots announced, 0 given"),
+    ("0 SPLINE 71 3 11 0 21 0", "fit points only"),
     ("0 CIRCLE 10 0 20 0 40 1 210 1 220 1 230 0", "irrational length"),
 ])  # fmt: skip
 def test_what_dxf_cannot_give_exactly_is_named(words, why):
@@ -423,13 +423,13 @@ def test_files_that_are_none(tmp_path):
         read(tmp_path / "missing.g2")
     with pytest.raises(CurveFileError, match="not a regular file"):
         read(tmp_path)
-    with pytest.raises(CurveFileError, match="no known format"):
+    with pytest.raises(CurveFileError, match="not in a known format"):
         read(b"hello")
-    with pytest.raises(CurveFileError, match="there are"):
+    with pytest.raises(CurveFileError, match="the formats are"):
         read(b"hello", "word")
     with pytest.raises(CurveFileError, match="at most 1 MB"):
         read(b" " * (2 << 20), limits=Limits(megabytes=1))
-    with pytest.raises(CurveFileError, match="read, not written"):
+    with pytest.raises(CurveFileError, match="can be read but not written"):
         write([ARC], tmp_path / "a.ttf")
     with pytest.raises(CurveFileError, match="no curves to write"):
         write([], tmp_path / "a.g2")

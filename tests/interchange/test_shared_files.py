@@ -78,7 +78,7 @@ def test_as_many_splines_and_arcs_in_a_mixed_file():
 
 @needs_files
 def test_what_has_no_knots_is_named():
-    assert "11 knots announced, 0 there" in opened("gdal_spline_closed.dxf").skipped[0].why
+    assert "11 knots announced, 0 given" in opened("gdal_spline_closed.dxf").skipped[0].why
     for name in ("geomdl_CPw_Curve4.json", "geomdl_ex_curve04.cptw"):
         reading = opened(name)
         assert not reading.curves

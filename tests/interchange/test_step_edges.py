@@ -50,7 +50,7 @@ def test_a_curve_that_no_edge_uses_is_whole_and_a_line_has_no_ends():
     assert (x / 5) ** 2 + (y / 3) ** 2 == 1
     assert z == 2
     assert "rational length" in skipped["#18"]
-    assert "without ends" in skipped["#21"]
+    assert "unbounded line" in skipped["#21"]
 
 
 def test_an_edge_on_a_line_is_read_where_its_vertices_are_on_it():

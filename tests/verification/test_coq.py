@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from random import Random
@@ -31,7 +32,10 @@ from exactspline.verification.coq.formulas import Formulas
 from exactspline.verification.vocabulary import Verdict
 from workshop.mutation import kernel
 
-needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
+
+def needs_coq(test: Callable[..., None]) -> Callable[..., None]:
+    """A test of the kernel: `.ci/run` has these next to the theorems, where Coq was just installed."""
+    return pytest.mark.coq(pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")(test))
 
 
 def test_all_that_the_papers_give_is_written(tmp_path: Path) -> None:

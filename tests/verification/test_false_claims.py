@@ -14,6 +14,7 @@ from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.claims import all_claims
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.verdict import PROVED, VERIFIED
+from tests.support.sampled import sample
 
 #: Curves on which what is generic is seen, and no formula of a claim vanishes: by dimension.
 GENERIC = {2: "rational_cubic_s", 3: "rational_space_cubic"}
@@ -148,7 +149,7 @@ def is_true_after_all(claim, false):
 @pytest.mark.parametrize("kind", MAKERS)
 def test_no_false_claim_is_proved(kind):
     fooled, tried = [], 0
-    for claim, false, _ in false_claims(kind):
+    for claim, false, _ in sample(list(false_claims(kind)), 150):
         if is_true_after_all(claim, false):
             continue
         tried += 1

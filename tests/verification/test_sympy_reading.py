@@ -15,15 +15,20 @@ from exactspline.readings.sympy_expression import FIRST, SympyReading, vanishes
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.judges import second_opinions
 from exactspline.verification.sympy_judge import Sympy
+from tests.support.sampled import FULL
+
+#: Developable surfaces whose sides take sympy longer than all other identities together.
+SLOW = {"C54a-rectifying_development", "C54a-darboux_development", "C56a-focal_development"}
 
 x, y, w = (sympy.Function(name)(FIRST) for name in "xyw")
 
 
 def test_every_identity_of_the_ledger_is_decided_alike():
-    rows = [task() for task in second_opinions(Sympy(), all_claims())]
+    claims = [claim for claim in all_claims() if FULL or claim.key not in SLOW]
+    rows = [task() for task in second_opinions(Sympy(), claims)]
     assert [(r.id, r.statement, r.verdict) for r in rows if not r.as_recorded] == []
     kinds = {"identity", "vanishing", "same surface", "iso-curve"}
-    assert len(rows) == sum(c.kind in kinds for c in all_claims()) > 90
+    assert len(rows) == sum(c.kind in kinds for c in claims) > 90
     assert {r.verdict for r in rows} == {"PROVED", "REFUTED"}
 
 

@@ -32,7 +32,7 @@ from exactspline.verification.degree_tables import (
     formula_table,
     generic_table,
 )
-from exactspline.verification.errata import errata, name_of, numbered, remarks
+from exactspline.verification.errata import name_of, numbered, remarks
 from exactspline.verification.evaluation import Evaluation, between, zero_of
 from exactspline.verification.evidence import At, Between, OnAllOf, Relating
 from exactspline.verification.generic_degree import joined_degree
@@ -52,6 +52,7 @@ from exactspline.verification.verdict import (
     undecided,
     vacuous,
 )
+from tests.support.decided import errors_in_print
 
 T = BSpline.identity(0, 1)
 
@@ -289,7 +290,7 @@ def test_the_sides_of_a_claim_are_ranked_by_their_degrees(one):
 
 
 def test_the_errata_are_the_refuted_statements_in_print():
-    found = list(errata())
+    found = list(errors_in_print())
     printed = [c for c in all_claims() if c.status == "printed" and c.expected == "REFUTED"]
     assert sorted(s.key for e in found for s in e.statements) == sorted(c.key for c in printed)
     for erratum in found:
@@ -316,7 +317,7 @@ def test_remarks_are_what_fails_and_nobody_says():
 
 
 def test_an_identity_is_told_with_the_names_of_its_sides():
-    (power,) = [e for e in errata() if e.error == "power-of-w"]
+    (power,) = [e for e in errors_in_print() if e.error == "power-of-w"]
     assert worded(power.statements[0].found) == "g1 = w⁸ · g0"
     assert power.statements[0].witness is None
     assert power.statements[0].check[1] == 'factor = factor_of("g1", "g0", 2)'

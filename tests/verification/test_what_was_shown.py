@@ -78,7 +78,7 @@ def test_jets_refuse_a_parameter_that_the_kind_lacks(kind, letter):
     """Passed before: ∂/∂s of a surface was 0."""
     c = JetReading(1).argument(kind_of(kind), 2 if kind == "plane" else 3)
     operand = next(iter(c.operands().values()))
-    with pytest.raises(FormulaError, match=f"a derivative by '{letter}'"):
+    with pytest.raises(FormulaError, match=f"a derivative with respect to '{letter}'"):
         operand.d(1, by=letter)
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from exactspline.display.plot.canvas import axes_for
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.functions import plot_function
+from exactspline.display.plot.options import check_names
 from exactspline.display.plot.patches import surface_figure
 from exactspline.display.plot.surfaces import plot_bisector, plot_ruled_surface, plot_surface
 from exactspline.errors import ShapeError
@@ -38,33 +39,40 @@ def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
     >>> [plot(x).get_legend().get_texts()[-1].get_text() for x in (example("circle"), f, zeros(f))]
     ['knots', 'graph', '1 root']
 
-    Raises `PlotError` without matplotlib, `ShapeError` for other objects.
+    Raises `PlotError` without matplotlib and for options that it does not have, `ShapeError` for other objects.
     """
-    options: dict[str, Any] = how
-    if isinstance(thing, Nurbs):
-        return plot_curve(thing, ax, **options)
-    if isinstance(thing, BSpline):
-        return plot_function(thing, ax, **options)
-    if isinstance(thing, ZeroSet):
-        return plot_function(thing.spline, ax, roots=thing, **options)
-    if isinstance(thing, RuledSurface):
-        return plot_ruled_surface(thing, ax=ax, **options)
-    if isinstance(thing, NurbsSurface):
-        return plot_surface(thing.S, ax, **options)
-    if isinstance(thing, SurfaceInspection) and ax is None:
-        return surface_figure(thing, **options).axes[0]
+    if isinstance(thing, SurfaceInspection) and ax is None and not how:
+        return surface_figure(thing).axes[0]
     if isinstance(thing, CurveBisector):
-        return plot_bisector(*thing.curves, ax, **options)
+        of_two: Callable[..., Axes] = plot_bisector
+        check_names(of_two, how)
+        return of_two(*thing.curves, ax, **how)
     if isinstance(thing, PointBisector | Derived):
         for piece in thing.pieces:
-            ax = plot(piece.surface if isinstance(piece, RuledPiece) else piece.value, ax, **options)
+            ax = plot(piece.surface if isinstance(piece, RuledPiece) else piece.value, ax, **how)
         return axes_for(ax)
+    draw, shown = _way_to_draw(thing)
+    check_names(draw, how)
+    if isinstance(thing, ZeroSet):
+        how.setdefault("roots", thing)
+    return draw(shown, ax=ax, **how)
+
+
+def _way_to_draw(thing: object) -> tuple[Callable[..., Axes], object]:
+    """The function that draws such a thing, and what it takes."""
+    if isinstance(thing, Nurbs):
+        return plot_curve, thing
+    if isinstance(thing, BSpline):
+        return plot_function, thing
+    if isinstance(thing, ZeroSet):
+        return plot_function, thing.spline
+    if isinstance(thing, RuledSurface):
+        return plot_ruled_surface, thing
+    if isinstance(thing, NurbsSurface):
+        return plot_surface, thing.S
     parts = thing.numerator if isinstance(thing, Rational) else thing
     if isinstance(parts, Vector):
-        draw: Callable[..., Axes] = (
-            plot_surface if any(isinstance(part, TensorSpline) for part in parts) else plot_quotient
-        )
-        return draw(thing, ax, **options)
+        return (plot_surface if any(isinstance(part, TensorSpline) for part in parts) else plot_quotient), thing
     raise ShapeError(
         f"a {type(thing).__name__} has no picture of its own",
         remedy="draw a curve, a spline, a zero set, a vector or quotient of splines, or a ruled surface",

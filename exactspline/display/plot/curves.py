@@ -25,6 +25,7 @@ from exactspline.display.plot.canvas import (
     shown_name,
 )
 from exactspline.display.plot.frames import Box, box_around, grown, homogeneous, inside, kept, longer_side, usual_box
+from exactspline.display.plot.options import check_options, exact_box
 from exactspline.errors import ShapeError, a_kind, as_items
 from exactspline.geometry.derived import derive
 from exactspline.geometry.kinds import Feature
@@ -70,6 +71,9 @@ def plot_curve(
     Raises `PlotError` without matplotlib, for a curve neither in the plane nor in space, for axes that do not fit, and
     for numbers beyond 1e100.
     """
+    check_options(control_polygon=control_polygon, knots=knots, label=label, polygon_color=polygon_color)
+    if color is not None:
+        check_options(color=color)
     ax = axes_for(ax, curve_of(curve).dimension)
     if control_polygon:
         points = [point if weight else None for point, weight in zip(curve.control_points, curve.weights, strict=True)]
@@ -107,6 +111,7 @@ def plot_features(
 
     Raises `DomainError` for a parameter outside the domain, otherwise as `plot_curve`.
     """
+    check_options(marker=marker, label=label, color=color, size=size, hollow=hollow)
     ax = axes_for(ax, curve_of(curve).dimension)
     places = [curve(parameter(t, curve.domain)) for t in as_items(points, "parameters")]
     if places:
@@ -136,6 +141,7 @@ def plot_evolute(curve: Nurbs, ax: Axes | None = None, *, label: str = "evolute"
 
     Raises `ShapeError` for a curve in space and for a straight one, otherwise as `plot_curve`.
     """
+    check_options(label=label, color=color)
     pieces = derive("evolute", curve).pieces
     ax = axes_for(ax)
     box = box_around(point for samples in sampled(curve, curve.breakpoints) for _, point in samples)
@@ -207,8 +213,9 @@ def plot_quotient(
 
     Raises as `plot_curve`.
     """
+    check_options(control_polygon=control_polygon, label=label, color=color, polygon_color=polygon_color, box=box)
     quotient = _quotient(value)
-    ax = axes_for(ax, len(quotient))
+    ax, box = axes_for(ax, len(quotient)), exact_box(box, len(quotient))
     everywhere = (tuple([-LARGEST] * len(quotient)), tuple([LARGEST] * len(quotient)))
     if box is None:
         box = usual_box(

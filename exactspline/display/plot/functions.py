@@ -25,6 +25,7 @@ from exactspline.display.plot.canvas import (
     polygons,
     sampled,
 )
+from exactspline.display.plot.options import check_options
 from exactspline.errors import ShapeError, as_instance, as_items, shown
 from exactspline.numbers.exact import mpq
 from exactspline.roots.root import Root
@@ -68,11 +69,12 @@ def plot_function(
 
     Raises `PlotError` without matplotlib and for an unknown scale, `ShapeError` for anything but a `BSpline`.
     """
+    check_options(control_polygon=control_polygon, label=label, polygon_color=polygon_color, color=color)
     if type(f) is not BSpline:
         raise ShapeError(
             f"the graph of a {type(f).__name__}", remedy="give a BSpline, for a vector one component at a time"
         )
-    if scale is not None and scale not in SCALES:
+    if scale is not None and (not isinstance(scale, str) or scale not in SCALES):
         raise PlotError(f"{shown(scale)} is not a scale", where="scale", remedy=f"scales are {', '.join(SCALES)}")
     ax = axes_for(ax)
     spread: list[Point | None] = []
@@ -141,7 +143,12 @@ def _scale(ax: Axes, graph: Sequence[mpq], polygon: Sequence[mpq], scale: str | 
 
 
 def draw_roots(
-    ax: Axes, roots: ZeroSet | Sequence[Root], domain: tuple[mpq, mpq], marker: str, color: str, name: str = "root"
+    ax: Axes,
+    roots: ZeroSet | Sequence[Root] | None,
+    domain: tuple[mpq, mpq],
+    marker: str,
+    color: str,
+    name: str = "root",
 ) -> None:
     """Roots on the zero line; of a `ZeroSet` also its jumps through zero, hollow, and its intervals, thick."""
     single, jumps = marked(roots)
@@ -168,14 +175,15 @@ def draw_roots(
         draw(ax, ends, color=color, linewidth=5, label="_stretch" if i else "zero throughout", zorder=2.5)
 
 
-def zero_intervals(roots: ZeroSet | Sequence[Root]) -> list[tuple[mpq, mpq]]:
+def zero_intervals(roots: ZeroSet | Sequence[Root] | None) -> list[tuple[mpq, mpq]]:
     """The intervals on which all is zero, cut at the seam."""
     return [part for interval in getattr(roots, "intervals", []) for part in interval.parts]
 
 
-def marked(roots: ZeroSet | Sequence[Root]) -> tuple[list[Root], list[Root]]:
+def marked(roots: ZeroSet | Sequence[Root] | None) -> tuple[list[Root], list[Root]]:
     """The parameters marked as roots, and those marked as jumps through zero."""
-    return list(roots or ()), [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
+    single = [] if roots is None else list(as_items(roots, "roots"))
+    return single, [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
 
 
 def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color: str = GREEN) -> Axes:
@@ -192,6 +200,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
 
     Raises `PlotError` without matplotlib.
     """
+    check_options(color=color)
     ax = axes_for(ax)
     found = [as_instance(root, Root, "a root", "give exactspline.zeros(f)") for root in as_items(roots, "roots")]
     bars = [(root.low, root.high) for root in found]

@@ -22,7 +22,8 @@ from exactspline.display.plot.canvas import (
 from exactspline.display.plot.curves import plot_quotient
 from exactspline.display.plot.frames import Box, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
-from exactspline.errors import FormulaError, ShapeError, as_items
+from exactspline.display.plot.options import check_options, exact_box
+from exactspline.errors import FormulaError, ShapeError, as_items, as_text
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, Kind
 from exactspline.language.rational import Rational
@@ -56,6 +57,7 @@ def plot_mesh(
     Raises `PlotError` without matplotlib, for axes in the plane, where nothing can be drawn, and for numbers beyond
     1e100.
     """
+    check_options(label=label, color=color, control_net=control_net, net_color=net_color)
     ax = axes_for(ax, 3)
     space: Any = ax  # matplotlib's axes in space have no types
     faces = mesh.faces
@@ -155,9 +157,9 @@ def plot_ruled_surface(
 
     Raises `ShapeError` for anything but a ruled surface of splines in space, otherwise as `plot_mesh`.
     """
-    return plot_mesh(
-        ruled_mesh(surface, rulings, box), ax, label=label, color=color, control_net=control_net, net_color=net_color
-    )
+    check_options(label=label, color=color, control_net=control_net, net_color=net_color, box=box)
+    mesh = ruled_mesh(surface, rulings, exact_box(box, 3))
+    return plot_mesh(mesh, ax, label=label, color=color, control_net=control_net, net_color=net_color)
 
 
 def plot_surface(
@@ -180,8 +182,9 @@ def plot_surface(
     Raises `ShapeError` for anything but a vector of three `TensorSpline` or a quotient of such, otherwise as
     `plot_mesh`.
     """
+    check_options(label=label, control_net=control_net, box=box)
     axes = axes_for(ax, 3)
-    return plot_mesh(tensor_mesh(surface, box), axes, label=label, control_net=control_net)
+    return plot_mesh(tensor_mesh(surface, exact_box(box, 3)), axes, label=label, control_net=control_net)
 
 
 def plot_bisector(
@@ -208,9 +211,10 @@ def plot_bisector(
     Raises `ShapeError` where dimensions do not fit, `FormulaError` for an unknown one, otherwise as `plot_mesh` and
     `plot_quotient`.
     """
+    check_options(control_net=control_net, box=box)
     kind, default, handed = _argument(curve_of(curve), other)
     ax = axes_for(ax, 2 if kind is PLANE_POINT else 3)
-    found = find(formula or default)
+    found = find(as_text(formula, "the name of a formula") or default)
     if found.kind is not kind:
         raise FormulaError(
             f"{found.name} is not a bisector of these",

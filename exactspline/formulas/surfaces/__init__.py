@@ -1,1 +1,1 @@
-"""Rational surfaces, from their fundamental forms to lines of curvature."""
+"""Formulas for rational surfaces, from fundamental forms to lines of curvature."""

@@ -1,7 +1,7 @@
 """Asymptotic directions, in which the normal curvature vanishes: the roots of ``L du² + 2M du dv + N dv² = 0``.
 
-They are ``(√δ − M : L)`` and ``(−√δ − M : L)`` with ``δ = M² − LN``, and also ``(N : −M ∓ √δ)``. The root is adjoined:
-what is said of the one with √δ holds for the other.
+They are ``(√δ − M : L)`` and ``(−√δ − M : L)`` with ``δ = M² − LN``, and also ``(N : −M ∓ √δ)``. The root is adjoined,
+so what is shown for one sign of √δ holds for the other.
 """
 
 from exactspline.formulas.surfaces.curves_on_surfaces import second_form, second_form_lifted
@@ -25,7 +25,7 @@ from exactspline.language.vector import cross, dot, join
 
 
 def with_root(c):
-    """The root √δ and the coefficients L, M, N beside it."""
+    """The root √δ, and the coefficients L, M, N lifted to the extension by it."""
     square = asymptotic_discriminant(c)
     root = Adjoined(square.constant(0), square.constant(1), square)
     return root, root.lifted(c.L), root.lifted(c.M), root.lifted(c.N)
@@ -44,7 +44,7 @@ def asymptotic_discriminant(c):
 
 @formula("asymptotic lines", on="forms")
 def second_form_of_asymptotic(c):
-    """``II(t, t)`` for the direction ``t = (√δ − M, L)``: its two parts, without √δ and with it."""
+    """``II(t, t)`` for the direction ``t = (√δ − M, L)``: the part free of √δ and the coefficient of √δ."""
     root, second, mixed, last = with_root(c)
     value = along(second, mixed, last, root - mixed, second)
     return join(value.plain, value.rooted)
@@ -52,7 +52,7 @@ def second_form_of_asymptotic(c):
 
 @formula("asymptotic lines", on="forms")
 def second_form_of_other_asymptotic(c):
-    """``II(t, t)`` for ``t = (N, −M − √δ)``, in the same way."""
+    """``II(t, t)`` for ``t = (N, −M − √δ)``, split in the same way."""
     root, second, mixed, last = with_root(c)
     value = along(second, mixed, last, last, -mixed - root)
     return join(value.plain, value.rooted)
@@ -60,7 +60,7 @@ def second_form_of_other_asymptotic(c):
 
 @formula("asymptotic lines", on="forms")
 def asymptotic_charts(c):
-    """The determinant of ``(√δ − M, L)`` and ``(N, −M − √δ)``: both are one direction where it vanishes."""
+    """The determinant of ``(√δ − M, L)`` and ``(N, −M − √δ)``: the two directions coincide where it vanishes."""
     root, second, mixed, last = with_root(c)
     value = (root - mixed) * (-mixed - root) - second * last
     return join(value.plain, value.rooted)
@@ -68,7 +68,7 @@ def asymptotic_charts(c):
 
 @formula("asymptotic lines", on="forms")
 def asymptotic_pair_squared(c):
-    """The squared determinant of ``(√δ − M, L)`` and ``(−√δ − M, L)``: zero where both are one."""
+    """The squared determinant of ``(√δ − M, L)`` and ``(−√δ − M, L)``: zero where the two directions coincide."""
     root, second, mixed, _ = with_root(c)
     value = (root - mixed) * second - second * (-root - mixed)
     return (value * value).plain
@@ -125,7 +125,7 @@ def first_form_lifted(c):
 
 @formula("lifted", on="curve on a surface", symbol=r"w^4\mathrm{II}")
 def second_form_of_lifted(c):
-    """``w⁴`` times the second one, with the determinants of P."""
+    """``w⁴`` times the second fundamental form along the curve, in terms of determinants of P."""
     return along(L_lifted(c), M_lifted(c), N_lifted(c), c.u.d(1), c.v.d(1))
 
 

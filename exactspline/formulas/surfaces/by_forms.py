@@ -1,6 +1,6 @@
-"""What the coefficients E, F, G and L, M, N of the two fundamental forms say by themselves.
+"""Invariants of a surface in terms of the coefficients E, F, G and L, M, N of its two fundamental forms.
 
-All is written for ``L, M, N`` with the normal ``n = S_u × S_v``, which is not normalized: the principal curvatures are
+``L, M, N`` refer to the normal ``n = S_u × S_v``, which is not normalized: the principal curvatures are
 ``κ = λ/√(EG − F²)`` with the roots λ of ``(EG − F²) λ² − (EN − 2FM + GL) λ + (LN − M²) = 0``.
 """
 
@@ -71,7 +71,7 @@ def line_relation_of_forms(c):
 
 @formula("lines of curvature", on="forms")
 def line_relation_of_second_form(c):
-    """``LC − MB + NA``: they are conjugate where this is zero."""
+    """``LC − MB + NA``: the lines of curvature are conjugate where this is zero."""
     return c.L * line_vv_of_forms(c) - c.M * line_uv_of_forms(c) + c.N * line_uu_of_forms(c)
 
 
@@ -96,7 +96,7 @@ def umbilicity_as_squares(c):
 
 @formula("stationary principal curvatures", on="forms", symbol="Q_u")
 def stationary_by_u(c):
-    """What of ``2 √Δ a^(5/2) κ_u`` is free of √Δ, for ``a = EG − F²``: ``a Δ_u − 3 Δ a_u``."""
+    """The part of ``2 √Δ a^(5/2) κ_u`` that is free of √Δ, for ``a = EG − F²``: ``a Δ_u − 3 Δ a_u``."""
     a, delta = area_of_forms(c), umbilicity_of_forms(c)
     return a * delta.d(1, by="u") - 3 * delta * a.d(1, by="u")
 
@@ -110,7 +110,7 @@ def stationary_by_v(c):
 
 @formula("stationary principal curvatures", on="forms", symbol="R_u")
 def stationary_root_by_u(c):
-    """The factor of √Δ in the same, with ``h = EN − 2FM + GL``: ``2a h_u − 3h a_u``, zero where H_u is."""
+    """The coefficient of √Δ in it, with ``h = EN − 2FM + GL``: ``2a h_u − 3h a_u``, zero exactly where H_u is."""
     a, h = area_of_forms(c), minimality_of_forms(c)
     return 2 * a * h.d(1, by="u") - 3 * h * a.d(1, by="u")
 
@@ -124,8 +124,8 @@ def stationary_root_by_v(c):
 
 @formula("ridges", on="forms", symbol="U")
 def ridge_rational_part(c):
-    """What of the derivative of κ along its own line, ``(2a M − (h + √Δ) F) κ_u + ((h + √Δ) E − 2a L) κ_v``, is free of
-    √Δ.
+    """The part free of √Δ in the derivative of κ along its line of curvature, ``(2a M − (h + √Δ) F) κ_u + ((h + √Δ) E −
+    2a L) κ_v``.
     """
     a, h = area_of_forms(c), minimality_of_forms(c)
     plain = stationary_by_u(c) * (2 * a * c.M - h * c.F) + stationary_by_v(c) * (h * c.E - 2 * a * c.L)
@@ -134,7 +134,7 @@ def ridge_rational_part(c):
 
 @formula("ridges", on="forms", symbol="V")
 def ridge_root_part(c):
-    """The factor of √Δ in the same."""
+    """The coefficient of √Δ in it."""
     a, h = area_of_forms(c), minimality_of_forms(c)
     bent = stationary_root_by_u(c) * (2 * a * c.M - h * c.F) + stationary_root_by_v(c) * (h * c.E - 2 * a * c.L)
     return bent + c.E * stationary_by_v(c) - c.F * stationary_by_u(c)
@@ -142,7 +142,7 @@ def ridge_root_part(c):
 
 @formula("ridges", on="forms")
 def ridges_by_definition(c):
-    """``U² − Δ V²``: zero where one of the principal curvatures is extremal along its own line, and elsewhere."""
+    """``U² − Δ V²``: zero where a principal curvature is extremal along its line of curvature (but not only there)."""
     return ridge_rational_part(c) ** 2 - umbilicity_of_forms(c) * ridge_root_part(c) ** 2
 
 
@@ -163,9 +163,10 @@ def _bent(c, by):
 @formula("ridges", on="forms", symbol="T")
 def ridge_cubic(c):
     """The cubic form ``(EG − F²) dII(t, t) − d(EG − F²) II(t, t)/2 − dI(t, s)`` in the direction t along which d is
-    taken: of a principal direction it is the derivative of κ along it, up to a factor without a zero.
+    taken: for a principal direction it is the derivative of κ in this direction, up to a factor without zeros.
 
-    With ``II t = κ I t`` the derivative of ``κ I(t, t) = II(t, t)`` needs none of t, and ``s`` is ``κ t`` without κ.
+    Because of ``II t = κ I t``, the derivative of ``κ I(t, t) = II(t, t)`` contains no derivative of t; ``s`` expresses
+    ``κ t`` without κ.
     """
     u, v = _bent(c, "u"), _bent(c, "v")
     return join(u[0], u[1] + v[0], u[2] + v[1], v[2])
@@ -173,7 +174,7 @@ def ridge_cubic(c):
 
 @formula("ridges", on="forms")
 def ridges_of_forms(c):
-    """The resultant of the lines of curvature ``A t_u² + B t_u t_v + C t_v² = 0`` and that cubic form: zero on the
+    """The resultant of the lines of curvature ``A t_u² + B t_u t_v + C t_v² = 0`` and this cubic form: zero on the
     ridges of both principal curvatures.
     """
     return extremal_along_lines(c, ridge_cubic(c))
@@ -181,7 +182,7 @@ def ridges_of_forms(c):
 
 @formula("ridges", on="forms")
 def ridge_cubic_over_weight(c):
-    """The cubic form of both fundamental forms divided by ``w⁴``."""
+    """The cubic form for both fundamental forms divided by ``w⁴``."""
     divided = {"E": c.E, "F": c.F, "G": c.G, "L": c.L, "M": c.M, "N": c.N}
     return ridge_cubic(Operands(**{name: form / c.w**4 for name, form in divided.items()}))
 

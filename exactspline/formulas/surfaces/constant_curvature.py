@@ -1,7 +1,7 @@
-"""How the Gaussian curvature changes: where both its derivatives vanish it is constant.
+"""The derivatives of the Gaussian curvature: it is constant where both vanish identically.
 
-Spheres, planes and developable surfaces are among the surfaces on which both vanish everywhere; which rational surfaces
-beside these there are is not said here.
+Spheres, planes and developable surfaces have constant Gaussian curvature; whether other rational surfaces do is not
+decided here.
 """
 
 from exactspline.formulas.surfaces.by_forms import area_of_forms, parabolic_of_forms
@@ -9,12 +9,12 @@ from exactspline.language.formula import formula
 
 
 def change_of_quotient(k, a, by):
-    """What the derivative of ``k/a²`` is a multiple of, by ``1/a³``."""
+    """The numerator of the derivative of ``k/a²`` over ``a³``."""
     return a * k.d(1, by=by) - 2 * k * a.d(1, by=by)
 
 
 def change_with_weight(k, a, w, by):
-    """What that of ``w⁴ k/a²`` is a multiple of, by ``w³/a³``."""
+    """The derivative of ``w⁴ k/a²`` divided by ``w³/a³``."""
     return w * change_of_quotient(k, a, by) + 4 * w.d(1, by=by) * k * a
 
 
@@ -38,7 +38,7 @@ def gaussian_of_forms_by_v(c):
 
 @formula("constant curvature", on="forms")
 def change_of_forms_by_u(c):
-    """``a k_u − 2 k a_u`` with ``a = EG − F²`` and ``k = LN − M²``: zero where K_u is."""
+    """``a k_u − 2 k a_u`` with ``a = EG − F²`` and ``k = LN − M²``: zero exactly where K_u is."""
     return change_of_quotient(parabolic_of_forms(c), area_of_forms(c), "u")
 
 
@@ -50,13 +50,13 @@ def change_of_forms_by_v(c):
 
 @formula("constant curvature", on="forms")
 def gaussian_weighted_by_u(c):
-    """The derivative by u of ``w⁴ (LN − M²)/(EG − F²)²``, where the coefficients are those of both lifted forms."""
+    """The derivative by u of ``w⁴ (LN − M²)/(EG − F²)²``, for the coefficients of both lifted forms."""
     return (gaussian_of_forms(c) * c.w**4).d(1, by="u")
 
 
 @formula("constant curvature", on="forms")
 def gaussian_weighted_by_v(c):
-    """The derivative by v."""
+    """The derivative of the same by v."""
     return (gaussian_of_forms(c) * c.w**4).d(1, by="v")
 
 

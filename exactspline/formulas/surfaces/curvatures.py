@@ -1,7 +1,7 @@
-"""Curvatures of a rational surface, as they are defined: of Gauss, mean, principal.
+"""Gaussian, mean and principal curvatures of a rational surface, by their definitions.
 
-With the normal of length ``√(EG − F²)`` the Gaussian curvature is ``(LN − M²)/(EG − F²)²``, the mean curvature
-``(EN − 2FM + GL)/(2 (EG − F²)^(3/2))``: rational is its square.
+Since the normal has length ``√(EG − F²)``, the Gaussian curvature is ``(LN − M²)/(EG − F²)²`` and the mean curvature is
+``(EN − 2FM + GL)/(2 (EG − F²)^(3/2))``, of which only the square is rational.
 """
 
 from exactspline.formulas.surfaces.by_forms import (
@@ -48,7 +48,7 @@ def forms(c):
 
 @formula("first fundamental form", on="surface")
 def area_squared(c):
-    """``EG − F²``, the square of the element of area."""
+    """``EG − F²``, the square of the area element."""
     return area_of_forms(Operands(E=E(c), F=F(c), G=G(c)))
 
 
@@ -126,25 +126,27 @@ def brioschi(c):
 
 @formula("principal curvatures", on="surface")
 def stationary_curvature(c):
-    """What of κ_u is free of the root: ``a Δ_u − 3 Δ a_u`` with ``a = EG − F²`` and ``Δ`` zero at the umbilics."""
+    """The part of κ_u free of the root, up to a factor: ``a Δ_u − 3 Δ a_u`` with ``a = EG − F²`` and the discriminant
+    Δ.
+    """
     return stationary_by_u(forms(c))
 
 
 @formula("ridges", on="surface", symbol="T")
 def ridge_cubic_of_surface(c):
-    """The cubic form of the ridges, in the coefficients of both fundamental forms."""
+    """The cubic form of the ridges, in terms of the coefficients of both fundamental forms."""
     return ridge_cubic(forms(c))
 
 
 @formula("ridges", on="surface")
 def ridges(c):
-    """Zero where a principal curvature is extremal along its own line of curvature."""
+    """Zero where a principal curvature is extremal along its line of curvature."""
     return ridges_of_forms(forms(c))
 
 
 @formula("normals", on="surface")
 def gauss_map_area(c):
-    """``[n n_u n_v]``: how the Gauss map multiplies areas, up to powers of ``EG − F²``."""
+    """``[n n_u n_v]``: the area factor of the Gauss map, up to powers of ``EG − F²``."""
     return det(normal(c), normal(c).d(1, by="u"), normal(c).d(1, by="v"))
 
 

@@ -1,7 +1,7 @@
-"""Curves on a surface: γ(t) = S(u(t), v(t)), derivatives by the chain rule.
+"""Curves on a surface: γ(t) = S(u(t), v(t)), with derivatives by the chain rule.
 
-Statements of the fundamental forms about a direction are made here for every curve with that direction, so that they
-can be compared with the curvature of curves in space.
+Statements about fundamental forms in a direction are formulated here for every curve with that direction, so that they
+can be compared with the curvature of space curves.
 """
 
 from exactspline.formulas.surfaces.curvatures import area_squared
@@ -36,13 +36,13 @@ def acceleration_on_normal(c):
 
 @formula("normal curvature", on="curve on a surface", symbol=r"\kappa_n^2")
 def normal_curvature_squared(c):
-    """``II²/(I² (EG − F²))``, the same for all curves of one direction."""
+    """``II²/(I² (EG − F²))``, the same for all curves with the same direction."""
     return second_form(c) ** 2 / (first_form(c) ** 2 * area_squared(c))
 
 
 @formula("geodesic curvature", on="curve on a surface")
 def geodesic_determinant(c):
-    """``[γ′ γ″ n]``: zero where the curve is straight on the surface."""
+    """``[γ′ γ″ n]``: zero where the geodesic curvature vanishes."""
     return det(c.gamma.d(1), c.gamma.d(2), normal(c))
 
 
@@ -83,6 +83,6 @@ def turning_of_normal(c):
 
 @formula("lifted", on="curve on a surface", symbol="[P\\ P_u\\ P_v\\ P'']")
 def second_form_lifted(c):
-    """The osculating plane of the curve against the tangent plane of the surface."""
+    """The determinant ``[P P_u P_v P″]``: contact of the curve with the tangent plane of the surface."""
     x = projective_lift_of_surface(c)
     return det(x, x.d(1, by="u"), x.d(1, by="v"), x.d(2))

@@ -148,7 +148,7 @@ def N_reduced(c):
 
 @formula("planar maps", on="planar map", symbol="J")
 def jacobian(c):
-    """``[S_u S_v]``, by which areas are multiplied: a map of the plane has an inverse near where it is not zero."""
+    """``[S_u S_v]``, the area factor: a planar map is locally invertible where it is not zero."""
     return det(c.S.d(1, by="u"), c.S.d(1, by="v"))
 
 

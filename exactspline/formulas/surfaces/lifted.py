@@ -1,8 +1,8 @@
-"""The same from the two lifts of the surface: points and planes are linear in ``P = (w, p)``, spheres in ``X = (‖p‖²,
+"""Curvatures from the two lifts of the surface: points and planes are linear in ``P = (w, p)``, spheres in ``X = (‖p‖²,
 w p, w²)``.
 
-The tangent plane is orthogonal to P, P_u and P_v, a tangent sphere to X, X_u and X_v; what is more than that, contact
-of second order, are determinants with second derivatives.
+The tangent plane is orthogonal to P, P_u and P_v, a tangent sphere to X, X_u and X_v; contact of second order is
+expressed by determinants with second derivatives.
 """
 
 from exactspline.formulas.surfaces.by_forms import (
@@ -29,7 +29,7 @@ def lifted_forms(c):
 
 @formula("projective lift", on="surface", symbol="P")
 def projective_lift_of_surface(c):
-    """``(w, p)``; w first, so that determinants have the sign of those of the surface."""
+    """``(w, p)``; w first, so that determinants have the same sign as those of the surface."""
     return join(c.w, c.p)
 
 
@@ -75,7 +75,7 @@ def N_lifted(c):
 
 @formula("lifted", on="surface")
 def parabolic_lifted(c):
-    """``w⁸ (LN − M²)``, with the determinants of P."""
+    """``w⁸ (LN − M²)`` in terms of determinants of P."""
     return parabolic_of_forms(Operands(L=L_lifted(c), M=M_lifted(c), N=N_lifted(c)))
 
 
@@ -99,7 +99,7 @@ def minimality_lifted(c):
 
 @formula("lifted", on="surface", symbol="[X\\ X_u\\ X_v\\ X_{uu}\\ X_{uv}]")
 def line_coefficient_uu_lifted(c):
-    """``2 w¹⁰ (EM − FL)``: zero where one sphere has contact of second order along both."""
+    """``2 w¹⁰ (EM − FL)``: zero where one sphere matches both second derivatives, by uu and by uv."""
     x = conformal_lift_of_surface(c)
     return det(x, x.d(1, by="u"), x.d(1, by="v"), x.d(2, by="u"), x.d(1, by="u").d(1, by="v"))
 
@@ -120,7 +120,7 @@ def line_coefficient_vv_lifted(c):
 
 @formula("lifted", on="surface")
 def line_coefficient_uu_projective(c):
-    """``w⁸ (EM − FL)``, with determinants of P: of lower degree than that of X."""
+    """``w⁸ (EM − FL)`` in terms of determinants of P: of lower degree than the one with X."""
     return line_uu_of_forms(lifted_forms(c))
 
 

@@ -27,7 +27,7 @@ def line_coefficient_vv(c):
 
 @formula("O. Rodrigues 1816", on="surface")
 def turning_uu(c):
-    """``[n n_u S_u]``: zero where the normal turns towards the line along which it is carried."""
+    """``[n n_u S_u]``: zero where the normal turns towards the u-line, so that this is a line of curvature."""
     return det(normal(c), normal(c).d(1, by="u"), S_u(c))
 
 

@@ -213,7 +213,9 @@ class LineComponent:
         return self.system.sides
 
     def partners(self, s: Number) -> list[Parameter]:
-        """The parameters t of the pairs with a rational s, in order; `ShapeError` where all pairs have lines."""
+        """The parameters t of the pairs with a rational s, in order, also where the line is at infinity (see the poles
+        of the pieces); `ShapeError` where all pairs have lines.
+        """
         if self.equation is None:
             raise ShapeError("all pairs have lines", remedy="take any parameter")
         return [exactly(t) for t in roots_in(at(self.equation.polynomial, 0, rational(s)), *self.sides[1])]

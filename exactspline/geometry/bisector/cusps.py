@@ -84,25 +84,29 @@ def over_cusps(system: System) -> SpecialPairs:
 
 def _over_cusp(system: System, equation: fmpz_mpoly, s: Parameter) -> SpecialPairs:
     second = system.second
-    lines = lines_at(system, s, Cause.FIRST_CUSP, PairEquation.of(equation), WITHOUT_FIRST)
+    found = lines_at(system, s, Cause.FIRST_CUSP, PairEquation.of(equation), WITHOUT_FIRST)
     meetings, left_out = _meetings(system, equation, s)
     cusps = cusps_of(second)
     pairs = [SinglePair(*x, Solutions.PLANE, Cause.FIRST_CUSP, system) for x in meetings if x[1] not in cusps]
-    return SpecialPairs(lines, (), tuple(pairs), (), left_out)
+    return found + SpecialPairs(pairs=tuple(pairs), left_out=left_out)
 
 
 def lines_at(
     system: System, s: Parameter, cause: Cause, equation: PairEquation, conditions: Conditions
-) -> tuple[LineComponent, ...]:
+) -> SpecialPairs:
     """The lines over all of the second curve at one parameter of the first; none where the planes are parallel."""
     second, fixed = system.second, Correspondence.FIRST_FIXED
     if isinstance(s, Root):
         over_root = lines_over_root(system, s, conditions)
-        return () if over_root is None else (LineComponent(fixed, cause, system, equation, over_root=over_root),)
+        if over_root is None:
+            return SpecialPairs()
+        left_out = () if over_root.poles is not None else (f"the poles of the lines over {shown((s,))} of one curve",)
+        return SpecialPairs((LineComponent(fixed, cause, system, equation, over_root=over_root),), left_out=left_out)
     surface = lines_along(system, Path(constant(s), (PARAMETER, ONE)), second.interval, conditions)
     if surface is None:
-        return ()
-    return (LineComponent(fixed, cause, system, equation, (LinePiece(1, *second.interval, s, surface),)),)
+        return SpecialPairs()
+    pieces = (LinePiece(1, *second.interval, s, surface),)
+    return SpecialPairs((LineComponent(fixed, cause, system, equation, pieces),))
 
 
 def _meetings(system: System, equation: fmpz_mpoly, s: Parameter) -> tuple[list[Place], tuple[str, ...]]:

@@ -97,7 +97,7 @@ def lines_over_root(system: System, s: Root, conditions: Conditions = ALL) -> Ro
     if found is None:
         return None
     directrix, generator = (_splines(part, system.second.interval) for part in found)
-    return RootLines(1, s, system.second.interval, directrix, generator)
+    return RootLines.over(s, system.second.interval, directrix, generator)
 
 
 def _splines(polynomials: Sequence[OverRoot], interval: Interval) -> tuple[tuple[BSpline, ...], ...]:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from flint import arb, ctx, fmpz_mpoly, fmpz_poly
+from flint import arb, ctx, fmpz_poly
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisector.flats import Flat
 from exactspline.geometry.bisector.polynomials import ball, vanish_together
 from exactspline.numbers.exact import Number, mpq, rational, short_text, to_fmpq
@@ -28,7 +28,8 @@ class RootLines:
     other one.
 
     Every coordinate of the ``directrix`` (homogeneous: wx, wy, wz, w) and of the ``generator`` is a tuple of splines,
-    the coefficients of 1, r, r², … below the degree of r: exact numbers of the field of r.
+    the coefficients of 1, r, r², … below the degree of r: exact numbers of the field of r. ``poles`` are the parameters
+    whose line is at infinity, decided exactly; None where that is out of reach.
     """
 
     of: int
@@ -36,28 +37,19 @@ class RootLines:
     interval: Interval
     directrix: tuple[Coordinate, ...]
     generator: tuple[Coordinate, ...]
+    poles: tuple[Parameter, ...] | None
+
+    @classmethod
+    def over(
+        cls, other: Root, interval: Interval, directrix: tuple[Coordinate, ...], generator: tuple[Coordinate, ...]
+    ) -> RootLines:
+        """The lines over the second curve at an irrational parameter of the first, with their poles."""
+        return cls(1, other, interval, directrix, generator, _poles(directrix[-1], other, interval))
 
     @property
     def degree(self) -> int:
         """The degree of the surface in its parameter."""
         return max(self.directrix[0][0].degree, self.generator[0][0].degree)
-
-    @property
-    def poles(self) -> list[Parameter]:
-        """The parameters whose line is at infinity, decided exactly."""
-        return [exactly(t) for t in self._candidates() if vanish_together([self._weight()], self.other, exactly(t))]
-
-    def _weight(self) -> fmpz_mpoly:
-        """The weight of the directrix as a polynomial in r and the parameter, up to a constant."""
-        found = lifted(fmpz_poly([]), 0)
-        for k, part in enumerate(segment_polynomials(self.directrix[-1], 0)):
-            found += lifted(part, 1) * S**k
-        return found
-
-    def _candidates(self) -> list[Root]:
-        """The zeros of the product of the weights at all conjugates of r."""
-        minimal = [fmpz_poly([x]) for x in self.other.minimal_polynomial()]
-        return roots_in(resultant(minimal, rows_of(self._weight().compose(T, S))), *self.interval)
 
     def line(self, parameter: Number, digits: int = 20) -> Flat[arb]:
         """A point and the direction of a line, in balls that are not finite where it is at infinity; `ShapeError`
@@ -74,6 +66,21 @@ class RootLines:
     def transposed(self) -> RootLines:
         """The lines of the exchanged curves."""
         return replace(self, of=1 - self.of)
+
+
+def _poles(weight: Coordinate, r: Root, interval: Interval) -> tuple[Parameter, ...] | None:
+    """The zeros of the weight of a directrix, a polynomial in r and the parameter."""
+    p = lifted(fmpz_poly([]), 0)
+    for k, part in enumerate(segment_polynomials(weight, 0)):
+        p += lifted(part, 1) * S**k
+    try:
+        # among the zeros of the product of the weights at all conjugates of r
+        minimal = [fmpz_poly([x]) for x in r.minimal_polynomial()]
+        candidates = [exactly(t) for t in roots_in(resultant(minimal, rows_of(p.compose(T, S))), *interval)]
+        vanishing = [vanish_together([p], r, t) for t in candidates]
+    except ReachError:
+        return None
+    return None if None in vanishing else tuple(t for t, is_zero in zip(candidates, vanishing, strict=True) if is_zero)
 
 
 def _value(x: Coordinate, u: mpq, root: arb) -> arb:

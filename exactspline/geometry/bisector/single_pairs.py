@@ -15,6 +15,7 @@ from exactspline.numbers.exact import short_text
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.two_parameters import possible_boxes
+from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root
 
 #: Combinations of the components of a vector, tried one after the other.
@@ -66,8 +67,8 @@ def _undecided(found: CommonZeros, sides: Box) -> list[str]:
     return [f"whether the system is singular at {shown(place)}" for place in found.undecided]
 
 
-def shown(place: Place) -> str:
-    """A pair of parameters as text."""
+def shown(place: Sequence[Parameter]) -> str:
+    """Parameters as text."""
     return "(" + ", ".join(f"{x.mpf(6)}…"[:9] + "…" if isinstance(x, Root) else short_text(x) for x in place) + ")"
 
 

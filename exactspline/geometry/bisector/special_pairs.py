@@ -210,7 +210,7 @@ def _along_fixed(system: System, g: fmpz_mpoly) -> SpecialPairs:
     found, equation = SpecialPairs(), PairEquation.of(g)
     if _kind(system, g) == Solutions.LINE:
         for root in roots_in(in_one(g, 0), *system.first.interval):
-            found += SpecialPairs(lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL))
+            found += lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL)
     return found
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import reduce
 from itertools import product
 from math import comb
 from typing import NamedTuple
@@ -15,6 +14,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.common_zeros import Zero
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.roots.of_polynomials import roots_in
 from exactspline.roots.root import Root
@@ -55,7 +55,7 @@ def along(form: PatchForm, edge: Edge, sides: Box) -> fmpz_poly:
 
 def common_along(forms: Sequence[PatchForm], edge: Edge, sides: Box) -> fmpz_poly:
     """The greatest common divisor of forms along an edge: zero where all of them vanish on it."""
-    return reduce(fmpz_poly.gcd, [along(f, edge, sides) for f in forms])
+    return greatest_common_divisor(along(f, edge, sides) for f in forms)
 
 
 def roots_along(p: fmpz_poly, edge: Edge, sides: Box) -> list[Root]:

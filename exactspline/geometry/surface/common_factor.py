@@ -8,7 +8,7 @@ from functools import reduce
 from flint import fmpz_poly
 
 from exactspline.numbers.exact import mpq, sign
-from exactspline.polynomials.factors import factorize_square_free, greatest_common_divisor
+from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, as_form, as_polynomial
 
@@ -27,7 +27,7 @@ def line_factor(form: PatchForm, direction: int) -> fmpz_poly:
     """
     rows = powers_of(form)
     columns = rows if direction else [list(column) for column in zip(*rows, strict=True)]
-    return reduce(fmpz_poly.gcd, [fmpz_poly(column) for column in columns])
+    return greatest_common_divisor(fmpz_poly(column) for column in columns)
 
 
 def rational_lines(form: PatchForm, direction: int) -> list[mpq]:
@@ -39,7 +39,7 @@ def rational_lines(form: PatchForm, direction: int) -> list[mpq]:
     own = line_factor(form, direction)
     if own.degree() < 1:
         return []
-    return sorted(mpq(int(-p[0]), int(p[1])) for p, _ in own.factor()[1] if p.degree() == 1)
+    return sorted(mpq(int(-p[0]), int(p[1])) for p in factorize(own).bases if p.degree() == 1)
 
 
 def divided(form: PatchForm, factor: PatchForm) -> PatchForm:

@@ -8,7 +8,7 @@ from itertools import product
 
 from exactspline.geometry.surface.borders import EDGES, vanishes_at
 from exactspline.geometry.surface.places import Parameter, Place
-from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch
+from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind, UmbilicsOfPatch
 from exactspline.numbers.intervals import Box
 from exactspline.splines.surface import Along
 
@@ -28,7 +28,9 @@ def merged_places(places: Iterable[Place], domain: Box, closed: Sequence[Along])
 def merged_umbilics(
     patches: Sequence[tuple[Box, UmbilicsOfPatch]], domain: Box, closed: Sequence[Along]
 ) -> tuple[Umbilic, ...]:
-    """The umbilics of patches with these sides, each once; one-sided where not all of its sides have it."""
+    """The umbilics of patches with these sides, each once; one-sided where not all of its sides have it, of unknown
+    kind where patches say different ones (their curvatures jump there).
+    """
     known = {id(one.place): (one, box) for box, own in patches for one in own.umbilics}
     found = []
     for own in _groups([one.place for one, _ in known.values()], domain, closed):
@@ -38,7 +40,9 @@ def merged_umbilics(
             for spot in _alike(place.spot, domain, closed):
                 seen |= {sector for box, all_of in patches if _has(all_of, spot, box) for sector in _sectors(spot, box)}
             one_sided = seen != _sectors_of_surface(place.spot, domain, closed)
-            first = replace(first, place=place, one_sided=one_sided)
+            kinds = {known[id(one)][0].kind for one in own}
+            kind = first.kind if len(kinds) == 1 else UmbilicKind.UNKNOWN
+            first = replace(first, place=place, kind=kind, one_sided=one_sided)
         found.append(first)
     return tuple(found)
 

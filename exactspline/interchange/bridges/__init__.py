@@ -1,1 +1,1 @@
-"""Bridges to other libraries: each module imports its library when it is called."""
+"""Bridges to other libraries: each function imports its library only when it is called."""

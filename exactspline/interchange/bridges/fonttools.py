@@ -1,4 +1,4 @@
-"""A fontTools pen that collects contours as exact splines, and the way back: drawing a curve on a pen."""
+"""A fontTools pen that collects contours as exact splines, and the reverse: drawing a curve with a pen."""
 
 from __future__ import annotations
 
@@ -55,22 +55,24 @@ class ContourPen:
         return (a * x + c * y + u, b * x + d * y + v)
 
     def moveTo(self, point: Sequence[object]) -> None:
-        """Begin a contour."""
+        """Start a contour at a point."""
         self._end()
         self._start = self._point(point)
 
     def lineTo(self, point: Sequence[object]) -> None:
-        """A line."""
+        """Draw a line."""
         self._runs.append(("line", [self._point(point)]))
 
     def curveTo(self, *points: Sequence[object]) -> None:
-        """A cubic; raises `ShapeError` for other numbers of points."""
+        """Draw a cubic; raises `ShapeError` unless there are three points."""
         if len(points) != 3:
             raise ShapeError(f"a cubic of {len(points)} points", remedy="give three")
         self._runs.append(("cubic", [self._point(point) for point in points]))
 
     def qCurveTo(self, *points: Sequence[object] | None) -> None:
-        """A run of off-curve points and its end; None as the end closes a contour without on-curve points."""
+        """Draw a run of quadratics, given its off-curve points and its end; None as the end closes a contour without
+        on-curve points.
+        """
         off = [self._point(point) for point in points if point is not None]
         if points[-1] is None:
             self._end()
@@ -79,7 +81,7 @@ class ContourPen:
         self._runs.append(("run", off))
 
     def closePath(self) -> None:
-        """Close the contour, by a line where its ends differ."""
+        """Close the contour, with a line if its ends differ."""
         if self._start and self._runs and self._runs[-1][1][-1] != self._start:
             self._runs.append(("line", [self._start]))
         self._end()
@@ -89,11 +91,11 @@ class ContourPen:
         self._end()
 
     def addComponent(self, name: str, *_: object) -> None:
-        """Refuse; raises `ShapeError`."""
+        """Raise `ShapeError`: components are not drawn."""
         raise ShapeError(f"the component {name}", remedy="decompose the glyph (DecomposingRecordingPen)")
 
     def addVarComponent(self, name: str, *_: object) -> None:
-        """Refuse; raises `ShapeError`."""
+        """Raise `ShapeError`: components are not drawn."""
         self.addComponent(name)
 
     def _end(self) -> None:
@@ -108,7 +110,9 @@ def _middle(a: Point, b: Point) -> Point:
 
 
 def _runs(start: Point, runs: Sequence[tuple[str, list[Point]]]) -> Contour:
-    """Lines and runs of quadratics: simple knots within a run, where the implied point is midway."""
+    """Join lines and runs of quadratics: knots are simple within a run, where each implied on-curve point is the
+    midpoint of two off-curve points.
+    """
     degree = max(min(len(points), 2) for _, points in runs)
     knots, points, at = [mpq(0)] * (degree + 1), [start], 0
     for _, run in runs:
@@ -120,7 +124,7 @@ def _runs(start: Point, runs: Sequence[tuple[str, list[Point]]]) -> Contour:
 
 
 def _beziers(start: Point, runs: Sequence[tuple[str, list[Point]]]) -> Contour:
-    """A contour with cubics, every segment with its own knots."""
+    """Join a contour that has cubics: every breakpoint has full multiplicity."""
     segments = []
     for kind, run in runs:
         if kind != "run":
@@ -136,8 +140,8 @@ def _beziers(start: Point, runs: Sequence[tuple[str, list[Point]]]) -> Contour:
 
 
 def draw(curve: Nurbs, pen: AbstractPen) -> None:
-    """Draw a polynomial plane curve of degree 1 to 3 on a fontTools pen, coordinates as integers where they are, else
-    as correctly rounded doubles.
+    """Draw a polynomial plane curve of degree 1 to 3 with a fontTools pen. Integer coordinates are passed as integers,
+    others as correctly rounded doubles.
 
     Raises `ShapeError` for other curves and at a jump.
     """

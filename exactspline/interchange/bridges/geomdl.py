@@ -1,4 +1,4 @@
-"""geomdl's curves: in exactly, out correctly rounded."""
+"""Curves of geomdl: read exactly, written with correct rounding."""
 
 from __future__ import annotations
 
@@ -15,17 +15,16 @@ if TYPE_CHECKING:
 
 
 def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
-    """The exact curve of the numbers that geomdl holds. By default geomdl has mapped the knots to [0, 1], rounding
-    them; of a rational curve it holds the points times their weights, and these are read.
+    """The curve defined by exactly the numbers that geomdl stores. By default geomdl maps the knots to [0, 1], which
+    rounds them. For a rational curve it stores homogeneous points (w x, w), and these are read.
 
-    Raises `ShapeError` for a surface, a volume, and what is not of geomdl.
+    Raises `ShapeError` for a surface, a volume, and objects that are not from geomdl.
     """
     from geomdl import abstract
 
     if not isinstance(curve, abstract.Curve):
         raise ShapeError(
-            f"a {type(curve).__name__}, where a curve of geomdl is expected",
-            remedy="give a BSpline.Curve or NURBS.Curve",
+            f"a {type(curve).__name__}, where a geomdl curve is expected", remedy="give a BSpline.Curve or NURBS.Curve"
         )
     knots = [exact(t) for t in curve.knotvector]
     if curve.rational:
@@ -34,7 +33,7 @@ def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
 
 
 def to_geomdl(curve: Nurbs) -> geomdl.abstract.Curve:
-    """A geomdl curve with the correctly rounded knots and points, its knots left as they are."""
+    """A geomdl curve with the correctly rounded knots and points; the knots are not normalized to [0, 1]."""
     curve = curve_of(curve)
 
     from geomdl import NURBS

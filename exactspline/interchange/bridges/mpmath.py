@@ -1,4 +1,4 @@
-"""mpmath: a curve as a function of an `mpf`, correct to the working precision."""
+"""mpmath: a curve as a function of an `mpf`, accurate to the working precision."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 
 
 def to_mpmath(curve: Nurbs) -> Callable[[object], list[mpmath.mpf]]:
-    """The function that takes a parameter to the point, every coordinate rounded once, to the precision at the call.
+    """The function that maps a parameter to a point. Every coordinate is rounded once, to the working precision at the
+    time of the call.
 
     >>> from mpmath import mpf, workdps
     >>> from exactspline.splines.examples import example

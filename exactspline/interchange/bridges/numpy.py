@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Arrays(NamedTuple):
-    """A curve as arrays: control points Cartesian, of the shape (number, dimension)."""
+    """A curve as arrays; the control points are Cartesian and have shape (number, dimension)."""
 
     degree: int
     knots: np.ndarray
@@ -34,8 +34,8 @@ def to_arrays(curve: Nurbs) -> Arrays:
 
 
 def points_at(curve: Nurbs, parameters: Iterable[Number]) -> np.ndarray:
-    """The points at the exact values of floating-point parameters, each coordinate correctly rounded, in the shape
-    (number, dimension).
+    """The points at the given parameters, as an array of shape (number, dimension). Floating-point parameters are taken
+    at their exact values, and each coordinate is rounded correctly.
 
     Raises `DomainError` outside the domain.
     """

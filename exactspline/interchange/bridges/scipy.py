@@ -1,4 +1,4 @@
-"""scipy's piecewise polynomials: in exactly, `BSpline` out correctly rounded."""
+"""scipy's piecewise polynomials: read exactly; `BSpline` written with correct rounding."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import numpy as np
     import scipy.interpolate
 
-    #: What scipy keeps a spline in one parameter as; `CubicSpline`, `PchipInterpolator` and the like are `PPoly`.
+    #: scipy's classes of splines in one parameter; `CubicSpline`, `PchipInterpolator` and the like are `PPoly`.
     Piecewise: TypeAlias = (
         scipy.interpolate.BSpline
         | scipy.interpolate.PPoly
@@ -27,17 +27,18 @@ if TYPE_CHECKING:
 
 
 def from_scipy(spline: Piecewise) -> Nurbs | BSpline:
-    """The exact curve of a vector-valued spline, the exact `BSpline` of a scalar one: every double is its binary value.
+    """The exact curve of a vector-valued spline, the exact `BSpline` of a scalar one: every double is taken at its
+    binary value.
 
     Takes scipy's `BSpline`, `PPoly` (with it `CubicSpline`, `PchipInterpolator`, `Akima1DInterpolator`), `BPoly`, and
-    the ``(t, c, k)`` of `splrep` and `splprep`. The pieces of a `PPoly` meet up to rounding only: they keep their own
-    ends, at knots of full multiplicity.
+    the ``(t, c, k)`` of `splrep` and `splprep`. Neighbouring pieces of a `PPoly` agree only up to rounding at their
+    common breakpoint, so breakpoints get full multiplicity and each piece keeps its end points.
 
     >>> from scipy.interpolate import CubicSpline
     >>> from_scipy(CubicSpline([0, 1, 2], [0, 1, 0]))("1/2")
     mpq(3,4)
 
-    Raises `ShapeError` for anything else and for coefficients of more than two axes, and the errors of `Nurbs`.
+    Raises `ShapeError` for anything else and for coefficient arrays of more than two axes, and the errors of `Nurbs`.
     """
     import numpy as np
     import scipy.interpolate as si
@@ -51,11 +52,11 @@ def from_scipy(spline: Piecewise) -> Nurbs | BSpline:
         return _of_pieces(given.c, given.x, powers=isinstance(given, si.PPoly))
     if not isinstance(given, si.BSpline):
         raise ShapeError(
-            f"{shown(spline)} is not a spline of scipy in one parameter",
+            f"{shown(spline)} is not a scipy spline in one parameter",
             remedy="give a BSpline, PPoly or BPoly of scipy.interpolate, or (t, c, k)",
         )
     degree, knots = int(given.k), [exact(t) for t in given.t]
-    # scipy allows more coefficients than the knots need
+    # scipy allows more coefficients than the knots require
     return _made(degree, knots, given.c[: len(knots) - degree - 1])
 
 
@@ -74,8 +75,8 @@ def _made(degree: int, knots: list[mpq], coefficients: np.ndarray) -> Nurbs | BS
 
 
 def _of_pieces(c: np.ndarray, x: np.ndarray, *, powers: bool) -> Nurbs | BSpline:
-    """Pieces in their own Bernstein coefficients ``c[i, piece]``, or in powers of the distance from their start, the
-    highest first.
+    """The spline of pieces given by Bernstein coefficients ``c[i, piece]``, or by coefficients of the powers of the
+    distance from the start of the piece, highest power first.
     """
     import numpy as np
 

@@ -1,4 +1,4 @@
-"""splinepy's curves: in exactly, out correctly rounded."""
+"""Curves of splinepy: read exactly, written with correct rounding."""
 
 from __future__ import annotations
 
@@ -13,12 +13,13 @@ if TYPE_CHECKING:
 
 
 def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
-    """The exact curve of the numbers that splinepy holds, of any of its four classes; Bézier curves over [0, 1].
+    """The curve defined by exactly the numbers that splinepy stores, for any of its four spline classes; the domain of
+    a Bézier curve is [0, 1].
 
     Raises `ShapeError` for a surface or a volume.
     """
     if curve.para_dim != 1:
-        raise ShapeError(f"a spline of {curve.para_dim} parameters", remedy="a curve has one")
+        raise ShapeError(f"a spline in {curve.para_dim} parameters", remedy="a curve has one")
     degree = int(curve.degrees[0])
     if curve.has_knot_vectors:
         knots = [exact(t) for t in curve.knot_vectors[0]]

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 
 def to_sympy(curve: Nurbs | BSpline, symbol: sympy.Symbol) -> tuple[sympy.Expr, ...]:
-    """The coordinates over the domain, each a `Piecewise` in the symbol: [a, b) for a segment, closed at the end.
+    """The coordinates over the domain, each a `Piecewise` in the symbol: segments are half-open intervals [a, b), the
+    last one closed.
 
     >>> from sympy import Symbol
     >>> to_sympy(BSpline(2, [0, 0, 0, 1, 1, 1], [0, 1, 0]), Symbol("t"))
@@ -48,7 +49,7 @@ def _polynomials(spline: BSpline, symbol: sympy.Symbol) -> list[sympy.Expr]:
     """One polynomial per segment, in powers of the symbol."""
     import sympy
 
-    found = []
+    polynomials = []
     for (a, b), points in zip(pairwise(spline.breakpoints), spline.segments, strict=True):
         n = len(points) - 1
         # in powers of u = (t − a)/(b − a)
@@ -60,5 +61,5 @@ def _polynomials(spline: BSpline, symbol: sympy.Symbol) -> list[sympy.Expr]:
         value = sympy.Poly(0, symbol)
         for c in reversed(powers):
             value = value * local + sympy.Rational(str(c))
-        found.append(value.as_expr())
-    return found
+        polynomials.append(value.as_expr())
+    return polynomials

@@ -1,4 +1,4 @@
-"""Numbers of other libraries: exact on the way in, correctly rounded on the way out."""
+"""Numbers of other libraries: read exactly, written with correct rounding."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from exactspline.numbers.exact import from_float, is_float, mpq
 
 
 def exact(value: object) -> mpq:
-    """The exact value of an integer or a float of Python or numpy, of any width, or an exact number.
+    """The exact value of a Python or numpy integer or float of any width, or of an exact number.
 
     >>> exact(3), exact(0.5)
     (mpq(3,1), mpq(1,2))
 
-    Raises `NumberError` for NaN, infinities, complex numbers and what is not a number.
+    Raises `NumberError` for NaN, infinities, complex numbers and objects that are not numbers.
     """
     if type(value) is int:
         return mpq(value)
@@ -25,7 +25,7 @@ def exact(value: object) -> mpq:
     if is_float(value):
         return from_float(value)
     try:
-        return mpq(operator.index(value))  # type: ignore[arg-type]  # tested for being an integer
+        return mpq(operator.index(value))  # type: ignore[arg-type]  # checked to be an integer
     except TypeError:
         raise NumberError(f"{shown(value)} is not a finite number", remedy="pass integers or floats") from None
 

@@ -1,6 +1,6 @@
-"""The formats: one module each. A new format is a module with a `FORMAT` and its name in this list.
+"""The file formats, one module each. To add a format, write a module with a `FORMAT` and add its name to this list.
 
-A file is recognized by its content; formats earlier in the list are tried first.
+Files are recognized by content; the formats are tried in the order of this list.
 """
 
 from __future__ import annotations

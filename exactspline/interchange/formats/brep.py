@@ -1,9 +1,9 @@
 """Open CASCADE BRep text: the sections ``Curve2ds`` and ``Curves``.
 
-B-spline and Bézier curves are read; of circles and ellipses the whole curve, exactly as far as the axes are written.
-Lines, parabolas and hyperbolas have no end here (edges cut them) and are skipped, and so are trimmed and offset curves.
-A periodic curve repeats its first poles; knots are continued by the period. Edges, which may use a part of a curve, and
-placements are not followed: a note says so.
+B-spline and Bézier curves are read. Circles and ellipses are read as full curves, exact for the axes as written. Lines,
+parabolas and hyperbolas are unbounded in this section (edges bound them) and are skipped, as are trimmed and offset
+curves. For a periodic curve the first poles are repeated and the knots extended by the period. Edges, which may use a
+part of a curve, and placements are ignored; a note states this.
 """
 
 from __future__ import annotations
@@ -29,39 +29,39 @@ _SECTION = re.compile(r"^(Curve2ds|Curves) (\d{1,9})[ \t]*\r?$", re.M)
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file begins as Open CASCADE writes it."""
+    """Whether the file begins with a header of Open CASCADE."""
     return b"CASCADE Topology V" in head
 
 
 def read(source: Source) -> Reading:
     """The curves of both sections."""
-    found = Collector("brep", source)
+    collector = Collector("brep", source)
     if _EDGE.search(source.text):
-        found.note("curves are read as defined: edges may use a part of them, and be placed elsewhere")
+        collector.note("curves are read as defined: edges may use only a part of them, or be placed elsewhere")
     for match in _SECTION.finditer(source.text):
         words = Tokens(source.text, source.limits, match.end())
         dimension = 2 if match[1] == "Curve2ds" else 3
         for number in range(1, int(match[2]) + 1):
             where = f"{match[1]} {number}"
-            while _curve(found, words, dimension, where):
+            while _curve(collector, words, dimension, where):
                 where = f"{match[1]} {number} (basis)"
-    return found.reading()
+    return collector.reading()
 
 
-def _curve(found: Collector, words: Tokens, dimension: int, where: str) -> bool:
+def _curve(collector: Collector, words: Tokens, dimension: int, where: str) -> bool:
     """Read one curve; return whether its basis curve follows."""
     kind = words.whole()
     if kind in (BEZIER, BSPLINE):
-        (_bezier if kind == BEZIER else _spline)(found, words, dimension, where)
+        (_bezier if kind == BEZIER else _spline)(collector, words, dimension, where)
     elif kind in (CIRCLE, ELLIPSE):
-        _ellipse(found, words, dimension, where, kind)
+        _ellipse(collector, words, dimension, where, kind)
     elif kind in (TRIMMED, OFFSET):
         words.numbers(2 if kind == TRIMMED else 1 + (dimension == 3) * 3)
-        found.skip(NAMES[kind], where, "only its basis curve is read")
+        collector.skip(NAMES[kind], where, "only its basis curve is read")
     elif kind in NAMES:
         frame = {LINE: 2, PARABOLA: 3, HYPERBOLA: 3}[kind] + (dimension == 3 and kind != LINE)
         words.numbers(frame * dimension + {LINE: 0, PARABOLA: 1, HYPERBOLA: 2}[kind])
-        found.skip(NAMES[kind], where, "it has no ends here", curve=kind != LINE)
+        collector.skip(NAMES[kind], where, "it is unbounded", curve=kind != LINE)
     else:
         raise CurveFileError(f"a curve of kind {kind}", where=where, remedy="kinds 1 to 9 are known")
     return kind in (TRIMMED, OFFSET)
@@ -72,37 +72,39 @@ def _poles(words: Tokens, count: int, dimension: int, rational: bool) -> tuple[l
     return [row[:dimension] for row in rows], [row[-1] for row in rows] if rational else None
 
 
-def _bezier(found: Collector, words: Tokens, dimension: int, where: str) -> None:
+def _bezier(collector: Collector, words: Tokens, dimension: int, where: str) -> None:
     rational, degree = words.whole() != 0, words.count()
     points, weights = _poles(words, degree + 1, dimension, rational)
     knots = [mpq(0)] * (degree + 1) + [mpq(1)] * (degree + 1)
-    found.add("Bézier curve", where, degree, knots, points, weights)
+    collector.add("Bézier curve", where, degree, knots, points, weights)
 
 
-def _spline(found: Collector, words: Tokens, dimension: int, where: str) -> None:
+def _spline(collector: Collector, words: Tokens, dimension: int, where: str) -> None:
     rational, periodic = words.whole() != 0, words.whole() != 0
     degree, count, distinct = words.count(), words.count(), words.count()
     points, weights = _poles(words, count, dimension, rational)
-    found.count(distinct)
+    collector.count(distinct)
     pairs = [(words.number(), words.count()) for _ in range(distinct)]
-    if degree > found.limits.degree or any(not 1 <= times <= degree + 1 for _, times in pairs):
-        found.skip(
-            "B-spline curve", where, f"multiplicities beyond 1 to {degree + 1}, or a degree above {found.limits.degree}"
+    if degree > collector.limits.degree or any(not 1 <= times <= degree + 1 for _, times in pairs):
+        collector.skip(
+            "B-spline curve",
+            where,
+            f"multiplicities beyond 1 to {degree + 1}, or a degree above {collector.limits.degree}",
         )
         return
-    found.count(sum(times for _, times in pairs))
+    collector.count(sum(times for _, times in pairs))
     knots = [knot for knot, times in pairs for _ in range(times)]
     notes = []
     if periodic:
         try:
             knots, wrapped = _unrolled(pairs, degree)
         except CurveFileError as error:
-            found.skip("periodic B-spline curve", where, str(error))
+            collector.skip("periodic B-spline curve", where, str(error))
             return
         points += points[:wrapped]
         weights = weights and weights + weights[:wrapped]
-        notes.append(f"periodic: its knots are continued by the period, {wrapped} control points are repeated")
-    found.add("B-spline curve", where, degree, knots, points, weights, notes=notes)
+        notes.append(f"periodic: the knots are extended by the period, {wrapped} control points are repeated")
+    collector.add("B-spline curve", where, degree, knots, points, weights, notes=notes)
 
 
 def _unrolled(pairs: Sequence[tuple[mpq, int]], degree: int) -> tuple[list[mpq], int]:
@@ -110,18 +112,18 @@ def _unrolled(pairs: Sequence[tuple[mpq, int]], degree: int) -> tuple[list[mpq],
     knots = [knot for knot, times in pairs for _ in range(times)]
     more = degree + 1 - pairs[0][1] if pairs else 0
     if len(pairs) < 2 or pairs[0][1] != pairs[-1][1] or more < 0 or not pairs[0][0] < pairs[-1][0]:
-        raise CurveFileError("end knots of a period that do not agree", remedy="they have one multiplicity")
+        raise CurveFileError("end knots of a periodic curve that do not match", remedy="repeat each equally often")
     period = pairs[-1][0] - pairs[0][0]
     once = knots[pairs[0][1] :]
     rounds = more // len(once) + 1
     after = [t + period * (r + 1) for r in range(rounds) for t in once][:more]
-    # the knots before the first one are those before the last one, a period earlier
+    # the knots before the first one are those before the last one, shifted back by the period
     cycle = knots[: len(knots) - pairs[-1][1]]
     before = [t - period * (r + 1) for r in reversed(range(more // len(cycle) + 1)) for t in cycle]
     return [*before[len(before) - more :], *knots, *after], more
 
 
-def _ellipse(found: Collector, words: Tokens, dimension: int, where: str, kind: int) -> None:
+def _ellipse(collector: Collector, words: Tokens, dimension: int, where: str, kind: int) -> None:
     centre = words.numbers(dimension)
     if dimension == 3:
         words.numbers(3)
@@ -132,13 +134,13 @@ def _ellipse(found: Collector, words: Tokens, dimension: int, where: str, kind: 
     one = (mpq(1), mpq(0))
     degree, knots, points = joined(mapped(arc_around_origin(one, one), frame))
     name = "circle" if kind == CIRCLE else "ellipse"
-    note = f"the whole {name}, exact for the axes as written; edges may use a part of it"
-    found.add(name, where, degree, knots, points, homogeneous=True, notes=[note])
+    note = f"the full {name}, exact for the axes as written; edges may use only a part of it"
+    collector.add(name, where, degree, knots, points, homogeneous=True, notes=[note])
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """Space curves under ``Curves``, each with an edge and its vertices in a compound; plane curves, which are edges
-    only on a surface, under ``Curve2ds`` alone.
+    """Space curves under ``Curves``, each with an edge and its vertices in a compound; plane curves under ``Curve2ds``
+    without edges, because a plane curve is an edge only on a surface.
     """
     plane = [named.curve for named in curves if named.curve.dimension == 2]
     space = [named.curve for named in curves if named.curve.dimension == 3]
@@ -166,7 +168,9 @@ def _written(curve: Nurbs, numbers: NumberText) -> list[str]:
 
 
 def _shapes(curves: Sequence[Nurbs]) -> list[str]:
-    """Two vertices and an edge for each curve, in one compound; a shape is named by its place counted from the end."""
+    """Two vertices and an edge for each curve, in one compound; a shape is referred to by its index counted from the
+    end.
+    """
     total = 3 * len(curves) + 1
     lines = [f"TShapes {total}"]
     for i, curve in enumerate(curves):

@@ -1,9 +1,10 @@
 """DXF in text form: SPLINE, LINE, CIRCLE, ARC, ELLIPSE and LWPOLYLINE, in the ENTITIES section and in blocks.
 
-Circles are rational and exact; so are the arcs of a polyline, whose bulge is the tangent of a quarter of the angle. An
-ARC or ELLIPSE that ends at a multiple of a right angle is exact, any other has irrational ends and is skipped. A curve
-at z = 0 is read as a plane curve. INSERT (a placed copy of a block) is not followed: curves in a block are read as the
-block defines them. Notes name the unit, and what is invisible, in paper space, or has a thickness.
+Circles are rational and read exactly; so are the arcs of a polyline, because the bulge is the tangent of a quarter of
+the angle. An ARC or ELLIPSE is exact if it begins and ends at multiples of a right angle; any other is skipped, because
+its ends are irrational in general. A curve at z = 0 is read as a plane curve. INSERT (a placed copy of a block) is not
+expanded: curves in a block are read as the block defines them. Notes state the unit, and which curves are invisible, in
+paper space, or have a thickness.
 """
 
 from __future__ import annotations
@@ -23,9 +24,9 @@ from exactspline.interchange.writing import in_space
 from exactspline.numbers.exact import mpq
 
 CLOSED, PERIODIC, RATIONAL, PLANAR = 1, 2, 4, 8
-#: Entities that are curves, or place some, and are not read.
+#: Entities that are curves or place curves, and are not read.
 CURVES = ("INSERT", "POLYLINE", "HELIX", "MLINE", "LEADER", "MULTILEADER", "ACAD_PROXY_ENTITY")
-WHY = {"INSERT": "a placed copy of a block is not followed"}
+WHY = {"INSERT": "copies of blocks are not placed"}
 #: Units of length by their code in $INSUNITS.
 UNITS = {"1": "inches", "2": "feet", "3": "miles", "4": "millimetres", "5": "centimetres", "6": "metres",
          "7": "kilometres", "8": "microinches", "9": "mils", "10": "yards", "11": "angstroms", "12": "nanometres",
@@ -36,7 +37,7 @@ SILENT = ("SEQEND", "VERTEX", "ENDBLK", "BLOCK", "SECTION", "ENDSEC", "EOF")
 
 @dataclass
 class Entity:
-    """An entity: its type, its pairs of group code and value, where it begins."""
+    """An entity: its type, its pairs of group code and value, and the line where it begins."""
 
     kind: str
     pairs: list[tuple[int, str]]
@@ -49,7 +50,7 @@ class Entity:
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file begins with group code 0 and SECTION, comments before it allowed, or as binary DXF."""
+    """Whether a file begins with group code 0 and SECTION, possibly after comments, or like binary DXF."""
     lines = [line.strip() for line in head.split(b"\n")]
     while lines[:1] == [b"999"]:
         lines = lines[2:]
@@ -60,23 +61,23 @@ def read(source: Source) -> Reading:
     """The curves of a file."""
     if source.data.startswith(b"AutoCAD Binary DXF"):
         raise CurveFileError("is binary DXF", remedy="save it as DXF text (ASCII)")
-    found = Collector("dxf", source)
-    for entity in _entities(source, found):
+    collector = Collector("dxf", source)
+    for entity in _entities(source, collector):
         where = f"{entity.kind} at line {entity.line}" + (f" in block {entity.block}" if entity.block else "")
         reader = _READERS.get(entity.kind)
         if reader is None:
             if entity.kind not in SILENT:
-                why = WHY.get(entity.kind, "no entity that is read")
-                found.skip(entity.kind, where, why, curve=entity.kind in CURVES)
+                why = WHY.get(entity.kind, "this type of entity is not read")
+                collector.skip(entity.kind, where, why, curve=entity.kind in CURVES)
             continue
         try:
-            reader(_Values(found, entity, where))
+            reader(_Values(collector, entity, where))
         except ExactSplineError as error:
-            found.skip(entity.kind, where, str(error))
-    return found.reading()
+            collector.skip(entity.kind, where, str(error))
+    return collector.reading()
 
 
-def _entities(source: Source, found: Collector) -> Iterator[Entity]:
+def _entities(source: Source, collector: Collector) -> Iterator[Entity]:
     """The entities of the sections ENTITIES and BLOCKS."""
     lines = source.text.split("\n")
     section, block, variable = "", "", ""
@@ -87,7 +88,7 @@ def _entities(source: Source, found: Collector) -> Iterator[Entity]:
             raise CurveFileError(
                 f"{code[:20]!r} is not a group code", where=f"line {i + 1}", remedy="codes are integers"
             )
-        found.count(1)
+        collector.count(1)
         if code == "0":
             if entity:
                 yield entity
@@ -102,7 +103,7 @@ def _entities(source: Source, found: Collector) -> Iterator[Entity]:
         elif section == "HEADER":
             variable = value if code == "9" else variable
             if variable == "$INSUNITS" and code == "70" and value in UNITS:
-                found.note(f"lengths in {UNITS[value]}: read as written")
+                collector.note(f"lengths in {UNITS[value]}: read as written")
         elif entity:
             entity.pairs.append((int(code), value))
             if entity.kind == "BLOCK" and code == "2":
@@ -114,52 +115,52 @@ def _entities(source: Source, found: Collector) -> Iterator[Entity]:
 class _Values:
     """The numbers of one entity, and the collector for its curves."""
 
-    def __init__(self, found: Collector, entity: Entity, where: str) -> None:
-        self.found, self.entity, self.where = found, entity, where
+    def __init__(self, collector: Collector, entity: Entity, where: str) -> None:
+        self.collector, self.entity, self.where = collector, entity, where
         self.notes: list[str] = []
         if entity.block:
-            self.notes.append("as its block defines it, before any copy is placed")
+            self.notes.append("read as its block defines it; copies are not placed")
         if self.flag(60):
             self.notes.append("marked invisible")
         if self.flag(67):
             self.notes.append("in paper space")
         if any(text.strip("+-0. ") for text in entity.texts(39)):
-            self.notes.append("its thickness makes it a surface: the curve alone is read")
+            self.notes.append("has a thickness, which makes it a surface: only the curve is read")
 
     def number(self, code: int, default: int | None = None) -> mpq:
         """The value of a group code."""
         texts = self.entity.texts(code)
         if not texts and default is None:
             raise CurveFileError(f"group {code} is missing", remedy="complete the entity")
-        return decimal(texts[0], self.found.limits) if texts else mpq(default)
+        return decimal(texts[0], self.collector.limits) if texts else mpq(default)
 
     def flag(self, code: int) -> int:
-        """An integer, 0 where it is missing."""
+        """The integer value of a group code, 0 if it is missing."""
         texts = self.entity.texts(code)
         return whole(texts[0]) if texts else 0
 
     def numbers(self, code: int) -> list[mpq]:
         """All values of a group code."""
-        return [decimal(text, self.found.limits) for text in self.entity.texts(code)]
+        return [decimal(text, self.collector.limits) for text in self.entity.texts(code)]
 
     def point(self, code: int, default: Sequence[int] | None = None) -> list[mpq]:
-        """The point in the groups code, code + 10, code + 20; z is 0 where it is missing."""
+        """The point in the groups code, code + 10 and code + 20; a missing z is 0."""
         x, y, z = default or (None, None, 0)
         return [self.number(code, x), self.number(code + 10, y), self.number(code + 20, z)]
 
     def points(self, code: int) -> list[list[mpq]]:
-        """All points whose x is in the group `code`."""
+        """All points whose x coordinate has the group code `code`."""
         points: list[list[mpq]] = []
         for group, value in self.entity.pairs:
             if group == code:
-                points.append([decimal(value, self.found.limits), mpq(0), mpq(0)])
+                points.append([decimal(value, self.collector.limits), mpq(0), mpq(0)])
             elif group in (code + 10, code + 20) and points:
-                points[-1][(group - code) // 10] = decimal(value, self.found.limits)
+                points[-1][(group - code) // 10] = decimal(value, self.collector.limits)
         return points
 
     def frame(self) -> tuple[list[mpq], list[mpq], list[mpq]]:
-        """The axes of the entity's own coordinates, by the arbitrary axis algorithm; raises `ShapeError` where they
-        are irrational.
+        """The axes of the entity's coordinate system, by the arbitrary axis algorithm; raises `ShapeError` if they are
+        irrational.
         """
         normal = _unit(self.point(210, (0, 0, 1)))
         small = all(abs(x) < mpq(1, 64) for x in normal[:2])
@@ -167,7 +168,7 @@ class _Values:
         return across, _cross(normal, across), normal
 
     def add(self, segments: Sequence[Segment]) -> None:
-        """A curve made of segments in space, a plane curve where z = 0."""
+        """Add the curve made of segments in space, as a plane curve if z = 0."""
         if all(point[2] == 0 for segment in segments for point in segment):
             segments = [tuple((*point[:2], point[3]) for point in segment) for segment in segments]
         degree, knots, points = joined(segments)
@@ -175,9 +176,11 @@ class _Values:
         weights = {point[-1] for point in points}
         if weights == {1}:
             plain = [point[:-1] for point in points]
-            self.found.add(kind, self.where, degree, knots, plain, name=self.name, notes=self.notes)
+            self.collector.add(kind, self.where, degree, knots, plain, name=self.name, notes=self.notes)
         else:
-            self.found.add(kind, self.where, degree, knots, points, homogeneous=True, name=self.name, notes=self.notes)
+            self.collector.add(
+                kind, self.where, degree, knots, points, homogeneous=True, name=self.name, notes=self.notes
+            )
 
     @property
     def name(self) -> str:
@@ -200,11 +203,11 @@ def _spline(values: _Values) -> None:
     points, knots, weights = values.points(10), values.numbers(40), values.numbers(41)
     flags = values.flag(70)
     if not points and values.entity.texts(11):
-        raise CurveFileError("fit points alone", remedy="control points and knots are needed")
-    for code, title, found in ((72, "knots", knots), (73, "control points", points)):
-        if values.entity.texts(code) and values.flag(code) != len(found):
+        raise CurveFileError("a spline with fit points only", remedy="control points and knots are required")
+    for code, title, listed in ((72, "knots", knots), (73, "control points", points)):
+        if values.entity.texts(code) and values.flag(code) != len(listed):
             raise CurveFileError(
-                f"{values.flag(code)} {title} announced, {len(found)} there", remedy="the two must agree"
+                f"{values.flag(code)} {title} announced, {len(listed)} given", remedy="the two must agree"
             )
     if all(point[2] == 0 for point in points):
         points = [point[:2] for point in points]
@@ -213,7 +216,7 @@ def _spline(values: _Values) -> None:
         values.notes.append("flagged periodic, but its knots are clamped: read as written")
     if flags & RATIONAL and not weights:
         values.notes.append("flagged rational, but without weights: a polynomial curve")
-    values.found.add(
+    values.collector.add(
         "SPLINE", values.where, degree, knots, points, weights or None, name=values.name, notes=values.notes
     )
 
@@ -232,9 +235,9 @@ def _arc(values: _Values) -> None:
 
 def _arc_between(values: _Values, start: int, end: int) -> None:
     across, up, normal = values.frame()
-    own, radius = values.point(10), values.number(40)
+    local, radius = values.point(10), values.number(40)
     centre = [
-        sum((a * b for a, b in zip(own, column, strict=True)), mpq(0))
+        sum((a * b for a, b in zip(local, column, strict=True)), mpq(0))
         for column in zip(across, up, normal, strict=True)
     ]
     _elliptic(values, centre, [radius * x for x in across], [radius * x for x in up], start, end)
@@ -246,9 +249,9 @@ def _ellipse(values: _Values) -> None:
     turns = [quarter_turns_of_radians(values.entity.texts(code)[0]) if values.entity.texts(code) else default
              for code, default in ((41, 0), (42, 4))]  # fmt: skip
     if turns[0] == turns[1]:
-        raise ShapeError("its two parameters agree", remedy="a whole ellipse runs from 0 to 2π")
+        raise ShapeError("its start and end parameters agree", remedy="a whole ellipse runs from 0 to 2π")
     if any(text.strip("-+0.") for code in (41, 42) for text in values.entity.texts(code)):
-        values.notes.append("its decimal parameters are read as the multiples of π/2 that they round")
+        values.notes.append("its decimal parameters are read as the multiples of π/2 of which they are roundings")
     _elliptic(values, values.point(10), major, minor, *turns)
 
 
@@ -256,7 +259,7 @@ _RIGHT = [(mpq(1), mpq(0)), (mpq(0), mpq(1)), (mpq(-1), mpq(0)), (mpq(0), mpq(-1
 
 
 def _elliptic(values: _Values, centre: Sequence[mpq], u: Sequence[mpq], v: Sequence[mpq], start: int, end: int) -> None:
-    """Centre + cos t u + sin t v between two multiples of a right angle."""
+    """Add centre + cos t u + sin t v, for t between two multiples of a right angle."""
     arcs = arc_around_origin(_RIGHT[start % 4], _RIGHT[end % 4])
     values.add(mapped(arcs, Affine([*zip(u, v, centre, strict=True)])))
 
@@ -265,9 +268,9 @@ def _polyline(values: _Values) -> None:
     vertices: list[list[mpq]] = []
     for group, text in values.entity.pairs:
         if group == 10:
-            vertices.append([decimal(text, values.found.limits), mpq(0), mpq(0)])
+            vertices.append([decimal(text, values.collector.limits), mpq(0), mpq(0)])
         elif group in (20, 42) and vertices:
-            vertices[-1][1 if group == 20 else 2] = decimal(text, values.found.limits)
+            vertices[-1][1 if group == 20 else 2] = decimal(text, values.collector.limits)
     if values.flag(70) & CLOSED:
         vertices.append([*vertices[0][:2], mpq(0)] if vertices else [])
     segments: list[Segment] = []
@@ -292,7 +295,7 @@ _READERS: dict[str, Callable[[_Values], None]] = {
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as SPLINE entities of a drawing of the year 2000 (AC1015)."""
+    """The curves as SPLINE entities of a drawing in the AutoCAD 2000 format (AC1015)."""
     pairs: list[tuple[int, str]] = [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1015"), (0, "ENDSEC")]
     pairs += [(0, "SECTION"), (2, "ENTITIES")]
     for handle, named in enumerate(curves, 0x100):

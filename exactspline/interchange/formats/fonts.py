@@ -1,10 +1,11 @@
-"""TrueType and CFF outlines by fontTools (the extra `formats`): one curve per contour, in font units.
+"""TrueType and CFF outlines, read with fontTools (the extra `formats`): one curve per contour, in font units.
 
-fontTools gives the numbers of the file unrounded: integers, and for components and CFF fractions exact dyadic doubles.
-A TrueType contour becomes one quadratic B-spline: simple knots within a run of off-curve points, double knots at
-on-curve points; a CFF contour one cubic with triple knots. Of a variable font the default instance is read. Components
-are placed exactly; one placed by matching points is skipped. All fonts of a collection (``.ttc``) are read; the names
-of curves of the second begin with ``2/``, and ``fonts.ttc:2/A`` is a glyph of the second.
+fontTools returns the numbers of the file without rounding: integers and, for components and CFF fractions, dyadic
+rationals that are exact as doubles. A TrueType contour becomes one quadratic B-spline: simple knots within a run of
+off-curve points, double knots at on-curve points. A CFF contour becomes one cubic with triple knots. For a variable
+font the default instance is read. Components are placed exactly; a glyph with a component placed by matching points is
+skipped. All fonts of a collection (``.ttc``) are read; the names of curves from the second font begin with ``2/``, and
+``fonts.ttc:2/A`` is a glyph of the second font.
 """
 
 from __future__ import annotations
@@ -26,43 +27,43 @@ if TYPE_CHECKING:
 
 MAGIC = (b"\0\1\0\0", b"OTTO", b"true", b"ttcf")
 SCALED_OFFSET, OVERLAP_COMPOUND, OVERLAP_SIMPLE = 0x0800, 0x0400, 0x40
-#: Tables that hold outlines besides `glyf` and `CFF `.
+#: Tables other than `glyf` and `CFF ` that hold outlines.
 OTHER_OUTLINES = ("VARC", "SVG ", "COLR", "CBDT", "sbix", "EBDT")
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file begins as a TrueType or OpenType font does."""
+    """Whether a file begins with the signature of a TrueType or OpenType font."""
     return head[:4] in MAGIC
 
 
 def read(source: Source) -> Reading:
-    """The contours of the glyph asked for (by its name or its character), or of all glyphs."""
-    found = [piece.reading for piece in pieces(source)]
-    curves = tuple(curve for reading in found for curve in reading.curves)
-    notes = tuple(dict.fromkeys(note for reading in found for note in reading.notes))
-    return Reading("font", curves, tuple(skipped for reading in found for skipped in reading.skipped), notes)
+    """The contours of the requested glyph (given by its name or its character), or of all glyphs."""
+    readings = [piece.reading for piece in pieces(source)]
+    curves = tuple(curve for reading in readings for curve in reading.curves)
+    notes = tuple(dict.fromkeys(note for reading in readings for note in reading.notes))
+    return Reading("font", curves, tuple(skipped for reading in readings for skipped in reading.skipped), notes)
 
 
 def pieces(source: Source) -> Iterator[Piece]:
-    """The same, one glyph after the other."""
-    found = Collector("font", source)
+    """The same contours, glyph by glyph."""
+    collector = Collector("font", source)
     try:
         from fontTools.ttLib import TTFont
     except ImportError:
         raise CurveFileError("fontTools is not installed", remedy="pip install fonttools") from None
     opened = [_opened(TTFont, source, number) for number in range(_count(source))]
-    wanted = _wanted(opened, source.part)
-    for number, (font, name) in enumerate(wanted, 1):
+    requested = _requested(opened, source.part)
+    for number, (font, name) in enumerate(requested, 1):
         for note in font.notes:
-            found.note(note)
-        _add(found, font, name)
-        yield Piece(found.taken(), number, len(wanted))
+            collector.note(note)
+        _add(collector, font, name)
+        yield Piece(collector.taken(), number, len(requested))
 
 
 @dataclass
 class _Font:
-    """A font of a file: the tables, the names of its glyphs, its outlines, what its curves are called before the name
-    of the glyph, notes on all of its curves and on each of them.
+    """A font of a file: its tables, glyph names and outlines, the prefix of the names of its curves, notes on the font,
+    and notes on each of its curves.
     """
 
     tables: TTFont
@@ -74,7 +75,7 @@ class _Font:
 
 
 def _count(source: Source) -> int:
-    """How many fonts the file holds, as its header says."""
+    """The number of fonts that the header of the file declares."""
     if source.data[:4] != b"ttcf":
         return 1
     count = int.from_bytes(source.data[8:12], "big")
@@ -95,51 +96,51 @@ def _opened(reader: type[TTFont], source: Source, number: int) -> _Font:
     # a damaged font may raise any exception
     except Exception as error:
         raise _damaged(error) from None
-    notes = [f"in units of the font, {em} for an em"] if em else []
-    notes += [f"outlines in its table {tag.strip()} are not read" for tag in other]
+    notes = [f"in font units, {em} per em"] if em else []
+    notes += [f"outlines in the table {tag.strip()} are not read" for tag in other]
     on_each = ["the default instance of a variable font"] if "fvar" in font else []
     return _Font(font, names, glyphs, f"{number + 1}/" if number else "", notes, on_each)
 
 
 def _damaged(error: Exception) -> CurveFileError:
-    return CurveFileError(f"is not a font that can be read ({type(error).__name__})", remedy="repair the font")
+    return CurveFileError(f"is not a readable font ({type(error).__name__})", remedy="repair the font")
 
 
-def _wanted(fonts: Sequence[_Font], part: str) -> list[tuple[_Font, str]]:
-    """The glyphs to be read, each with its font."""
+def _requested(fonts: Sequence[_Font], part: str) -> list[tuple[_Font, str]]:
+    """The glyphs to read, each with its font."""
     if not part:
         return [(font, name) for font in fonts for name in font.names]
     try:
-        found = [(font, name) for font in fonts if (name := _named(font, part)) is not None]
+        requested = [(font, name) for font in fonts if (name := _named(font, part)) is not None]
     # a damaged font may raise any exception
     except Exception as error:
         raise _damaged(error) from None
-    if not found:
+    if not requested:
         some = ", ".join(fonts[0].names[:5])
-        raise CurveFileError(f"there is no glyph called {part[:40]!r}", remedy=f"there are {some}, …")
-    return found
+        raise CurveFileError(f"there is no glyph called {part[:40]!r}", remedy=f"the glyphs are {some}, …")
+    return requested
 
 
-def _add(found: Collector, font: _Font, name: str) -> None:
+def _add(collector: Collector, font: _Font, name: str) -> None:
     """The contours of one glyph."""
     where, notes = f"glyph {font.prefix}{name}", list(font.on_each)
     try:
-        contours = _Glyph(found, font.glyphs, name).drawn()
+        contours = _Glyph(collector, font.glyphs, name).drawn()
         notes += ["marked: contours may overlap"] if _overlaps(font.glyphs, name) else []
     except ExactSplineError as error:
-        found.skip("glyph", where.removeprefix("glyph "), str(error))
+        collector.skip("glyph", where.removeprefix("glyph "), str(error))
         return
     except Exception as error:
-        found.skip("glyph", where.removeprefix("glyph "), f"its outline is damaged ({type(error).__name__})")
+        collector.skip("glyph", where.removeprefix("glyph "), f"its outline is damaged ({type(error).__name__})")
         return
     for i, (degree, knots, points) in enumerate(contours, 1):
         called = f"{font.prefix}{name}.{i}"
-        found.add("contour", f"{where}, contour {i}", degree, knots, points, name=called, notes=notes)
+        collector.add("contour", f"{where}, contour {i}", degree, knots, points, name=called, notes=notes)
 
 
 def _overlaps(glyphs: Any, name: str) -> bool:
-    """Whether a TrueType glyph is marked as one whose contours overlap: the first flag of its points says so, or of its
-    components.
+    """Whether a TrueType glyph is marked as having overlapping contours, by the flag of its first point or first
+    component.
     """
     if not hasattr(glyphs, "glyphOrder"):
         return False
@@ -150,7 +151,7 @@ def _overlaps(glyphs: Any, name: str) -> bool:
 
 
 def _named(font: _Font, part: str) -> str | None:
-    """The name of a glyph by its name or its character, in this font."""
+    """The name of the glyph with this name or for this character in this font, or None."""
     if font.prefix and part.startswith(font.prefix):
         part = part[len(font.prefix) :]
     if part in font.names:
@@ -162,12 +163,12 @@ def _named(font: _Font, part: str) -> str | None:
 class _Glyph:
     """A glyph and its components, drawn from the tables without the shift by the left side bearing."""
 
-    def __init__(self, found: Collector, glyphs: Any, name: str) -> None:
-        self.found, self.glyphs, self.name = found, glyphs, name
+    def __init__(self, collector: Collector, glyphs: Any, name: str) -> None:
+        self.collector, self.glyphs, self.name = collector, glyphs, name
 
     def drawn(self) -> list[tuple[int, list[mpq], list[tuple[mpq, ...]]]]:
         """Degree, knots and points of the contours."""
-        pen = ContourPen(self.found.limits.objects)
+        pen = ContourPen(self.collector.limits.objects)
         if not hasattr(self.glyphs, "glyphOrder"):
             self.glyphs[self.name].draw(pen)
             return pen.contours
@@ -175,9 +176,9 @@ class _Glyph:
         return pen.contours
 
     def _place(self, pen: ContourPen, name: str, placed: Sequence[mpq | int], depth: int) -> None:
-        self.found.count(1)
-        if depth > self.found.limits.depth:
-            raise ShapeError("components are nested too deep", remedy="a glyph must not contain itself")
+        self.collector.count(1)
+        if depth > self.collector.limits.depth:
+            raise ShapeError("components are nested too deeply", remedy="a glyph must not contain itself")
         glyph = self.glyphs[name]
         if not glyph.isComposite():
             pen.placed = tuple(map(mpq, placed))

@@ -1,8 +1,8 @@
-"""``.g2``, the text format of SISL and GoTools: one object after another, each a header and numbers.
+"""``.g2``, the text format of SISL and GoTools: a sequence of objects, each a header followed by numbers.
 
 A curve (class 100) is ``dimension rational``, ``number order``, the full knot vector, the control points; points of a
-rational curve are homogeneous, weight last. Surfaces, volumes, point and line clouds are skipped; the data of other
-classes end at the next header.
+rational curve are homogeneous, weight last. Surfaces, volumes, point and line clouds are skipped, as are objects of
+other classes, whose data are taken to end at the next header.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def looks_like(head: bytes) -> bool:
 
 def read(source: Source) -> Reading:
     """The spline curves of a file."""
-    found = Collector("g2", source)
+    collector = Collector("g2", source)
     text, words = source.text, Tokens(source.text, source.limits)
     number = 0
     while not words.ended:
@@ -49,9 +49,9 @@ def read(source: Source) -> Reading:
         where = f"object {number} (line {words.line})"
         words.numbers(words.count())
         if kind == CURVE:
-            _curve(found, words, where)
+            _curve(collector, words, where)
             continue
-        found.skip(CLASSES.get(kind, f"class {kind}"), where, "no curve or no spline", curve=kind in OTHER_CURVES)
+        collector.skip(CLASSES.get(kind, f"class {kind}"), where, "not a spline curve", curve=kind in OTHER_CURVES)
         if kind in (SURFACE, VOLUME):
             _step_over(words, 2 if kind == SURFACE else 3)
         elif kind in (POINTS, LINES):
@@ -59,15 +59,15 @@ def read(source: Source) -> Reading:
         else:
             header = _HEADER.search(text, words.position + 1)
             words.move(header.start() if header else len(text))
-    return found.reading()
+    return collector.reading()
 
 
-def _curve(found: Collector, words: Tokens, where: str) -> None:
+def _curve(collector: Collector, words: Tokens, where: str) -> None:
     dimension, rational = words.count(), words.whole()
     count, order = words.count(), words.count()
     knots = words.numbers(count + order)
     points = words.rows(count, dimension + (rational != 0))
-    found.add("spline curve", where, order - 1, knots, points, homogeneous=rational != 0)
+    collector.add("spline curve", where, order - 1, knots, points, homogeneous=rational != 0)
 
 
 def _step_over(words: Tokens, parameters: int) -> None:
@@ -80,7 +80,7 @@ def _step_over(words: Tokens, parameters: int) -> None:
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves, one object each."""
+    """The curves, one object per curve."""
     lines = []
     for curve in (named.curve for named in curves):
         rational = not curve.polynomial

@@ -1,7 +1,7 @@
-"""The JSON of geomdl (NURBS-Python): Cartesian control points and weights beside them.
+"""The JSON of geomdl (NURBS-Python): Cartesian control points and a separate list of weights.
 
-geomdl's own importer passes every number through a float, so the text is parsed here. Older files of the project hold
-control points alone: they become a curve where degree and knots are given by the caller.
+The importer of geomdl converts every number to a float, so the text is parsed here. Older files of that project hold
+only control points: they become a curve if the caller gives degree and knots.
 """
 
 from __future__ import annotations
@@ -22,26 +22,26 @@ from exactspline.splines.json_files import parsed
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file begins as geomdl writes it."""
+    """Whether a file begins like one written by geomdl."""
     return head.lstrip().startswith(b"{") and bool(re.search(rb'"(?:shape|controlpoints|knotvector)"\s*:', head))
 
 
 def read(source: Source) -> Reading:
     """The curves of a file."""
-    found = Collector("geomdl", source)
+    collector = Collector("geomdl", source)
     data = parsed(source.text)
     if isinstance(data, dict) and "controlpoints" in data:
-        _arrays(found, data)
-        return found.reading()
+        _arrays(collector, data)
+        return collector.reading()
     for number, entry in enumerate(_entries(data), 1):
         where = f"shape {number}"
         try:
-            _curve(found, entry, where)
+            _curve(collector, entry, where)
         except ExactSplineError as error:
-            # surfaces and volumes are shapes too
+            # surfaces and volumes are also shapes
             kind = entry.get("type", "curve") if isinstance(entry, dict) else "curve"
-            found.skip("shape", where, str(error), curve=kind not in ("surface", "volume"))
-    return found.reading()
+            collector.skip("shape", where, str(error), curve=kind not in ("surface", "volume"))
+    return collector.reading()
 
 
 def _entries(data: object) -> Iterator[Any]:
@@ -54,50 +54,50 @@ def _entries(data: object) -> Iterator[Any]:
         yield entry if kind == "curve" or not isinstance(entry, dict) else entry | {"type": str(kind)}
 
 
-def _curve(found: Collector, entry: Any, where: str) -> None:
+def _curve(collector: Collector, entry: Any, where: str) -> None:
     if not isinstance(entry, dict) or entry.get("type", "spline") not in ("spline", "curve"):
-        raise CurveFileError("no spline curve", remedy="shapes of the type curve are read")
+        raise CurveFileError("is not a spline curve", remedy="shapes of type curve are read")
     points = entry.get("control_points")
     if not isinstance(points, dict):
         raise CurveFileError("has no control_points", remedy="geomdl writes control_points: {points, weights}")
-    knots = _row(found, entry.get("knotvector"))
+    knots = _row(collector, entry.get("knotvector"))
     rows = points.get("points")
     if not isinstance(rows, list):
         raise CurveFileError("has no points", where="control_points", remedy="write a list of points")
     weights = points.get("weights")
-    found.add(
+    collector.add(
         "curve",
         where,
         whole(str(entry.get("degree", ""))),
         knots,
-        [_row(found, row) for row in rows],
-        None if weights is None else _row(found, weights),
+        [_row(collector, row) for row in rows],
+        None if weights is None else _row(collector, weights),
         name=str(entry.get("name", "") or ""),
     )
 
 
-def _arrays(found: Collector, data: dict[str, Any]) -> None:
-    """The file of 2016: ``controlpoints: {x: […], y: […]}`` and ``weights``, without degree and knots."""
+def _arrays(collector: Collector, data: dict[str, Any]) -> None:
+    """Read the layout of 2016: ``controlpoints: {x: […], y: […]}`` and ``weights``, without degree and knots."""
     arrays = data["controlpoints"]
     if not isinstance(arrays, dict):
         raise CurveFileError("controlpoints is not an object", remedy='write {"x": […], "y": […]}')
-    columns = [_row(found, arrays[axis]) for axis in "xyz" if axis in arrays]
+    columns = [_row(collector, arrays[axis]) for axis in "xyz" if axis in arrays]
     if len({len(column) for column in columns}) != 1:
         raise CurveFileError("coordinates of different lengths", where="controlpoints", remedy="give one per point")
     points = [list(point) for point in zip(*columns, strict=True)]
-    weights = None if data.get("weights") is None else _row(found, data["weights"])
-    complete(found, "controlpoints", points, weights)
+    weights = None if data.get("weights") is None else _row(collector, data["weights"])
+    complete(collector, "controlpoints", points, weights)
 
 
-def _row(found: Collector, values: Any) -> list[mpq]:
+def _row(collector: Collector, values: Any) -> list[mpq]:
     if not isinstance(values, list):
         raise CurveFileError("a list of numbers is missing", remedy="write a JSON list")
-    found.count(len(values))
-    return [decimal(str(value), found.limits) for value in values]
+    collector.count(len(values))
+    return [decimal(str(value), collector.limits) for value in values]
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as one shape; numbers as JSON numbers."""
+    """The curves as one shape, with numbers as JSON numbers."""
     entries = []
     for named in curves:
         curve = named.curve

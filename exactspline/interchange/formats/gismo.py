@@ -16,59 +16,63 @@ CURVES = ("BSpline", "Nurbs")
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file begins as G+Smo writes it."""
+    """Whether a file begins like one written by G+Smo."""
     return b"<Geometry" in head or (b"<xml" in head and b"<Multipatch" in head)
 
 
 def read(source: Source) -> Reading:
     """The curves of a file."""
-    found = Collector("gismo", source)
+    collector = Collector("gismo", source)
     number = 0
     for element in parse(source.data, source.limits).walk():
         if element.tag != "Geometry":
             continue
         number += 1
-        kind = element.attributes.get("type", "of no type")
+        kind = element.attributes.get("type", "without a type")
         where = f"geometry {element.attributes.get('id', number)} (line {element.line})"
         if kind not in CURVES:
-            found.skip(f"geometry {kind}", where, "no spline curve", curve=False)
+            collector.skip(f"geometry {kind}", where, "not a spline curve", curve=False)
             continue
         try:
-            degree, knots, points, weights = _parts(found, element)
+            degree, knots, points, weights = _parts(collector, element)
         except ExactSplineError as error:
-            found.skip(f"geometry {kind}", where, str(error))
+            collector.skip(f"geometry {kind}", where, str(error))
             continue
         name = element.attributes.get("label", "")
-        found.add(f"geometry {kind}", where, degree, knots, points, weights, name=name)
-    return found.reading()
+        collector.add(f"geometry {kind}", where, degree, knots, points, weights, name=name)
+    return collector.reading()
 
 
-def _parts(found: Collector, element: Element) -> tuple[int, list[mpq], list[list[mpq]], list[mpq] | None]:
+def _parts(collector: Collector, element: Element) -> tuple[int, list[mpq], list[list[mpq]], list[mpq] | None]:
     below = list(element.walk())
     vectors = [e for e in below if e.tag == "KnotVector"]
     coefficients = next((e for e in below if e.tag == "coefs"), None)
     if len(vectors) != 1 or coefficients is None:
-        raise CurveFileError(f"{len(vectors)} knot vectors", where="Basis", remedy="a curve has one, and coefs")
-    knots = _numbers(found, vectors[0])
+        raise CurveFileError(
+            f"{len(vectors)} knot vectors", where="Basis", remedy="a curve has one knot vector, and coefs"
+        )
+    knots = _numbers(collector, vectors[0])
     if vectors[0].attributes.get("mode", "list") != "list" and vectors[0].attributes["mode"] != "graded":
-        raise CurveFileError("a knot vector that is not listed", where="KnotVector", remedy="write out the knots")
-    values = _numbers(found, coefficients)
+        raise CurveFileError("a knot vector without a list of knots", where="KnotVector", remedy="write out the knots")
+    values = _numbers(collector, coefficients)
     dimension = whole(coefficients.attributes.get("geoDim", ""))
     if dimension < 1 or len(values) % dimension:
-        raise CurveFileError(f"{len(values)} numbers of dimension {dimension}", where="coefs", remedy="full rows")
+        raise CurveFileError(
+            f"{len(values)} numbers for points of dimension {dimension}", where="coefs", remedy="give full rows"
+        )
     points = [values[i : i + dimension] for i in range(0, len(values), dimension)]
-    weights = next((_numbers(found, e) for e in below if e.tag == "weights"), None)
+    weights = next((_numbers(collector, e) for e in below if e.tag == "weights"), None)
     return whole(vectors[0].attributes.get("degree", "")), knots, points, weights
 
 
-def _numbers(found: Collector, element: Element) -> list[mpq]:
+def _numbers(collector: Collector, element: Element) -> list[mpq]:
     words = element.text.split()
-    found.count(len(words))
-    return [decimal(word, found.limits) for word in words]
+    collector.count(len(words))
+    return [decimal(word, collector.limits) for word in words]
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves, one geometry each."""
+    """The curves, one geometry per curve."""
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', "<xml>"]
     for i, named in enumerate(curves):
         curve = named.curve

@@ -1,7 +1,7 @@
-"""GLIF, a glyph of a UFO: one curve per contour, in font units, its decimals as written.
+"""GLIF, a glyph of a UFO: one curve per contour, in font units, with decimals read exactly.
 
-fontTools reads these files too, but turns decimals into doubles; so the XML is read here, and fontTools says what its
-points mean (the extra `formats`). Components, which are defined in other files, are listed as skipped.
+fontTools also reads these files but converts decimals to doubles; so the XML is read here, and fontTools only
+interprets the points (the extra `formats`). Components, which are defined in other files, are skipped.
 """
 
 from __future__ import annotations
@@ -17,28 +17,28 @@ TYPES = {None: None, "offcurve": None, "move": "move", "line": "line", "curve": 
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file is XML with a glyph."""
+    """Whether a file is XML with a glyph element."""
     return b"<glyph" in head[:2000] and b"<svg" not in head[:2000]
 
 
 def read(source: Source) -> Reading:
     """The contours of the glyph."""
-    found = Collector("glif", source)
+    collector = Collector("glif", source)
     try:
         from fontTools.pens.pointPen import PointToSegmentPen
     except ImportError:
         raise CurveFileError("fontTools is not installed", remedy="pip install fonttools") from None
     root = parse(source.data, source.limits)
     if root.tag != "glyph":
-        raise CurveFileError(f"<{root.tag[:40]}> where <glyph> is expected", remedy="name a GLIF file")
+        raise CurveFileError(f"<{root.tag[:40]}> where <glyph> is expected", remedy="give a GLIF file")
     outline = root.first("outline")
     number = 0
     for element in outline.children if outline else ():
         where = f"line {element.line}"
         if element.tag != "contour":
             placed = element.tag == "component"
-            why = "it stands in another file" if placed else "no curve"
-            found.skip(element.tag[:40], where, why, curve=placed)
+            why = "it is defined in another file" if placed else "not a curve"
+            collector.skip(element.tag[:40], where, why, curve=placed)
             continue
         number += 1
         pen = ContourPen(source.limits.objects)
@@ -49,15 +49,17 @@ def read(source: Source) -> Reading:
                 _add(points, point, source)
             points.endPath()
         except ExactSplineError as error:
-            found.skip("contour", where, str(error))
+            collector.skip("contour", where, str(error))
             continue
-        # the reasons why the points do not form a contour
+        # the errors that fontTools raises if the points do not form a contour
         except Exception as error:
-            found.skip("contour", where, f"its points do not form a contour ({type(error).__name__})")
+            collector.skip("contour", where, f"its points do not form a contour ({type(error).__name__})")
             continue
         for degree, knots, places in pen.contours:
-            found.add("contour", where, degree, knots, places, name=f"{root.attributes.get('name', 'glyph')}.{number}")
-    return found.reading()
+            collector.add(
+                "contour", where, degree, knots, places, name=f"{root.attributes.get('name', 'glyph')}.{number}"
+            )
+    return collector.reading()
 
 
 def _add(points: object, point: Element, source: Source) -> None:
@@ -66,7 +68,7 @@ def _add(points: object, point: Element, source: Source) -> None:
     given = point.attributes
     if given.get("type") not in TYPES or not {"x", "y"} <= set(given):
         raise CurveFileError(
-            "a point without x and y, or of no known type", where=f"line {point.line}", remedy="correct it"
+            "a point without x and y, or of unknown type", where=f"line {point.line}", remedy="correct it"
         )
     place = tuple(decimal(given[axis], source.limits) for axis in "xy")
     points.addPoint(place, TYPES[given.get("type")], given.get("smooth") == "yes")  # type: ignore[attr-defined]  # a pen

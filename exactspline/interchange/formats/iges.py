@@ -1,9 +1,10 @@
 """IGES text: rational B-spline curves (126), lines (110), circular arcs (100) and conic arcs (104), moved by their
 transformation (124).
 
-An arc is exact where its ends lie exactly on it, a conic where its equation holds exactly at its ends; otherwise it is
-skipped, with the reason. A spline is read over the parameters that its entity uses. Coordinates are in the units of the
-file, which a note names. Curves in the parameter space of a surface (entity use 05) are read in the plane.
+An arc is exact if its two ends are exactly at the same distance from its centre, a conic if its equation holds exactly
+at its ends; otherwise it is skipped, with the reason. A spline is restricted to the parameter interval that its entity
+uses. Coordinates are in the units of the file, which a note states. Curves in the parameter space of a surface (entity
+use 05) are read as plane curves.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ NAMES = {
     122: "tabulated cylinder", 128: "rational B-spline surface", 130: "offset curve", 140: "offset surface",
     141: "boundary", 142: "curve on a surface", 143: "bounded surface", 144: "trimmed surface",
 }  # fmt: skip
-#: Entities that are curves, or hold curves that are read nowhere else.
+#: Entities that are curves, or that contain curves not read elsewhere.
 CURVES = (106, 112, 130, 308, 320, 408, 412, 414, 420)
 NAMES |= {308: "subfigure definition", 408: "placed subfigure", 412: "rectangular array of subfigures",
           414: "circular array of subfigures", 420: "placed network subfigure"}  # fmt: skip
@@ -41,38 +42,38 @@ def looks_like(head: bytes) -> bool:
 
 
 class _Values:
-    """The parameters of an entity, one after another."""
+    """The parameters of an entity, read in sequence."""
 
-    def __init__(self, entry: Entry, found: Collector) -> None:
-        self.texts, self.position, self.found = entry.parameters, 1, found
+    def __init__(self, entry: Entry, collector: Collector) -> None:
+        self.texts, self.position, self.collector = entry.parameters, 1, collector
 
     def text(self) -> str:
-        """The next parameter as text, empty where it was left out."""
+        """The next parameter as text, empty if it is omitted."""
         if self.position >= len(self.texts):
             raise CurveFileError(f"only {len(self.texts)} parameters", remedy="complete the record")
         self.position += 1
         return self.texts[self.position - 1]
 
     def whole(self) -> int:
-        """The next parameter as an integer, 0 where it was left out."""
+        """The next parameter as an integer, 0 if it is omitted."""
         return whole(self.text() or "0")
 
     def numbers(self, count: int) -> list[mpq]:
-        """A number of decimals, 0 where one was left out."""
-        self.found.count(count)
-        return [decimal(self.text() or "0", self.found.limits) for _ in range(count)]
+        """The next `count` parameters as decimals, 0 for each that is omitted."""
+        self.collector.count(count)
+        return [decimal(self.text() or "0", self.collector.limits) for _ in range(count)]
 
     def rows(self, count: int) -> list[list[mpq]]:
-        """A number of points in space."""
+        """The next `count` points in space."""
         return [self.numbers(3) for _ in range(count)]
 
 
 def read(source: Source) -> Reading:
     """The curves of a file."""
-    found = Collector("iges", source)
+    collector = Collector("iges", source)
     directory = {entry.number: entry for entry in entries(source.text, source.limits)}
     if unit := unit_of(source.text):
-        found.note(f"lengths in {unit}: read as written")
+        collector.note(f"lengths in {unit}: read as written")
     for entry in directory.values():
         where = f"entity {entry.kind} (DE {entry.number})"
         reader = _READERS.get(entry.kind)
@@ -80,37 +81,37 @@ def read(source: Source) -> Reading:
             continue
         if reader is None:
             name = NAMES.get(entry.kind, f"entity {entry.kind}")
-            why = "its parts are read one by one" if entry.kind == COMPOSITE else "no entity that is read"
-            found.skip(name, where, why, curve=entry.kind in CURVES)
+            why = "its parts are read separately" if entry.kind == COMPOSITE else "this type of entity is not read"
+            collector.skip(name, where, why, curve=entry.kind in CURVES)
             continue
         try:
-            reader(found, entry, where, _placement(found, directory, entry))
+            reader(collector, entry, where, _placement(collector, directory, entry))
         except ExactSplineError as error:
-            found.skip(f"entity {entry.kind}", where, str(error))
-    return found.reading()
+            collector.skip(f"entity {entry.kind}", where, str(error))
+    return collector.reading()
 
 
-def _placement(found: Collector, directory: dict[int, Entry], entry: Entry) -> Affine:
-    """The transformation of an entity, and of its matrix, and so on."""
+def _placement(collector: Collector, directory: dict[int, Entry], entry: Entry) -> Affine:
+    """The transformation of an entity, composed with those that its matrix entity refers to."""
     whole_map = Affine.identity(3)
-    for _ in range(found.limits.depth):
+    for _ in range(collector.limits.depth):
         if not entry.matrix:
             return whole_map
         following = directory.get(abs(entry.matrix))
         if following is None or following.kind != MATRIX:
-            raise CurveFileError(f"no matrix at DE {entry.matrix}", remedy="field 7 names an entity 124")
-        numbers = _Values(following, found).numbers(12)
+            raise CurveFileError(f"no matrix at DE {entry.matrix}", remedy="field 7 must refer to an entity 124")
+        numbers = _Values(following, collector).numbers(12)
         whole_map = Affine([numbers[i : i + 4] for i in (0, 4, 8)]) @ whole_map
         entry = following
     raise CurveFileError("matrices form a cycle or are too many", remedy="correct field 7")
 
 
-def _spline(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
-    values = _Values(entry, found)
+def _spline(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    values = _Values(entry, collector)
     last, degree = values.whole(), values.whole()
     _planar, _closed, flagged_polynomial, periodic = (values.whole() for _ in range(4))
     if last < 0 or degree < 0:
-        raise CurveFileError(f"{last + 1} points of degree {degree}", remedy="counts are positive")
+        raise CurveFileError(f"{last + 1} points of degree {degree}", remedy="both must be positive")
     knots, weights = values.numbers(last + degree + 2), values.numbers(last + 1)
     points = [placed(point) for point in values.rows(last + 1)]
     start, end = values.numbers(2)
@@ -121,17 +122,19 @@ def _spline(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
         notes.append("flagged periodic, but its knots are clamped: read as written")
     equal = len(set(weights)) == 1
     plain = None if equal and weights[0] == 1 and flagged_polynomial else weights
-    _add(found, entry, where, (degree, knots, points, plain), notes, within)
+    _add(collector, entry, where, (degree, knots, points, plain), notes, within)
 
 
 def _used(knots: Sequence[mpq], degree: int, start: mpq, end: mpq) -> tuple[tuple[mpq, mpq] | None, list[str]]:
-    """The part of the domain that an entity uses (its V(0) and V(1)), and what is to be said of it."""
+    """The part of the domain that an entity uses (its V(0) and V(1)), and notes on it."""
     if len(knots) < 2 * degree + 2 or (start, end) == (low_high := (knots[degree], knots[-degree - 1])):
         return None, []
     low, high = max(start, low_high[0]), min(end, low_high[1])
     if not low < high:
-        return None, [f"the entity uses no parameters of the spline ({start} to {end}): the whole spline is read"]
-    beyond = "" if (low, high) == (start, end) else f", its spline only those from {low_high[0]} to {low_high[1]}"
+        return None, [
+            f"the parameters that the entity uses ({start} to {end}) are not in the domain: the whole spline is read"
+        ]
+    beyond = "" if (low, high) == (start, end) else f", of which only {low_high[0]} to {low_high[1]} is in the domain"
     return (low, high), [f"the entity uses the parameters from {start} to {end}{beyond}"]
 
 
@@ -139,7 +142,7 @@ Parts = tuple[int, Sequence[mpq], Sequence[Sequence[mpq]], Sequence[mpq] | None]
 
 
 def _add(
-    found: Collector,
+    collector: Collector,
     entry: Entry,
     where: str,
     parts: Parts,
@@ -152,38 +155,38 @@ def _add(
     if entry.blanked:
         notes = [*notes, "blanked: not to be displayed"]
     name, kind = f"{entry.label or entry.kind} {entry.number}", f"entity {entry.kind}"
-    found.add(kind, where, degree, knots, points, weights, name=name, notes=notes, within=within)
+    collector.add(kind, where, degree, knots, points, weights, name=name, notes=notes, within=within)
 
 
-def _pieces(found: Collector, entry: Entry, where: str, segments: Sequence[Segment]) -> None:
+def _pieces(collector: Collector, entry: Entry, where: str, segments: Sequence[Segment]) -> None:
     degree, knots, points = joined(segments)
     weights = [point[-1] for point in points]
     plain = [[x / point[-1] for x in point[:-1]] for point in points]
-    _add(found, entry, where, (degree, knots, plain, None if set(weights) == {1} else weights))
+    _add(collector, entry, where, (degree, knots, plain, None if set(weights) == {1} else weights))
 
 
-def _line(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
+def _line(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
     if entry.form:
         raise CurveFileError("an unbounded line or ray", remedy="form 0 is a segment")
-    values = _Values(entry, found)
-    _pieces(found, entry, where, [polynomial(*(placed(point) for point in values.rows(2)))])
+    values = _Values(entry, collector)
+    _pieces(collector, entry, where, [polynomial(*(placed(point) for point in values.rows(2)))])
 
 
 def _at_height(placed: Affine, z: mpq, shift: Sequence[mpq] = (mpq(0), mpq(0))) -> Affine:
-    """From the plane of an arc into space."""
+    """The map from the plane of an arc into space."""
     return placed @ Affine([[1, 0, 0, shift[0]], [0, 1, 0, shift[1]], [0, 0, 1, z]])
 
 
-def _arc(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
-    z, *numbers = _Values(entry, found).numbers(7)
+def _arc(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    z, *numbers = _Values(entry, collector).numbers(7)
     centre, start, end = numbers[:2], numbers[2:4], numbers[4:]
     u, v = ((point[0] - centre[0], point[1] - centre[1]) for point in (start, end))
-    _pieces(found, entry, where, _lifted(arc_around_origin(u, v), _at_height(placed, z, centre)))
+    _pieces(collector, entry, where, _lifted(arc_around_origin(u, v), _at_height(placed, z, centre)))
 
 
-def _conic(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
-    *form, z, x1, y1, x2, y2 = _Values(entry, found).numbers(11)
-    _pieces(found, entry, where, _lifted(conic_arc(form, (x1, y1), (x2, y2)), _at_height(placed, z)))
+def _conic(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    *form, z, x1, y1, x2, y2 = _Values(entry, collector).numbers(11)
+    _pieces(collector, entry, where, _lifted(conic_arc(form, (x1, y1), (x2, y2)), _at_height(placed, z)))
 
 
 def _lifted(segments: Sequence[Segment], placed: Affine) -> list[Segment]:
@@ -192,7 +195,7 @@ def _lifted(segments: Sequence[Segment], placed: Affine) -> list[Segment]:
 
 _READERS = {SPLINE: _spline, LINE: _line, ARC: _arc, CONIC: _conic}
 
-#: A number must not cross the end of a line of 64 columns.
+#: The longest text of a number: it must fit on a line of 64 columns.
 LONGEST_NUMBER = 63
 
 

@@ -19,21 +19,21 @@ from exactspline.numbers.exact import mpq
 
 Node: TypeAlias = "list[str | Node]"
 
-# an unclosed string extends to the end, so that no quote is tried twice
+# an unclosed string extends to the end of the text, so that matching takes linear time
 _TOKEN = re.compile(r'"(?:[^"\\]|\\[\s\S])*+\\?(?:"|\Z)|[][]|[^][\s"]+|"')
 _POINT = re.compile(r"([EP])(\d)")
 SKIPPED = ("SURFACE", "TRIVAR", "MULTIVAR", "TRISRF", "POLYGON", "POLYLINE", "POINTLIST", "MODEL", "TRIMSRF")
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file has an IRIT object near its beginning."""
+    """Whether there is an IRIT object near the beginning of a file."""
     return bool(re.search(rb"\[\s*OBJECT\b|\[\s*CURVE\s+(BSPLINE|BEZIER)\b", head))
 
 
 def read(source: Source) -> Reading:
     """The curves of a file."""
-    found = Collector("itd", source)
-    waiting: list[tuple[Node, str]] = [(_tree(source, found), "")]
+    collector = Collector("itd", source)
+    waiting: list[tuple[Node, str]] = [(_tree(source, collector), "")]
     number = 0
     while waiting:
         node, name = waiting.pop()
@@ -44,32 +44,32 @@ def read(source: Source) -> Reading:
             number += 1
             where = f"curve {number}" + (f" ({name})" if name else "")
             try:
-                _curve(found, node, where, name)
+                _curve(collector, node, where, name)
             except ExactSplineError as error:
-                found.skip("curve", where, str(error))
+                collector.skip("curve", where, str(error))
         elif keyword in SKIPPED:
-            found.skip(keyword.lower(), name or "unnamed object", "no spline curve", curve=keyword == "POLYLINE")
+            collector.skip(keyword.lower(), name or "unnamed object", "not a spline curve", curve=keyword == "POLYLINE")
         else:
             waiting += [(item, name) for item in reversed(node) if isinstance(item, list)]
-    return found.reading()
+    return collector.reading()
 
 
-def _tree(source: Source, found: Collector) -> Node:
-    """The brackets as lists in lists."""
+def _tree(source: Source, collector: Collector) -> Node:
+    """The bracketed text as nested lists."""
     root: Node = []
     nodes = [root]
     for match in _TOKEN.finditer(source.text):
         token = match[0]
         if token == "[":
-            found.count(1)
+            collector.count(1)
             if len(nodes) > source.limits.depth:
-                raise CurveFileError("brackets are nested too deep", remedy="read with a larger limit of depth")
+                raise CurveFileError("brackets are nested too deeply", remedy="read with a larger limit of depth")
             inner: Node = []
             nodes[-1].append(inner)
             nodes.append(inner)
         elif token == "]":
             if len(nodes) == 1:
-                found.skip("closing bracket", f"character {match.start()}", "no bracket is open there", curve=False)
+                collector.skip("closing bracket", f"character {match.start()}", "it closes nothing", curve=False)
             else:
                 nodes.pop()
         else:
@@ -79,7 +79,7 @@ def _tree(source: Source, found: Collector) -> Node:
     return root
 
 
-def _curve(found: Collector, node: Node, where: str, name: str) -> None:
+def _curve(collector: Collector, node: Node, where: str, name: str) -> None:
     words = [item for item in node[1:] if isinstance(item, str)]
     kind = words[0] if words else ""
     if kind not in ("BSPLINE", "BEZIER") or len(words) < (4 if kind == "BSPLINE" else 3):
@@ -91,11 +91,11 @@ def _curve(found: Collector, node: Node, where: str, name: str) -> None:
         raise CurveFileError("an unknown type of points", remedy="E2, E3, P2, P3 and the like are read")
     rows = [item for item in node[1:] if isinstance(item, list) and not (item and item[0] in ("KV", "KVP"))]
     vectors = [item for item in node[1:] if isinstance(item, list) and item and item[0] in ("KV", "KVP")]
-    points = [_numbers(found, row) for row in rows if all(isinstance(x, str) and is_decimal(x) for x in row)]
+    points = [_numbers(collector, row) for row in rows if all(isinstance(x, str) and is_decimal(x) for x in row)]
     dimension, homogeneous = int(match[2]), match[1] == "P"
     if len(points) != count or any(len(row) != dimension + homogeneous for row in points):
         raise CurveFileError(
-            f"{len(points)} points where {count} of type {match[0]} are announced", remedy="the two must agree"
+            f"{len(points)} points, but {count} of type {match[0]} are announced", remedy="the two must agree"
         )
     notes = []
     if homogeneous:
@@ -103,22 +103,22 @@ def _curve(found: Collector, node: Node, where: str, name: str) -> None:
     if kind == "BEZIER":
         knots = [mpq(0)] * order + [mpq(1)] * order
     elif len(vectors) == 1:
-        knots = _numbers(found, vectors[0][1:])
+        knots = _numbers(collector, vectors[0][1:])
         if vectors[0][0] == "KVP":
             points += points[: order - 1]
             notes.append("periodic: its first control points are repeated")
     else:
         raise CurveFileError(f"{len(vectors)} knot vectors", remedy="a curve has one")
-    found.add("curve", where, order - 1, knots, points, homogeneous=homogeneous, name=name, notes=notes)
+    collector.add("curve", where, order - 1, knots, points, homogeneous=homogeneous, name=name, notes=notes)
 
 
-def _numbers(found: Collector, row: Node) -> list[mpq]:
-    found.count(len(row))
-    return [decimal(item, found.limits) if isinstance(item, str) else mpq(0) for item in row]
+def _numbers(collector: Collector, row: Node) -> list[mpq]:
+    collector.count(len(row))
+    return [decimal(item, collector.limits) if isinstance(item, str) else mpq(0) for item in row]
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves, one object each."""
+    """The curves, one object per curve."""
     lines = []
     for named in curves:
         curve = named.curve

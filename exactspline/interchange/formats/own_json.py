@@ -1,7 +1,7 @@
-"""exactspline's own JSON: one curve as `exactspline.splines.curve_files` reads it, or ``{"curves": […]}``.
+"""The JSON of exactspline: one curve as read by `exactspline.splines.curve_files`, or ``{"curves": […]}``.
 
-The published schema is `exactspline/interchange/curve.schema.json`. It holds every curve exactly: numbers are integers,
-decimals or text such as "1/3".
+The published schema is `exactspline/interchange/curve.schema.json`. Every curve is represented exactly: numbers are
+integers, decimals or strings such as "1/3".
 """
 
 from __future__ import annotations
@@ -37,13 +37,13 @@ def schema() -> dict[str, object]:
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file begins as a curve file does."""
+    """Whether a file begins like a curve file."""
     return head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{")
 
 
 def read(source: Source) -> Reading:
     """The curves of a file."""
-    found = Collector("json", source)
+    collector = Collector("json", source)
     data: Any = parsed(source.text)
     entries = data.get("curves", [data]) if isinstance(data, dict) else data
     if not isinstance(entries, list):
@@ -53,28 +53,28 @@ def read(source: Source) -> Reading:
         what = "surface" if is_surface else "curve"
         where = f"{what} {number}"
         try:
-            (_surface if is_surface else _curve)(found, entry, where)
+            (_surface if is_surface else _curve)(collector, entry, where)
         except ExactSplineError as error:
-            found.skip(what, where, str(error), curve=not is_surface)
-    return found.reading()
+            collector.skip(what, where, str(error), curve=not is_surface)
+    return collector.reading()
 
 
-def _curve(found: Collector, entry: Any, where: str) -> None:
+def _curve(collector: Collector, entry: Any, where: str) -> None:
     if not isinstance(entry, dict):
         raise CurveFileError("is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
     if "pieces" in entry or "kind" in entry:
         curve = curve_from_data(entry, where)
-        found.curves.append(NamedCurve(curve.name, curve, ("what `derive` wrote",)))
+        collector.curves.append(NamedCurve(curve.name, curve, ("written by `derive`",)))
         return
     check_fields(entry, CURVE)
-    found.add(
+    collector.add(
         "curve",
         where,
         whole(str(entry["degree"])),
-        _row(found, entry["knots"]),
-        [_point(found, row) for row in _list(entry["control_points"])],
-        None if entry.get("weights") is None else _row(found, entry["weights"]),
-        name=str(entry.get("name") or "") or found.source.name,
+        _row(collector, entry["knots"]),
+        [_point(collector, row) for row in _list(entry["control_points"])],
+        None if entry.get("weights") is None else _row(collector, entry["weights"]),
+        name=str(entry.get("name") or "") or collector.source.name,
         notes=[f"{key}: {entry[key]}" for key in ("note", "source") if entry.get(key)],
     )
 
@@ -91,33 +91,33 @@ def _list(value: Any) -> list[Any]:
     return value
 
 
-def _row(found: Collector, values: Any) -> list[mpq]:
-    found.count(len(_list(values)))
-    return [_number(value, found) for value in values]
+def _row(collector: Collector, values: Any) -> list[mpq]:
+    collector.count(len(_list(values)))
+    return [_number(value, collector) for value in values]
 
 
-def _point(found: Collector, row: Any) -> Sequence[mpq]:
-    """A point is a list, a direction (of weight zero) an object."""
+def _point(collector: Collector, row: Any) -> Sequence[mpq]:
+    """A point, written as a list, or a direction (of weight zero), written as an object."""
     if isinstance(row, dict) and set(row) == {"vector"}:
-        return Direction(*_row(found, row["vector"]))
-    return _row(found, row)
+        return Direction(*_row(collector, row["vector"]))
+    return _row(collector, row)
 
 
-def _number(value: Any, found: Collector) -> mpq:
+def _number(value: Any, collector: Collector) -> mpq:
     if not isinstance(value, str):
         raise NumberError("a coordinate that is not a number", remedy='write 3, 0.1 or "1/3"')
-    mark, most = ("p", 4 * found.limits.exponent) if "x" in value.lower() else ("e", found.limits.exponent)
+    mark, most = ("p", 4 * collector.limits.exponent) if "x" in value.lower() else ("e", collector.limits.exponent)
     exponent = value.lower().partition(mark)[2].strip()
-    # a few characters of exponent would fill the memory
+    # an exponent of a few digits could exhaust the memory
     if exponent and (not _EXPONENT.fullmatch(exponent) or abs(int(exponent)) > most):
-        raise NumberError(f"the exponent {exponent[:20]!r}", remedy=f"exponents to {most} are read")
-    if len(value) > 50 * found.limits.digits:
+        raise NumberError(f"the exponent {exponent[:20]!r}", remedy=f"exponents up to {most} are read")
+    if len(value) > 50 * collector.limits.digits:
         raise NumberError(f"a number of {len(value)} characters", remedy="read with a larger limit of digits")
     return rational(str(value))
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """One curve as itself, several as ``{"curves": […]}``; always exact."""
+    """A single curve as an object, several as ``{"curves": […]}``; always exact."""
     entries = [curve_data(named.curve) | {"name": named.name} for named in curves]
     data: Any = entries[0] if len(entries) == 1 else {"curves": entries}
     return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()

@@ -1,10 +1,11 @@
-"""``.3dm`` by rhino3dm (the extra `formats`), which gives the doubles of the file unrounded; it runs in a
-separate process.
+"""``.3dm`` files, read with rhino3dm (the extra `formats`) in a separate process; it returns the doubles of the file
+unchanged.
 
-NURBS curves, lines and polylines are read, of polycurves every segment, of arcs the full circles, exactly for the
-plane as written; other arcs have irrational ends. openNURBS leaves out the first and the last knot: they are added
-again, which changes nothing, as no point of the domain depends on them. Edges of Breps and all other objects are
-skipped; copies of block definitions are not placed: their curves are read as the block defines them, with a note.
+NURBS curves, lines, polylines and every segment of a polycurve are read. Of arcs only full circles are read, exact for
+the plane as written; the ends of other arcs are irrational in general. openNURBS omits the first and the last knot;
+they are added again with arbitrary values, since no point of the domain depends on them. Edges of Breps and all other
+objects are skipped. Copies of block definitions are not placed: their curves are read as the block defines them, with a
+note.
 """
 
 from __future__ import annotations
@@ -27,15 +28,15 @@ from exactspline.interchange.segments import arc_around_origin, joined, mapped
 from exactspline.interchange.writing import homogeneous, in_space
 from exactspline.numbers.exact import mpq, rational
 
-#: How long the library may work on one archive.
+#: Time limit for reading one archive, in seconds.
 SECONDS = 30
-#: Objects that are curves, or place some.
+#: Objects that are curves or place curves.
 CURVES = ("InstanceReference", "Curve", "PolyCurve", "ArcCurve", "LineCurve", "PolylineCurve", "NurbsCurve")
-MISSING = "the first and the last knot, which openNURBS leaves out, repeat their neighbours"
+MISSING = "the first and last knots, which openNURBS omits, repeat their neighbours"
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file begins as openNURBS writes it."""
+    """Whether the file begins with the header of openNURBS."""
     return head.startswith(b"3D Geometry File Format")
 
 
@@ -49,27 +50,27 @@ def _rhino() -> Any:
 
 def read(source: Source) -> Reading:
     """The curves of a file."""
-    found = Collector("3dm", source)
+    collector = Collector("3dm", source)
     _rhino()
     for entry in _entries(source):
         if "unit" in entry:
-            found.note(f"lengths in {entry['unit']}: read as written")
+            collector.note(f"lengths in {entry['unit']}: read as written")
             continue
         where, kind = entry["where"], entry["kind"]
         try:
             if "plane" in entry:
-                _circle(found, entry)
+                _circle(collector, entry)
             elif "points" in entry:
-                _spline(found, entry)
+                _spline(collector, entry)
             else:
-                found.skip(kind, where, "no curve that is read", curve=kind in CURVES)
+                collector.skip(kind, where, "this type of object is not read", curve=kind in CURVES)
         except ExactSplineError as error:
-            found.skip(kind, where, str(error))
-    return found.reading()
+            collector.skip(kind, where, str(error))
+    return collector.reading()
 
 
 def _entries(source: Source) -> list[dict[str, Any]]:
-    """What the library reads, in a separate process."""
+    """The objects that rhino3dm reads from the archive, in a separate process."""
     command = [sys.executable, "-m", "exactspline.interchange.rhino_process"]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     try:
@@ -78,13 +79,13 @@ def _entries(source: Source) -> list[dict[str, Any]]:
         )
         entries: list[dict[str, Any]] = json.loads(done.stdout)
     except subprocess.TimeoutExpired:
-        raise CurveFileError(f"keeps rhino3dm busy for {SECONDS} seconds", remedy="repair the file") from None
+        raise CurveFileError(f"takes rhino3dm more than {SECONDS} seconds", remedy="repair the file") from None
     except (subprocess.CalledProcessError, ValueError):
-        raise CurveFileError("is not an archive that rhino3dm can read", remedy="repair the file") from None
+        raise CurveFileError("is not an archive readable by rhino3dm", remedy="repair the file") from None
     return entries
 
 
-def _spline(found: Collector, entry: dict[str, Any]) -> None:
+def _spline(collector: Collector, entry: dict[str, Any]) -> None:
     inner, rows = [rational(knot) for knot in entry["knots"]], [[rational(x) for x in row] for row in entry["points"]]
     if not inner:
         raise CurveFileError("no knots", remedy="repair the object")
@@ -92,10 +93,10 @@ def _spline(found: Collector, entry: dict[str, Any]) -> None:
     kind, where, name, homogeneous_points = entry["kind"], entry["where"], entry["name"], entry["rational"]
     points = rows if homogeneous_points else [row[:3] for row in rows]
     degree = entry["degree"]
-    found.add(kind, where, degree, knots, points, homogeneous=homogeneous_points, name=name, notes=notes)
+    collector.add(kind, where, degree, knots, points, homogeneous=homogeneous_points, name=name, notes=notes)
 
 
-def _circle(found: Collector, entry: dict[str, Any]) -> None:
+def _circle(collector: Collector, entry: dict[str, Any]) -> None:
     if not entry["complete"]:
         raise CurveFileError("an arc with irrational ends", remedy="store it as a NURBS curve")
     [radius] = map(rational, entry["radius"])
@@ -103,13 +104,13 @@ def _circle(found: Collector, entry: dict[str, Any]) -> None:
     frame = Affine([[radius * x, radius * y, centre] for x, y, centre in zip(*rows, strict=True)])
     one = (mpq(1), mpq(0))
     degree, knots, points = joined(mapped(arc_around_origin(one, one), frame))
-    note = "a whole circle, exact for the plane as written; its angle was the parameter"
+    note = "a full circle, exact for the plane as written; its parameter was the angle"
     where, name = entry["where"], entry["name"]
-    found.add("ArcCurve", where, degree, knots, points, homogeneous=True, name=name, notes=[note, *entry["notes"]])
+    collector.add("ArcCurve", where, degree, knots, points, homogeneous=True, name=name, notes=[note, *entry["notes"]])
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as objects of an archive of version 7; what is not a double needs rounding."""
+    """The curves as objects of a version 7 archive; numbers that are not doubles require rounding."""
     rhino = _rhino()
     model = rhino.File3dm()
     for named in curves:

@@ -1,10 +1,10 @@
-"""STEP part 21: polylines and B-spline curves, plain and rational, of all kinds of knots (with knots, Bézier, uniform,
-quasi-uniform).
+"""STEP part 21: polylines and B-spline curves, polynomial and rational, with knots of every kind (listed, Bézier,
+uniform, quasi-uniform).
 
-Curves are read as they are in the file, in its units; placements of an assembly and the use of splines by edges are not
-followed: notes say so.
-Lines, circles and ellipses are read between the vertices of an edge, closed ones also whole; exactly, so only
-where the axes have rational length and the vertices are exactly on the curve. Everything else is listed as skipped.
+Curves are read in the coordinates and units of the file. Placements in an assembly are not applied, and splines are not
+trimmed to the edges that use them; notes state this. Lines, circles and ellipses are read between the vertices of an
+edge; circles and ellipses that no edge uses are read in full. This is exact, and therefore requires axes of rational
+length and vertices exactly on the curve. Everything else is skipped.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from exactspline.numbers.exact import mpq
 SPLINE, WITH_KNOTS, RATIONAL = "B_SPLINE_CURVE", "B_SPLINE_CURVE_WITH_KNOTS", "RATIONAL_B_SPLINE_CURVE"
 KINDS = (WITH_KNOTS, "BEZIER_CURVE", "UNIFORM_CURVE", "QUASI_UNIFORM_CURVE")
 SKIPPED = {
-    "PARABOLA": "no ends", "HYPERBOLA": "no ends", "TRIMMED_CURVE": "the trimming is not followed",
-    "COMPOSITE_CURVE": "its parts are read one by one", "OFFSET_CURVE_2D": "not rational",
+    "PARABOLA": "unbounded", "HYPERBOLA": "unbounded", "TRIMMED_CURVE": "trimming is not applied",
+    "COMPOSITE_CURVE": "its parts are read separately", "OFFSET_CURVE_2D": "not rational",
     "OFFSET_CURVE_3D": "not rational", "B_SPLINE_SURFACE_WITH_KNOTS": "a surface", "B_SPLINE_SURFACE": "a surface",
-    "CLOTHOID": "not rational", "CURVE_REPLICA": "a moved copy is not followed",
+    "CLOTHOID": "not rational", "CURVE_REPLICA": "copies are not placed",
 }  # fmt: skip
-#: Of these no curve is missing.
+#: Skipped entities that are not curves.
 NO_CURVE = ("COMPOSITE_CURVE", "B_SPLINE_SURFACE_WITH_KNOTS", "B_SPLINE_SURFACE")
-#: Instances that place something.
+#: Entities that place parts.
 PLACING = (
     "MAPPED_ITEM", "ITEM_DEFINED_TRANSFORMATION", "CARTESIAN_TRANSFORMATION_OPERATOR_3D",
     "CARTESIAN_TRANSFORMATION_OPERATOR_2D", "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION",
@@ -44,14 +44,14 @@ _CURVE = re.compile(rf"\b(?:{SPLINE}|{'|'.join(KINDS)})\b")
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file begins as part 21 demands."""
+    """Whether a file begins with the header of part 21."""
     return head.lstrip().startswith(b"ISO-10303-21")
 
 
 def read(source: Source) -> Reading:
     """The curves of a file, in the order of the file."""
-    found = Collector("step", source)
-    file = StepFile(source.text, found)
+    collector = Collector("step", source)
+    file = StepFile(source.text, collector)
     edges = Edges(file)
     for number, text in file.instances.items():
         where = f"#{number}"
@@ -61,19 +61,19 @@ def read(source: Source) -> Reading:
             try:
                 _curve(file, parts(text, source.limits), where, edges.notes(number))
             except ExactSplineError as error:
-                found.skip(keyword, where, str(error))
+                collector.skip(keyword, where, str(error))
         elif keyword in ELEMENTARY or keyword == EDGE:
             try:
                 edges.read(keyword, number, where)
             except ExactSplineError as error:
-                found.skip(keyword, where, str(error))
+                collector.skip(keyword, where, str(error))
         elif keyword in SKIPPED:
-            found.skip(keyword, where, SKIPPED[keyword], curve=keyword not in NO_CURVE)
+            collector.skip(keyword, where, SKIPPED[keyword], curve=keyword not in NO_CURVE)
         elif keyword in PLACING:
-            found.note("parts are placed by the file: curves are read where they are defined")
+            collector.note("the file places parts: curves are read where they are defined")
     for unit in sorted(_units(file)):
-        found.note(f"lengths in {unit}: read as written")
-    return found.reading()
+        collector.note(f"lengths in {unit}: read as written")
+    return collector.reading()
 
 
 def _units(file: StepFile) -> set[str]:
@@ -84,15 +84,15 @@ def _units(file: StepFile) -> set[str]:
         if "GLOBAL_UNIT_ASSIGNED_CONTEXT" in text
         for reference in _REFERENCE.findall(text.partition("GLOBAL_UNIT_ASSIGNED_CONTEXT")[2])
     }
-    found = set()
+    units = set()
     for reference in used:
         text = file.instances.get(int(reference), "")
         metre, other = _METRE.search(text), _CONVERSION.search(text)
         if metre:
-            found.add(f"{metre[1].strip('.$').lower()}metres")
+            units.add(f"{metre[1].strip('.$').lower()}metres")
         elif other and "LENGTH_UNIT" in text:
-            found.add(other[1].lower())
-    return found
+            units.add(other[1].lower())
+    return units
 
 
 def _curve(file: StepFile, entity: dict[str, list[Value]], where: str, notes: Sequence[str]) -> None:
@@ -100,24 +100,24 @@ def _curve(file: StepFile, entity: dict[str, list[Value]], where: str, notes: Se
     if kind == "POLYLINE":
         points = [file.point(reference) for reference in file.texts(_last(entity[kind]))]
         knots = [mpq(max(0, min(i - 1, len(points) - 1))) for i in range(len(points) + 2)]
-        file.found.add(kind, where, 1, knots, points, name=_name(entity[kind], where), notes=notes)
+        file.collector.add(kind, where, 1, knots, points, name=_name(entity[kind], where), notes=notes)
         return
     if not kind:
-        raise CurveFileError("a B-spline curve without knots", remedy=f"one of {', '.join(KINDS)} is needed")
+        raise CurveFileError("a B-spline curve without knots", remedy=f"one of {', '.join(KINDS)} is required")
     if SPLINE in entity:
-        base, own, name = entity[SPLINE], entity[kind], entity.get("REPRESENTATION_ITEM", [])
+        base, specific, name = entity[SPLINE], entity[kind], entity.get("REPRESENTATION_ITEM", [])
     else:
-        base, own, name = entity[kind][1:], entity[kind][6:], entity[kind]
-    if len(base) < 5 or not isinstance(base[0], str) or (kind == WITH_KNOTS and len(own) < 2):
+        base, specific, name = entity[kind][1:], entity[kind][6:], entity[kind]
+    if len(base) < 5 or not isinstance(base[0], str) or (kind == WITH_KNOTS and len(specific) < 2):
         raise CurveFileError("attributes are missing", remedy="complete the instance")
     degree = whole(base[0])
     if not 0 <= degree <= file.limits.degree:
         raise CurveFileError(f"degree {degree}", remedy=f"at most {file.limits.degree} is read")
     points = [file.point(reference) for reference in file.texts(base[1])]
-    knots = _listed(file, own) if kind == WITH_KNOTS else _standard(kind, degree, len(points))
+    knots = _listed(file, specific) if kind == WITH_KNOTS else _standard(kind, degree, len(points))
     weights = file.numbers(entity[RATIONAL][0]) if entity.get(RATIONAL) else None
-    notes = [*notes, *([] if kind == WITH_KNOTS else [f"{kind}: the knots that the standard defines"])]
-    file.found.add(kind, where, degree, knots, points, weights, name=_name(name, where), notes=notes)
+    notes = [*notes, *([] if kind == WITH_KNOTS else [f"{kind}: knots as defined by the standard"])]
+    file.collector.add(kind, where, degree, knots, points, weights, name=_name(name, where), notes=notes)
 
 
 def _last(arguments: list[Value]) -> Value:
@@ -129,21 +129,23 @@ def _name(arguments: list[Value], where: str) -> str:
     return text.strip("'").replace("''", "'") or where
 
 
-def _listed(file: StepFile, own: list[Value]) -> list[mpq]:
-    counts, values = [whole(text) for text in file.texts(own[0])], file.numbers(own[1])
+def _listed(file: StepFile, arguments: list[Value]) -> list[mpq]:
+    counts, values = [whole(text) for text in file.texts(arguments[0])], file.numbers(arguments[1])
     if len(counts) != len(values) or any(count < 0 for count in counts):
         raise CurveFileError(f"{len(counts)} multiplicities for {len(values)} knots", remedy="give one per knot")
-    file.found.count(sum(counts))
+    file.collector.count(sum(counts))
     return [knot for knot, times in zip(values, counts, strict=True) for _ in range(times)]
 
 
 def _standard(kind: str, degree: int, count: int) -> list[mpq]:
-    """The knots of ISO 10303-42 for kinds that list none."""
+    """The knots that ISO 10303-42 defines for the kinds of curves that do not list them."""
     if kind == "UNIFORM_CURVE":
         return [mpq(i - degree) for i in range(count + degree + 1)]
     times = degree if kind == "BEZIER_CURVE" else 1
     if degree < 1 or count <= degree or (count - 1 - degree) % times:
-        raise CurveFileError(f"{count} points of degree {degree}", remedy="they do not fit this kind of curve")
+        raise CurveFileError(
+            f"{count} points for degree {degree}", remedy="this kind of curve needs a different number of points"
+        )
     inner = [mpq(i // times + 1) for i in range(count - 1 - degree)]
     return [mpq(0)] * (degree + 1) + inner + [mpq((count - 1 - degree) // times + 1)] * (degree + 1)
 
@@ -159,7 +161,7 @@ DATA;
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves in one set per dimension, each in a context of its dimension."""
+    """The curves in one set per dimension, each set in a context of its dimension."""
     lines: list[str] = []
 
     def add(text: str) -> str:
@@ -180,7 +182,7 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
 
 
 def _product(shape: str, add: Callable[[str], str]) -> None:
-    """The part that has this shape, without which other programs see no shape at all."""
+    """Add a part with this shape: other programs show only shapes that belong to a part."""
     application = add("APPLICATION_CONTEXT('automotive design')")
     add(f"APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})")
     context = add(f"PRODUCT_CONTEXT('',{application},'mechanical')")

@@ -1,11 +1,12 @@
 """SVG: paths and basic shapes, one curve per subpath, in the coordinates of the outermost ``<svg>``.
 
-Lines, quadratics and cubics are exact, elliptic arcs where their centre is rational and their axes are parallel to the
-coordinate axes (or they are circular); a subpath with another arc is skipped. Transforms are applied exactly, about
-their origin; one with an irrational sine, cosine or tangent skips what it moves. Path data with an error count up to
-the error, as the standard says. Copies (`use`) are placed, of a `switch` the first child is drawn that needs no
-extension and no language. What style sheets may move or shape is skipped, what they may hide is said in a note.
-Definitions (`defs`, `marker`, …) are not drawn. svgelements and svgpathtools hold floats, so the text is parsed here.
+Lines, quadratics and cubics are exact. Elliptic arcs are exact if the centre is rational and the axes are parallel to
+the coordinate axes (or the arc is circular); a subpath with any other arc is skipped. Transforms are applied exactly,
+about their origin; elements under a transform with an irrational sine, cosine or tangent are skipped. Path data with an
+error are read up to the error, as the standard requires. Copies (`use`) are placed; of a `switch` the first child is
+drawn that requires no extension and no language. Elements that style sheets may move or reshape are skipped; a note
+names those that style sheets may hide. Definitions (`defs`, `marker`, …) are not drawn. svgelements and svgpathtools
+store floats, so the text is parsed here.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ DEFINITIONS = (
     "glyph", "missing-glyph", "hatch", "cursor",
 )  # fmt: skip
 SKIPPED = {
-    "text": "glyphs need a font", "image": "not a curve", "foreignObject": "another language", "video": "not a curve",
+    "text": "its glyphs are in a font", "image": "not a curve", "foreignObject": "not SVG", "video": "not a curve",
     "audio": "not a curve", "canvas": "not a curve", "iframe": "not a curve",
 }  # fmt: skip
 SHAPES = ("path", "line", "polyline", "polygon", "rect", "circle", "ellipse")
@@ -42,78 +43,78 @@ SILENT = ("style", "script", "title", "desc", "metadata", "view")
 ANIMATIONS = ("animate", "animateTransform", "animateMotion", "set", "discard")
 IDENTITY = Affine.identity(2)
 
-LOSES = "SVG holds no knots: segments are kept, their parameter intervals are not"
+LOSES = "SVG stores no knots: segments are kept, their parameter intervals are not"
 
 
 class NotDrawnError(ShapeError):
-    """A shape of which nothing is drawn: no curve is missing."""
+    """The shape is not drawn at all, so that no curve is missing."""
 
 
 @dataclass(frozen=True)
 class _Place:
-    """Where an element is drawn: the map from its coordinates, what is to be said of all curves below, how it is
-    reached, and the ids of what is copied there.
+    """Where an element is drawn: the map from its coordinates, the notes for all curves in it, the path by which it is
+    reached, and the ids of the elements being copied.
     """
 
     placed: Affine = IDENTITY
     notes: tuple[str, ...] = ()
     reached: str = ""
     copies: frozenset[str] = frozenset()
-    #: Whether the element is itself what a `use` copies.
+    #: Whether the element is the one that a `use` copies.
     copied: bool = False
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether an element svg begins near the start."""
+    """Whether an element svg begins near the start of the file."""
     return bool(re.search(rb"<(\w+:)?svg[\s>]", head))
 
 
 def read(source: Source) -> Reading:
     """The curves of a file in the order of drawing."""
-    found = Collector("svg", source)
-    _Drawing(found, parse(source.data, source.limits)).draw()
+    collector = Collector("svg", source)
+    _Drawing(collector, parse(source.data, source.limits)).draw()
     if b"<?xml-stylesheet" in source.data:
-        found.note("a style sheet in another file is not read: it may move, shape or hide curves")
-    return found.reading()
+        collector.note("a style sheet in another file is not read: it may move, shape or hide curves")
+    return collector.reading()
 
 
 class _Drawing:
-    """The walk through a file."""
+    """The traversal of the elements of a file."""
 
-    def __init__(self, found: Collector, root: Element) -> None:
-        self.found, self.root, self.sheet = found, root, Sheet()
+    def __init__(self, collector: Collector, root: Element) -> None:
+        self.collector, self.root, self.sheet = collector, root, Sheet()
         self.by_id: dict[str, Element] = {}
         for element in root.walk():
             self.by_id.setdefault(element.attributes.get("id", ""), element)
             if element.tag == "style":
                 self.sheet.add(element.text)
             if element.tag in ANIMATIONS:
-                found.note("animations are not followed: curves are as the file has them before")
+                collector.note("animations are not applied: curves are read in their initial state")
             if element.tag == "script":
-                found.note("a script is not run: it may change any curve")
+                collector.note("scripts are not run: they may change any curve")
         if self.sheet.imports:
-            found.note("a style sheet in another file is not read: it may move, shape or hide curves")
+            collector.note("a style sheet in another file is not read: it may move, shape or hide curves")
         if "viewBox" in root.attributes:
-            found.note("coordinates are those inside the viewBox: its placing on the page is not applied")
+            collector.note("coordinates are those of the viewBox: its placement on the page is not applied")
 
     def draw(self) -> None:
         """Collect the curves."""
         waiting: list[tuple[Element, _Place]] = [(self.root, _Place())]
         while waiting:
             element, place = waiting.pop()
-            self.found.count(1)
+            self.collector.count(1)
             where = f"{element.tag} at line {element.line}{place.reached}"
             try:
                 below = self._entered(element, where, place)
             except NotDrawnError as error:
                 self._not_drawn(element, where, str(error))
             except ExactSplineError as error:
-                self.found.skip(element.tag, where, str(error))
+                self.collector.skip(element.tag, where, str(error))
             else:
                 waiting += reversed(below)
 
     def _entered(self, element: Element, where: str, place: _Place) -> list[tuple[Element, _Place]]:
-        """Collect the curves of an element itself; what is drawn below it, and where."""
+        """Collect the curves of an element; return the elements drawn inside it, each with its place."""
         tag = element.tag
         if tag in SILENT or tag in ANIMATIONS:
             return []
@@ -121,48 +122,48 @@ class _Drawing:
             self._not_drawn(element, where, f"not drawn: inside {tag}")
             return []
         if tag in SKIPPED:
-            self.found.skip(tag, where, SKIPPED[tag], curve=False)
+            self.collector.skip(tag, where, SKIPPED[tag], curve=False)
             return []
         if why := _condition(element):
             raise NotDrawnError(why)
         place = self._placed(element, place)
         if tag in SHAPES:
-            _shape(self.found, element, where, place)
+            _shape(self.collector, element, where, place)
             return []
         if tag == "use":
             return [self._copied(element, place)]
         if tag not in CONTAINERS:
-            place = replace(place, notes=(*place.notes, f"inside of <{tag[:40]}>, which SVG does not define"))
+            place = replace(place, notes=(*place.notes, f"inside <{tag[:40]}>, which SVG does not define"))
         return [(child, place) for child in (self._chosen(element) if tag == "switch" else element.children)]
 
     def _not_drawn(self, element: Element, where: str, why: str) -> None:
-        """Name the shapes of an element of which nothing is drawn."""
+        """Record the shapes of an element that is not drawn."""
         for below in element.walk():
             if below.tag in (*SHAPES, "use"):
-                own = where if below is element else f"{below.tag} at line {below.line}"
-                self.found.skip(below.tag, own, why, curve=False)
+                place = where if below is element else f"{below.tag} at line {below.line}"
+                self.collector.skip(below.tag, place, why, curve=False)
 
     def _chosen(self, switch: Element) -> list[Element]:
-        """Of the children of a `switch` the first that can be drawn."""
+        """The first child of a `switch` that can be drawn, in a list; empty if there is none."""
         chosen = next((child for child in switch.children if child.tag not in SILENT and not _condition(child)), None)
         for child in switch.children:
             if child is not chosen and child.tag not in SILENT:
-                why = _condition(child) or "not drawn: an earlier child of the switch is"
+                why = _condition(child) or "not drawn: an earlier child of the switch is drawn"
                 self._not_drawn(child, f"{child.tag} at line {child.line}", why)
         return [] if chosen is None else [chosen]
 
     def _placed(self, element: Element, place: _Place) -> _Place:
-        """Where the inside of an element is drawn."""
+        """The place where the content of an element is drawn."""
         style, sheet = declarations(element.attributes.get("style", "")), self.sheet.may_set(element)
         is_root = element is self.root
         if element.tag == "svg" and not is_root and {"x", "y", "viewBox"} & element.attributes.keys():
-            raise ShapeError("an inner svg with its own view", remedy="flatten the drawing")
+            raise ShapeError("an inner svg with a viewBox", remedy="flatten the drawing")
         if element.tag == "symbol" and {"x", "y", "viewBox", "refX", "refY"} & element.attributes.keys():
-            raise ShapeError("a symbol with its own view", remedy="flatten the drawing")
+            raise ShapeError("a symbol with a viewBox", remedy="flatten the drawing")
         if is_root:
-            # the size and the place of the outermost svg are those of the page
+            # size and position of the outermost svg describe the page
             if element.attributes.get("transform", "").strip() or MOVING & {*style, *sheet}:
-                self.found.note("the outermost svg is moved on the page: not applied")
+                self.collector.note("the outermost svg is moved on the page: not applied")
             return replace(place, notes=self._hidden(element, style, sheet))
         shaping = SHAPING.get(element.tag, frozenset()) | {"all"}
         if given := shaping & {*style, *sheet}:
@@ -172,53 +173,58 @@ class _Drawing:
             raise ShapeError(
                 f"a transform in CSS ({in_words(moving | ORIGIN & sheet)})", remedy="write it as an attribute"
             )
-        own = IDENTITY
+        local = IDENTITY
         if "transform" not in style:
-            own = transform(element.attributes.get("transform", ""), self.found.limits)
-        if not own.is_identity:
-            own = about(own, element.attributes, style, self.found.limits)
+            local = transform(element.attributes.get("transform", ""), self.collector.limits)
+        if not local.is_identity:
+            local = about(local, element.attributes, style, self.collector.limits)
         clips = element.tag in ("svg", "symbol") and ({"width", "height"} & element.attributes.keys())
-        cut = ("an inner svg may show a part of it alone",) if clips else ()
+        cut = ("an inner svg may show only a part of it",) if clips else ()
         notes = tuple(dict.fromkeys((*place.notes, *self._hidden(element, style, sheet), *cut)))
-        return replace(place, placed=place.placed @ own, notes=notes, copied=False)
+        return replace(place, placed=place.placed @ local, notes=notes, copied=False)
 
     def _hidden(self, element: Element, style: dict[str, str], sheet: frozenset[str]) -> tuple[str, ...]:
-        """What is said of curves that are hidden, in part or perhaps; `NotDrawnError` where nothing is drawn."""
+        """Notes on curves that are, or may be, partly or fully hidden; raises `NotDrawnError` if nothing is drawn."""
         given = {name: element.attributes[name] for name in HIDING if name in element.attributes}
         given |= {name: style[name] for name in HIDING if name in style}
         given = {name: value.strip() for name, value in given.items()}
         may = sheet & set(HIDING)
         if given.get("display") == "none" and not may:
             raise NotDrawnError("not drawn: display is none")
-        said = [f"{name} is {value[:40]}, here or around it: the whole curve is read" for name, value in given.items()
-                if value not in ("", "none", "visible", "inline", "block", "auto", "inherit")]  # fmt: skip
-        said += [f"a style sheet may hide it ({in_words(may)})"] if may else []
-        return tuple(said)
+        remarks = [
+            f"{name} is {value[:40]}, on it or an element around it: the whole curve is read"
+            for name, value in given.items()
+            if value not in ("", "none", "visible", "inline", "block", "auto", "inherit")
+        ]
+        remarks += [f"a style sheet may hide it ({in_words(may)})"] if may else []
+        return tuple(remarks)
 
     def _copied(self, use: Element, place: _Place) -> tuple[Element, _Place]:
-        """The element that a `use` copies, and where: its x and y are a translation within its transform."""
+        """The element that a `use` copies, and its place; its x and y are a translation inside its transform."""
         links = [value for key, value in use.attributes.items() if key.rpartition(":")[2] == "href"]
-        # the attribute without a prefix comes first
+        # the attribute without a prefix takes precedence
         link = use.attributes.get("href", links[0] if links else "").strip()
         if not link.startswith("#"):
             raise ShapeError(
-                "a copy of what stands in another file" if link else "a copy of nothing", remedy="place it"
+                "a copy of an element of another file" if link else "a copy of nothing", remedy="write the element here"
             )
         target = self.by_id.get(link[1:])
         if target is None or not link[1:]:
             raise ShapeError(f"a copy of {link[:40]!r}, which is not in the file", remedy="correct the link")
-        if link in place.copies or len(place.copies) >= self.found.limits.depth:
+        if link in place.copies or len(place.copies) >= self.collector.limits.depth:
             raise ShapeError("a copy of itself", remedy="correct the link")
         if target.tag == "svg":
-            raise ShapeError("a copy of an svg with its own view", remedy="flatten the drawing")
-        shift = [length(use.attributes.get(axis, "0"), self.found.limits) for axis in "xy"]
+            raise ShapeError("a copy of an svg with a viewBox", remedy="flatten the drawing")
+        shift = [length(use.attributes.get(axis, "0"), self.collector.limits) for axis in "xy"]
         moved = place.placed @ Affine([[1, 0, shift[0]], [0, 1, shift[1]]])
         reached, copies = f"{place.reached}, copied at line {use.line}", place.copies | {link}
         return target, _Place(moved, place.notes, reached, copies, copied=True)
 
 
 def _condition(element: Element) -> str:
-    """Why an element is not drawn by a reader that supports no extension and prefers no language; "" if it is."""
+    """The reason why a reader that supports no extension and prefers no language does not draw an element; "" if it
+    does.
+    """
     if "requiredExtensions" in element.attributes:
         return "not drawn: it requires an extension"
     if "systemLanguage" in element.attributes:
@@ -226,41 +232,43 @@ def _condition(element: Element) -> str:
     return ""
 
 
-def _shape(found: Collector, element: Element, where: str, place: _Place) -> None:
+def _shape(collector: Collector, element: Element, where: str, place: _Place) -> None:
     name = element.attributes.get("id") or f"{element.tag} {element.line}"
     notes = list(place.notes)
     if element.tag == "path":
         data = element.attributes.get("d", "")
-        found.room(least_size(data))
-        parsed, problem = subpaths(data, found.limits)
+        collector.room(least_size(data))
+        parsed, problem = subpaths(data, collector.limits)
         if not parsed:
             raise ShapeError(problem, remedy="correct the path data") if problem else NotDrawnError("no segments")
         notes += [f"{problem}: read up to there"] if problem else []
     else:
-        segments, said = _basic(found, element)
-        parsed, notes = [Subpath(segments)], notes + said
+        segments, remarks = _basic(collector, element)
+        parsed, notes = [Subpath(segments)], notes + remarks
     several = len(parsed) > 1
     for i, part in enumerate(parsed, 1):
         at = f"{where}, subpath {i}" if several else where
         if part.problem:
-            found.skip("subpath", at, part.problem)
+            collector.skip("subpath", at, part.problem)
             continue
-        _add(found, element.tag, at, mapped(part.segments, place.placed), f"{name}.{i}" if several else name, notes)
+        _add(collector, element.tag, at, mapped(part.segments, place.placed), f"{name}.{i}" if several else name, notes)
 
 
-def _add(found: Collector, what: str, where: str, segments: Sequence[Segment], name: str, notes: Sequence[str]) -> None:
+def _add(
+    collector: Collector, what: str, where: str, segments: Sequence[Segment], name: str, notes: Sequence[str]
+) -> None:
     degree, knots, points = joined(segments)
     if {point[-1] for point in points} == {1}:
-        found.add(what, where, degree, knots, [point[:-1] for point in points], name=name, notes=notes)
+        collector.add(what, where, degree, knots, [point[:-1] for point in points], name=name, notes=notes)
     else:
-        found.add(what, where, degree, knots, points, homogeneous=True, name=name, notes=notes)
+        collector.add(what, where, degree, knots, points, homogeneous=True, name=name, notes=notes)
 
 
-def _basic(found: Collector, element: Element) -> tuple[list[Segment], list[str]]:
-    """The segments of a basic shape, in the order in which the standard draws them, and what is to be said of them."""
+def _basic(collector: Collector, element: Element) -> tuple[list[Segment], list[str]]:
+    """The segments of a basic shape, in the order in which the standard draws them, and notes on them."""
 
     def size(key: str) -> mpq:
-        return length(element.attributes.get(key, "0"), found.limits)
+        return length(element.attributes.get(key, "0"), collector.limits)
 
     notes: list[str] = []
     if element.tag == "line":
@@ -269,7 +277,7 @@ def _basic(found: Collector, element: Element) -> tuple[list[Segment], list[str]
         return _round(element, size), notes
     if element.tag == "rect":
         radii = [element.attributes[key].strip() for key in ("rx", "ry") if key in element.attributes]
-        if any(radius != "auto" and length(radius, found.limits) for radius in radii):
+        if any(radius != "auto" and length(radius, collector.limits) for radius in radii):
             raise ShapeError("a rectangle with round corners", remedy="write it as a path")
         x, y, width, height = (size(key) for key in ("x", "y", "width", "height"))
         if width <= 0 or height <= 0:
@@ -277,10 +285,10 @@ def _basic(found: Collector, element: Element) -> tuple[list[Segment], list[str]
         corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
     else:
         texts = element.attributes.get("points", "").replace(",", " ").split()
-        found.room(len(texts))
-        numbers = [decimal(text, found.limits) for text in texts]
+        collector.room(len(texts))
+        numbers = [decimal(text, collector.limits) for text in texts]
         corners = list(zip(numbers[::2], numbers[1::2], strict=False))
-        notes += ["an odd number of coordinates: the last one is left out"] if len(numbers) % 2 else []
+        notes += ["an odd number of coordinates: the last one is dropped"] if len(numbers) % 2 else []
         corners += corners[:1] if element.tag == "polygon" and corners[:1] != corners[-1:] else []
     if len(corners) < 2:
         raise NotDrawnError("fewer than two points", remedy="nothing is drawn")
@@ -288,7 +296,7 @@ def _basic(found: Collector, element: Element) -> tuple[list[Segment], list[str]
 
 
 def _round(element: Element, size: Callable[[str], mpq]) -> list[Segment]:
-    """A whole circle or ellipse; a radius that is left out is the other one."""
+    """A full circle or ellipse; a missing radius equals the other one."""
     given = ["r"] if element.tag == "circle" else [
         key for key in ("rx", "ry") if element.attributes.get(key, "auto").strip() != "auto"
     ]  # fmt: skip
@@ -300,7 +308,7 @@ def _round(element: Element, size: Callable[[str], mpq]) -> list[Segment]:
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """Polynomial plane curves of degree 1 to 3 as paths; SVG holds no knots: the segments are kept, their parameter
+    """Polynomial plane curves of degree 1 to 3 as paths. SVG stores no knots: the segments are kept, their parameter
     intervals are not.
     """
     paths = []

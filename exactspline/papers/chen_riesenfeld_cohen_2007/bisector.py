@@ -1,7 +1,7 @@
-"""§6: bisectors, in the sense of equal critical distances, before any trimming.
+"""§6: bisectors, in the sense of equal critical distances, before trimming.
 
-A bisector point lies in three planes (in the plane: on two lines). Each is a row of a linear system: its normal, and
-its height over the origin.
+A bisector point lies in three planes (in the plane: on two lines). Each is a row of a linear system: a normal and a
+height, as in ``normal · B = height``.
 """
 
 from exactspline.language.formula import formula
@@ -112,13 +112,13 @@ def bisector_determinant(c):
 
 @formula("eqs. (22), (23)", on="pair")
 def bisector_numerators(c):
-    """The numerators of Cramer's rule for (22), added as Table 1 adds."""
+    """The numerators of Cramer's rule for (22), added by the rules of Table 1."""
     return cramer(_normal_plane(c.first), _normal_plane(c.second), _middle_plane(c.first.gamma, c.second.gamma))
 
 
 @formula("eqs. (22), (23), (26)", on="pair")
 def bisector_numerators_levelled(c):
-    """The numerators of Cramer's rule for (22), each row first brought to one denominator."""
+    """The numerators of Cramer's rule for (22), each row first brought to a common denominator."""
     return cramer(
         level(*_normal_plane(c.first)),
         level(*_normal_plane(c.second)),
@@ -134,7 +134,7 @@ def bisector(c):
 
 @formula("eqs. (22), (23), (26)", on="pair", symbol="B")
 def bisector_levelled(c):
-    """Bisector of two space curves: (22) by Cramer's rule, each row first brought to one denominator."""
+    """Bisector of two space curves: (22) by Cramer's rule, each row first brought to a common denominator."""
     return bisector_numerators_levelled(c) / bisector_determinant(c)
 
 
@@ -160,7 +160,7 @@ def bisector_polynomial(c):
 
 @formula("eq. (27), for both curves", on="pair", symbol="C")
 def chord(c):
-    """``w̄p − wp̄``: the direction from one foot to the other."""
+    """``w̄p − wp̄``: the direction from one foot point to the other."""
     return c.first.p * c.second.w - c.second.p * c.first.w
 
 
@@ -198,7 +198,7 @@ def bisector_in_second_normal_plane(c):
 
 @formula("definition of the bisector", on="pair")
 def bisector_equidistance(c):
-    """``‖B − γ‖² − ‖B − γ̄‖²``: zero when B is as far from one foot as from the other."""
+    """``‖B − γ‖² − ‖B − γ̄‖²``: zero if B is equidistant from the two foot points."""
     return norm2(bisector_symmetric(c) - c.first.gamma) - norm2(bisector_symmetric(c) - c.second.gamma)
 
 
@@ -244,26 +244,26 @@ def point_bisector_determinant(c):
 
 @formula("eq. (31)", on="point", symbol=r"\delta")
 def point_bisector_directrix(c):
-    """Directrix of the point/curve bisector by (31), added as Table 1 adds."""
+    """Directrix of the point/curve bisector by (31), added by the rules of Table 1."""
     return cramer(_normal_plane(c), _through_point(c), _middle_plane(c.gamma, c.point)) / point_bisector_determinant(c)
 
 
 @formula("eqs. (31), (32)", on="point", symbol=r"\delta")
 def point_bisector_directrix_levelled(c):
-    """Directrix of the point/curve bisector by (31), each row first brought to one denominator."""
+    """Directrix of the point/curve bisector by (31), each row first brought to a common denominator."""
     rows = level(*_normal_plane(c)), level(*_through_point(c)), level(*_middle_plane(c.gamma, c.point))
     return cramer(rows[0], rows[1], rows[2]) / point_bisector_determinant(c)
 
 
 @formula("eq. (31)", on="point")
 def point_bisector_naive(c):
-    """Point/curve bisector with the explicit directrix, added as Table 1 adds."""
+    """Point/curve bisector with the explicit directrix, added by the rules of Table 1."""
     return ruled(point_bisector_directrix(c), point_bisector_generator(c))
 
 
 @formula("eqs. (31), (32)", on="point")
 def point_bisector(c):
-    """Point/curve bisector with the explicit directrix, each row first brought to one denominator."""
+    """Point/curve bisector with the explicit directrix, each row first brought to a common denominator."""
     return ruled(point_bisector_directrix_levelled(c), point_bisector_generator(c))
 
 
@@ -287,7 +287,7 @@ def point_bisector_determinant_polynomial(c):
 
 @formula("eq. (34), as printed", on="point", symbol=r"\delta")
 def point_bisector_directrix_printed(c):
-    """Directrix by (34) with the last height as it is printed, ``½(p² − wQ²)``."""
+    """Directrix by (34) with the last height as printed, ``½(p² − wQ²)``."""
     first, second = _polynomial_rows(c)
     rows = first, second, (c.p - c.point * c.w, (norm2(c.p) - c.w * norm2(c.point)) / 2)
     return cramer(rows[0], rows[1], rows[2]) / (point_bisector_determinant_polynomial(c) * c.w)
@@ -295,7 +295,7 @@ def point_bisector_directrix_printed(c):
 
 @formula("eq. (34)", on="point", symbol=r"\delta")
 def point_bisector_directrix_polynomial(c):
-    """Directrix by (34) with the last height as it must be, ``½(‖p‖² − w²‖Q‖²)``."""
+    """Directrix by (34) with the corrected last height, ``½(‖p‖² − w²‖Q‖²)``."""
     first, second = _polynomial_rows(c)
     return cramer(first, second, _point_middle(c)) / (point_bisector_determinant_polynomial(c) * c.w)
 
@@ -307,7 +307,7 @@ def point_bisector_polynomial(c):
 
 
 def _direct(c, axis):
-    """The surface with one coordinate as ruling parameter: its plane is the third row, ``e | wζ``."""
+    """The surface with one coordinate as the ruling parameter: its plane is the third row, ``e | wζ``."""
     normal, middle = _normal_plane_polynomial(c), _point_middle(c)
     below = det(normal[0], middle[0], axis) * c.w
     return ruled(cramer(normal, middle, (axis, 0)) / below, cross(normal[0], middle[0]) * c.w / below)
@@ -315,26 +315,32 @@ def _direct(c, axis):
 
 @formula("§6.2, direct approach", on="point")
 def point_bisector_direct_x(c):
-    """Point/curve bisector by the 2×2 system with the first component moved: it is the ruling parameter."""
+    """Point/curve bisector by the 2×2 system with the first component moved to the right-hand side, where it is the
+    ruling parameter.
+    """
     return _direct(c, c.axis_x)
 
 
 @formula("§6.2, direct approach", on="point")
 def point_bisector_direct_y(c):
-    """Point/curve bisector by the 2×2 system with the second component moved: it is the ruling parameter."""
+    """Point/curve bisector by the 2×2 system with the second component moved to the right-hand side, where it is the
+    ruling parameter.
+    """
     return _direct(c, c.axis_y)
 
 
 @formula("§6.2, direct approach", on="point")
 def point_bisector_direct_z(c):
-    """Point/curve bisector by the 2×2 system with the third component moved: it is the ruling parameter."""
+    """Point/curve bisector by the 2×2 system with the third component moved to the right-hand side, where it is the
+    ruling parameter.
+    """
     return _direct(c, c.axis_z)
 
 
 @formula("eq. (35)", on="point")
 def point_bisector_direct_naive(c):
-    """Point/curve bisector by the naive 2×2 system, each row brought to one denominator, with the third component
-    moved.
+    """Point/curve bisector by the naive 2×2 system, each row brought to a common denominator, with the third component
+    moved to the right-hand side.
     """
     normal, middle = level(*_normal_plane(c)), level(*_middle_plane(c.gamma, c.point))
     below = det(normal[0], middle[0], c.axis_z)
@@ -355,7 +361,7 @@ def direct_height_of_directrix(c):
 
 @formula("§6.2, direct approach", on="point")
 def direct_height_of_generator(c):
-    """The third component of the generator of the direct form, less 1."""
+    """The third component of the generator of the direct form, minus 1."""
     return dot(c.axis_z, point_bisector_direct_z(c).generator) - 1
 
 
@@ -391,7 +397,7 @@ def point_bisector_in_normal_plane(c):
 
 @formula("definition of the bisector", on="point")
 def point_bisector_equidistance(c):
-    """``‖δ − γ‖² − ‖δ − Q‖²``: zero when δ is as far from its foot as from Q."""
+    """``‖δ − γ‖² − ‖δ − Q‖²``: zero if δ is equidistant from its foot point and Q."""
     directrix = point_bisector_directrix_polynomial(c)
     return norm2(directrix - c.gamma) - norm2(directrix - c.point)
 
@@ -410,7 +416,7 @@ def plane_bisector_determinant(c):
 
 @formula("eq. (30) in the plane", on="plane point", symbol="B")
 def plane_bisector(c):
-    """Bisector of a plane curve and a point, naive, each row brought to one denominator."""
+    """Bisector of a plane curve and a point, naive, each row brought to a common denominator."""
     rows = level(*_normal_plane(c)), level(*_middle_plane(c.gamma, c.point))
     return cramer(rows[0], rows[1]) / det(c.gamma.d(1), c.gamma - c.point)
 
@@ -423,11 +429,11 @@ def plane_bisector_polynomial(c):
 
 @formula("definition of the bisector", on="plane point")
 def plane_bisector_in_normal(c):
-    """``(B − γ)·γ′``: zero when B lies on the normal at its foot."""
+    """``(B − γ)·γ′``: zero if B lies on the normal at its foot point."""
     return dot(plane_bisector_polynomial(c) - c.gamma, c.gamma.d(1))
 
 
 @formula("definition of the bisector", on="plane point")
 def plane_bisector_equidistance(c):
-    """``‖B − γ‖² − ‖B − Q‖²``: zero when B is as far from its foot as from Q."""
+    """``‖B − γ‖² − ‖B − Q‖²``: zero if B is equidistant from its foot point and Q."""
     return norm2(plane_bisector_polynomial(c) - c.gamma) - norm2(plane_bisector_polynomial(c) - c.point)

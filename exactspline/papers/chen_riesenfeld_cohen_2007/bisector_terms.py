@@ -1,4 +1,4 @@
-"""§6: the terms of the determinants, the entries of the matrices, and the displays of §6.2 as they are printed."""
+"""§6: the terms of the determinants, the entries of the matrices, and the displays of §6.2 as printed."""
 
 from exactspline.language.formula import formula
 from exactspline.language.linear_system import cramer
@@ -25,7 +25,7 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D1, veloci
 
 
 def _rows(c):
-    """The normals of (22) in the order of its rows."""
+    """The normals of the rows of (22)."""
     return velocity(c.first), second_normal(c), middle_normal(c)
 
 
@@ -167,8 +167,8 @@ def bisector_denominator(c):
 
 @formula("§6.2, footnote c", on="point")
 def foot_second_order(c):
-    """``‖γ′‖² − (δ − γ)·γ″``: half of the second derivative of the squared distance of δ from γ at its foot; where it
-    is negative, the foot is farther from δ than the points of the curve beside it.
+    """``‖γ′‖² − (δ − γ)·γ″``: half of the second derivative of the squared distance from δ to γ at the foot point;
+    where it is negative, the foot point is a local maximum of the distance from δ.
     """
     offset = point_bisector_directrix_polynomial(c) - c.gamma
     return norm2(c.gamma.d(1)) - dot(offset, c.gamma.d(2))
@@ -182,13 +182,13 @@ def directrix_through_point_plane(c):
 
 @formula("§6.2.1, the third plane", on="point")
 def point_in_third_plane(c):
-    """``Q·(γ′ × (γ − Q))`` less the height of the third row of (31): zero when its plane passes through Q."""
+    """``Q·(γ′ × (γ − Q))`` minus the height of the third row of (31): zero if its plane passes through Q."""
     return dot(point_bisector_generator(c), c.point) - through_point_height(c)
 
 
 @formula("§6.2, footnote e", on="point")
 def point_bisector_by_numerator(c):
-    """The surface of (31) with the numerator of the generator in its place."""
+    """The surface of (31) with the generator replaced by its numerator."""
     return ruled(point_bisector_directrix_levelled(c), point_bisector_generator_polynomial(c))
 
 
@@ -229,12 +229,12 @@ def directrix_denominator(c):
 
 @formula("eq. (34), as printed", on="point")
 def point_bisector_printed(c):
-    """The surface of (34) with the last height as it is printed."""
+    """The surface of (34) with the last height as printed."""
     return ruled(point_bisector_directrix_printed(c), cross(D1(c), c.gamma - c.point))
 
 
 @formula("§6.2.2", on="point")
 def point_bisector_with_another_directrix(c):
-    """The surface with ``δ + xG`` for its directrix, x any function: here the first coordinate of p."""
+    """The surface with the directrix ``δ + xG`` for an arbitrary function x, here the first coordinate of p."""
     generator = cross(D1(c), c.gamma - c.point)
     return ruled(point_bisector_directrix_polynomial(c) + generator * c.p[0], generator)

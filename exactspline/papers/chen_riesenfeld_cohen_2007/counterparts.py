@@ -1,4 +1,4 @@
-"""The same said in another way: what claims hold formulas of the paper against, so that a slip in either is seen."""
+"""Alternative expressions with which claims compare formulas of the paper, so that an error in either is detected."""
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import cross, det, dot, norm2
@@ -23,7 +23,7 @@ def jerk_term_21_parts(c):
 
 @formula("eq. (5)", on="plane")
 def velocity_jerk_by_terms(c):
-    """``[γ′ γ‴]`` with γ‴ by eq. (5): what is left beside [D1 D3]."""
+    """``[γ′ γ‴]`` with γ‴ by eq. (5): the terms remaining next to [D1 D3]."""
     return (D1_D3(c) + det(D1(c), D21(c))) / c.w**4 - (4 * c.w.d(1) / c.w**5) * det(D1(c), D2(c))
 
 
@@ -41,7 +41,7 @@ def rectifying_surface_normal(c):
 
 @formula("eq. (34), as printed", on="point")
 def point_bisector_misprint(c):
-    """What the directrix with the height as it is printed is off by."""
+    """The error of the directrix with the height as printed."""
     return point_bisector_directrix_printed(c) - point_bisector_directrix_polynomial(c)
 
 
@@ -60,13 +60,13 @@ def generator_of_34(c):
 
 @formula("§6.2, direct approach", on="point")
 def direct_x_of_directrix(c):
-    """The first component of the directrix of the direct form that moves it."""
+    """The first component of the directrix of the direct form in which it is the ruling parameter."""
     return dot(c.axis_x, point_bisector_direct_x(c).directrix)
 
 
 @formula("§6.2, direct approach", on="point")
 def direct_y_of_directrix(c):
-    """The second component of the directrix of the direct form that moves it."""
+    """The second component of the directrix of the direct form in which it is the ruling parameter."""
     return dot(c.axis_y, point_bisector_direct_y(c).directrix)
 
 
@@ -84,5 +84,5 @@ def generator_y(c):
 
 @formula("eq. (31)", on="point")
 def through_point_height_by_determinant(c):
-    """``[Q γ′ γ]``: what ``Q·(γ′ × (γ − Q))`` comes to."""
+    """``[Q γ′ γ]``, which equals ``Q·(γ′ × (γ − Q))``."""
     return det(c.point, c.gamma.d(1), c.gamma)

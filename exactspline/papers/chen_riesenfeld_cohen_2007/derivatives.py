@@ -54,7 +54,7 @@ def speed_squared(c):
 
 @formula("§4.2, §5", symbol=r"\|D_1\|^2")
 def D1_squared(c):
-    """``‖D1‖²``: without a zero where the curve is regular."""
+    """``‖D1‖²``: nonzero where the curve is regular."""
     return norm2(D1(c))
 
 
@@ -103,7 +103,7 @@ def D1_D2_D21(c):
 
 @formula("§3")
 def D21_in_span(c):
-    """D21 by D1 and D2."""
+    """D21 as a combination of D1 and D2."""
     return (D2(c) * c.w.d(1) - D1(c) * c.w.d(2)) / c.w
 
 
@@ -145,25 +145,25 @@ def jerk_term_1(c):
 
 @formula("eq. (5)")
 def acceleration_terms(c):
-    """Second derivative as the paper prints it: a sum of terms over powers of w."""
+    """Second derivative as printed in the paper: a sum of terms over powers of w."""
     return acceleration_first_term(c) - acceleration_term_1(c)
 
 
 @formula("eq. (5)")
 def jerk_terms(c):
-    """Third derivative as the paper prints it: a sum of terms over powers of w."""
+    """Third derivative as printed in the paper: a sum of terms over powers of w."""
     return jerk_first_term(c) + jerk_term_21(c) - jerk_term_2(c) + jerk_term_1(c)
 
 
 @formula("Remark 3.2", on="plane")
 def acceleration_rest_plane(c):
-    """``[γ′ γ″ − D2/w²]``: zero when the rest of γ″ is along γ′, in the plane."""
+    """``[γ′ γ″ − D2/w²]``: zero if the rest of γ″ is parallel to γ′, in the plane."""
     return det(c.gamma.d(1), c.gamma.d(2) - acceleration_first_term(c))
 
 
 @formula("Remark 3.2", on="space")
 def acceleration_rest_space(c):
-    """``γ′ × (γ″ − D2/w²)``: zero when the rest of γ″ is along γ′, in space."""
+    """``γ′ × (γ″ − D2/w²)``: zero if the rest of γ″ is parallel to γ′, in space."""
     return cross(c.gamma.d(1), c.gamma.d(2) - acceleration_first_term(c))
 
 

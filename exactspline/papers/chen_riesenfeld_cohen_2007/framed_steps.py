@@ -1,4 +1,4 @@
-"""Lines of derivations as they are printed that speak of roots: §5.4 and §5.5, over σ = ‖γ′‖ and ρ = ‖γ′ × γ″‖."""
+"""Lines of derivations, as printed, that contain square roots: §5.4 and §5.5, over σ = ‖γ′‖ and ρ = ‖γ′ × γ″‖."""
 
 from exactspline.language.formula import formula
 from exactspline.language.ruled import ruled
@@ -141,13 +141,13 @@ def velocity_dot_acceleration(c):
 
 @formula("eq. (19)", on="framed space")
 def focal_third_term(c):
-    """``(1/τ)(1/κ)′B``, the derivative by the parameter."""
+    """``(1/τ)(1/κ)′B``, with the derivative with respect to the parameter."""
     return radius_derivative_along_binormal(c) / torsion(c)
 
 
 @formula("eq. (19)", on="framed space")
 def focal_curve_by_parameter(c):
-    """``γ + (1/κ)N + (1/τ)(1/κ)′B``, the derivative by the parameter."""
+    """``γ + (1/κ)N + (1/τ)(1/κ)′B``, with the derivative with respect to the parameter."""
     return c.gamma + radius_vector(c) + focal_third_term(c)
 
 
@@ -159,7 +159,7 @@ def focal_surface_by_unit_binormal(c):
 
 @formula("§5.6", on="framed space")
 def focal_line_offset(c):
-    """``((1/τ)(1/κ)′B) × (γ′ × γ″)``: zero when the third term is along the binormal."""
+    """``((1/τ)(1/κ)′B) × (γ′ × γ″)``: zero if the third term is parallel to the binormal."""
     return cross(focal_third_term(c), binormal(c))
 
 

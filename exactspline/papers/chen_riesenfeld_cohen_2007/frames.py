@@ -47,7 +47,7 @@ def unit_normal_by_product(c):
 
 @formula("eq. (13)", on="framed space")
 def frame_products(c):
-    """The scalar products and the determinant of T, N, B without those of an orthonormal, right-handed basis."""
+    """The scalar products and the determinant of T, N, B, minus those of an orthonormal, right-handed basis."""
     t, n, b = unit_tangent(c), unit_normal(c), unit_binormal(c)
     lengths = [norm2(v) - 1 for v in (t, n, b)]
     return join(*lengths, dot(t, n), dot(n, b), dot(b, t), det(t, n, b) - 1)
@@ -85,7 +85,7 @@ def unit_binormal_derivative(c):
 
 @formula("Frenet equations", on="framed space")
 def turn_of_normal(c):
-    """``τ B − κ T``: the derivative of N by arc length."""
+    """``τ B − κ T``: the derivative of N with respect to arc length."""
     return unit_binormal(c) * torsion(c) - unit_tangent(c) * curvature_in_space(c)
 
 

@@ -19,7 +19,7 @@ def f1(c):
 
 @formula("eq. (8)", on="plane")
 def f1_expanded(c):
-    """``[D1 D2]`` multiplied out, as eq. (8) prints it."""
+    """``[D1 D2]`` expanded, as printed in eq. (8)."""
     p, w = c.p, c.w
     return det(p.d(1), p.d(2)) * w**2 - det(p, p.d(2)) * (w.d(1) * w) - det(p.d(1), p) * (w * w.d(2))
 
@@ -69,7 +69,7 @@ def g0(c):
 
 @formula("§4.2", on="plane", symbol="g_1")
 def g1(c):
-    """g0 with the derivatives replaced by eq. (5), as the paper prints it."""
+    """g0 with the derivatives replaced by eq. (5), as printed."""
     speed, kappa = D1_squared(c), f1(c)
     stretch = 2 * c.w.d(1) / c.w
     return (
@@ -113,13 +113,13 @@ def f0_g0(c):
     return f0(c) * g0(c)
 
 
-@formula("§4.3, beside eq. (12)", on="plane")
+@formula("§4.3, next to eq. (12)", on="plane")
 def curvature_squared_inverted(c):
-    """``‖γ′‖⁶ / [γ′ γ″]²``: the square of what is printed as κ beside eq. (12)."""
+    """``‖γ′‖⁶ / [γ′ γ″]²``: the square of what is printed as κ next to eq. (12)."""
     return speed_squared(c) ** 3 / f0(c) ** 2
 
 
-@formula("§4.3, beside eq. (12)", on="plane")
+@formula("§4.3, next to eq. (12)", on="plane")
 def curvature_radius_squared(c):
     """``1/κ²``."""
     return 1 / curvature_squared(c)
@@ -139,8 +139,8 @@ def evolute_reduced(c):
 
 @formula("§4.3, footnote b", on="plane", symbol="E")
 def evolute_by_frenet(c):
-    """``γ + (1/κ)N`` with the normal of the Frenet frame and its κ: ``γ + κN/κ²``, κN the derivative of the unit
-    tangent by arc length.
+    """``γ + (1/κ)N`` with the normal of the Frenet frame and its κ: ``γ + κN/κ²``, where κN is the derivative of the
+    unit tangent with respect to arc length.
     """
     a, b, speed = c.gamma.d(1), c.gamma.d(2), speed_squared(c)
     return c.gamma + (b / speed - a * (dot(a, b) / speed**2)) / curvature_squared(c)
@@ -148,13 +148,13 @@ def evolute_by_frenet(c):
 
 @formula("definition of the evolute", on="plane")
 def evolute_contact_1(c):
-    """``(E − γ)·γ′``: zero when the circle around E touches to first order."""
+    """``(E − γ)·γ′``: zero if the circle around E has contact of first order."""
     return dot(evolute(c) - c.gamma, c.gamma.d(1))
 
 
 @formula("definition of the evolute", on="plane")
 def evolute_contact_2(c):
-    """``(E − γ)·γ″ − ‖γ′‖²``: zero when the circle around E touches to second order."""
+    """``(E − γ)·γ″ − ‖γ′‖²``: zero if the circle around E has contact of second order."""
     return dot(evolute(c) - c.gamma, c.gamma.d(2)) - speed_squared(c)
 
 

@@ -41,14 +41,14 @@ def D1_x_D2(c):
 
 @formula("§5, as eq. (8)", on="space", symbol="b")
 def binormal_form(c):
-    """``D1 × D2`` without its common factor w, as eq. (8) is in the plane."""
+    """``D1 × D2`` without its common factor w, the analogue of eq. (8)."""
     p, w = c.p, c.w
     return cross(p.d(1), p.d(2)) * w - cross(p, p.d(2)) * w.d(1) - cross(p.d(1), p) * w.d(2)
 
 
 @formula("§5", on="space", symbol=r"\|b\|^2")
 def binormal_form_squared(c):
-    """``‖D1 × D2‖² / w²``: without a zero where the curvature has none."""
+    """``‖D1 × D2‖² / w²``: nonzero where the curvature is nonzero."""
     return norm2(binormal_form(c))
 
 
@@ -60,7 +60,7 @@ def D1_x_D2_x_D1(c):
 
 @formula("§5", on="space")
 def D1_x_D2_squared(c):
-    """``‖D1 × D2‖²``: without a zero where the curvature has none."""
+    """``‖D1 × D2‖²``: nonzero where the curvature is nonzero."""
     return norm2(D1_x_D2(c))
 
 
@@ -78,7 +78,7 @@ def curvature_vector(c):
 
 @formula("definition of the curvature", on="space")
 def curvature_vector_by_definition(c):
-    """``γ″/‖γ′‖² − γ′ (γ′·γ″)/‖γ′‖⁴``: the derivative of the unit tangent by arc length."""
+    """``γ″/‖γ′‖² − γ′ (γ′·γ″)/‖γ′‖⁴``: the derivative of the unit tangent with respect to arc length."""
     a, b, speed = c.gamma.d(1), c.gamma.d(2), speed_squared(c)
     return b / speed - a * (dot(a, b) / speed**2)
 
@@ -103,7 +103,7 @@ def torsion(c):
 
 @formula("eq. (18)", on="space", symbol=r"\tau")
 def torsion_reduced(c):
-    """Torsion ``w² [D1 D2 D3] / ‖D1 × D2‖²``, polynomials multiplied before dividing."""
+    """Torsion ``w² [D1 D2 D3] / ‖D1 × D2‖²``, with polynomials multiplied before the division."""
     return (c.w**2 * D1_D2_D3(c)) / D1_x_D2_squared(c)
 
 
@@ -151,7 +151,7 @@ def rectifying_developable(c):
 
 @formula("§5.4", on="space")
 def rectifying_developable_reduced(c):
-    """``γ + λ ([D1 D2 D3] D1 / ‖D1 × D2‖² + D1 × D2 / ‖D1‖²)``, polynomials multiplied before dividing."""
+    """``γ + λ ([D1 D2 D3] D1 / ‖D1 × D2‖² + D1 × D2 / ‖D1‖²)``, with polynomials multiplied before the division."""
     return ruled(c.gamma, (D1(c) * D1_D2_D3(c)) / D1_x_D2_squared(c) + D1_x_D2(c) / D1_squared(c))
 
 
@@ -184,7 +184,7 @@ def psi_numerator(c):
 
 @formula("§5.5", on="space", symbol=r"\Psi")
 def psi(c):
-    """Ψ, with ``(1/κ)′ B = ‖γ′‖ Ψ`` for the derivative by the parameter and the unit binormal B."""
+    """Ψ, with ``(1/κ)′ B = ‖γ′‖ Ψ`` for the derivative with respect to the parameter and the unit binormal B."""
     return (psi_numerator(c) / binormal_squared(c) ** 2) * binormal(c)
 
 
@@ -209,7 +209,7 @@ def circle_contact_1(c):
 
 @formula("definition of the osculating circle", on="space")
 def circle_contact_2(c):
-    """``(E − γ)·γ″ − ‖γ′‖²``: zero when the circle touches to second order."""
+    """``(E − γ)·γ″ − ‖γ′‖²``: zero if the circle has contact of second order."""
     return dot(osculating_circle_centre(c) - c.gamma, c.gamma.d(2)) - speed_squared(c)
 
 
@@ -236,13 +236,13 @@ def focal_curve(c):
 
 @formula("eq. (19), derivative by arc length", on="space")
 def focal_curve_by_arc_length(c):
-    """``γ + κ⁻¹N + (1/τ) Ψ``: eq. (19) with ``(1/κ)′`` taken by arc length."""
+    """``γ + κ⁻¹N + (1/τ) Ψ``: eq. (19) with the derivative ``(1/κ)′`` with respect to arc length."""
     return c.gamma + radius_vector(c) + psi(c) / torsion(c)
 
 
 @formula("§5.5, reduced", on="space")
 def focal_curve_reduced(c):
-    """The centre of the osculating sphere over D1, D2, D3."""
+    """The centre of the osculating sphere in terms of D1, D2, D3."""
     w, speed, stretch = c.w, D1_squared(c), dot(D1(c), D2(c))
     first = (
         cross(D3(c), D1(c)) * (speed * w)
@@ -260,8 +260,8 @@ def focal_binormal(c):
 
 @formula("eq. (19), derivative by arc length", on="space")
 def focal_binormal_by_arc_length(c):
-    """``Ψ·(γ′ × γ″)/τ``: the component of (1/τ)(1/κ)′B along γ′ × γ″; ‖γ′ × γ″‖² is in the denominator of Ψ as in that
-    of τ.
+    """``Ψ·(γ′ × γ″)/τ``: the component of (1/τ)(1/κ)′B along γ′ × γ″, where ‖γ′ × γ″‖² is in the denominators of both Ψ
+    and τ.
     """
     return psi_numerator(c) / velocity_acceleration_jerk(c)
 
@@ -274,25 +274,25 @@ def focal_binormal_squared_by_arc_length(c):
 
 @formula("eq. (19), derivative by the parameter", on="space")
 def focal_binormal_squared_by_parameter(c):
-    """The same with the derivative by the parameter, ``(1/κ)′B = ‖γ′‖ Ψ``; squared, so that it is rational."""
+    """The same with the derivative with respect to the parameter, ``(1/κ)′B = ‖γ′‖ Ψ``; squared to be rational."""
     return speed_squared(c) * focal_binormal_squared_by_arc_length(c)
 
 
 @formula("definition of the focal curve", on="space")
 def focal_contact_1(c):
-    """``(F − γ)·γ′``: zero when the sphere around F touches to first order."""
+    """``(F − γ)·γ′``: zero if the sphere around F has contact of first order."""
     return dot(focal_curve(c) - c.gamma, c.gamma.d(1))
 
 
 @formula("definition of the focal curve", on="space")
 def focal_contact_2(c):
-    """``(F − γ)·γ″ − ‖γ′‖²``: zero when it touches to second order."""
+    """``(F − γ)·γ″ − ‖γ′‖²``: zero if it has contact of second order."""
     return dot(focal_curve(c) - c.gamma, c.gamma.d(2)) - speed_squared(c)
 
 
 @formula("definition of the focal curve", on="space")
 def focal_contact_3(c):
-    """``(F − γ)·γ‴ − 3 γ′·γ″``: zero when it touches to third order."""
+    """``(F − γ)·γ‴ − 3 γ′·γ″``: zero if it has contact of third order."""
     return dot(focal_curve(c) - c.gamma, c.gamma.d(3)) - 3 * dot(c.gamma.d(1), c.gamma.d(2))
 
 
@@ -324,7 +324,7 @@ def space_critical_curvature(c):
 
 @formula("analogue of eq. (11)", on="space")
 def space_critical_curvature_reduced(c):
-    """The direct approach in space over D1, D2, D3."""
+    """The direct approach in space in terms of D1, D2, D3."""
     w, a, b, speed = c.w, D1(c), D1_x_D2(c), D1_squared(c)
     bend = D1_x_D2_squared(c)
     jerk = dot(b, cross(a, D3(c))) + dot(b, cross(a, D21(c)))

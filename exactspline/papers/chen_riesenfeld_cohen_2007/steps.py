@@ -1,4 +1,4 @@
-"""Lines of derivations and displays as they are printed, each by itself: §3 to §4, and what §5 and §6 say in words."""
+"""Single lines of derivations and displays as printed: §3 to §4, and statements in words of §5 and §6."""
 
 from exactspline.language.formula import formula
 from exactspline.language.ruled import development, ruled
@@ -50,7 +50,7 @@ def jerk_line_1(c):
 
 @formula("eq. (3), second line")
 def jerk_line_2(c):
-    """The same with two equal terms added."""
+    """The same with two equal terms combined."""
     once = _square_inverted(c).d(1)
     return D3(c) / c.w**2 + D21(c) / c.w**2 + 2 * (D2(c) * once) + D1(c) * _square_inverted(c).d(2)
 
@@ -93,7 +93,7 @@ def span_term(c):
 
 @formula("§3, [D1 D2 D21], third line", on="space")
 def span_other_term(c):
-    """``(p′ × p)·p″ ww′w″``: the other."""
+    """``(p′ × p)·p″ ww′w″``: the other term of the third line."""
     p, w = c.p, c.w
     return dot(cross(p.d(1), p), p.d(2)) * (w * w.d(1) * w.d(2))
 
@@ -106,14 +106,14 @@ def bracket(c):
 
 @formula("§3, below Remark 3.1", on="plane")
 def bracket_by_rotation(c):
-    """``a⊥ · b``, a⊥ turned by π/2 counter-clockwise: ``(−a_y, a_x)``."""
+    """``a⊥ · b``, where ``a⊥ = (−a_y, a_x)`` is a rotated by π/2 counter-clockwise."""
     a, b = c.p, c.p.d(1)
     return -a[1] * b[0] + a[0] * b[1]
 
 
 @formula("§2", on="space")
 def triple_product(c):
-    """``[p p′ p″]`` as the six terms of the determinant."""
+    """``[p p′ p″]`` as the sum of the six terms of the determinant."""
     a, b, e = c.p, c.p.d(1), c.p.d(2)
     plus = a[0] * b[1] * e[2] + a[1] * b[2] * e[0] + a[2] * b[0] * e[1]
     return plus - (a[0] * b[2] * e[1] + a[1] * b[0] * e[2] + a[2] * b[1] * e[0])
@@ -171,7 +171,7 @@ def g0_by_coordinates(c):
 
 @formula("§4.2, second line of g1", on="plane")
 def g1_line_2(c):
-    """g1 before like terms are added."""
+    """g1 before like terms are combined."""
     speed, kappa, stretch = D1_squared(c), f1(c), c.w.d(1) / c.w
     first = det(D1(c), D3(c)) * speed + det(D1(c), D21(c)) * speed - 4 * stretch * kappa * speed
     return first - 3 * (dot(D1(c), D2(c)) * kappa - 2 * stretch * speed * kappa)
@@ -221,7 +221,7 @@ def curvature_vector_by_radius(c):
 
 @formula("eq. (14)", on="space")
 def rational_basis_products(c):
-    """The scalar products of T, N, B of (14), two at a time."""
+    """The pairwise scalar products of T, N, B of (14)."""
     t, n, b = c.gamma.d(1), normal(c), binormal(c)
     return join(dot(t, n), dot(n, b), dot(b, t))
 
@@ -241,7 +241,7 @@ def darboux_vector(c):
 
 @formula("definition of a developable", on="space")
 def darboux_development(c):
-    """``[γ′ G G′]`` with the Darboux vector for G."""
+    """``[γ′ G G′]`` with the Darboux vector as G."""
     return development(ruled(c.gamma, darboux_vector(c)))
 
 

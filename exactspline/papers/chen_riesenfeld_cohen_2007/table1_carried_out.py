@@ -1,4 +1,4 @@
-"""§2, Table 1, the column "carried out as": every row as it is printed there."""
+"""§2, Table 1, the column "carried out as": every row as printed there."""
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import cross, dot, join
@@ -78,7 +78,7 @@ def T5_minus_carried_out(t):
 
 @formula("Table 1, T10", on="table")
 def T10_carried_out(t):
-    """Row T10: the component that is printed, and the two that follow in cyclic order."""
+    """Row T10: the printed component, and the two others in cyclic order."""
     a, b = t.v1, t.v2
     return join(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 

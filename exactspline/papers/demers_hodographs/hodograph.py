@@ -44,7 +44,7 @@ def ph_normal(c):
 
 @formula("phCurve, evaluatePHNormal", on="hodograph")
 def turned_unit_tangent(c):
-    """``c′/σ``, turned left."""
+    """``c′/σ``, rotated left by a right angle."""
     return perp(c.gamma.d(1)) / ph_speed(c)
 
 
@@ -63,13 +63,13 @@ def ph_offset(c):
 
 @formula("phCurve, computePHOffset", on="hodograph")
 def ph_offset_distance(c):
-    """Its squared distance from the curve, less 1."""
+    """Its squared distance from the curve, minus 1."""
     return norm2(ph_offset(c) - c.p) - 1
 
 
 @formula("Parametrize by the normal", on="hodograph")
 def support_gained(c):
-    """What the support function ``c·n`` gains by the offset, less 1."""
+    """The increase of the support function ``c·n`` by the offset, minus 1."""
     return dot(ph_offset(c), ph_normal(c)) - dot(c.p, ph_normal(c)) - 1
 
 
@@ -87,13 +87,13 @@ def ph_curvature(c):
 
 @formula("Divide out the scale", on="hodograph")
 def signed_offset_speed(c):
-    """``(1 − κ) c′``: the velocity of the offset, of the signed speed ``σ(1 − εκ)`` for ε = 1."""
+    """``(1 − κ) c′``: the velocity of the offset, with the signed speed ``σ(1 − εκ)`` for ε = 1."""
     return c.gamma.d(1) * (1 - ph_curvature(c))
 
 
 @formula("phCurve", on="plane with delta")
 def hodograph_of_three(c):
-    """``c′ = w² h``, for u and v the numerators of a plane curve and h its denominator."""
+    """``c′ = w² h``, where u and v are the numerators of a plane curve and h is its denominator."""
     return complex_product(c.p, c.p) * c.w
 
 

@@ -5,7 +5,7 @@ from exactspline.language.complex_numbers import complex_product, complex_quotie
 from exactspline.language.formula import formula
 from exactspline.language.vector import join, norm2
 
-#: Two complex polynomials P = x + iy and Q = z + iw, made of the four functions of a rational space curve.
+#: Two complex polynomials P = x + iy and Q = z + iw, formed from the four functions of a rational space curve.
 PAIR = "space"
 WITH_CONSTANTS = "space with a, b, m, n"
 

@@ -1,4 +1,4 @@
-"""Space curves with ``c′ = A i A*``: the quaternion A is made of the four functions of a rational space curve."""
+"""Space curves with ``c′ = A i A*``: the quaternion A consists of the four functions of a rational space curve."""
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import cross, dot, join, norm2
@@ -51,7 +51,7 @@ def hopf_map(c):
 
 @formula("Space: square the radius, rotate i", on="space")
 def sandwich_vector(c):
-    """The vector of the sandwich."""
+    """The vector part of the sandwich."""
     return sandwich(c)[1:4]
 
 

@@ -1,1 +1,1 @@
-"""D. Eberly, *Geometric Tools*: what the comments and the code of its headers say of curves and implicit surfaces."""
+"""D. Eberly, *Geometric Tools*: comments and code of its headers on curves and implicit curves and surfaces."""

@@ -26,7 +26,7 @@ def jet_3(c):
 
 @formula("FrenetFrame.h, FrenetFrame2", on="plane")
 def clockwise_normal(c):
-    """``Perp(tangent) = (y, −x)``, without its length."""
+    """``Perp(tangent) = (y, −x)``, not normalized."""
     return join(c.gamma.d(1)[1], -c.gamma.d(1)[0])
 
 
@@ -39,13 +39,13 @@ def dot_perp(c):
 
 @formula("FrenetFrame.h, FrenetFrame2", on="plane")
 def bending_along_the_clockwise_normal(c):
-    """``κN`` of curvature and normal as they are computed."""
+    """``κN`` with curvature and normal as computed in the code."""
     return clockwise_normal(c) * (dot_perp(c) / dot(c.gamma.d(1), c.gamma.d(1)) ** 2)
 
 
 @formula("Frenet equations", on="plane")
 def tangent_by_arc_length(c):
-    """The derivative of the unit tangent by arc length."""
+    """The derivative of the unit tangent with respect to arc length."""
     return acceleration_by_arc_length(c)
 
 

@@ -24,19 +24,19 @@ def implicit_curvature_squared(c):
 
 @formula("ImplicitCurve2.h", on="implicit", symbol=r"\lambda")
 def pace_of_the_curve(c):
-    """How fast the curve runs along ``(−Fy, Fx)``."""
+    """The factor of ``(−Fy, Fx)`` in the velocity of the curve."""
     return c.pace
 
 
 @formula("ImplicitCurve2.h, GetFrame", on="implicit")
 def implicit_tangent(c):
-    """``−Perp(∇F) = (−Fy, Fx)``, without its length: what ComputeOrthogonalComplement makes of the gradient."""
+    """``−Perp(∇F) = (−Fy, Fx)``, not normalized: the result of ComputeOrthogonalComplement for the gradient."""
     return join(-c.fy, c.fx)
 
 
 @formula("ImplicitCurve2.h, GetFrame", on="implicit")
 def implicit_normal(c):
-    """The gradient, without its length."""
+    """The gradient, not normalized."""
     return c.gradient_f
 
 
@@ -60,7 +60,7 @@ def tangent_off_the_curve(c):
 
 @formula("ImplicitCurve2.h, GetCurvature", on="implicit")
 def implicit_bending(c):
-    """``κN`` of curvature and normal as they are computed."""
+    """``κN`` with curvature and normal as computed in the code."""
     return implicit_normal(c) * (implicit_curvature_numerator(c) / gradient_squared(c) ** 2)
 
 

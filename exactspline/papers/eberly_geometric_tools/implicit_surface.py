@@ -39,7 +39,7 @@ def mean_in_the_code(c):
 
 @formula(PLACE, on="implicit surface")
 def adjugate_1(c):
-    """The first row of ``adj(D²F)``, as the comment has it."""
+    """The first row of ``adj(D²F)`` according to the comment."""
     return join(c.fyy * c.fzz - c.fyz * c.fyz, c.fyz * c.fxz - c.fxy * c.fzz, c.fxy * c.fyz - c.fxz * c.fyy)
 
 
@@ -57,7 +57,7 @@ def adjugate_3(c):
 
 @formula("Hessian matrix", on="implicit surface")
 def minors_1(c):
-    """The first row of the adjugate by vector products of rows."""
+    """The first row of the adjugate by cross products of rows."""
     return cross(c.hessian_fy, c.hessian_fz)
 
 
@@ -92,7 +92,7 @@ def gauss_in_the_code(c):
 
 @formula("second fundamental form", on="implicit surface", symbol="b")
 def across(c):
-    """``b = DF × γ′``: tangent to the surface, at a right angle to the curve."""
+    """``b = DF × γ′``: tangent to the surface and orthogonal to the curve."""
     return cross(c.gradient_f, c.gamma.d(1))
 
 
@@ -188,7 +188,7 @@ def minors_of_shape(c):
 
 @formula(PLACE, on="implicit surface")
 def principal_discriminant(c):
-    """``4L⁶ (meanCurv² − gaussCurv)``: what stands under the root for the principal curvatures."""
+    """``4L⁶ (meanCurv² − gaussCurv)``: the radicand for the principal curvatures."""
     return mean_in_the_code(c) ** 2 - 4 * length_squared(c) * gauss_in_the_code(c)
 
 
@@ -200,5 +200,5 @@ def form_difference(c):
 
 @formula("Euler's theorem", on="implicit surface")
 def form_mixed_on_gradient(c):
-    """``2 (aᵀD²Fb) DF``, of the length ``2L |aᵀD²Fb|``."""
+    """``2 (aᵀD²Fb) DF``, with length ``2L |aᵀD²Fb|``."""
     return c.gradient_f * (2 * form_mixed(c))

@@ -1,4 +1,4 @@
-"""What the code of the posts makes of the control points of cubics and quadratics."""
+"""Quantities that the code of the posts computes from the control points of cubics and quadratics."""
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import det, dot, norm2
@@ -58,7 +58,7 @@ def cusps_by_curvature(c):
 
 @formula("QuadBez.map_to_basic", on="plane")
 def basic_direction(c):
-    """``(ddx, ddy)``: twice the middle control point less the others."""
+    """``(ddx, ddy)``: twice the middle control point minus the other two."""
     return 2 * quadratic_2(c) - bezier_1(c) - quadratic_3(c)
 
 
@@ -76,7 +76,7 @@ def basic_start(c):
 
 @formula("QuadBez.map_to_basic", on="plane", symbol="x_2")
 def basic_end(c):
-    """``u2/cross``: where it ends."""
+    """``u2/cross``: where the curve ends on ``y = x²``."""
     return dot(quadratic_3(c) - quadratic_2(c), basic_direction(c)) / basic_cross(c)
 
 

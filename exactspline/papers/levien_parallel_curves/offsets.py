@@ -1,8 +1,8 @@
 """Parallel curves at a distance δ.
 
-The given curve is the root of the velocity in complex notation: ``x′ = (u² − v², 2uv)`` for ``p = (u, v)``. Every
-regular plane curve has such a root, with ``|x′| = u² + v²``, so that nothing irrational is left in its offset; those
-whose root is a polynomial are the Pythagorean-hodograph curves.
+The given curve is the square root of the velocity in complex notation: ``x′ = (u² − v², 2uv)`` for ``p = (u, v)``.
+Every regular plane curve has such a root, with ``|x′| = u² + v²``, so that its offset can be written without square
+roots; the curves with a polynomial root are Pythagorean-hodograph curves.
 """
 
 from exactspline.language.complex_numbers import complex_product
@@ -50,14 +50,14 @@ def curvature_by_root(c):
 
 @formula("CubicOffset.eval_offset", on=KIND)
 def offset_step(c):
-    """``(−s y′, s x′)`` with ``s = δ/|x′|``: from the curve to its parallel."""
+    """``(−s y′, s x′)`` with ``s = δ/|x′|``: the vector from the curve to its parallel curve."""
     v = root_velocity(c)
     return join(-v[1], v[0]) * (c.delta / root_speed(c))
 
 
 @formula("CubicOffset.eval_offset", on=KIND)
 def offset_step_derivative(c):
-    """The derivative of that step."""
+    """The derivative of this vector."""
     return offset_step(c).d(1)
 
 
@@ -83,13 +83,13 @@ def cusp_function(c):
 
 @formula("Cusp finding", on=KIND)
 def velocity_less_curvature(c):
-    """``(1 − κδ) x′`` for the curvature that is printed: zero where it is one over the distance."""
+    """``(1 − κδ) x′`` for the curvature as printed: zero where it is the reciprocal of the distance."""
     return root_velocity(c) * (1 - offset_curvature_printed(c) * c.delta)
 
 
 @formula("the parallel on the other side", on=KIND)
 def velocities_of_both_sides(c):
-    """``(1 − κδ) x′`` and the velocity of the parallel, less twice x′."""
+    """The sum of ``(1 − κδ) x′`` and the velocity of the parallel curve, minus twice x′."""
     return velocity_less_curvature(c) + offset_velocity(c) - 2 * root_velocity(c)
 
 
@@ -101,7 +101,7 @@ def velocity_plus_curvature(c):
 
 @formula("the parallel curve", on=KIND)
 def offset_distance_squared(c):
-    """The squared distance of the parallel from the curve."""
+    """The squared distance of the parallel curve from the curve."""
     return norm2(offset_step(c))
 
 
@@ -119,13 +119,13 @@ def distance_squared(c):
 
 @formula("the parallel curve", on=KIND)
 def offset_step_on_velocity(c):
-    """The scalar product of the step and x′."""
+    """The scalar product of x′ and the vector to the parallel curve."""
     return dot(offset_step(c), root_velocity(c))
 
 
 @formula("the parallel curve", on=KIND)
 def shrinking(c):
-    """``1 + κδ`` for the curvature that is printed."""
+    """``1 + κδ`` for the curvature as printed."""
     return cusp_function(c) / root_speed(c) ** 3
 
 
@@ -156,13 +156,13 @@ def curvature_change(c):
 
 @formula("the parallel curve", on=KIND)
 def radii_less_distance(c):
-    """``1/κ_δ − 1/κ − δ``: the centres of curvature are the same."""
+    """``1/κ_δ − 1/κ − δ``: zero if the centres of curvature are the same."""
     return 1 / curvature_over_shrinking(c) - 1 / offset_curvature_printed(c) - c.delta
 
 
 @formula("the parallel of a Pythagorean hodograph", on=KIND)
 def step_times_speed(c):
-    """The step times ``u² + v²``."""
+    """The vector to the parallel curve times ``u² + v²``."""
     return offset_step(c) * root_speed(c)
 
 

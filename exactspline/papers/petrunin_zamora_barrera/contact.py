@@ -1,6 +1,4 @@
-"""Objects attached to a curve at the parameter s: lines, planes, circles and spheres, as equations for the point at
-s̄.
-"""
+"""Lines, planes, circles and spheres attached to a curve at the parameter s, as equations for the point at s̄."""
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import cross, dot, norm2
@@ -33,21 +31,21 @@ def off_the_osculating_circle(c):
 
 @formula("ch. Torsion, § Spherical curves", on="pair")
 def off_the_printed_sphere(c):
-    """``|γ(s̄) − p|² − |γ − p|²`` for the centre that is printed."""
+    """``|γ(s̄) − p|² − |γ − p|²`` for the centre p as printed."""
     way = c.second.gamma - c.first.gamma
     return norm2(way) - 2 * dot(way, towards_the_circle(c.first) + sphere_offset_along_binormal(c.first))
 
 
 @formula("ch. Torsion, § Spherical curves", on="pair")
 def off_the_osculating_sphere(c):
-    """The same for the centre with the other sign."""
+    """The same for the centre with the opposite sign."""
     way = c.second.gamma - c.first.gamma
     return norm2(way) - 2 * dot(way, towards_the_circle(c.first) - sphere_offset_along_binormal(c.first))
 
 
 @formula("ch. Torsion, § Spherical curves", on="pair")
 def between_the_spheres(c):
-    """What the centre with the other sign gives, less what the printed one gives."""
+    """The value for the centre with the opposite sign, minus that for the printed one."""
     return off_the_osculating_sphere(c) - off_the_printed_sphere(c)
 
 

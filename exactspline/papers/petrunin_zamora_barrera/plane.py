@@ -7,33 +7,33 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import speed_squa
 
 @formula("chapter Signed curvature", on="plane")
 def turning_left(c):
-    """``⟨γ″, γ′ turned left⟩``: the signed curvature times ``|γ′|³``."""
+    """``⟨γ″, γ′⊥⟩`` with γ′⊥ = γ′ rotated left: the signed curvature times ``|γ′|³``."""
     return dot(c.gamma.d(2), perp(c.gamma.d(1)))
 
 
 @formula("eq:tau'", on="plane")
 def frenet_equation_of_the_tangent(c):
-    """``γ″ − γ′ (|γ′|²)′/(2|γ′|²) − |γ′|k (γ′ turned left)``: zero if ``T′ = kN``."""
+    """``γ″ − γ′ (|γ′|²)′/(2|γ′|²) − |γ′|k γ′⊥``: zero if ``T′ = kN``."""
     a, stretch = c.gamma.d(1), speed_squared(c).d(1) / (2 * speed_squared(c))
     return c.gamma.d(2) - a * stretch - perp(a) * (turning_left(c) / speed_squared(c))
 
 
 @formula("eq:nu'", on="plane")
 def frenet_equation_of_the_left_normal(c):
-    """``n′ − n (|γ′|²)′/(2|γ′|²) + |γ′|k γ′`` for n = γ′ turned left: zero if ``N′ = −kT``."""
+    """``n′ − n (|γ′|²)′/(2|γ′|²) + |γ′|k γ′`` for n = γ′⊥: zero if ``N′ = −kT``."""
     a, stretch = c.gamma.d(1), speed_squared(c).d(1) / (2 * speed_squared(c))
     return perp(a).d(1) - perp(a) * stretch + a * (turning_left(c) / speed_squared(c))
 
 
 @formula("ex:curvature-graph", on="plane", symbol="f'")
 def graph_slope(c):
-    """The derivative of y by x: the curve as a graph ``y = f(x)``."""
+    """The derivative of y with respect to x: f′ for the curve as a graph ``y = f(x)``."""
     return c.gamma.d(1)[1] / c.gamma.d(1)[0]
 
 
 @formula("ex:curvature-graph", on="plane", symbol="f''")
 def graph_bend(c):
-    """Its derivative by x."""
+    """Its derivative with respect to x, f″."""
     return graph_slope(c).d(1) / c.gamma.d(1)[0]
 
 
@@ -45,7 +45,7 @@ def curvature_squared_of_graph(c):
 
 @formula("spiral lemma", on="plane")
 def towards_the_centre(c):
-    """``(1/k) N``: from the curve to its centre of curvature."""
+    """``(1/k) N``: the vector from the curve to its centre of curvature."""
     return perp(c.gamma.d(1)) * (speed_squared(c) / turning_left(c))
 
 
@@ -69,7 +69,7 @@ def inverse_curvature_squared(c):
 
 @formula("spiral lemma", on="plane")
 def evolute_velocity(c):
-    """``(1/k)′ N`` by the parameter."""
+    """``(1/k)′ N``, with the derivative with respect to the parameter."""
     s, k = speed_squared(c), turning_left(c)
     return perp(c.gamma.d(1)) * (3 * s.d(1) / (2 * k) - s * k.d(1) / k**2)
 
@@ -121,5 +121,5 @@ def evolute_curvature_squared(c):
 
 @formula("ex:evolute", on="plane")
 def evolute_curvature_squared_by_frenet(c):
-    """``(k³/k′)²`` by arc length."""
+    """``(k³/k′)²``, with the derivative with respect to arc length."""
     return turning_left(c) ** 6 / (signed_curvature_derivative(c) ** 2 * speed_squared(c) ** 3)

@@ -1,7 +1,8 @@
 """Space curves: curvature, the Frenet frame, torsion, spheres.
 
-What is printed for a curve by arc length is written for any parameter: ``K = κN`` is the derivative of the unit tangent
-by arc length, and roots are avoided by squares and by the products ``κN``, ``‖γ′‖κB = γ′ × K``.
+Formulas printed for curves parametrized by arc length are written for any parameter: ``K = κN`` is the derivative of
+the unit tangent with respect to arc length, and square roots are avoided by squaring and by the products ``κN``,
+``‖γ′‖κB = γ′ × K``.
 """
 
 from exactspline.language.formula import formula
@@ -11,19 +12,19 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import speed_squa
 
 @formula("chapter Curvature", symbol="K")
 def acceleration_by_arc_length(c):
-    """``γ″`` of the curve by arc length: ``(γ′/‖γ′‖)′/‖γ′‖``."""
+    """``γ″`` of the curve parametrized by arc length: ``(γ′/‖γ′‖)′/‖γ′‖``."""
     return (c.gamma.d(2) * speed_squared(c) - c.gamma.d(1) * speed_squared(c).d(1) / 2) / speed_squared(c) ** 2
 
 
 @formula("Proposition \\ref{prop:a'-pertp-a''}")
 def acceleration_on_velocity(c):
-    """``⟨γ′, γ″⟩`` by arc length: zero at a right angle."""
+    """``⟨γ′, γ″⟩`` for arc length: zero if they are orthogonal."""
     return dot(acceleration_by_arc_length(c), c.gamma.d(1))
 
 
 @formula("chapter Curvature")
 def acceleration_squared(c):
-    """``|γ″|²`` by arc length: the square of the curvature."""
+    """``|γ″|²`` for arc length: the squared curvature."""
     return norm2(acceleration_by_arc_length(c))
 
 
@@ -35,7 +36,7 @@ def curvature_squared_by_product(c):
 
 @formula("ex:curvature-formulas, a")
 def normal_part(c):
-    """``w``: the projection of γ″ to the plane normal to γ′."""
+    """``w``: the projection of γ″ onto the plane normal to γ′."""
     return c.gamma.d(2) - c.gamma.d(1) * (dot(c.gamma.d(1), c.gamma.d(2)) / speed_squared(c))
 
 
@@ -60,7 +61,7 @@ def binormal_by_arc_length(c):
 
 @formula("chapter Torsion", on="space", symbol=r"\tau")
 def torsion_by_definition(c):
-    """``τ = ⟨N′, B⟩`` by arc length: ``⟨K′, γ′ × K⟩ / (|γ′|²κ²)``."""
+    """``τ = ⟨N′, B⟩`` for arc length: ``⟨K′, γ′ × K⟩ / (|γ′|²κ²)``."""
     above = dot(acceleration_by_arc_length(c).d(1), binormal_by_arc_length(c))
     return above / (speed_squared(c) * acceleration_squared(c))
 
@@ -95,7 +96,7 @@ def lancret_vector(c):
 
 @formula("ex:lancret, b", on="space")
 def lancret_derivative(c):
-    """What is left of the derivative of ``w = τ/κ T + B`` beside ``(τ/κ)′ T``, times ``|γ′|κ``."""
+    """The derivative of ``w = τ/κ T + B`` minus ``(τ/κ)′ T``, times ``|γ′|κ``."""
     v, bend, tau = lancret_vector(c), acceleration_squared(c), torsion_by_derivatives(c)
     square = speed_squared(c) * bend
     ratio = tau.d(1) - tau * (bend.d(1) / (2 * bend))
@@ -104,14 +105,14 @@ def lancret_derivative(c):
 
 @formula("section Spherical curves", on="space")
 def sphere_offset_along_binormal(c):
-    """``κ′/(κ²τ) B`` for the derivative by arc length."""
+    """``κ′/(κ²τ) B``, with the derivative with respect to arc length."""
     bend = acceleration_squared(c)
     return binormal_by_arc_length(c) * (bend.d(1) / (2 * speed_squared(c) * bend**2 * torsion_by_derivatives(c)))
 
 
 @formula("section Spherical curves", on="space")
 def towards_the_circle(c):
-    """``(1/κ) N``: from the curve to the centre of its osculating circle."""
+    """``(1/κ) N``: the vector from the curve to the centre of its osculating circle."""
     return acceleration_by_arc_length(c) / acceleration_squared(c)
 
 
@@ -123,18 +124,18 @@ def sphere_centre_meant(c):
 
 @formula("section Spherical curves", on="space")
 def sphere_radius_squared(c):
-    """The squared distance of that centre from the curve."""
+    """The squared distance of this centre from the curve."""
     return norm2(sphere_centre_meant(c) - c.gamma)
 
 
 @formula("section Spherical curves, Theorem", on="space")
 def spherical_identity(c):
-    """``κ′² − τ²κ²(κ² − 1)`` by arc length, times ``4κ²``: zero where ``|κ′/τ| = κ√(κ² − 1)``."""
+    """``κ′² − τ²κ²(κ² − 1)`` for arc length, times ``4κ²``: zero where ``|κ′/τ| = κ√(κ² − 1)``."""
     bend = acceleration_squared(c)
     return bend.d(1) ** 2 / speed_squared(c) - 4 * torsion_by_derivatives(c) ** 2 * bend**2 * (bend - 1)
 
 
 @formula("section Spherical curves, Theorem", on="space")
 def off_the_unit_sphere(c):
-    """The squared radius of the osculating sphere less 1."""
+    """The squared radius of the osculating sphere, minus 1."""
     return sphere_radius_squared(c) - 1

@@ -1,4 +1,4 @@
-"""Spherical curves: every plane curve, carried to the unit sphere by the stereographic projection."""
+"""Spherical curves: plane curves mapped to the unit sphere by stereographic projection."""
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import cross, det, dot, join, norm2
@@ -24,7 +24,7 @@ def spherical_tangent_on_radius(c):
 
 @formula("ex:spherical-frenet, nu", on="plane")
 def spherical_acceleration(c):
-    """The second derivative of S by arc length."""
+    """The second derivative of S with respect to arc length."""
     a, b = spherical_curve(c).d(1), spherical_curve(c).d(2)
     return (b * norm2(a) - a * dot(a, b)) / norm2(a) ** 2
 
@@ -49,7 +49,7 @@ def spherical_speed_squared(c):
 
 @formula("ex:curvature-of-spherical-curve", on="plane")
 def geodesic_bending(c):
-    """``[S S′ S″] S′``, of the length ``|[S S′ S″]| |S′|``."""
+    """``[S S′ S″] S′``, with length ``|[S S′ S″]| |S′|``."""
     s = spherical_curve(c)
     return s.d(1) * det(s, s.d(1), s.d(2))
 

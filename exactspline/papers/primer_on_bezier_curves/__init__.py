@@ -1,1 +1,1 @@
-"""Pomax, *A Primer on Bézier Curves*: formulas, claims, and the words they rest on."""
+"""Pomax, *A Primer on Bézier Curves*: formulas, claims, and the text that they refer to."""

@@ -1,4 +1,4 @@
-"""The canonical form of a cubic: three control points at (0,0), (0,1), (1,1), and what the fourth one says."""
+"""The canonical form of a cubic: three control points at (0,0), (0,1), (1,1), and the classification by the fourth."""
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import det, join
@@ -110,7 +110,7 @@ def mapped(c):
 
 @formula("the canonical form", on="plane")
 def mapped_by_x43(c):
-    """Both coordinates as they are pulled apart."""
+    """Both coordinates, written by means of x₄₃."""
     return join(x43(c), y_by_x43(c))
 
 
@@ -129,19 +129,19 @@ def sheared_2_off_axis(c):
 
 @formula("the canonical form", on="plane")
 def height_by_the_words(c):
-    """The height of the second point, scaled by ``point2ᵧ``."""
+    """The y coordinate of the second point, scaled by ``point2ᵧ`` as stated in the text."""
     return sheared_2(c)[1] * sheared_2(c)[1]
 
 
 @formula("the canonical form", on="plane")
 def height_by_the_matrix(c):
-    """Its height, scaled by T₃."""
+    """Its y coordinate, scaled by the matrix T₃."""
     return sheared_2(c)[1] / sheared_2(c)[1]
 
 
 @formula("the canonical form", on="plane")
 def height_off(c):
-    """What that height is off 1."""
+    """The difference between this y coordinate and 1."""
     return height_by_the_matrix(c) - 1
 
 
@@ -174,7 +174,7 @@ def end_edge(c):
 
 @formula("the canonical form, 5", on="plane")
 def single_inflection_edge(c):
-    """``1 − y``: negative past ``y = 1``."""
+    """``1 − y``: negative beyond ``y = 1``."""
     return 1 - mapped_y(c)
 
 
@@ -187,21 +187,23 @@ def cusp_condition(c):
 
 @formula("a cubic through its start", on="plane")
 def start_condition(c):
-    """Zero where ``p′ + p″s/2 + p‴s²/6`` vanishes for an s: the cubic meets its start again."""
+    """Zero if ``p′ + p″s/2 + p‴s²/6`` vanishes for some s: the cubic passes through its start again."""
     a, b, d = c.p.d(1), c.p.d(2) / 2, c.p.d(3) / 6
     return det(a, d) ** 2 - det(a, b) * det(b, d)
 
 
 @formula("a cubic through its end", on="plane")
 def end_condition(c):
-    """The same at the other end of the cubic."""
+    """The same for the other end of the cubic."""
     a, b, d = velocity_at_the_end(c), acceleration_at_the_end(c) / 2, c.p.d(3) / 6
     return det(a, d) ** 2 - det(a, b) * det(b, d)
 
 
 @formula("inflections between the ends", on="plane")
 def turning_at_both_ends(c):
-    """``[γ′ γ″]`` at the start times the same at the end: negative where a cubic inflects an odd number of times."""
+    """``[γ′ γ″]`` at the start times the same at the end: negative if the cubic has an odd number of inflections in
+    between.
+    """
     return det(c.p.d(1), c.p.d(2)) * det(velocity_at_the_end(c), acceleration_at_the_end(c))
 
 

@@ -1,7 +1,7 @@
-"""The cubic Bézier curve by its control points, and what the Primer makes of them.
+"""Cubic Bézier curves in terms of control points, and quantities that the Primer derives from them.
 
-The control points are those of the cubic over one unit of the parameter from where the formula stands: blossoms of the
-curve there, so that a statement about "x₁ … y₄" is one about derivatives.
+The control points are those of the cubic over an interval of length 1 that begins at the parameter of the formula. They
+are values of the blossom, so that a statement about "x₁ … y₄" is a statement about derivatives at this parameter.
 """
 
 from exactspline.language.formula import formula
@@ -163,7 +163,7 @@ def inflection_coefficient_0(c):
 
 @formula("inflections", on="plane", symbol="h")
 def chord(c):
-    """From the first control point to the last, along which the curve is aligned."""
+    """The vector from the first control point to the last, with which the curve is aligned."""
     return bezier_4(c) - bezier_1(c)
 
 
@@ -181,13 +181,13 @@ def aligned_2(c):
 
 @formula("inflections, aligned", on="plane", symbol="A_3")
 def aligned_3(c):
-    """The third control point after aligning, scaled likewise."""
+    """The third control point after aligning, scaled in the same way."""
     return join(dot(chord(c), bezier_3(c) - bezier_1(c)), det(chord(c), bezier_3(c) - bezier_1(c)))
 
 
 @formula("inflections, aligned", on="plane")
 def aligned_t2_printed(c):
-    """``3x₃y₂ + 2x₄y₂ + 3x₂y₃ − x₄y₃``: the coefficient of t² as it is first printed."""
+    """``3x₃y₂ + 2x₄y₂ + 3x₂y₃ − x₄y₃``: the coefficient of t² as first printed."""
     b, d, x4 = aligned_2(c), aligned_3(c), chord_squared(c)
     x2, y2, x3, y3 = b[0], b[1], d[0], d[1]
     return 3 * x3 * y2 + 2 * x4 * y2 + 3 * x2 * y3 - x4 * y3
@@ -195,7 +195,7 @@ def aligned_t2_printed(c):
 
 @formula("inflections, aligned", on="plane", symbol="X")
 def aligned_t2(c):
-    """``−3a + 2b + 3c − d``: the same as it is printed next."""
+    """``−3a + 2b + 3c − d``: the same as printed next."""
     b, d, x4 = aligned_2(c), aligned_3(c), chord_squared(c)
     x2, y2, x3, y3 = b[0], b[1], d[0], d[1]
     return -3 * (x3 * y2) + 2 * (x4 * y2) + 3 * (x2 * y3) - x4 * y3
@@ -203,13 +203,13 @@ def aligned_t2(c):
 
 @formula("inflections, aligned", on="plane")
 def aligned_t2_slip(c):
-    """What the coefficient that is first printed is off by."""
+    """The error of the coefficient as first printed."""
     return aligned_t2_printed(c) - aligned_t2(c)
 
 
 @formula("inflections, aligned", on="plane")
 def first_term_twice(c):
-    """``2 · 3x₃y₂``: what a wrong sign of the first term makes."""
+    """``2 · 3x₃y₂``: the error caused by a wrong sign of the first term."""
     return 6 * aligned_3(c)[0] * aligned_2(c)[1]
 
 
@@ -230,5 +230,5 @@ def aligned_t0(c):
 
 @formula("inflections", on="plane")
 def inflection_discriminant(c):
-    """``y² − 4xz``: what stands under the root where C(t) is solved."""
+    """``y² − 4xz``: the discriminant of C(t)."""
     return aligned_t1(c) ** 2 - 4 * aligned_t2(c) * aligned_t0(c)

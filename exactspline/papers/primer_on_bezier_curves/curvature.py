@@ -1,4 +1,4 @@
-"""Tangents, normals, curvature and what the Primer says of offsets."""
+"""Tangents, normals, curvature, and statements of the Primer on offsets."""
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import cross, dot, join, norm2
@@ -7,7 +7,7 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import jerk, spee
 
 @formula("tangents and normals", on="plane")
 def rotated_tangent(c):
-    """``(−B′_y, B′_x)``: the tangent turned by a quarter circle; normal_x and normal_y times d."""
+    """``(−B′_y, B′_x)``: the tangent rotated by a quarter turn; normal_x and normal_y times d."""
     tangent = c.gamma.d(1)
     return join(-tangent[1], tangent[0])
 
@@ -27,7 +27,7 @@ def rotated_tangent_on_tangent(c):
 
 @formula("tangents and normals", on="plane")
 def rotated_tangent_squared(c):
-    """The squared length of the turned tangent."""
+    """The squared length of the rotated tangent."""
     return norm2(rotated_tangent(c))
 
 
@@ -52,7 +52,7 @@ def primer_radius_squared(c):
 
 @formula("offsetting", on="plane")
 def tangent_length_changes(c):
-    """The derivative of ``‖B′‖²``: zero if the length of the tangent were one number, as an integral from 0 to 1 is."""
+    """The derivative of ``‖B′‖²``: zero if the length of the tangent were constant, as an integral from 0 to 1 is."""
     return speed_squared(c).d(1)
 
 
@@ -64,32 +64,32 @@ def twice_velocity_on_acceleration(c):
 
 @formula("derivatives")
 def third_derivative(c):
-    """The third derivative, in the Primer "(meaningful)" for curves of order four and more alone."""
+    """The third derivative, according to the Primer "(meaningful)" only for curves of order four and more."""
     return jerk(c)
 
 
 @formula("working with 3D normals", on="space", symbol="r")
 def rotation_axis(c):
-    """``b × a`` with ``a = B′`` and ``b = a + B″``: r without its length."""
+    """``b × a`` with ``a = B′`` and ``b = a + B″``: r, not normalized."""
     a = c.gamma.d(1)
     return cross(a + c.gamma.d(2), a)
 
 
 @formula("working with 3D normals", on="space")
 def frenet_normal_in_four_lines(c):
-    """``r × a``: the normal without its length."""
+    """``r × a``: the normal, not normalized."""
     return cross(rotation_axis(c), c.gamma.d(1))
 
 
 @formula("working with 3D normals", on="space")
 def frenet_normal_across(c):
-    """The scalar product of that normal and the tangent."""
+    """The scalar product of this normal and the tangent."""
     return dot(frenet_normal_in_four_lines(c), c.gamma.d(1))
 
 
 @formula("rational Béziers")
 def ratios_doubled(c):
-    """The curve with every ratio doubled: numerator and denominator."""
+    """The curve with every ratio doubled, in numerator and denominator."""
     return (c.p * 2) / (c.w * 2)
 
 

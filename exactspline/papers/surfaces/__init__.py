@@ -1,1 +1,1 @@
-"""Rational surfaces, from their fundamental forms to lines of curvature: ours."""
+"""Rational surfaces, from their fundamental forms to lines of curvature: results of this project."""

@@ -1,1 +1,1 @@
-"""Printers: LaTeX and text. They walk trees and know nothing else."""
+"""Printers of expression trees as LaTeX and as text."""

@@ -54,7 +54,7 @@ class LatexPrinter(Printer):
         return rf"{_indexable(base)}_{{[{shown}]}}"
 
     def parentheses(self, text: str) -> str:
-        """Parentheses that grow."""
+        """Parentheses that adapt to their content."""
         return rf"\left({text}\right)"
 
     def norm2(self, text: str) -> str:
@@ -75,7 +75,7 @@ class LatexPrinter(Printer):
 
 
 def _indexable(base: str) -> str:
-    r"""A symbol that can be given an index: in braces if it has one, since TeX refuses a second.
+    r"""A symbol that can be given an index: in braces if it already has one, because TeX does not allow a second.
 
     >>> _indexable("P"), _indexable("P_2"), _indexable(r"\left(P_2 - P_1\right)")
     ('P', '{P_2}', '\\left(P_2 - P_1\\right)')
@@ -84,7 +84,7 @@ def _indexable(base: str) -> str:
 
 
 def _raisable(base: str) -> str:
-    r"""A symbol that can be given an exponent or a prime: in braces if it has one that is not the last of its signs.
+    r"""A symbol that can be given an exponent or a prime: in braces if it already has one, unless it ends in a prime.
 
     >>> _raisable("p'"), _raisable("p'_{[0]}"), _raisable(r"p^\perp")
     ("p'", "{p'_{[0]}}", '{p^\\perp}')
@@ -94,7 +94,7 @@ def _raisable(base: str) -> str:
 
 
 def _outside(text: str) -> str:
-    """What of a formula is in no braces, brackets or parentheses."""
+    """The parts of a formula outside of braces, brackets and parentheses."""
     depth, kept = 0, ""
     for sign in text:
         depth -= sign in "}])"

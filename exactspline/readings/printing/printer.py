@@ -1,4 +1,4 @@
-"""What LaTeX and text have in common: where parentheses go, which products are squares, how sums are written."""
+"""The common part of the LaTeX and text printers: parentheses, products that are squares, and sums."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from exactspline.readings.printing.units import without_units
 #: The parameters of surfaces: derivatives by them are written as subscripts.
 SUBSCRIPTS = (Parameter.U, Parameter.V)
 
-#: How tightly an operation binds; arguments that bind less get parentheses.
+#: The precedence of operations; arguments of lower precedence are put in parentheses.
 SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
 
 
 class Printer(ABC):
-    """A walk over a tree; subclasses define how each node is written."""
+    """A traversal of a tree; subclasses define the notation of each node."""
 
     def __call__(self, node: Expression) -> str:
         """The text of a tree."""
@@ -28,11 +28,11 @@ class Printer(ABC):
         return self.show(node)[0]
 
     def show(self, n: Expression) -> tuple[str, int]:
-        """The text of a node and how tightly it binds."""
+        """The text of a node and its precedence."""
         if n.op in ATOMS:
             return self.atom(n)
         if n.op is Operation.LEVEL:
-            # bringing to one denominator is a step of the computation: what is computed is written unchanged
+            # bringing to a common denominator does not change the value, so that the argument is printed
             return self.show(n.args[n.value])
         if n.op in (Operation.PLUS, Operation.MINUS):
             left, right = n.args
@@ -62,7 +62,7 @@ class Printer(ABC):
         return self.product(n)
 
     def at(self, n: Expression, least: int) -> str:
-        """The text of an argument, in parentheses if it binds less tightly than required."""
+        """The text of an argument, in parentheses if its precedence is lower than `least`."""
         text, binding = self.show(n)
         return text if binding >= least else self.parentheses(text)
 
@@ -116,11 +116,11 @@ class Printer(ABC):
 
     @abstractmethod
     def partial(self, base: str, order: int, by: str) -> str:
-        """A derivative by a parameter that is named."""
+        """A derivative with respect to a named parameter."""
 
     @abstractmethod
     def subscripted(self, base: str, letters: str) -> str:
-        """A derivative of a surface by parameters in this order."""
+        """A derivative of a surface with respect to parameters in this order."""
 
     @abstractmethod
     def component(self, base: str, index: str) -> str:
@@ -148,7 +148,7 @@ class Printer(ABC):
 
 
 def _letters(n: Expression) -> tuple[Expression, str]:
-    """The innermost operand of nested derivatives, and their parameters, the first one first."""
+    """The innermost operand of nested derivatives, and their parameters in the order of differentiation."""
     letters = ""
     while n.op is Operation.DERIVATIVE and n.value.by in SUBSCRIPTS:
         letters = str(n.value.by) * n.value.order + letters
@@ -157,19 +157,19 @@ def _letters(n: Expression) -> tuple[Expression, str]:
 
 
 def named_binding(n: Expression) -> int:
-    """How tightly the symbol of a named formula binds: one that ends in a power needs parentheses before another
+    """The precedence of the symbol of a named formula: a symbol that ends in a power needs parentheses before another
     power.
     """
     return POWER if "^" in n.value.symbol else ATOM
 
 
 def index_text(index: int | slice) -> str:
-    """An index, or the first and last of a slice.
+    """An index, or the first and last index of a slice.
 
     >>> index_text(2), index_text(slice(1, 4)), index_text(slice(1, None)), index_text(slice(None, 2))
     ('2', '1…3', '1…', '0…1')
 
-    A slice that counts from the end or leaves some out is written as in Python.
+    A slice that counts from the end or has a step is written as in Python.
 
     >>> index_text(slice(None, -1)), index_text(slice(0, 3, 2))
     (':-1', '0:3:2')
@@ -184,17 +184,17 @@ def index_text(index: int | slice) -> str:
 
 
 def number(value: Number) -> tuple[str, int]:
-    """A constant: fractions bind like products."""
+    """A constant; fractions have the precedence of products."""
     text = str(value)
     return text, ATOM if text.isdigit() else PRODUCT
 
 
-#: Names of leaves that are written differently.
+#: The notation of leaves that differs from their name.
 LEAVES = {"point": "Q", "axis_x": "e_1", "axis_y": "e_2", "axis_z": "e_3"}
 
 
 def leaf(value: str) -> tuple[str, bool]:
-    """The name of a leaf, and whether it gets a bar: it is of the second of two curves.
+    """The name of a leaf, and whether it has a bar, because it belongs to the second of two curves.
 
     >>> leaf("second.p"), leaf("gamma")
     (('p', True), ('gamma', False))

@@ -1,4 +1,4 @@
-"""Formulas without the zeros and ones that adjoined roots bring along: ``0 + M (−1)`` is written ``−M``."""
+"""Formulas without the zeros and ones introduced by adjoined roots: ``0 + M (−1)`` is printed as ``−M``."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from exactspline.readings.expression import ATOMS, Expression, Operation
 
 
 def without_units(n: Expression) -> Expression:
-    """A tree of the same value: nothing is added to 0 or multiplied by 0, 1 or −1, and products have their sign in
+    """A tree with the same value, without sums with 0 and products with 0, 1 or −1, and with the signs of products in
     front; shared nodes stay shared.
 
     >>> from exactspline.readings.printing.text import print_text
@@ -22,7 +22,7 @@ def without_units(n: Expression) -> Expression:
 
 
 class _Cleaned:
-    """The trees made so far, by the nodes that they are made of."""
+    """The simplified trees, by the nodes from which they are made."""
 
     def __init__(self) -> None:
         self.made: dict[int, Expression] = {}
@@ -30,15 +30,15 @@ class _Cleaned:
     def __call__(self, n: Expression) -> Expression:
         if n.op in ATOMS:
             return n
-        found = self.made.get(id(n))
-        if found is None:
+        simplified = self.made.get(id(n))
+        if simplified is None:
             args = tuple(map(self, n.args))
             same = all(a is b for a, b in zip(args, n.args, strict=True))
-            found = n if same else Expression(n.op, args, n.value, vector=n.is_vector)
+            simplified = n if same else Expression(n.op, args, n.value, vector=n.is_vector)
             if n.op in _RULES:
-                found = _RULES[n.op](found, *args)
-            self.made[id(n)] = found
-        return found
+                simplified = _RULES[n.op](simplified, *args)
+            self.made[id(n)] = simplified
+        return simplified
 
 
 def _is(n: Expression, value: int) -> bool:
@@ -95,7 +95,7 @@ def _product(n: Expression, a: Expression, b: Expression) -> Expression:
 
 
 def _in_front(factor: Expression, n: Expression) -> Expression:
-    """A product with a number before its first factor."""
+    """A product with a number in front of its first factor."""
     if n.op is Operation.TIMES:
         return _made(Operation.TIMES, _in_front(factor, n.args[0]), n.args[1])
     return _made(Operation.TIMES, factor, n)

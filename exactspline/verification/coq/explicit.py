@@ -14,6 +14,7 @@ from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CURVE, CurveKind, FramedKind, Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.numbers.exact import rational, to_fmpq
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.verification.coq.terms import integer
 
 #: A polynomial in t by its coefficients.
@@ -33,7 +34,7 @@ class RationalFunction(FieldOperand):
 
     def __init__(self, top: fmpq_poly, bottom: fmpq_poly | None = None) -> None:
         below = fmpq_poly([1]) if bottom is None else bottom
-        common = top.gcd(below)
+        common = greatest_common_divisor([top, below])
         self.top, self.bottom = top // common, below // common
 
     def constant(self, value: Constant) -> RationalFunction:

@@ -11,15 +11,13 @@ from exactspline.language.arguments import Pair
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.kinds import Kind, kind_of
 from exactspline.language.parts import joined, split
-from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.surface_kind import Surface
-from exactspline.language.vector import Vector
-from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import parse_degree
 from exactspline.readings.differential_order import order_of
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.tensor_lowest_terms import in_lowest_terms
 from exactspline.splines.tensor_parts import Degrees
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
@@ -185,8 +183,7 @@ class DegreeClaim(DegreeStatement):
             return self._own(value.degree)
         if self.measure == Measure.TRUE:
             return max(self._own(p.true_degree) for p in split(value)[0])
-        whole = joined(value) if isinstance(value, RuledSurface) else value
-        return true_degree(self._profile(whole))
+        return self._lowest(joined(value) if isinstance(value, RuledSurface) else value)
 
     def _reduced(self, argument: Any) -> Any:
         pair = isinstance(argument, Pair)
@@ -206,16 +203,16 @@ class DegreeClaim(DegreeStatement):
             return int(degree.s if self._is_first else degree.t)
         return int(degree)
 
-    def _profile(self, value: Any) -> Any:
-        """A spline in two parameters at a fixed value of the other; any other spline unchanged."""
+    def _lowest(self, value: Any) -> int:
+        """The degree in lowest terms; of a value in two parameters on all of its rectangle, since at one value of the
+        other parameter more may cancel.
+        """
         components, denominator = split(value)
         if not isinstance(components[0], TensorSpline):
-            return value
-        across = components[0].domain[1 if self._is_first else 0]
-        fixed = across[0] + (across[1] - across[0]) * mpq(2, 7)
-
-        def line(x: TensorSpline) -> Any:
-            return x.at_t(fixed) if self._is_first else x.at_s(fixed)
-
-        top = Vector(*map(line, components))
-        return top if denominator is None else Rational(top, line(denominator))
+            return true_degree(value)
+        if all(x.is_zero for x in components):
+            return -1
+        if denominator is not None:
+            components, denominator = split(in_lowest_terms(value))
+        parts = components if denominator is None else [*components, denominator]
+        return max(self._own(x.true_degree) for x in parts)

@@ -1,0 +1,52 @@
+"""The command line: in this process, where what is loaded and computed once stays; in its own where that matters."""
+
+import gc
+import io
+import os
+import subprocess
+import sys
+from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import dataclass
+from unittest import mock
+
+from exactspline.cli import main
+
+#: Tables have room for everything, as long as a test asks for no other width.
+WIDE = {"COLUMNS": "200"}
+
+
+@dataclass(frozen=True)
+class Done:
+    """What a command ended with and what it said."""
+
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+def run(*arguments: object) -> Done:
+    """The command as `main` runs it, with a traceback where a user would see one."""
+    stdout, stderr, threshold = io.StringIO(), io.StringIO(), gc.get_threshold()
+    argv = ["exactspline", *map(str, arguments)]
+    status: object = 0
+    with (
+        mock.patch.object(sys, "argv", argv),
+        mock.patch.dict(os.environ, WIDE),
+        redirect_stdout(stdout),
+        redirect_stderr(stderr),
+    ):
+        try:
+            main()
+        except SystemExit as end:
+            status = end.code or 0
+        finally:
+            gc.unfreeze()
+            gc.set_threshold(*threshold)
+    assert isinstance(status, int)
+    return Done(status, stdout.getvalue(), stderr.getvalue())
+
+
+def run_alone(*arguments: object) -> subprocess.CompletedProcess[str]:
+    """The command in a process of its own, as a user runs it."""
+    command = [sys.executable, "-m", "exactspline", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False, env=os.environ | WIDE)

@@ -1,0 +1,84 @@
+"""One taken for all: values at one sample, the first of several, an error that ends more than what it is about."""
+
+import pytest
+from gmpy2 import mpq
+
+import exactspline as xs
+from exactspline.errors import FormulaError, ReachError
+from exactspline.geometry.surface.merged import merged_umbilics
+from exactspline.geometry.surface.places import Place
+from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind, UmbilicsOfPatch
+from exactspline.language.choices import Parameter
+from exactspline.numbers.intervals import Box, Interval
+from exactspline.papers import find
+from exactspline.verification import degree_tables, generic_proof
+from exactspline.verification.claims import all_claims
+from exactspline.verification.kinds.degree import DegreeClaim
+
+S = xs.TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
+T = xs.TensorSpline((0, 1), [0, 1], [0, 0, 1, 1], [[0, 1]])
+
+
+def of_pairs(parameter):
+    """A degree claim about two curves, whose own formula is not asked."""
+    claim = next(c for c in all_claims() if isinstance(c, DegreeClaim) and c.curve == "pair")
+    claim = claim.__class__.__new__(claim.__class__)
+    vars(claim).update(parameter=parameter)
+    return claim
+
+
+@pytest.mark.parametrize(("parameter", "degree"), [(Parameter.FIRST, 1), (Parameter.SECOND, 1)])
+def test_a_degree_in_lowest_terms_is_not_taken_at_one_value(parameter, degree):
+    """Passed before: (s − t)/(s − 2/7) has the degree 0 in s, as it has for t = 2/7, the value that was tried."""
+    value = (S - T) / (S - mpq(2, 7))
+    claim = of_pairs(parameter)
+    assert claim._lowest(value) == degree
+    assert claim._lowest((S - T) * (S + 1) / ((S + 1) * (S - 3))) == degree
+    assert claim._lowest((S - T) * (T + 1) / (T + 1)) == degree
+    assert claim._lowest((S - S) / (S + 1)) == -1
+
+
+def test_an_umbilic_of_two_kinds_is_of_unknown_kind():
+    """Passed before: the kind of the patch that comes first, where the curvatures of two patches jump."""
+    half = mpq(1, 2)
+    sides = [
+        Box(Interval(mpq(0), half), Interval(mpq(0), mpq(1))),
+        Box(Interval(half, mpq(1)), Interval(mpq(0), mpq(1))),
+    ]
+
+    def seen(first, second):
+        own = [
+            (box, UmbilicsOfPatch((Umbilic(Place(((i, 0),), None, half, mpq(1, 3)), kind),)))
+            for i, (box, kind) in enumerate(zip(sides, (first, second), strict=True))
+        ]
+        (found,) = merged_umbilics(own, Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1))), ())
+        assert found.place.patches == ((0, 0), (1, 0))
+        return found.kind
+
+    star, lemon = UmbilicKind.NEGATIVE, UmbilicKind.POSITIVE
+    assert seen(star, star) == star
+    assert seen(star, lemon) == seen(lemon, star) == UmbilicKind.UNKNOWN
+
+
+@pytest.mark.parametrize("error", [ReachError("a common divisor"), FormulaError("a polynomial of a million terms")])
+def test_one_formula_out_of_reach_ends_no_table(monkeypatch, error):
+    """Before: `ReachError` for the whole table of degrees where one formula was out of reach."""
+
+    def refuse(formula, **how):
+        raise error
+
+    monkeypatch.setattr(generic_proof, "reduce", refuse)
+    generic_proof._reduction.cache_clear()
+    try:
+        row = degree_tables._degrees_of(find("f2"), False, Parameter.FIRST)
+        assert (row.nominal, row.lowest) == ("3d − 3", error.problem)
+        assert degree_tables._grading(find("evolute"), "minimal", 2, False) == "–"
+    finally:
+        generic_proof._reduction.cache_clear()
+
+
+def test_verdicts_leave_out_whole_kinds():
+    """Passed before: `verdicts(without="identity")` left out every kind whose name is a part of that word."""
+    with pytest.raises(xs.ExactSplineError, match="kinds of claims"):
+        xs.tables.verdicts("C4.1a", without="identity, degree")
+    assert xs.tables.verdicts("C4.1a", without=["identity"])["verdict"] == []
