@@ -82,7 +82,7 @@ def test_checkers_know_the_types_and_refuse_a_method_that_is_a_function(tmp_path
         'xs.example("circle").insert_knot("1/2")': "exactspline.splines.nurbs.Nurbs",
         'xs.prove("f1", "f2").holds': "bool",
     }
-    wrong = 'xs.example("circle").plot()\nxs.example_surface("sphere").plot\n'
+    wrong = 'xs.example("circle").plot()\nxs.example("sphere").plot\n'
     done = checked(tmp_path, "".join(f"reveal_type({code})\n" for code in asked) + wrong)
     told = [kind.removeprefix("builtins.") for kind in re.findall(r'Revealed type is "(.*?)"', done.stdout)]
     assert told == list(asked.values()), done.stdout + done.stderr
