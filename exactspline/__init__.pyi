@@ -25,8 +25,8 @@ from .reals.real import square_root as square_root
 # files and examples
 from .interchange.files import read as read
 from .interchange.files import write as write
-from .splines.examples import example as example
-from .splines.examples import examples as examples
+from .interchange.examples import example as example
+from .interchange.examples import examples as examples
 
 # evaluation
 from .roots.values import at as at
@@ -41,7 +41,7 @@ from .numbers.sides import Side as Side
 from .roots.zero_set import ZeroSet as ZeroSet
 from .roots.zero_set import zeros as zeros
 from .roots.root import Root as Root
-from .roots.checker import check_certificate as check_certificate
+from .certificates import check_certificate as check_certificate
 
 # analysis
 from .geometry.analysis import analyse as analyse

@@ -1,7 +1,7 @@
 """Tables for notebooks and terminals: degrees, control points, verdicts, printed numbers next to computed ones.
 
 >>> from exactspline.papers import find
->>> from exactspline.splines.examples import example
+>>> from exactspline.interchange.examples import example
 >>> measure(find("f2"), example("ellipse"))
 <Measure f2: degree 3d − 3, here 3, true degree 0, 16 control points>
 """

@@ -6,9 +6,9 @@ than the quotient rule gives.
 
 from theorem import establish, verdict_for_all
 
+from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from exactspline.readings.taylor import series_curve
-from exactspline.splines.examples import example, example_names
 
 
 def test_equations_1_2_3_and_5():

@@ -13,11 +13,11 @@ from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
 from exactspline.geometry.derived import derive
+from exactspline.interchange.examples import example, example_names
 from exactspline.language import dot
 from exactspline.papers import find
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.readings.taylor import series_curve
-from exactspline.splines.examples import example, example_names
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]
 CURVED = [name for name in PLANE if not find("f2")(example(name)).is_zero]

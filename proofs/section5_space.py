@@ -11,12 +11,12 @@ import pytest
 from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
+from exactspline.interchange.examples import example, example_names
 from exactspline.language import Vector, dot
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.readings.taylor import Series, series_curve
-from exactspline.splines.examples import example, example_names
 
 SPACE = [name for name in example_names() if example(name).dimension == 3]
 TWISTED = [name for name in SPACE if not find("D1_D2_D3")(example(name)).is_zero]

@@ -16,8 +16,8 @@ from theorem import establish, verdict_for_all
 from exactspline.geometry.bisector.point_and_curve import point_bisector
 from exactspline.geometry.bisector.trimmed import trimmed_bisector
 from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
-from exactspline.splines.examples import example, example_names
 from exactspline.verification.check_arguments import point_beside
 
 SPACE = [name for name in example_names() if example(name).dimension == 3]

@@ -10,12 +10,12 @@ from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
 from exactspline.geometry.constructions import all_constructions, construction
+from exactspline.interchange.examples import example, example_names
 from exactspline.language import Vector, dot
 from exactspline.language.kinds import CURVE
 from exactspline.papers import find
 from exactspline.readings.jet import JetReading
 from exactspline.readings.taylor import Series, series_curve
-from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification.generic_degree import symbolic_minimum

@@ -1,5 +1,5 @@
-"""What developers, and maintainers of other libraries, run from a checkout; nothing of it is in the wheel.
+"""Programs for developers and for maintainers of other libraries, run from a checkout; none of it is in the wheel.
 
 `bench` measures times, `grade` compares other libraries with exact answers, `mutation` changes formulas and engines on
-purpose, to see that a claim or a test notices.
+purpose, to check that a claim or a test detects each change.
 """

@@ -1,4 +1,4 @@
-"""What the programs of the workshop print: a table for people, JSON, CSV or Markdown for programs."""
+"""The output of the workshop's programs: a table for people, JSON, CSV or Markdown for programs."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def add_formats(parser: argparse.ArgumentParser) -> None:
     formats = parser.add_mutually_exclusive_group()
     for name, told in (("json", "JSON (see schema.json)"), ("csv", "comma-separated values"), ("markdown", "Markdown")):
         formats.add_argument(f"--{name}", dest="format", action="store_const", const=name, help=f"print {told}")
-    parser.add_argument("-q", "--quiet", action="store_true", help="no progress bar, no remarks")
+    parser.add_argument("-q", "--quiet", action="store_true", help="no progress bar, no comments")
 
 
 def show(chosen: str | None, schema: str, rows: Sequence[Mapping[str, object]], sheet: Sheet) -> None:

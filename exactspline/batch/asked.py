@@ -15,14 +15,14 @@ from exactspline.splines.nurbs import Nurbs
 if TYPE_CHECKING:
     from exactspline.geometry.many_roots import Settled
 
-#: The filter is asked about curves that have this many segments of one degree together: with fewer it takes longer than
+#: The filter is used for curves that together have this many segments of one degree: for fewer it takes longer than
 #: exact arithmetic.
 TOGETHER = 24
 
 
 @dataclass
 class Asked:
-    """A curve of a corpus, or why there is none; the processor time spent on it; what the filter knows of it."""
+    """A curve of a corpus, or the problem with it; the processor time spent on it; what the filter decided about it."""
 
     item: Item
     curve: Nurbs | None
@@ -33,7 +33,7 @@ class Asked:
 
     @classmethod
     def of(cls, item: Item) -> Asked:
-        """The curve of an item, made where it has to be."""
+        """The curve of an item, generated where necessary."""
         if isinstance(item.given, Problem):
             return cls(item, None, item.given, 0)
         start = process_time()
@@ -45,8 +45,8 @@ class Asked:
 
 
 def weight(item: Item) -> int | None:
-    """A rough measure of the work on a curve of which the filter is asked: its segments times the cube of its degree,
-    of a family's the largest. None for other curves.
+    """A rough measure of the work on a curve that is given to the filter: its number of segments times the cube of its
+    degree; for a family the largest such value. None for other curves.
 
     >>> from exactspline.batch.corpus import items
     >>> from exactspline.batch.families import Family
@@ -63,8 +63,8 @@ def weight(item: Item) -> int | None:
 
 
 def ask(curves: Sequence[Asked]) -> None:
-    """Ask the filter about the plane curves among these. The processor time that curves take together is shared by
-    their segments.
+    """Apply the filter to the plane curves among these. The processor time of curves computed together is divided in
+    proportion to their segments.
     """
     kinds: dict[tuple[int, bool], list[Asked]] = {}
     for each in curves:
@@ -81,8 +81,8 @@ def ask(curves: Sequence[Asked]) -> None:
 
 
 def _spoken_of(curve: Nurbs) -> bool:
-    """Whether the filter is worth asking: of a curve in the plane; but quadratics that are no spline of simple knots
-    have straight pieces and corners, and vertices at rational parameters only.
+    """Whether the filter is worthwhile: for a plane curve, except quadratics with multiple knots, which have straight
+    pieces, corners, and vertices at rational parameters only.
     """
     if curve.dimension != 2 or curve.degree < 2:
         return False
@@ -106,7 +106,7 @@ def _ask(alike: Sequence[Asked]) -> None:
             for each, known in zip(own, found, strict=True):
                 each.settled, each.way = known, Way.EXACT if known is None else Way.DECIDED
                 each.seconds += seconds * _segments(each) / total
-    # what the filter cannot say is computed exactly, and the failure counted
+    # what the filter cannot decide is computed exactly, and the failure is counted
     except Exception:
         for each in alike:
             each.way = each.way or Way.FAILED

@@ -1,6 +1,6 @@
-"""Where a sweep is computed: in this process, in processes of this machine, on a Dask or a Ray cluster.
+"""Where a sweep is computed: in this process, in processes of this machine, or on a Dask or Ray cluster.
 
-joblib does all but the first and the last (its interface to Ray hands out no result before all are there); the number
+joblib runs all but the first and the last (its interface to Ray returns no result before all are complete); the number
 of pending tasks is bounded, and the results come in the order of the curves.
 """
 
@@ -19,21 +19,24 @@ from typing import TypeVar
 
 from exactspline.errors import ExactSplineError, as_text, nearest
 
-#: Seconds after which a process looks again whether the one that started it still runs.
+#: Seconds between two checks whether the process that started this one is still running.
 LOOK = 1
 T = TypeVar("T")
 V = TypeVar("V")
 
 #: Name → the package that it needs besides joblib.
 BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
-#: How many curves are computed together: a few at first, so that the first results come soon and all processes have
-#: work, then this many times what each process has had before, at most this many and of so much weight.
+#: How many curves are computed together: a few at first (`FIRST`), so that the first results come soon and all
+#: processes have work, then `GROWTH` times as many as each process has had before, at most `MOST` and of a total weight
+#: of about `HEAVY`.
 FIRST, GROWTH, MOST, HEAVY = 16, 3, 512, 1 << 18
-#: What has so much weight is sent few at a time, and computed alone in this process: an interruption waits for one.
+#: Curves of this weight are sent a few at a time, and one by one within this process, since an interruption waits for
+#: the current one.
 ALONE = HEAVY // FIRST
-#: Curves of a process that may be on their way or waiting to be fetched; after this many the results are fetched first.
+#: The limit per process of curves that are pending or whose results have not been fetched; beyond it the results are
+#: fetched first.
 WINDOW = 4096
-#: Groups of a process that are sent before a result is awaited.
+#: Groups sent to a process before a result is awaited.
 PENDING = 3
 
 
@@ -48,7 +51,7 @@ def check_backend(name: str) -> None:
     if (needed := BACKENDS[name]) and find_spec(needed) is None:
         raise BackendError(
             f"the backend {name} needs {needed}, which is not installed",
-            remedy=f"pip install {needed}, or take another backend",
+            remedy=f"pip install {needed}, or use another backend",
         )
 
 
@@ -62,9 +65,9 @@ def mapped(
 ) -> Iterator[V]:
     """The results of `call` for groups of the input, in order.
 
-    A list that `call` is given is its own. At most `WINDOW` and a group a process are held at a time, however many
-    there are and however slowly the results are taken; in this process the results of a group are taken one by one.
-    Closing the generator ends the work when the groups in progress are finished.
+    `call` may modify the list it receives. At most `WINDOW` items plus one group per process are held at a time,
+    however long the input is and however slowly the results are consumed; within this process the results of a group
+    are consumed one by one. Closing the generator ends the work when the groups in progress are finished.
 
     >>> list(mapped(lambda group: [2 * x for x in group], [3, 1, 2]))
     [6, 2, 4]
@@ -100,8 +103,8 @@ def mapped(
 def _groups(
     given: Iterable[T], weight: Callable[[T], int], jobs: int, closed: threading.Event, alone: int = HEAVY
 ) -> Iterator[list[T]]:
-    """The input in groups (see `FIRST`), of which one ends with what has the weight `alone`; none begins when `closed`
-    is set.
+    """The input in groups (see `FIRST`), a group ends with an item of the weight `alone`; none begins once `closed` is
+    set.
     """
     group: list[T] = []
     before, heavy = 0, 0
@@ -120,7 +123,7 @@ def _groups(
 
 
 def _window(first: list[T], groups: Iterator[list[T]], most: int) -> Iterator[list[T]]:
-    """A group and those that follow it, until they hold this many."""
+    """A group and those that follow it, until they hold this many items."""
     count = len(first)
     yield first
     while count < most and (group := next(groups, None)) is not None:
@@ -144,12 +147,12 @@ def _interrupts_ignored() -> Iterator[None]:
 
 
 def _taken(results: Iterator[list[V]], closed: threading.Event) -> Iterator[V]:
-    """The results of groups. When the consumer stops, groups in progress are awaited, since killed processes
-    complain.
+    """The results of groups. When the consumer stops, groups in progress are awaited, since killed processes print
+    errors.
     """
     try:
-        for found in results:
-            yield from found
+        for group in results:
+            yield from group
     except GeneratorExit:
         closed.set()
         for _ in results:
@@ -221,8 +224,8 @@ def _called(call: Callable[[list[T]], Iterable[V]], group: list[T], parent: int 
 
 @cache
 def _end_with(parent: int) -> None:
-    """End this process soon after the process that started it was killed: nobody else would. Where the system gives an
-    orphan no other parent (Windows), nothing is done.
+    """End this process soon after the process that started it was killed: nothing else would. Where the system does not
+    give orphans a new parent (Windows), nothing is done.
     """
     if os.getppid() != parent:
         return

@@ -1,4 +1,4 @@
-"""Corpora: curve files, folders, fonts, families and single curves, read one after the other and never all at once."""
+"""Corpora: curve files, folders, fonts, families and single curves, read one after the other, never all together."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from pathlib import Path
 
 from exactspline.batch.families import Family
 from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import read_in_pieces
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.records import Skipped
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 
 #: The sources of a corpus: curves, families, and the names of files, folders and example curves.
 Source = Nurbs | Family | str
 #: The weight of a generated curve in the progress, in bytes of a file.
 BYTES_A_CURVE = 1000
-#: The kinds of problem for what a file holds besides curves, and for curves of it that its reader left out.
+#: The kinds of problem for contents of a file that are not curves, and for curves that its reader skipped.
 SKIPPED, NOT_READ = "Skipped", "NotRead"
 
 
@@ -39,7 +39,7 @@ class Problem:
 
 
 def short_digest(text: str) -> str:
-    """Sixteen hexadecimal digits that change with the text: against accidents, not against forgery."""
+    """Sixteen hexadecimal digits that change with the text: a protection against accidents, not against forgery."""
     return blake2b(text.encode("utf-8", "surrogatepass"), digest_size=8).hexdigest()
 
 
@@ -51,7 +51,7 @@ def curve_digest(curve: Nurbs) -> str:
 
 @dataclass(frozen=True)
 class Member:
-    """A curve of a family, made when it is needed."""
+    """A curve of a family, generated when it is needed."""
 
     family: Family
     number: int
@@ -59,20 +59,22 @@ class Member:
 
 @dataclass(frozen=True)
 class Item:
-    """A curve of a corpus, or the problem where none can be read; `share` of the corpus, at most 1, is read with it."""
+    """A curve of a corpus, or the problem where none can be read; `share` is the fraction of the corpus read so far,
+    this curve included.
+    """
 
     index: int
     source: str
     name: str
     given: Nurbs | Member | Problem
     share: float
-    #: What the reader of its file says of the curve.
+    #: Notes of the file's reader about the curve.
     notes: tuple[str, ...] = ()
 
     @property
     def digest(self) -> str:
         """A digest of the curve's exact data, so that a curve that changes under its name is noticed; empty where the
-        source and the name say it all.
+        source and the name determine the curve.
         """
         return curve_digest(self.given) if isinstance(self.given, Nurbs) else ""
 
@@ -87,7 +89,7 @@ class Item:
 def items(sources: Iterable[Source]) -> Iterator[Item]:
     """All curves of a corpus in order. An unreadable one is an item with its problem, never an exception.
 
-    Sources with a length are scanned first, so that the share that is done is known.
+    Sources with a length are scanned first, so that the fraction read so far is known.
 
     >>> from exactspline import example
     >>> [(item.index, item.source, item.name) for item in items(["circle", example("cusp"), Family(count=1)])]
@@ -112,14 +114,14 @@ Part = tuple[str, str, Nurbs | Member | Problem, tuple[int, int], tuple[str, ...
 
 
 def _places(source: Source) -> list[Source]:
-    """The files of a folder in the order of their names, those with the suffix of a format that is read; any other
-    source is returned unchanged.
+    """The files of a folder in the order of their names, those with the suffix of a readable format; any other source
+    is returned unchanged.
     """
     if not isinstance(source, str) or not os.path.isdir(source):
         return [source]
     suffixes = {suffix for known in FORMATS for suffix in known.suffixes}
-    found = sorted(path for path in Path(source).rglob("*") if path.suffix.lower() in suffixes and path.is_file())
-    return list(map(str, found))
+    paths = sorted(path for path in Path(source).rglob("*") if path.suffix.lower() in suffixes and path.is_file())
+    return list(map(str, paths))
 
 
 def _size(source: Source) -> int:
@@ -131,7 +133,7 @@ def _size(source: Source) -> int:
 
 
 def _parts(source: Source) -> Iterator[Part]:
-    """The curves of one source, each with the number done and the total, and notes of the reader."""
+    """The curves of one source, each with the number read so far and the total, and notes of the reader."""
     if isinstance(source, Nurbs):
         yield "", source.name, source, (1, 1), ()
     elif isinstance(source, Family):
@@ -144,10 +146,10 @@ def _parts(source: Source) -> Iterator[Part]:
 
 
 def _of_file(place: str) -> Iterator[Part]:
-    """The curves of a file followed by what was skipped in it, or the problem of the whole file. No curve is kept here
-    when it has been handed out: a curve remembers what was computed of it.
+    """The curves of a file followed by what was skipped in it, or the problem of the whole file. No reference to a
+    returned curve is kept here, since a curve stores everything computed from it.
     """
-    found, skipped = 0, list[Skipped]()
+    curves_read, skipped = 0, list[Skipped]()
     try:
         if place in example_names() and not os.path.exists(place):
             yield place, place, example(place), (1, 1), ()
@@ -155,18 +157,18 @@ def _of_file(place: str) -> Iterator[Part]:
         for reading, done, count in read_in_pieces(place):
             skipped += reading.skipped
             kept, notes = [*reversed(reading.curves)], reading.notes
-            own = len(kept)
+            size = len(kept)
             del reading
             while kept:
                 named = kept.pop()
-                found += 1
-                # of the piece that was read last a part is done
-                yield place, named.name, named.curve, (own * done - len(kept), own * count), (*notes, *named.notes)
+                curves_read += 1
+                # only a part of the piece read last has been processed
+                yield place, named.name, named.curve, (size * done - len(kept), size * count), (*notes, *named.notes)
                 del named
     except ExactSplineError as error:
         yield place, "", Problem.of(error), (1, 1), ()
         return
-    if not found and not skipped:
+    if not curves_read and not skipped:
         yield place, "", Problem.of(CurveFileError("holds no curve", where=place)), (1, 1), ()
     for each in skipped:
         kind = NOT_READ if each.curve else SKIPPED

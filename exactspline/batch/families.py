@@ -1,4 +1,4 @@
-"""Families of random curves: the curve with a number depends on the seed and that number alone, wherever it is made."""
+"""Families of random curves: a curve depends only on the seed and its index, wherever it is generated."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class Family:
         return cls(**values)  # type: ignore[arg-type]  # each field gets a value of its own type
 
     def curve(self, number: int) -> Nurbs:
-        """The curve with this number, from 0."""
+        """The curve with this index, counted from 0."""
         chance = Random(f"exactspline {self.seed} {number}")
         degree, segments = chance.randint(*self.degree), chance.randint(*self.segments)
         most = 1 << self.bits
@@ -83,7 +83,7 @@ def names() -> tuple[str, ...]:
 
 
 def is_word(text: str) -> bool:
-    """Whether a word on the command line is one of a family's.
+    """Whether a word of the command line is a parameter of a family.
 
     >>> is_word("count=100"), is_word("fonts=new.ttf")
     (True, False)
@@ -97,7 +97,7 @@ def _shown(value: Range | int | str) -> str:
 
 
 def _value(name: str, text: str) -> Range | int | str:
-    """The value of a word; both ends of a range may be the same."""
+    """The value of a word; the ends of a range may be equal."""
     if name == "rational":
         if text not in KINDS:
             raise CurveFileError(f"--random rational={text}", remedy=f"there are {', '.join(KINDS)}")
@@ -109,6 +109,6 @@ def _value(name: str, text: str) -> Range | int | str:
     least: Mapping[str, int] = {"seed": 0, "dimension": 2}
     most = MOST.get(name, {"dimension": 3}.get(name, high))
     if not least.get(name, 1) <= low <= high <= most:
-        told = f"{least.get(name, 1)} to {most}" if most != high else f"at least {least.get(name, 1)}"
-        raise CurveFileError(f"--random {name}={text} is out of range", remedy=told)
+        allowed = f"{least.get(name, 1)} to {most}" if most != high else f"at least {least.get(name, 1)}"
+        raise CurveFileError(f"--random {name}={text} is out of range", remedy=allowed)
     return (low, high) if name in ("degree", "segments") else low

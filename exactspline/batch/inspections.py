@@ -19,11 +19,12 @@ from exactspline.splines.nurbs import Nurbs
 if TYPE_CHECKING:
     from exactspline.geometry.many_roots import LateRoot, Point, Settled
 
-#: Questions with these answers are asked by sweeps.
+#: The types of answers of the questions that sweeps ask.
 LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES)
 #: The default questions.
 USUAL = ("inflections", "curvature_extrema", "corners")
-#: Digits that are found beyond those that are shown: an interval as wide as a decimal's last place is rarely inside.
+#: Digits computed beyond those shown: an interval as wide as the last decimal place rarely lies between two
+#: neighbouring decimals.
 BEYOND = 4
 
 
@@ -37,14 +38,14 @@ def asked_by_sweeps() -> dict[str, Entry]:
 
 
 def checked_names(names: Iterable[str]) -> tuple[str, ...]:
-    """The names of questions, each once; ``all`` is all of them.
+    """The names of questions, each once; ``all`` stands for all of them.
 
     Raises `FormulaError` with the nearest names.
     """
     known, chosen = asked_by_sweeps(), dict[str, None]()
     for name in as_texts(names, "names of questions", "the name of a question"):
         if name != "all" and name not in known:
-            raise FormulaError(f"nothing called {name!r} can be looked for", remedy=nearest(name, [*known, "all"]))
+            raise FormulaError(f"there is no question called {name!r}", remedy=nearest(name, [*known, "all"]))
         chosen |= dict.fromkeys(known if name == "all" else [name])
     return tuple(chosen)
 
@@ -52,8 +53,8 @@ def checked_names(names: Iterable[str]) -> tuple[str, ...]:
 def inspected(
     curve: Nurbs, names: Iterable[str], digits: int, settled: Settled | None = None
 ) -> dict[str, tuple[Found, ...]]:
-    """The answers to questions about a curve, by name; those that are not asked of curves of its dimension are skipped.
-    `settled` is what the certified filter knows of it.
+    """The answers to questions about a curve, by name; those that do not apply to curves of its dimension are skipped.
+    `settled` is what the certified filter decided about it.
 
     >>> from exactspline import example
     >>> for each in inspected(example("six_segment_cubic"), ["inflections"], 3)["inflections"]:
@@ -65,9 +66,9 @@ def inspected(
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """
-    wanted = list(names)
-    known = questions_about(curve) if wanted else {}
-    return {name: tuple(_listed(_answer(curve, known[name], settled), digits)) for name in wanted if name in known}
+    requested = list(names)
+    known = questions_about(curve) if requested else {}
+    return {name: tuple(_listed(_answer(curve, known[name], settled), digits)) for name in requested if name in known}
 
 
 def _answer(curve: Nurbs, asked: Entry, settled: Settled | None) -> Any:
@@ -98,8 +99,8 @@ def _piece(piece: CurvePiece, kind: str) -> Found:
 
 
 def enclosed(place: Root | LateRoot, digits: int) -> tuple[str, str]:
-    """Where a root lies, in a way that does not depend on what was asked of it before: a rational one exactly, an
-    irrational one between two neighbouring decimals.
+    """The location of a root, independent of how far it was refined before: a rational root exactly, an irrational one
+    between two neighbouring decimals.
 
     >>> from exactspline import BSpline, zeros
     >>> t = BSpline.identity(0, 1)
@@ -120,7 +121,7 @@ def enclosed(place: Root | LateRoot, digits: int) -> tuple[str, str]:
 
 
 def _neighbour(low: mpq, high: mpq, scale: mpz) -> int | None:
-    """The integer k where [low, high] is inside of [k, k + 1] over a scale; None where there is none."""
+    """The integer k for which [low, high] lies in [k, k + 1] divided by a scale; None where there is none."""
     below = low.numerator * scale // low.denominator
     return int(below) if high.numerator * scale <= (below + 1) * high.denominator else None
 

@@ -9,7 +9,7 @@ from enum import StrEnum
 
 from exactspline.batch.corpus import Problem, short_digest
 
-#: The schema of a line gets a new version when a field changes its meaning or is removed.
+#: The version of a line's schema; it is raised when a field changes its meaning or is removed.
 VERSION = 2
 
 
@@ -23,8 +23,8 @@ class Found:
     a piece all of whose points answer a question about points is `EVERYWHERE`.
 
     A rational parameter is `low` and `high`; an irrational one lies strictly between these two, neighbouring decimals
-    with as many digits as were asked for; a piece runs from `low` to `high`, across the seam of a closed curve by way
-    of the end of its domain.
+    with the requested number of digits; a piece runs from `low` to `high`, for a piece across the seam of a closed
+    curve through the end of its domain.
     """
 
     kind: str
@@ -34,17 +34,19 @@ class Found:
 
 
 class Way(StrEnum):
-    """What the certified filter said of a curve of which it was asked."""
+    """How a curve that was given to the certified filter was decided."""
 
     DECIDED = "decided in doubles"
-    EXACT = "left to exact arithmetic"
+    EXACT = "decided by exact arithmetic"
     MISSING = "numpy is not installed"
     FAILED = "failed"
 
 
 @dataclass(frozen=True)
 class Judged:
-    """A claim on this curve: its verdict, whether it is the one on record, and the witness where there is one."""
+    """A claim checked on this curve: its verdict, whether that is the recorded one, and the witness where
+    there is one.
+    """
 
     claim: str
     verdict: str
@@ -55,7 +57,7 @@ class Judged:
 @dataclass(frozen=True)
 class Line:
     """Everything about one curve. Lines are equal when their results are: the processor time of a line is part of its
-    data, but not compared; the way to the results is not part of it.
+    data, but not compared; the way in which the results were obtained is not part of its data.
     """
 
     index: int
@@ -68,12 +70,12 @@ class Line:
     found: Mapping[str, tuple[Found, ...]] = field(default_factory=dict)
     claims: tuple[Judged, ...] = ()
     error: Problem | None = None
-    #: What the reader of the file says of the curve.
+    #: Notes of the file's reader about the curve.
     notes: tuple[str, ...] = ()
     #: Of the curve's exact data (see `Item.digest`).
     curve_digest: str = ""
     seconds: float = field(default=0, compare=False)
-    #: What the certified filter said; None where it was not asked, and of lines that were read.
+    #: How the certified filter decided; None where it was not used, and for lines that were read.
     way: Way | None = field(default=None, compare=False)
 
     def __repr__(self) -> str:
@@ -81,18 +83,18 @@ class Line:
 
     def data(self) -> dict[str, object]:
         """The line as data, as `line_schema` describes it."""
-        own = {name: getattr(self, name) for name in DATA}
-        own |= {
+        fields = {name: getattr(self, name) for name in DATA}
+        fields |= {
             "found": {name: [dict(vars(each)) for each in points] for name, points in self.found.items()},
             "claims": [dict(vars(each)) for each in self.claims],
             "error": None if self.error is None else dict(vars(self.error)),
             "notes": list(self.notes),
         }
-        return own | {"digest": digest_of(own)}
+        return fields | {"digest": digest_of(fields)}
 
     @classmethod
     def from_data(cls, data: Mapping[str, object]) -> Line:
-        """The line that `data` gave.
+        """The line of which this is the `data`.
 
         >>> line = Line(0, "font.ttf", "A.1", error=Problem("ShapeError", "no area"))
         >>> Line.from_data(line.data()) == line
@@ -102,7 +104,7 @@ class Line:
         """
         given: dict[str, object] = dict(data)
         if given.pop("digest") != digest_of(given):
-            raise ValueError("a line that was changed")
+            raise ValueError("the digest of the line does not match its data")
         found, claims, error = (given.pop(name) for name in ("found", "claims", "error"))
         assert isinstance(found, dict)
         assert isinstance(claims, list)
@@ -114,14 +116,14 @@ class Line:
 
 
 def digest_of(data: Mapping[str, object]) -> str:
-    """A digest of all fields of a line but the processor time, which is different each time: a line that is changed by
+    """A digest of all fields of a line except the processor time, which differs each time: a line that is changed by
     hand, or by a damaged disk, is noticed when its sweep is continued.
     """
-    own = {name: value for name, value in data.items() if name != "seconds"}
-    return short_digest(json.dumps(own, ensure_ascii=False, sort_keys=True, separators=(",", ":")))
+    fields = {name: value for name, value in data.items() if name != "seconds"}
+    return short_digest(json.dumps(fields, ensure_ascii=False, sort_keys=True, separators=(",", ":")))
 
 
-#: The fields of a line that are its data.
+#: The fields of a line that make up its data.
 DATA = tuple(each.name for each in fields(Line) if each.name != "way")
 
 

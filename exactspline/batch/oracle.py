@@ -14,7 +14,7 @@ from exactspline.splines.nurbs import Nurbs
 
 
 def question_of(asked: str) -> Question:
-    """A question read; `QuestionError` with the nearest names.
+    """The question that a text describes; raises `QuestionError` with the nearest names.
 
     >>> question_of("derivative:2@0,1/3")
     Question(text='derivative:2@0,1/3', name='derivative', argument='2', places=('0', '1/3'))

@@ -62,7 +62,7 @@ class Question:
         raise QuestionError(f"{self.text!r} needs an integer up to 999 after the colon", remedy=f"{self.name}:2")
 
     def parameters(self, curve: Nurbs) -> list[mpq | Real]:
-        """The parameters: exact numbers, or the features of the curve by their name."""
+        """The parameters: exact numbers, or those of features of the curve, given by their name."""
         if not all(self.places or [""]):
             raise QuestionError(
                 f"{self.text!r} names no parameter", remedy=f"{self.name}@1/2, or {self.name}@inflections"
@@ -71,26 +71,26 @@ class Question:
 
     def single(self, curve: Nurbs) -> mpq:
         """The only parameter, a rational one."""
-        found = self.parameters(curve)
-        if len(found) != 1 or isinstance(found[0], Real):
+        parameters = self.parameters(curve)
+        if len(parameters) != 1 or isinstance(parameters[0], Real):
             raise QuestionError(f"{self.text!r} needs one rational parameter", remedy=f"{self.name}@1/2")
-        return found[0]
+        return parameters[0]
 
 
 def _parameters(curve: Nurbs, place: str) -> list[mpq | Real]:
-    """An exact number, or the parameters of features by their name."""
+    """An exact number, or the parameters of features with a given name."""
     facts = analyse(curve)
     if place == "knots":
         return list(facts.breaks)
     entry = QUESTIONS.get(place)
     if entry is not None and entry.about.answered == Answered.PLACES and not entry.about.argument:
-        found = entry.answer(facts)
-        assert isinstance(found, Places)  # as it says
-        if found.everywhere:
+        places = entry.answer(facts)
+        assert isinstance(places, Places)  # by the type of its answer
+        if places.everywhere:
             raise QuestionError(
-                f"{place} are everywhere on {found.everywhere[0]}", remedy="name parameters there, as in value@1/2"
+                f"{place} fill all of {places.everywhere[0]}", remedy="name parameters there, as in value@1/2"
             )
-        return [exact_place(feature.root) for feature in found]
+        return [exact_place(feature.root) for feature in places]
     return [rational(place)]
 
 
@@ -111,14 +111,14 @@ def answer_data(answer: Answer, digits: int = DIGITS) -> dict[str, object]:
 
 
 def number_data(value: Real, digits: int = DIGITS) -> dict[str, object]:
-    """A number: exactly where it is rational or ``a + b√c`` and known to be, in a certified interval, and as the
-    correctly rounded double (null where it is too large, or where its ball does not determine it).
+    """A number: exactly where it is known to be rational or of the form ``a + b√c``, in a certified interval, and as
+    the correctly rounded double (null where it is too large, or where its ball does not determine it).
 
     >>> number_data(Real("1/3"))
     {'exact': '1/3', 'low': '1/3', 'high': '1/3', 'double': 0.3333333333333333}
     """
-    found = value.enclosure(digits)
-    low, high = found if isinstance(value, RationalNumber) else rounded_outwards(found, digits)
+    enclosure = value.enclosure(digits)
+    low, high = enclosure if isinstance(value, RationalNumber) else rounded_outwards(enclosure, digits)
     try:
         rounded: float | None = value.double()
     except (ExactSplineError, OverflowError):

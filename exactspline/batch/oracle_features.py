@@ -36,10 +36,12 @@ def _point(curve: Nurbs, feature: Feature) -> Item:
 
 
 def answered(entry: Entry, curve: Nurbs, question: Question) -> Found:
-    """The answer to a question of the registry about a curve, which it must be asked of."""
+    """The answer to a question of the registry about a curve; raises `ShapeError` where the question does not apply to
+    the curve.
+    """
     if entry.name not in questions_about(curve):
         raise QuestionError(
-            f"{entry.name} of a curve in R{curve.dimension}", remedy=f"it is asked of a {' or a '.join(entry.about.of)}"
+            f"{entry.name} of a curve in R{curve.dimension}", remedy=f"it applies to a {' or a '.join(entry.about.of)}"
         )
     facts = analyse(curve)
     items = list(_items(curve, entry.answer(facts, question.argument)))

@@ -29,12 +29,12 @@ class Kind:
 
 
 def _of_registry(entry: Entry) -> Kind:
-    """A question of the registry: with an argument it is asked with a colon."""
+    """A question of the registry: an argument follows after a colon."""
     asked = f"{entry.name}:{entry.about.argument}" if entry.about.argument else entry.name
     return Kind(asked, entry.meaning, partial(features.answered, entry))
 
 
-#: By their names.
+#: The kinds by their names.
 QUESTIONS: dict[str, Kind] = {
     kind.asked.partition("@")[0].partition(":")[0]: kind
     for kind in (

@@ -20,7 +20,7 @@ from exactspline.splines.common import with_common_knots
 from exactspline.splines.control_points import Direction
 from exactspline.splines.nurbs import Nurbs, changed
 
-#: Segments times the square of the degree of what `elevate` answers: some seconds.
+#: The largest number of segments times the square of the degree that `elevate` computes (a few seconds).
 MOST_ELEVATED = 1_000_000
 Found = tuple[Iterable[Item], Iterable[dict[str, object]]]
 
@@ -68,8 +68,8 @@ def product(curve: Nurbs, question: Question) -> Found:
         raise QuestionError(
             f"{question.text!r} needs two coordinates of R{curve.dimension}", remedy="product:01 is x y"
         )
-    found = curve.p[int(given[0])] * curve.p[int(given[1])]
-    return _net([found], curve.w * curve.w if not curve.polynomial else None, ["product"]), ()
+    product_form = curve.p[int(given[0])] * curve.p[int(given[1])]
+    return _net([product_form], curve.w * curve.w if not curve.polynomial else None, ["product"]), ()
 
 
 def _net(numerators: list[BSpline], denominator: BSpline | None, names: list[str]) -> list[Item]:
@@ -111,7 +111,7 @@ def _closed(curve: Nurbs) -> Nurbs:
     if curve.dimension != 2 or not curve.polynomial or not curve.closed:
         raise ShapeError(
             "the area of a curve that is not closed, polynomial and in the plane",
-            remedy="of a rational curve the area is not a rational number in general",
+            remedy="the area of a rational curve is not a rational number in general",
         )
     if any(joint.kind is JointKind.GAP for joint in analyse(curve).joints):
         raise ShapeError("the area of a curve with a gap", remedy="close the gap")

@@ -28,7 +28,9 @@ def axes(curve: Nurbs) -> list[str]:
     return list("xyz"[:n]) if n <= 3 else [f"x{i}" for i in range(1, n + 1)]
 
 
-def _told(curve: Nurbs, question: Question, what: str, values: Callable[[mpq | Real], dict[str, Real]]) -> Found:
+def _at_parameters(
+    curve: Nurbs, question: Question, what: str, values: Callable[[mpq | Real], dict[str, Real]]
+) -> Found:
     """One item per parameter."""
     places = question.parameters(curve)
     return [Item(what, {"parameter": real(t)} | values(t)) for t in places], ()
@@ -36,25 +38,25 @@ def _told(curve: Nurbs, question: Question, what: str, values: Callable[[mpq | R
 
 def value(curve: Nurbs, question: Question) -> Found:
     """The points."""
-    return _told(curve, question, "point", lambda t: dict(zip(axes(curve), point_at(curve, t), strict=True)))
+    return _at_parameters(curve, question, "point", lambda t: dict(zip(axes(curve), point_at(curve, t), strict=True)))
 
 
 def derivative(curve: Nurbs, question: Question) -> Found:
     """The derivatives of one order."""
     order = question.number(1)
-    return _told(
+    return _at_parameters(
         curve, question, "derivative", lambda t: dict(zip(axes(curve), point_at(curve, t, order), strict=True))
     )
 
 
 def curvature(curve: Nurbs, question: Question) -> Found:
     """The curvatures."""
-    return _told(curve, question, "curvature", lambda t: {"curvature": values_along.curvature(curve, t)})
+    return _at_parameters(curve, question, "curvature", lambda t: {"curvature": values_along.curvature(curve, t)})
 
 
 def torsion(curve: Nurbs, question: Question) -> Found:
     """The torsions."""
-    return _told(curve, question, "torsion", lambda t: {"torsion": values_along.torsion(curve, t)})
+    return _at_parameters(curve, question, "torsion", lambda t: {"torsion": values_along.torsion(curve, t)})
 
 
 def frame(curve: Nurbs, question: Question) -> Found:
@@ -73,4 +75,4 @@ def frame(curve: Nurbs, question: Question) -> Found:
             for axis, x in zip(axes(curve), unit(list(vector), t, name), strict=True)
         }
 
-    return _told(curve, question, "frame", values)
+    return _at_parameters(curve, question, "frame", values)

@@ -15,15 +15,15 @@ from exactspline.batch.results import Results, ResultsError, Settings, locked
 if TYPE_CHECKING:
     import pyarrow
 
-#: A part has at most this many rows, and is written after this many seconds: which bounds the loss by a kill.
+#: A part has at most this many rows, and is written after this many seconds: which bounds what a kill can lose.
 ROWS, SECONDS = 10_000, 60
 
 
 class Parquet(Results):
     """A folder of parts ``part-000000000.parquet``, each named by the index of its first row.
 
-    A column for every feature that was searched for, a list of ``{kind, parameter, low, high}`` each; readers of
-    folders (pyarrow, pandas, DuckDB, polars) combine the parts and ignore the settings.
+    One column per question, a list of ``{kind, parameter, low, high}`` each; readers of folders (pyarrow, pandas,
+    DuckDB, polars) combine the parts and ignore the settings.
     """
 
     def __init__(self, place: Path, settings: Settings) -> None:
@@ -71,7 +71,7 @@ class Parquet(Results):
                             index += 1
             except (pa.ArrowInvalid, ValueError, KeyError, TypeError):
                 raise ResultsError(
-                    f"is not the part that begins at row {index}, as a sweep wrote it",
+                    f"is not the part that begins at row {index}, as written by a sweep",
                     where=str(part),
                     remedy="restore the folder",
                 ) from None
@@ -79,8 +79,8 @@ class Parquet(Results):
     def add(self, line: Line) -> None:
         """One more row, written with its part."""
         data = line.data()
-        found: Any = data.pop("found")
-        self._kept.append(data | {name: found.get(name) for name in self._find})
+        points_by_name: Any = data.pop("found")
+        self._kept.append(data | {name: points_by_name.get(name) for name in self._find})
         if len(self._kept) >= ROWS or monotonic() - self._last > SECONDS:
             self._write()
 

@@ -49,11 +49,11 @@ def recorded(
 ) -> None:
     """Sweep a corpus into a file (`opened`), or nowhere, and count all of its lines.
 
-    If the file exists, its lines are counted and the sweep continues after them. `tick` is called with the
-    share of the corpus that is done, the line, and whether it existed before. Once `stopped` returns true, no further
-    curve is started; those in progress are finished.
+    If the file exists, its lines are counted and the sweep continues after them. `tick` is called with the fraction of
+    the corpus that is done, the line, and whether it existed before. Once `stopped` returns true, no further curve is
+    started; those in progress are finished.
 
-    Raises `ResultsError` where the results cannot be written or are of another corpus.
+    Raises `ResultsError` where the results cannot be written or belong to another corpus.
     """
     given = takewhile(lambda _: not stopped(), items(sources))
     if not output:
@@ -66,8 +66,8 @@ def recorded(
                 return
             if item is None or not _about(line, item):
                 raise ResultsError(
-                    f"line {line.index + 1} is about {line.source or line.curve}, which is not there in the corpus, or "
-                    "was another curve",
+                    f"line {line.index + 1} is about {line.source or line.curve}, which is no longer in the corpus, or "
+                    "has changed",
                     where=output,
                     remedy="the corpus has changed: write to another file",
                 )

@@ -1,7 +1,7 @@
 """Results on disk that survive a kill: JSON Lines in one file, or Parquet in a folder of parts.
 
-When the same sweep is started again, it continues after the last complete line. The settings of a sweep are stored
-beside its results; results of other settings are refused, never mixed.
+When the same sweep is started again, it continues after the last complete line. The settings of a sweep are stored next
+to its results; results of other settings are refused, never mixed.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Results(ABC):
 
     @abstractmethod
     def add(self, line: Line) -> None:
-        """One more line; JSON Lines are passed to the operating system at once."""
+        """Add a line; JSON Lines are passed to the operating system immediately."""
 
     @abstractmethod
     def close(self) -> None:
@@ -53,7 +53,7 @@ class Results(ABC):
         self.close()
 
     def check_settings(self, place: Path, *, new: bool) -> None:
-        """Write the settings beside new results, or compare them with the existing ones."""
+        """Write the settings next to new results, or compare them with the existing ones."""
         if new:
             text = json.dumps(self.settings, ensure_ascii=False, indent=1) + "\n"
             write_atomically(place, lambda stream: stream.write(text.encode()), ResultsError)
@@ -62,7 +62,7 @@ class Results(ABC):
             known = json.loads(place.read_text(encoding="utf-8"))
         except (OSError, ValueError):
             raise ResultsError(
-                "exists, and is not a result of a sweep", where=str(self.place), remedy="write to another file"
+                "exists, and was not written by a sweep", where=str(self.place), remedy="write to another file"
             ) from None
         if differing := [name for name in self.settings if known.get(name) != self.settings[name]]:
             raise ResultsError(
@@ -77,7 +77,7 @@ class JsonLines(Results):
 
     def __init__(self, place: Path, settings: Settings) -> None:
         super().__init__(place, settings)
-        # open as long as the results are: `close` closes it
+        # open as long as the results are in use: `close` closes it
         self._file = _reporting(place, lambda: open(place, "a+b", buffering=0))  # noqa: SIM115
         try:
             locked(self._file.fileno(), place)
@@ -89,7 +89,7 @@ class JsonLines(Results):
             raise
 
     def existing(self) -> Iterator[Line]:
-        """The lines of the file; a last one torn by a kill has been removed."""
+        """The lines of the file; an incomplete last line (after a kill) has been removed."""
         with open(self.place, "rb") as stream:
             for index, text in enumerate(stream):
                 try:
@@ -99,7 +99,9 @@ class JsonLines(Results):
                     whole = False
                 if not whole:
                     raise ResultsError(
-                        f"line {index + 1} is not as a sweep wrote it", where=str(self.place), remedy="restore the file"
+                        f"line {index + 1} is not a line as written by a sweep",
+                        where=str(self.place),
+                        remedy="restore the file",
                     )
                 yield line
 
@@ -121,15 +123,15 @@ def line_text(line: Line) -> str:
 
 
 def _repair(stream: IO[bytes]) -> None:
-    """Cut off everything after the last line break: a line torn by a kill."""
+    """Remove everything after the last line break: a line left incomplete by a kill."""
     end = stream.seek(0, os.SEEK_END)
     keep = end
     while keep:
         start = max(keep - (1 << 16), 0)
         stream.seek(start)
-        found = stream.read(keep - start).rfind(b"\n")
-        if found >= 0:
-            keep = start + found + 1
+        position = stream.read(keep - start).rfind(b"\n")
+        if position >= 0:
+            keep = start + position + 1
             break
         keep = start
     if keep < end:

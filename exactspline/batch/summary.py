@@ -10,13 +10,14 @@ from heapq import heappush, heappushpop
 from exactspline.batch.corpus import SKIPPED
 from exactspline.batch.lines import Line, Way
 
-#: Instead of what the certified filter said: lines of a sweep that is continued, and curves of which it was not asked.
+#: Shown in place of the filter's decision: for lines of a sweep that is continued, and for curves not given to the
+#: filter.
 BEFORE, NOT_ASKED = "computed before", "not asked"
-#: How many of the slowest curves, and of the verdicts that are not on record, are named.
+#: How many of the slowest curves, and of the verdicts that differ from the recorded ones, are named.
 NAMED = 5
-#: How many notes of readers are listed, the most frequent first: a note may hold a number of its own.
+#: How many notes of readers are listed, the most frequent first: notes may differ in a number only.
 NOTES = 20
-#: What of a family is counted.
+#: The counts per family.
 REFUSED, FALLBACK, OPEN = "refused", "decided by exact arithmetic after the filter", "with an undecided claim"
 FALLBACKS = (Way.EXACT, Way.FAILED)
 UNDECIDED = "UNDECIDED"
@@ -24,7 +25,7 @@ UNDECIDED = "UNDECIDED"
 
 @dataclass(frozen=True)
 class Entry:
-    """A line of the summary: what is counted, with its name, and the processor time where that is what is counted."""
+    """A line of the summary: what is counted, its name, and the count or the processor time."""
 
     what: str
     name: str = ""
@@ -44,7 +45,8 @@ class Summary:
     [('2', 1), ('3', 2)]
     """
 
-    #: The families of random curves, by their descriptions: of each it is counted what was not simply decided.
+    #: The families of random curves, by their descriptions: for each, the curves that were not decided by the filter
+    #: are counted.
     families: frozenset[str] = frozenset()
     lines: int = 0
     segments: int = 0
@@ -53,14 +55,14 @@ class Summary:
     errors: Counter[str] = field(default_factory=Counter)
     found: Counter[tuple[str, str]] = field(default_factory=Counter)
     verdicts: Counter[tuple[str, str]] = field(default_factory=Counter)
-    #: What the certified filter said of the curves computed now.
+    #: How the certified filter decided the curves computed now.
     filter: Counter[str] = field(default_factory=Counter)
     notes: Counter[str] = field(default_factory=Counter)
-    #: By family, what was not decided or decided by a fallback; and how many curves the family has had.
+    #: By family, the curves that were not decided or decided by a fallback; and the number of curves of the family.
     aside: Counter[tuple[str, str]] = field(default_factory=Counter)
     of_family: Counter[str] = field(default_factory=Counter)
     differing: int = 0
-    #: Failures on good input: defects of this program.
+    #: Failures on valid input: defects of this program.
     alarms: int = 0
     examples: list[str] = field(default_factory=list)
     #: The first curves that could not be read or handled, each with the reason.
@@ -68,7 +70,9 @@ class Summary:
     _slowest: list[tuple[float, int, str]] = field(default_factory=list)
 
     def add(self, line: Line, *, known: bool = False) -> None:
-        """Count one line; `known` of one that was computed by an earlier sweep, of which the way is not known."""
+        """Count one line; `known` means that it was computed by an earlier sweep, so that the way it was decided is
+        unknown.
+        """
         if known or line.error is None:
             self.filter[BEFORE if known else line.way or NOT_ASKED] += 1
         self.lines += 1
@@ -83,8 +87,9 @@ class Summary:
                 self.alarms += 1
                 self._remember(f"{name}: {line.error.kind}: {line.error.message}")
             elif line.error.kind != SKIPPED and len(self.refused) < NAMED:
-                told = line.error.message
-                self.refused.append(told if line.source and told.startswith(line.source) else f"{name}: {told}")
+                message = line.error.message
+                named_already = line.source and message.startswith(line.source)
+                self.refused.append(message if named_already else f"{name}: {message}")
         self.notes.update(line.notes)
         if line.source in self.families:
             self.of_family[line.source] += 1
@@ -135,7 +140,7 @@ class Summary:
 
 
 def _set_aside(line: Line) -> Iterator[str]:
-    """What of a line was refused, undecided, or decided by a fallback."""
+    """Which parts of a line were refused, undecided, or decided by a fallback."""
     if line.error is not None:
         yield REFUSED
     if line.way in FALLBACKS:

@@ -1,4 +1,4 @@
-"""The sweep: for every curve of a corpus one line, in order."""
+"""The sweep: one line per curve of a corpus, in order."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ def sweep(
     scheduler: str = "",
 ) -> Iterator[Line]:
     """The features of each of many curves, one line per curve, in order, one at a time. A source is a curve, the name
-    of a file, a folder, a font or an example, or a `Family` of random curves. `find` names the questions to be asked
-    (`asked_by_sweeps`), `claims` the claims to be checked, by id; `backend` is one of `BACKENDS`. A curve that is
-    broken is a line with its error.
+    of a file, a folder, a font or an example, or a `Family` of random curves. `find` names the questions to ask
+    (`asked_by_sweeps`), `claims` the claims to check, by id; `backend` is one of `BACKENDS`. A curve that cannot be
+    read or handled yields a line with its error.
 
-    Plane curves are read and computed in groups, the first of 16, later ones of up to 512: the generator is ahead of
-    the line that is asked for by the rest of its group, in several processes by up to 4096 curves each.
+    Plane curves are read and computed in groups, the first of 16, later ones of up to 512: the generator computes ahead
+    by the rest of a group, with several processes by up to 4096 curves each.
 
     >>> for line in sweep(["circle", "six_segment_cubic"], find=["inflections"]):
     ...     print(line.curve, [each.low for each in line.found["inflections"]])

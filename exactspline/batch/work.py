@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 #: The default and the largest number of digits of irrational parameters.
 DIGITS, MOST_DIGITS = 10, 10_000
-#: With more digits than this the intervals of the certified filter hold a decimal too often.
+#: With more digits than this the intervals of the certified filter contain a decimal too often.
 FILTERED_DIGITS = 12
 
 
@@ -44,8 +44,8 @@ class Work:
 
     @classmethod
     def of(cls, find: Iterable[str] | None = None, claims: Iterable[str] = (), digits: int = DIGITS) -> Work:
-        """The work that the user's words describe: names of questions (by default `USUAL`, or none where claims are
-        given) and ids of claims.
+        """The work that the arguments describe: names of questions (by default `USUAL`, or none where claims are given)
+        and ids of claims.
 
         Raises `FormulaError` or `ClaimError` with the nearest names.
         """
@@ -55,12 +55,14 @@ class Work:
         return cls(checked_names(usual if find is None else find), located, digits)
 
     def line(self, item: Item) -> Line:
-        """The line of one curve, in exact arithmetic. Its line holds any error, so that the others are not affected."""
+        """The line of one curve, in exact arithmetic. An error is recorded in the line, so that other curves are not
+        affected.
+        """
         return self._line(Asked.of(item))
 
     def lines(self, group: list[Item]) -> Iterator[Line]:
-        """The lines of several curves, which are taken out of the list so that none is kept when its line is done. They
-        are those of `line`: what the certified filter knows of the curves together only need not be computed again.
+        """The lines of several curves, which are removed from the list so that none is kept when its line is done. The
+        lines equal those of `line`; what the certified filter decides for the curves together is not computed again.
         """
         rest = deque(map(Asked.of, group))
         group.clear()
@@ -70,13 +72,15 @@ class Work:
             yield self._line(rest.popleft())
 
     def weight(self, item: Item) -> int:
-        """How much of a group a curve fills: `ALONE` where the filter is not asked, and nothing computed together."""
+        """How much of a group a curve fills; `ALONE` where the filter is not used, so that nothing is computed
+        together.
+        """
         filtered = weight(item) if self._asks else None
         return ALONE if filtered is None else filtered
 
     @property
     def _asks(self) -> bool:
-        """Whether the certified filter is asked."""
+        """Whether the certified filter is used."""
         features = any(asked_by_sweeps()[name].about.known for name in self.find)
         return features and not self.claims and self.digits <= FILTERED_DIGITS
 
@@ -106,9 +110,9 @@ class Work:
         from exactspline.verification.ledger import UNNAMED, checked
         from exactspline.verification.vocabulary import Name
 
-        own = Evaluation(curve)
+        evaluation = Evaluation(curve)
         speaking = [claim for claim in _claims(self.claims) if claim.speaks_of(curve.dimension, curve.polynomial)]
-        rows = [(claim, checked(claim, own, Name(curve.name) or UNNAMED, _proofs())) for claim in speaking]
+        rows = [(claim, checked(claim, evaluation, Name(curve.name) or UNNAMED, _proofs())) for claim in speaking]
         return tuple(Judged(claim.key, row.verdict, row.as_recorded, worded(row.witness)) for claim, row in rows)
 
 

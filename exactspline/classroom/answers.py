@@ -106,11 +106,11 @@ class Numbers(Answer):
 
     def differences(self, answer: str) -> Iterator[str]:
         """Each wrong number, or a wrong number of numbers."""
-        found = numbers(answer)
-        if len(found) != len(self.values):
-            yield f"{counted(len(self.values), 'number')} required, not {len(found)}"
+        answers = numbers(answer)
+        if len(answers) != len(self.values):
+            yield f"{counted(len(self.values), 'number')} required, not {len(answers)}"
             return
-        for name, right, given in zip(self.names, self.values, found, strict=True):
+        for name, right, given in zip(self.names, self.values, answers, strict=True):
             if given != right:
                 yield f"{name} is {text(right)}, not {text(given)}"
 
@@ -138,11 +138,11 @@ class Parameters(Answer):
 
     def differences(self, answer: str) -> Iterator[str]:
         """Each parameter that is missing or wrong."""
-        found = () if cleaned(answer).lower() == "none" else numbers(answer)
+        answers = () if cleaned(answer).lower() == "none" else numbers(answer)
         for t in self.values:
-            if t not in found:
+            if t not in answers:
                 yield f"t = {text(t)} is missing"
-        for t in dict.fromkeys(found):
+        for t in dict.fromkeys(answers):
             if t not in self.values:
                 yield f"t = {text(t)} is not one of them"
 
@@ -180,18 +180,18 @@ class Points(Answer):
     def differences(self, answer: str) -> Iterator[str]:
         """Each wrong control point, then a parameter with both values there."""
         rows, dimension = self.rows, len(self.rows[0])
-        found = points(answer, dimension)
-        if any(len(point) != dimension for point in found):
+        answers = points(answer, dimension)
+        if any(len(point) != dimension for point in answers):
             yield f"points with {counted(dimension, 'coordinate')} are required"
             return
-        if len(found) != len(rows):
-            yield f"{counted(len(rows), 'point')} required, not {len(found)}"
+        if len(answers) != len(rows):
+            yield f"{counted(len(rows), 'point')} required, not {len(answers)}"
             return
-        wrong = [i for i, (right, given) in enumerate(zip(rows, found, strict=True)) if right != given]
+        wrong = [i for i, (right, given) in enumerate(zip(rows, answers, strict=True)) if right != given]
         for i in wrong:
-            yield f"point {i} is {shown(rows[i])}, not {shown(found[i])}"
+            yield f"point {i} is {shown(rows[i])}, not {shown(answers[i])}"
         if wrong:
-            yield _witness(self._value, self._of(found), self.reference.domain)
+            yield _witness(self._value, self._of(answers), self.reference.domain)
 
     def _value(self, t: mpq) -> Point:
         value = self.reference(t)
@@ -230,11 +230,11 @@ class Polynomials(Answer):
 
     def differences(self, answer: str) -> Iterator[str]:
         """Each wrong coefficient, then a parameter with both values there."""
-        found = polynomials(answer)
-        if len(found) != len(self.values):
-            yield f"{counted(len(self.values), 'polynomial')} required, not {len(found)}"
+        answers = polynomials(answer)
+        if len(answers) != len(self.values):
+            yield f"{counted(len(self.values), 'polynomial')} required, not {len(answers)}"
             return
-        for name, right, given in zip(self.names, self.values, found, strict=True):
+        for name, right, given in zip(self.names, self.values, answers, strict=True):
             pairs = list(zip_longest(right.coefficients, given.coefficients, fillvalue=mpq(0)))
             wrong = [(i, a, b) for i, (a, b) in enumerate(pairs) if a != b]
             for i, a, b in wrong:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from exactspline.classroom.answers import Finding, shown, simple_parameters
 from exactspline.errors import ExactSplineError
+from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.numbers.exact import mpq, text
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.questions import prove, verify
 

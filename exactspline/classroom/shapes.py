@@ -251,7 +251,7 @@ def weight(rng: Random) -> Drawn:
     )
     s = place[0]
     # s (1 + w) = (a + b)/2 + w m
-    found = ((a + b) / 2 - s) / (s - m)
+    weight_value = ((a + b) / 2 - s) / (s - m)
     solution = (
         "At t = 1/2 the curve has x = ",
         Math("", (s,)),
@@ -262,7 +262,7 @@ def weight(rng: Random) -> Drawn:
         " + ",
         Math("", (b,)),
         ") / (2 + 2w) has to be; so ",
-        Math("w", (found,)),
+        Math("w", (weight_value,)),
         ".",
     )
-    return task, Numbers(("w",), (found,)), solution
+    return task, Numbers(("w",), (weight_value,)), solution

@@ -23,33 +23,35 @@ from exactspline.splines.given import MAX_DEGREE
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
-#: Coordinates in a row: of a function its value, of a polynomial curve its point, of a rational one ``(w x, …, w)``.
+#: A tuple of coordinates: the value of a function, the point of a polynomial curve, or ``(w x, …, w)`` of a rational
+#: curve.
 Row = tuple[mpq, ...]
 
 
 @dataclass(frozen=True)
 class Triangle:
-    """Columns of points; each column from the second on is computed from neighbours of the one before.
+    """Columns of points; each column after the first is computed from neighbours in the previous one.
 
-    Downwards (de Boor, insertion) a column has one point less than the one before:
-    ``columns[r][k] = (1 − s) columns[r−1][k] + s columns[r−1][k+1]`` with ``s = ratios[r−1][k]``. In elevation it has
-    one more: ``columns[r][k] = s columns[r−1][k−1] + (1 − s) columns[r−1][k]``, and s is 0 at the first, 1 at the last.
+    In de Boor's algorithm and knot insertion a column has one point fewer than the previous one: ``columns[r][k] = (1 −
+    s) columns[r−1][k] + s columns[r−1][k+1]`` with ``s = ratios[r−1][k]``. In degree elevation it has one more:
+    ``columns[r][k] = s columns[r−1][k−1] + (1 − s) columns[r−1][k]``, where s is 0 for the first point and 1 for the
+    last.
     """
 
     #: ``de Boor``, ``insertion`` or ``elevation``.
     method: str
     degree: int
-    #: The span or the segment that the points belong to.
+    #: The span or the segment to which the points belong.
     span: tuple[mpq, mpq]
-    #: The index of the first point of the first column among the control points; −1 for Bézier points of a segment.
+    #: The index among the control points of the first point of the first column; −1 for Bézier points of a segment.
     first: int
     columns: tuple[tuple[Row, ...], ...]
     ratios: tuple[tuple[mpq, ...], ...]
     #: Whether the last coordinate is a weight.
     rational: bool
-    #: The parameter; None in elevation.
+    #: The parameter; None for degree elevation.
     parameter: mpq | None = None
-    #: What is made: the knots and the control points (rows) of the result, where it is a spline.
+    #: The knots and the control points (rows) of the result, if it is a spline.
     knots: KnotVector | None = None
     made: tuple[Row, ...] = ()
 
@@ -60,21 +62,21 @@ class Triangle:
     def tip(self) -> Point:
         """The point at the parameter, in Cartesian coordinates: the only one of the last column of de Boor's triangle.
 
-        Raises `ShapeError` where there is more than one.
+        Raises `ShapeError` if there is more than one.
         """
         if len(self.columns[-1]) != 1:
             raise ShapeError(f"{len(self.columns[-1])} points in the last column", remedy="take de Boor's triangle")
         return self.cartesian(self.columns[-1][0])
 
     def cartesian(self, row: Row) -> Point:
-        """A row as a control point: divided by its weight where it has one (a `Direction` where that is 0)."""
+        """A row as a control point: divided by its weight if it has one (a `Direction` if the weight is 0)."""
         return projected(row) if self.rational else row
 
 
 @dataclass(frozen=True)
 class ProductTable:
-    """The product of two functions on one segment: in Bézier points multiplied by binomial coefficients it is the
-    product of two polynomials, the sums of the diagonals of a table.
+    """The product of two functions on one segment. For Bézier points multiplied by binomial coefficients it is a
+    product of polynomials: the sums along the diagonals of a table.
     """
 
     span: tuple[mpq, mpq]
@@ -104,7 +106,7 @@ class ProductTable:
 
 
 def de_boor_triangle(curve: Nurbs | BSpline, t: Number) -> Triangle:
-    """De Boor's triangle at a parameter; its tip is the point of the curve there (at a jump the one from the right).
+    """De Boor's triangle at a parameter; its tip is the point of the curve there (at a jump, the limit from the right).
 
     >>> triangle = de_boor_triangle(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 4, 8, 2]), "1/2")
     >>> triangle.columns[1], triangle.ratios, triangle.tip
@@ -126,14 +128,14 @@ def de_boor_triangle(curve: Nurbs | BSpline, t: Number) -> Triangle:
 
 
 def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Triangle:
-    """Boehm's insertion of a knot: this many columns of de Boor's triangle. Their edges are the new control points
-    (`Triangle.made`, over `Triangle.knots`), those that are not between them stay.
+    """Boehm's insertion of a knot: `times` columns of de Boor's triangle. The edges of the triangle are the new control
+    points (`Triangle.made`, over `Triangle.knots`); those outside it do not change.
 
     >>> triangle = insertion_triangle(BSpline.bezier([0, 2, 4, 0]), "1/2")
     >>> [row[0] for row in triangle.made] == list(BSpline.bezier([0, 2, 4, 0]).insert_knot("1/2").control_points)
     True
 
-    Raises `DomainError` unless the parameter is inside the domain, `KnotError` where its multiplicity would exceed the
+    Raises `DomainError` unless the parameter is inside the domain, `KnotError` if its multiplicity would exceed the
     degree.
     """
     _expected(curve)
@@ -147,9 +149,9 @@ def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Tri
         )
     present = knots.multiplicity(parameter)
     if type(times) is not int or times < 1 or present + times > degree:
-        told = counted(times, "time") if type(times) is int else shown(times)
+        times_text = counted(times, "time") if type(times) is int else shown(times)
         raise KnotError(
-            f"the knot {short_text(parameter)} of multiplicity {present} inserted {told}",
+            f"the knot {short_text(parameter)} of multiplicity {present} inserted {times_text}",
             remedy=f"insert it at least once; its multiplicity may reach the degree {degree}",
             knot=parameter,
         )
@@ -157,7 +159,7 @@ def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Tri
 
 
 def elevation_triangles(curve: Nurbs | BSpline, by: int = 1) -> tuple[Triangle, ...]:
-    """The Bézier points of every segment, and in the columns that follow those of degree n + 1, n + 2, …
+    """The Bézier points of every segment, followed in the next columns by those of degree n + 1, n + 2, …
 
     >>> (triangle,) = elevation_triangles(BSpline.bezier([0, 3]), 2)
     >>> [[str(row[0]) for row in column] for column in triangle.columns]
@@ -179,14 +181,14 @@ def elevation_triangles(curve: Nurbs | BSpline, by: int = 1) -> tuple[Triangle, 
 
 
 def product_tables(left: BSpline, right: BSpline) -> tuple[ProductTable, ...]:
-    """The multiplication of two functions, a table for every segment of the product.
+    """The multiplication of two functions, as one table per segment of the product.
 
     >>> t = BSpline.identity(0, 1)
     >>> (table,) = product_tables(t, t)
     >>> table.sums, table.points == (t * t).control_points
     ((mpq(0,1), mpq(0,1), mpq(1,1)), True)
 
-    Raises `DomainError` when their domains differ.
+    Raises `DomainError` if their domains differ.
     """
     mesh = spline_of(left).mesh.union(spline_of(right).mesh)
 
@@ -210,7 +212,7 @@ def _splines(curve: Nurbs | BSpline) -> tuple[list[BSpline], bool]:
 
 
 def _rows(curve: Nurbs | BSpline) -> tuple[tuple[Row, ...], bool]:
-    """The control points as the algorithms combine them, and whether the last coordinate is a weight."""
+    """The control points in the form used by the algorithms, and whether the last coordinate is a weight."""
     if isinstance(curve, BSpline):
         return tuple((x,) for x in curve.control_points), False
     if curve.polynomial:
@@ -222,7 +224,7 @@ def _rows(curve: Nurbs | BSpline) -> tuple[tuple[Row, ...], bool]:
 def _downwards(curve: Nurbs | BSpline, t: mpq, method: str, steps: int) -> Triangle:
     n, knots = curve.degree, curve.knots
     rows, has_weight = _rows(curve)
-    # the last span that begins at or before the parameter and is not empty: at the end of the domain the last one
+    # the last nonempty span that begins at or before the parameter: the last span at the end of the domain
     j = max(i for i in range(n, len(rows)) if knots[i] <= t and knots[i] < knots[i + 1])
     columns, ratios = [rows[j - n : j + 1]], []
     for r in range(1, steps + 1):

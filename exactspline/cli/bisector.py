@@ -72,7 +72,7 @@ def bisector(
     and a space curve (ruled), or, trimmed to equal distances, of a point and a plane curve.
     """
     from exactspline.errors import ShapeError
-    from exactspline.splines.curve_files import write_json
+    from exactspline.interchange.curve_files import write_json
 
     if other and point:
         raise ShapeError(

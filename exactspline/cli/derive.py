@@ -41,11 +41,11 @@ def derive(
     from exactspline.display.serialize import derived_data
     from exactspline.display.surface_values import surface_value_data
     from exactspline.geometry.derived import derive as derived
+    from exactspline.interchange.curve_files import write_json
+    from exactspline.interchange.examples import load_surface
     from exactspline.language.formula import Formula
     from exactspline.language.kinds import PLANAR_MAP, SURFACE
     from exactspline.papers import resolve
-    from exactspline.splines.curve_files import write_json
-    from exactspline.splines.examples import load_surface
 
     check_output(output, curve)
     wanted = resolve(name, trust=trust) if ":" in name else name

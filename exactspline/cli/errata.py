@@ -10,10 +10,13 @@ from exactspline.cli.parameters import Argument
 from exactspline.errors import ClaimError, counted, nearest
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from rich.console import Console
 
     from exactspline.display.numbers import Numbers
     from exactspline.display.sheet import Sheet
+    from exactspline.papers import Paper
     from exactspline.verification.errata import Erratum
 
 
@@ -21,7 +24,8 @@ if TYPE_CHECKING:
 def errata(
     out: Output,
     error: Annotated[
-        list[str] | None, Argument(help="Names of errors or ids of claims (span, C4.2b); without any, all errors.")
+        list[str] | None,
+        Argument(help="Names of errors, ids of claims, or places (span, C4.2b, 5.4, p. 19); without any, all."),
     ] = None,
     paper: Papers = None,
     trust: Trust = False,
@@ -42,7 +46,7 @@ def errata(
     numbers = Numbers(digits, exact)
     sources = named_papers(paper or [], trust=trust)
     found = list(errors(sources))
-    entries = _chosen([*found, *remarks(sources)], error or [])
+    entries = _chosen([*found, *remarks(sources)], error or [], sources)
 
     def sheets() -> list[Sheet]:
         columns = ("error", "place", "printed", "which says", "found", "witness", "true", "why")
@@ -74,15 +78,28 @@ def errata(
     out.give("errata", lambda: [erratum_data(entry) for entry in entries], sheets, people)
 
 
-def _chosen(entries: list[Erratum], wanted: list[str]) -> list[Erratum]:
-    names = {name: e for e in entries for name in (e.error, *[n for s in e.statements for n in (s.id, s.key)])}
-    known = {name.lower(): entry for name, entry in names.items()}
+def _chosen(entries: list[Erratum], wanted: list[str], sources: Sequence[Paper]) -> list[Erratum]:
+    """The errors with these names, of claims with these ids, or at these places (5.4, §5.4, eq. (34), p. 19)."""
+    keep: list[Erratum] = []
     for name in wanted:
-        if name.lower() not in known:
-            remedy = nearest(name, names, listed_by="errata")
-            raise ClaimError(f"there is no error called {name!r}", remedy=remedy)
-    keep = [known[name.lower()] for name in wanted]
+        own = [entry for entry in entries if entry.error.lower() == name.lower()]
+        keep += own or _at(entries, name, sources)
     return [entry for entry in entries if not wanted or entry in keep]
+
+
+def _at(entries: list[Erratum], wanted: str, sources: Sequence[Paper]) -> list[Erratum]:
+    from exactspline.verification.claims import claims_in, located
+
+    try:
+        keys = {(claim.paper, claim.key) for claim in located(wanted, claims_in(sources))}
+    except ClaimError:
+        names = [name for e in entries for name in (e.error, *[n for s in e.statements for n in (s.id, s.key)])]
+        remedy = nearest(wanted, names, listed_by="errata")
+        raise ClaimError(f"there is no error called {wanted!r}", remedy=remedy) from None
+    found = [entry for entry in entries if any((entry.paper, each.key) in keys for each in entry.statements)]
+    if not found:
+        raise ClaimError(f"nothing at {wanted!r} is refuted", remedy="without a name all errors are listed")
+    return found
 
 
 def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> None:

@@ -75,7 +75,7 @@ def inspect(
         Option(
             "--certificate",
             metavar="FILE",
-            help="Write a proof that these are all zeros (JSON; see exactspline.roots.checker).",
+            help="Write a proof that these are all zeros (JSON; see exactspline.certificates).",
         ),
     ] = "",
     emit_coq: Annotated[
@@ -94,7 +94,7 @@ def inspect(
     """
     from exactspline.cli.surfaces import inspect_surfaces, is_surface
     from exactspline.geometry.inspection import Approach
-    from exactspline.splines.curve_files import write_json
+    from exactspline.interchange.curve_files import write_json
 
     if ask:
         answer_questions(out, curve, ask, digits, certificates)

@@ -140,7 +140,7 @@ def _surfaces(names: Sequence[str]) -> tuple[list[NurbsSurface], bool]:
     """The surfaces that can be read, and whether all could: a bad one is reported, and the rest are read."""
     from exactspline.display.console import show_error
     from exactspline.errors import ExactSplineError
-    from exactspline.splines.examples import load_surface
+    from exactspline.interchange.examples import load_surface
 
     found, good = [], True
     for name in names:
@@ -270,7 +270,8 @@ class _Ledger:
                 called = command_name()
                 told = f"{called} prove --rows prints every row; {called} errata the errors, each with its witness"
                 console.lines(shown, f"{told} and a check; {called} show CLAIM one claim.")
-            console.legend(shown, self._words())
+            counted = [] if listed or self.curves is not None else ["statement", "error", "row"]
+            console.legend(shown, [*self._words(), *counted])
 
     def _words(self) -> list[str]:
         from exactspline.display.ledger import WORDS

@@ -27,7 +27,7 @@ Tick = Callable[[float, "Line", bool], None]
 
 def _completed(given: str) -> list[str]:
     """The example curves whose names begin like this; the shell itself completes files."""
-    from exactspline.splines.examples import example_names
+    from exactspline.interchange.examples import example_names
 
     return [name for name in example_names() if name.startswith(given)]
 

@@ -44,24 +44,24 @@ NAMES = "st"
 # ---- two curves
 
 
-def curve_bisector_data(found: CurveBisector, digits: int) -> Data:
-    """All of the bisector of two curves: its surface by homogeneous control nets ``(w x, w y, w z, w)`` with rows along
-    s, and beside it lines, planes, single pairs and poles.
+def curve_bisector_data(bisector: CurveBisector, digits: int) -> Data:
+    """The whole bisector of two curves: its surface by homogeneous control nets ``(w x, w y, w z, w)`` with rows along
+    s, and lines, planes, single pairs and poles.
     """
-    missing = [{"sides": _sides(sides), "reason": reason} for sides, reason in found.missing]
-    answers = {name: entry.answer(found) for name, entry in REGISTRY[Of.PAIR].items()}
+    missing = [{"sides": _sides(sides), "reason": reason} for sides, reason in bisector.missing]
+    answers = {name: entry.answer(bisector) for name, entry in REGISTRY[Of.PAIR].items()}
     return {
         "kind": "bisector of two curves",
-        "variant": str(found.variant),
+        "variant": str(bisector.variant),
         "missing": missing,
-        "left_out": list(found.left_out),
-        "complete": not found.left_out,
+        "left_out": list(bisector.left_out),
+        "complete": not bisector.left_out,
     } | {name: [_solution_data(each, digits) for each in cast(tuple[object, ...], x)] for name, x in answers.items()}
 
 
 @singledispatch
 def _solution_data(part: object, digits: int) -> Data:
-    """A part of the answer, as data."""
+    """A part of the bisector as data."""
     raise AssertionError(f"{type(part).__name__} is not a part of a bisector")
 
 
@@ -77,7 +77,7 @@ def _patch_data(patch: BisectorPatch, digits: int) -> Data:
 
 
 def control_net(splines: list[TensorSpline]) -> Data:
-    """The control nets of several splines over the knots that carry them all."""
+    """The control nets of several splines over their common knots."""
     splines = with_common_knots(splines)
     first = splines[0]
     rows = zip(*[x.control_points for x in splines], strict=True)
@@ -218,7 +218,7 @@ def _pole_data(pole: PoleCurve, digits: int) -> Data:
 # ---- a point and a curve
 
 
-def point_bisector_data(found: PointBisector, digits: int) -> Data:
+def point_bisector_data(bisector: PointBisector, digits: int) -> Data:
     """The pieces of the ruled bisector of a point and a curve: directrix and generator by homogeneous control
     points.
     """
@@ -229,29 +229,29 @@ def point_bisector_data(found: PointBisector, digits: int) -> Data:
             "directrix": piece_data(piece.interval, piece.surface.directrix),
             "generator": piece_data(piece.interval, piece.surface.generator),
         }
-        for piece in found.pieces
+        for piece in bisector.pieces
     ]
     return {
         "kind": "ruled bisector",
-        "variant": found.variant,
+        "variant": bisector.variant,
         "pieces": pieces,
-        "singular": [parameter_data(root, digits) for root in found.singular],
-        "missing": [{"interval": [text(a), text(b)], "reason": reason} for (a, b), reason in found.missing],
+        "singular": [parameter_data(root, digits) for root in bisector.singular],
+        "missing": [{"interval": [text(a), text(b)], "reason": reason} for (a, b), reason in bisector.missing],
     }
 
 
-def trimmed_data(found: TrimmedBisector, digits: int) -> Data:
+def trimmed_data(bisector: TrimmedBisector, digits: int) -> Data:
     """The pieces of the true bisector of a point and a plane curve."""
-    pieces = [_trimmed_piece_data(piece, digits) for piece in found.pieces]
-    return {"kind": "trimmed bisector", "pieces": pieces, "missing": list(found.missing)} | {
-        "left_out": list(found.left_out),
-        "complete": not found.left_out,
+    pieces = [_trimmed_piece_data(piece, digits) for piece in bisector.pieces]
+    return {"kind": "trimmed bisector", "pieces": pieces, "missing": list(bisector.missing)} | {
+        "left_out": list(bisector.left_out),
+        "complete": not bisector.left_out,
     }
 
 
 def _trimmed_piece_data(piece: TrimmedPiece, digits: int) -> Data:
     """A piece by its control points: over [low, high] where both are rational. Otherwise over the whole segment, and
-    ``cut`` says that the piece is only the part from low to high.
+    ``cut`` means that the piece is only the part from low to high.
     """
     ends = {"low": parameter_data(piece.low, digits), "high": parameter_data(piece.high, digits)}
     head = {"piece": str(piece.kind)} | ({} if piece.foot is None else {"foot": text(piece.foot)}) | ends
@@ -281,7 +281,7 @@ def parameter_data(t: Parameter, digits: int) -> Data:
     return head | {"polynomial": [text(x) for x in polynomial]}
 
 
-# ---- for people
+# ---- as text
 
 
 def degree_of(value: SplineVector | Rational[TensorSpline]) -> str:

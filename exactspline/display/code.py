@@ -1,4 +1,4 @@
-"""Python that is shown in short lines and can still be pasted: broken between two tokens only."""
+"""Python code in short lines that can still be pasted: broken only between two tokens."""
 
 from __future__ import annotations
 
@@ -39,17 +39,17 @@ def code_lines(line: str, width: int) -> list[str]:
 
 
 def _tokens(line: str) -> list[tuple[str, str]]:
-    """The tokens of a line, each with the blanks before it."""
-    found, end = [], 0
+    """The tokens of a line, each with the preceding blanks."""
+    tokens, end = [], 0
     for token in tokenize.generate_tokens(StringIO(line).readline):
         if token.string.strip() and token.type != tokenize.ENDMARKER:
-            found.append((line[end : token.start[1]], token.string))
+            tokens.append((line[end : token.start[1]], token.string))
             end = token.end[1]
-    return found
+    return tokens
 
 
 def _split_text(token: str, width: int) -> list[str]:
-    """A plain string as several beside one another, which Python joins again."""
+    """A plain string literal as several adjacent ones, which Python concatenates."""
     quote, inner = token[0], token[1:-1]
     size = max(1, width - 2)
     return [f"{quote}{inner[i : i + size]}{quote}" for i in range(0, len(inner), size)]

@@ -34,13 +34,13 @@ NARROWEST = 20
 
 
 def width(stream: IO[str] | None = None) -> int:
-    """The columns of the terminal that the stream is; output to a file or a pipe is not limited, unless the environment
+    """The columns of the terminal behind a stream; output to a file or a pipe is not limited, unless the environment
     sets ``COLUMNS``.
     """
     stream = stream or sys.stdout
-    told = os.environ.get("COLUMNS", "")
-    if told.isdigit() and int(told):
-        return max(NARROWEST, int(told))
+    columns = os.environ.get("COLUMNS", "")
+    if columns.isdigit() and int(columns):
+        return max(NARROWEST, int(columns))
     try:
         return max(NARROWEST, os.get_terminal_size(stream.fileno()).columns) if stream.isatty() else PIPE
     except (OSError, ValueError):
@@ -48,7 +48,7 @@ def width(stream: IO[str] | None = None) -> int:
 
 
 def console(stream: IO[str] | None = None) -> Console:
-    """A console on a stream, standard output without one; without colours where ``NO_COLOR`` is set."""
+    """A console on a stream (by default standard output); without colours where ``NO_COLOR`` is set."""
     stream = stream or sys.stdout
     plain = bool(os.environ.get("NO_COLOR"))
     return Console(
@@ -63,24 +63,26 @@ def console(stream: IO[str] | None = None) -> Console:
 
 
 def table(*columns: str, title: str = "", right: Iterable[str] = (), prose: Iterable[str] = ()) -> Sheet:
-    """An empty table, the named columns aligned to the right, the others in `prose` broken into lines where needed."""
+    """An empty table; the columns in `right` are aligned to the right, those in `prose` are broken into lines where
+    needed.
+    """
     return Sheet(*columns, title=title, numbers=right, prose=prose)
 
 
 def lines(out: Console, text: str, indent: int = 2, style: str = "", first: int = 0) -> None:
-    """Print a text in lines that are not longer than the console is wide, all but the first indented."""
+    """Print a text in lines no longer than the width of the console, all but the first indented."""
     for line in hanging(text, out.width, indent, first) or [""]:
         out.print(Text(line, style=style, no_wrap=True, overflow="ignore"), soft_wrap=True)
 
 
 def legend(out: Console, words: Iterable[str]) -> None:
-    """The meanings of the words in the glossary, one line each."""
-    from exactspline.display.glossary import explained  # its texts are read where they are shown
+    """Print the meanings of the words that are in the glossary, one line each."""
+    from exactspline.display.glossary import explained  # loaded only when its texts are shown
 
-    told = explained(words)
-    if told:
+    explanations = explained(words)
+    if explanations:
         out.print()
-    for term, meaning in told:
+    for term, meaning in explanations:
         lines(out, f"{term}: {meaning}")
 
 
@@ -92,5 +94,5 @@ def plain(made: RenderableType, columns: int = 160) -> str:
 
 
 def show_error(error: object) -> None:
-    """One line on standard error."""
+    """Print an error as one line on standard error."""
     Console(stderr=True, highlight=False, emoji=False, soft_wrap=True).print(visible(f"error: {error}"), markup=False)

@@ -13,9 +13,9 @@ NOTHING, ZERO = "–", "zero"
 
 
 def degree_sheet(curve: Nurbs, rows: Iterable[DegreeRow], title: str = "") -> Sheet:
-    """The cost of constructions or formulas on a curve.
+    """The degrees and sizes of constructions or formulas on a curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.verification.degree_tables import construction_table
     >>> line = example("straight_line")
     >>> rows = degree_sheet(line, [call() for call in construction_table(line)]).rows
@@ -27,24 +27,24 @@ def degree_sheet(curve: Nurbs, rows: Iterable[DegreeRow], title: str = "") -> Sh
         "formula",
         "variant",
         *numbers,
-        "what it is",
+        "meaning",
         title=title,
         name=curve.name,
         numbers=numbers,
-        prose=["what it is"],
+        prose=["meaning"],
         heads=2,
     )
     for row in rows:
         text = row.text
         if row.true is None and row.represented is not None and row.represented >= 0:
-            text += "; does not exist on a whole segment, which the minimal form names"
+            text += "; does not exist on a whole segment, as the minimal form shows"
         counts = [row.nominal, row.grading, _degree(row), _true(row), _points(row), row.generic]
         made.add_row(row.formula, row.variant, *counts, text)
     return made
 
 
 def formula_degree_sheet(rows: Iterable[FormulaDegrees]) -> Sheet:
-    """The degrees of formulas that are proved for the generic curve of degree d."""
+    """The proved degrees of formulas on the generic curve of degree d."""
     numbers = ("nominal", "reduced", "in lowest terms")
     title = "Formulas on the generic curve of degree d"
     made = Sheet("formula", "curves", "nominal", "cancelled", *numbers[1:], title=title, numbers=numbers, heads=2)
@@ -57,7 +57,7 @@ def patch_sheet(rows: Sequence[PatchRow], degrees: tuple[int, int]) -> Sheet:
     """Formulas of surfaces on patches of one bidegree."""
     numbers = ("nominal", "reduced", "attained")
     title = f"Formulas on patches of degree {degrees[0]} × {degrees[1]}"
-    remark = ["not known because"] if any(row.missing for row in rows) else []
+    remark = ["unknown because"] if any(row.missing for row in rows) else []
     made = Sheet("formula", "patches", *numbers, *remark, title=title, numbers=numbers, prose=remark, heads=2)
     for row in rows:
         known = (NOTHING, NOTHING) if row.missing else (_pair(row.true), _pair(row.attained))
@@ -84,7 +84,7 @@ def _points(row: DegreeRow) -> str:
 
 
 def generic_sheet(kind: str, rows: Iterable[GenericRow]) -> Sheet:
-    """The degrees that are proved for the generic curve of degree d."""
+    """The proved degrees on the generic curve of degree d."""
     numbers = ("naive", "paper", "k", "m", "kd − m", "j", "true")
     made = Sheet(
         "construction",
@@ -100,8 +100,8 @@ def generic_sheet(kind: str, rows: Iterable[GenericRow]) -> Sheet:
 
 
 def attained_at(row: GenericRow) -> str:
-    """The degrees d at which a witness attains the true degree; at which the object does not exist or vanishes; at
-    which proof and witness disagree.
+    """The degrees d at which a witness attains the true degree; those at which the object does not exist or vanishes;
+    those at which proof and witness disagree.
     """
     absent = f"; absent at {', '.join(map(str, row.absent))}" if row.absent else ""
     differ = f"; DIFFERS at {', '.join(map(str, row.differ))}" if row.differ else ""

@@ -45,15 +45,15 @@ def polynomial_text(p: Polynomial) -> str:
     >>> polynomial_text(Polynomial((mpq(1), mpq(-3), mpq(0), mpq(1, 2))))
     '1 - 3t + 1/2 t^3'
     """
-    told = ""
+    text_of_terms = ""
     for i, c in enumerate(p.coefficients):
         if not c:
             continue
-        sign = ("-" if c < 0 else "") if not told else (" - " if c < 0 else " + ")
+        sign = ("-" if c < 0 else "") if not text_of_terms else (" - " if c < 0 else " + ")
         size = "" if abs(c) == 1 and i else text(abs(c))
         gap = " " if "/" in size and i else ""
-        told += sign + size + gap + ("" if not i else "t" if i == 1 else f"t^{i}")
-    return told or "0"
+        text_of_terms += sign + size + gap + ("" if not i else "t" if i == 1 else f"t^{i}")
+    return text_of_terms or "0"
 
 
 def _value_text(value: Value) -> str:
@@ -68,7 +68,7 @@ def _math_text(math: Math) -> str:
 
 
 def plain(parts: Sequence[Part]) -> str:
-    """Prose and formulas in one line; triangles are left out."""
+    """Prose and formulas in one line; triangles are omitted."""
     said = [part if isinstance(part, str) else _math_text(part) for part in parts if not isinstance(part, Triangle)]
     return " ".join("".join(said).split())
 
@@ -101,10 +101,10 @@ def _paragraph(said: str, width: int, first: int = 0) -> list[str]:
 def _value_latex(value: Value) -> str:
     if isinstance(value, Polynomial):
         parts = [(c, "" if not i else "t" if i == 1 else f"t^{{{i}}}") for i, c in enumerate(value.coefficients) if c]
-        told = "".join(
+        terms = "".join(
             ("-" if c < 0 else "+") + ("" if abs(c) == 1 and power else fraction(abs(c))) + power for c, power in parts
         )
-        return told.removeprefix("+") or "0"
+        return terms.removeprefix("+") or "0"
     if not isinstance(value, tuple):
         return fraction(value)
     inner = r",\; ".join(map(fraction, value))
@@ -122,7 +122,7 @@ def _part_latex(part: Part) -> str:
         return "".join(_LATEX.get(sign, sign) for sign in part)
     if isinstance(part, Triangle):
         return f"\\[\n{mathematics(part)}\n\\]"
-    # a line may be broken after a comma
+    # allow a line break after a comma
     values = ",$ $".join(map(_value_latex, part.values))
     name = _symbol_latex(part.name)
     return f"${name} = {values}$" if name and values else f"${name or values}$"
@@ -130,7 +130,7 @@ def _part_latex(part: Part) -> str:
 
 def latex_document(made: Sequence[Exercise], *, solutions: bool) -> str:
     """A complete document; the solutions begin on a new page."""
-    told = [f"\\item {''.join(map(_part_latex, each.task))} {{\\small [{title_of(each)}]}}" for each in made]
+    tasks = [f"\\item {''.join(map(_part_latex, each.task))} {{\\small [{title_of(each)}]}}" for each in made]
     lines = [
         r"\documentclass{article}",
         r"\usepackage[utf8]{inputenc}",
@@ -138,7 +138,7 @@ def latex_document(made: Sequence[Exercise], *, solutions: bool) -> str:
         r"\begin{document}",
         r"\section*{Exercises}",
         r"\begin{enumerate}",
-        *told,
+        *tasks,
         r"\end{enumerate}",
     ]
     if solutions:
@@ -155,13 +155,13 @@ def latex_document(made: Sequence[Exercise], *, solutions: bool) -> str:
 
 def _value_mathml(value: Value) -> str:
     if isinstance(value, Polynomial):
-        told = ""
+        terms = ""
         for i, c in enumerate(value.coefficients):
             if c:
-                told += f"<mo>{'−' if c < 0 else '+'}</mo>" if told or c < 0 else ""
-                told += "" if abs(c) == 1 and i else mathml.number(abs(c))
-                told += "" if not i else "<mi>t</mi>" if i == 1 else f"<msup><mi>t</mi><mn>{i}</mn></msup>"
-        return f"<mrow>{told or '<mn>0</mn>'}</mrow>"
+                terms += f"<mo>{'−' if c < 0 else '+'}</mo>" if terms or c < 0 else ""
+                terms += "" if abs(c) == 1 and i else mathml.number(abs(c))
+                terms += "" if not i else "<mi>t</mi>" if i == 1 else f"<msup><mi>t</mi><mn>{i}</mn></msup>"
+        return f"<mrow>{terms or '<mn>0</mn>'}</mrow>"
     return mathml.tuple_of(map(mathml.number, value)) if isinstance(value, tuple) else mathml.number(value)
 
 
@@ -170,7 +170,7 @@ def _part_html(part: Part) -> str:
         return escape(part)
     if isinstance(part, Triangle):
         return f'<div class="wide">{mathml.math(scheme_mathml(part), block=True)}</div>'
-    # between formulas a line may be broken, inside one it may not
+    # lines may be broken between formulas, not inside one
     shown = [mathml.math(_value_mathml(value)) for value in part.values]
     name = f"<i>{escape(part.name)}</i>" if part.name else ""
     values = ", ".join(shown)
@@ -178,7 +178,7 @@ def _part_html(part: Part) -> str:
 
 
 def task_html(made: Exercise) -> str:
-    """The question, and how the answer is written."""
+    """The question, and the format of the answer."""
     return f"<p>{''.join(map(_part_html, made.task))}</p><p><small>Answer: {escape(made.answer.form)}</small></p>"
 
 
@@ -203,12 +203,12 @@ def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
 
 
 def exercise_data(made: Exercise, *, solutions: bool) -> dict[str, object]:
-    """An exercise as data; answer and solution where they are asked for."""
-    told: dict[str, object] = {
+    """An exercise as data; answer and solution on request."""
+    data: dict[str, object] = {
         "key": title_of(made),
         "topic": made.topic,
         "seed": made.seed,
         "task": plain(made.task),
         "form": made.answer.form,
     }
-    return told | ({"answer": made.answer.written, "solution": plain(made.solution)} if solutions else {})
+    return data | ({"answer": made.answer.written, "solution": plain(made.solution)} if solutions else {})

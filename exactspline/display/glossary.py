@@ -1,4 +1,4 @@
-"""The words and signs of the tables, and what each means."""
+"""The words and symbols of the tables, and the meaning of each."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from exactspline.geometry.registry import terms_of_questions
 
 
 class GlossaryError(ExactSplineError):
-    """A term that the glossary does not have."""
+    """A term that is not in the glossary."""
 
 
 @cache
 def glossary() -> dict[str, dict[str, str]]:
-    """Terms and their meaning, by topic.
+    """Terms and their meanings, by topic.
 
     >>> glossary()["verdicts"]["REFUTED"]
     'it fails, and a witness shows where'
@@ -48,7 +48,7 @@ def meaning(term: str) -> str:
 
 
 def explained(words: Iterable[str]) -> list[tuple[str, str]]:
-    """Those of the words that are terms, each once, with their meaning.
+    """The terms among the words, each once, with their meanings.
 
     >>> [term for term, _ in explained(["curve", "nominal", "true", "nominal"])]
     ['nominal', 'true']

@@ -24,7 +24,7 @@ from exactspline.splines.values import SplineSurface
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification.statement import Statement, telling_tree
 
-#: A spline with more control points than this, or longer ones, is not written out.
+#: Splines with more or longer control points than this are not written out.
 MOST_POINTS, MOST_CHARACTERS = 12, 120
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
@@ -36,7 +36,7 @@ def mathematics(x: object) -> str | None:
 
 
 def latex(x: object) -> str | None:
-    r"""LaTeX for a notebook, None for other objects: on a line of its own, which may be broken where it is too long.
+    r"""LaTeX for a notebook, None for other objects: a display formula, with line breaks where it is too long.
 
     >>> from exactspline.papers import find
     >>> latex(find("D1"))

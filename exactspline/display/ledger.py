@@ -1,4 +1,4 @@
-"""The ledger as text: rows, the refuted statements with what is true, counts by section and by curve."""
+"""The ledger as text: rows, the refuted statements with their corrections, counts by section and by curve."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def section(claim: Claim) -> str:
 
 
 def found(row: Row, numbers: Numbers = EXACT) -> str:
-    """The result in one phrase: an identity as ``left = factor · right``."""
+    """The result in one phrase; an identity as ``left = factor · right``."""
     computed = worded(row.computed, numbers)
     if row.verdict == INAPPLICABLE:
         return f"{computed or 'nothing'}: {worded(row.witness, numbers)}"
@@ -61,7 +61,7 @@ def found(row: Row, numbers: Numbers = EXACT) -> str:
 
 
 def witness(row: Row, numbers: Numbers = EXACT) -> str:
-    """The place where a row fails, unless `found` says so already."""
+    """The place where a row fails, unless `found` names it already."""
     if row.verdict in (VACUOUS, INAPPLICABLE) or isinstance(row.witness, ExactQuotient):
         return ""
     said = isinstance(row.witness, WrongDegree) and row.witness.at is None
@@ -69,7 +69,7 @@ def witness(row: Row, numbers: Numbers = EXACT) -> str:
 
 
 def recorded(row: Row) -> str:
-    """The verdicts that agree with the record."""
+    """The recorded verdicts."""
     return " or ".join(row.expected)
 
 
@@ -116,7 +116,7 @@ def ledger(
     name: str = "",
     kernel: Mapping[tuple[str, str], str] | None = None,
 ) -> Sheet:
-    """The rows of one curve (or of all curves), one per line; with `kernel`, the opinions of the kernel of Coq."""
+    """The rows of one curve (or of all curves), one per line; with `kernel`, the results of Coq's kernel."""
     asked = () if kernel is None else ("kernel",)
     columns = ("verdict", "claim", "statement", "found", "witness", *asked)
     made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness", *asked), heads=2)
@@ -128,7 +128,7 @@ def ledger(
 
 
 def by_section(rows: Iterable[Row]) -> Sheet:
-    """Counts of the verdicts: of printed statements by section, of corrected ones, and of those beyond the paper."""
+    """Counts of the verdicts: for printed statements by section, for corrected ones, and for those beyond the paper."""
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for row in rows:
         claim = row.claim
@@ -159,7 +159,7 @@ def by_curve(rows: Sequence[Row]) -> Sheet:
 
 @dataclass(frozen=True)
 class Failure:
-    """An error of the paper as the ledger shows it: its statements that are refuted, and those that hold instead."""
+    """An error of the paper as the ledger shows it: the refuted statements, and those that hold instead."""
 
     title: str
     rows: list[Row]
@@ -172,19 +172,19 @@ def refuted(rows: Iterable[Row]) -> list[Failure]:
     for row in rows:
         if not row.curve and (error := row.claim.error):
             groups[row.paper, error].append(row)
-    found = []
-    for (source, error), own in groups.items():
-        fails = [row for row in own if row.status == Status.PRINTED and row.verdict == REFUTED]
-        truth = [row for row in own if row.status == Status.MEANT and row.verdict in HOLDS]
+    failures = []
+    for (source, error), group in groups.items():
+        fails = [row for row in group if row.status == Status.PRINTED and row.verdict == REFUTED]
+        truth = [row for row in group if row.status == Status.MEANT and row.verdict in HOLDS]
         if fails:
-            found.append(Failure(paper(source).errors[error], fails, truth))
-    return found
+            failures.append(Failure(paper(source).errors[error], fails, truth))
+    return failures
 
 
-#: Curves of a dimension alone, without anything beside them.
+#: The dimensions of claims about curves alone, without other arguments.
 OF_DIMENSION = {2: ArgumentKind.PLANE, 3: ArgumentKind.SPACE}
 
-#: The arguments of claims of these kinds; those of other kinds are curves of that kind.
+#: The arguments of claims of these kinds; for other kinds, curves of that kind.
 ARGUMENTS = {
     "curve": "curves",
     "pair": "two space curves",
@@ -203,18 +203,18 @@ def reasons(claims: Iterable[Claim], curve: Nurbs | NurbsSurface) -> str:
     """The reasons why claims do not apply to a curve or a surface, counted.
 
     >>> from exactspline.verification.claims import select
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> reasons(select(["C4.1c", "T10"]), example("twisted_cubic"))
     '3 of Table 1, 6 of plane curves, 1 of rational curves'
     """
     counts: Counter[str] = Counter()
-    own = () if isinstance(curve, NurbsSurface) else (ArgumentKind.CURVE, OF_DIMENSION.get(curve.dimension))
+    own_kinds = () if isinstance(curve, NurbsSurface) else (ArgumentKind.CURVE, OF_DIMENSION.get(curve.dimension))
     for claim in claims:
         if claim.curve == ArgumentKind.TABLE:
             counts["of Table 1"] += 1
         elif isinstance(curve, NurbsSurface) and kind_of(claim.curve).made_of_a_surface:
             counts["of other surfaces"] += 1
-        elif claim.curve not in own:
+        elif claim.curve not in own_kinds:
             counts[f"of {ARGUMENTS.get(claim.curve, f'{claim.curve} curves')}"] += 1
         else:
             counts[f"of {claim.of} curves"] += 1
@@ -238,24 +238,26 @@ def said(row: Row) -> str:
 
 
 def headline(rows: Sequence[Row]) -> str:
-    """The answer in a sentence: how many statements of the paper are refuted, on how many rows, how many hold, and what
-    is neither.
+    """The answer in a sentence: how many statements of the paper are refuted, of how many errors and on how many rows,
+    how many hold, and how many are neither.
     """
     printed = [row for row in rows if row.status == Status.PRINTED]
     general = Counter(row.verdict for row in printed if not row.curve)
     lines = sum(row.verdict == REFUTED for row in printed)
     holds = sum(general[verdict] for verdict in HOLDS)
-    told = f"{counted(general[REFUTED], 'statement')} of the paper refuted on {counted(lines, 'row')}; {holds} hold"
+    errors = len({(row.paper, row.claim.error) for row in printed if row.verdict == REFUTED and not row.curve})
+    refuted = f"{counted(general[REFUTED], 'statement')} of the paper refuted"
+    refutations = f"{refuted} ({counted(errors, 'error')}, {counted(lines, 'row')}); {holds} hold"
     rest = [f"{general[v]} {v.lower()}" for v in Verdict if general[v] and v not in (*HOLDS, REFUTED)]
-    return "; ".join([told, ", ".join(rest) if rest else "none is undecided"])
+    return "; ".join([refutations, ", ".join(rest) if rest else "none is undecided"])
 
 
 def keyed(rows: Iterable[Row]) -> list[tuple[str, Row]]:
     """Every row with a unique key."""
     seen: Counter[str] = Counter()
-    told = []
+    keyed_rows = []
     for row in rows:
         base = f"{row.paper}/{row.key} on {row.curve or 'all curves'}"
         seen[base] += 1
-        told.append((base if seen[base] == 1 else f"{base} ({seen[base]})", row))
-    return told
+        keyed_rows.append((base if seen[base] == 1 else f"{base} ({seen[base]})", row))
+    return keyed_rows

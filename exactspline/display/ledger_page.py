@@ -47,7 +47,7 @@ def page(rows: Sequence[Row]) -> str:
     choices = (("verdict", words), ("section", sections), ("curve", curves))
     filters = "".join(_select(name, values) for name, values in choices)
     head = "".join(f"<th>{name}</th>" for name in ("verdict", "claim", "place", "on", "statement", "found", "witness"))
-    told = "".join(f"<dt>{escape(term)}</dt><dd>{escape(meaning)}</dd>" for term, meaning in explained(words))
+    glossary = "".join(f"<dt>{escape(term)}</dt><dd>{escape(meaning)}</dd>" for term, meaning in explained(words))
     return (
         '<!doctype html><html lang="en"><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
@@ -55,12 +55,12 @@ def page(rows: Sequence[Row]) -> str:
         f"<h1>{escape(headline(rows))}</h1><p>{escape(closing(rows))}</p>{_unchecked(rows)}"
         f'<form>{filters}<label>text <input name="text" type="search"></label><output></output></form>'
         f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(map(_row, rows))}</tbody></table>"
-        f"<dl>{told}</dl><script>{_SCRIPT}</script></html>\n"
+        f"<dl>{glossary}</dl><script>{_SCRIPT}</script></html>\n"
     )
 
 
 def _unchecked(rows: Sequence[Row]) -> str:
-    """Which papers' formulas ran as they stand."""
+    """The papers whose formulas ran unchecked."""
     papers = dict.fromkeys(row.claim.source_paper for row in rows)
     names = ", ".join(source.name for source in papers if source.trusted)
     return f"<p><b>Formulas that ran unchecked (--trust): {escape(names)}</b></p>" if names else ""
@@ -82,12 +82,12 @@ def _select(name: str, values: Sequence[str]) -> str:
 
 
 def _row(row: Row) -> str:
-    told = row.verdict
-    data = {"verdict": told, "section": section(row.claim), "curve": _curve(row)}
+    verdict = row.verdict
+    data = {"verdict": verdict, "section": section(row.claim), "curve": _curve(row)}
     attributes = "".join(f' data-{name}="{escape(value)}"' for name, value in data.items())
     cells = (row.id, row.claim.source, _curve(row), row.statement, found(row), witness(row))
     return (
-        f'<tr{attributes}><td class="{told}">{told}</td>'
+        f'<tr{attributes}><td class="{verdict}">{verdict}</td>'
         + "".join(f"<td>{escape(cell)}</td>" for cell in cells)
         + "</tr>"
     )

@@ -28,7 +28,7 @@ def number(x: mpq) -> str:
 
 
 def tuple_of(parts: Iterable[str]) -> str:
-    """What is in a row between parentheses.
+    """Elements in a row between parentheses.
 
     >>> tuple_of([number(mpq(1)), number(mpq(2))])
     '<mrow><mo>(</mo><mn>1</mn><mo>,</mo><mn>2</mn><mo>)</mo></mrow>'
@@ -49,18 +49,18 @@ def name(symbol: str) -> str:
 
 
 def math(inner: str, *, block: bool = False) -> str:
-    """The element that holds it."""
+    """The ``math`` element around MathML."""
     return f'<math display="{"block" if block else "inline"}">{inner}</math>'
 
 
 def table(rows: Sequence[Sequence[str]]) -> str:
-    """Cells in rows and columns, empty ones among them."""
+    """Cells in rows and columns; cells may be empty."""
     lines = "".join(f"<mtr>{''.join(f'<mtd>{cell}</mtd>' for cell in row)}</mtr>" for row in rows)
     return f"<mtable>{lines}</mtable>"
 
 
 def page(title: str, body: str) -> str:
-    """A page that stands alone."""
+    """A self-contained page."""
     return (
         '<!doctype html><html lang="en"><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'

@@ -37,7 +37,8 @@ from exactspline.verification.errata import Erratum
 from exactspline.verification.rows import Row
 from exactspline.verification.statement import Side, Statement, latex_of, sides
 
-#: Numbers of a list that are written out, and control points above which a spline is described instead of written out.
+#: How many numbers of a list are written out, and the number of control points above which a spline is described
+#: instead.
 SHOWN, LONG = 8, 24
 #: Characters of an answer that a table of answers shows.
 LONGEST = 200
@@ -52,17 +53,17 @@ def html(x: object) -> str | None:
 
 
 def facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
-    """Lines of HTML beside a picture."""
+    """Lines of HTML next to a picture."""
     rows = "".join(
         f'<tr><td style="text-align:left">{escape(name)}</td><td style="text-align:left;width:100%">{value}</td></tr>'
         for name, value in lines
     )
-    told = f'<div style="flex:1;min-width:15em"><b>{escape(title)}</b><table>{rows}</table></div>'
-    return f'<div style="display:flex;flex-wrap:wrap;gap:1em;align-items:center">{picture}{told}</div>'
+    table = f'<div style="flex:1;min-width:15em"><b>{escape(title)}</b><table>{rows}</table></div>'
+    return f'<div style="display:flex;flex-wrap:wrap;gap:1em;align-items:center">{picture}{table}</div>'
 
 
 def numbers(values: Iterable[mpq]) -> str:
-    """The first exact numbers of a list, long ones cut."""
+    """The first exact numbers of a list, long ones shortened."""
     values = list(values)
     parts = [decimals(text(x)) for x in values[:SHOWN]]
     return escape(", ".join(parts)) + (f", … ({len(values)})" if len(values) > SHOWN else "")
@@ -125,9 +126,9 @@ def _(value: Any) -> str | None:
 
 
 @html.register
-def _(found: ZeroSet) -> str:
+def _(zero_set: ZeroSet) -> str:
     rows = []
-    for root in found:
+    for root in zero_set:
         left, right = ({None: "end", 1: "+", -1: "−", 0: "0"}[s] for s in root.signs)
         interval = f"{decimals(text(root.low))} … {decimals(text(root.high))}" if root.exact is None else ""
         rows.append(
@@ -139,8 +140,10 @@ def _(found: ZeroSet) -> str:
                 "knot" if root.at_knot else "",
             )
         )
-    extra = "".join(f"<div>{escape(repr(x))}</div>" for x in (*found.jumps, *found.intervals))
-    return Grid(["root", "multiplicity", "sign", "isolating interval", "where"], rows, repr(found)[1:-1]).html() + extra
+    extra = "".join(f"<div>{escape(repr(x))}</div>" for x in (*zero_set.jumps, *zero_set.intervals))
+    return (
+        Grid(["root", "multiplicity", "sign", "isolating interval", "where"], rows, repr(zero_set)[1:-1]).html() + extra
+    )
 
 
 @html.register
@@ -190,9 +193,9 @@ def _piece(value: Any) -> str:
     return repr(value) if not isinstance(value, (Vector, Rational, BSpline)) else short(value)
 
 
-def _side_lines(found: tuple[Side, ...]) -> list[tuple[str, str]]:
+def _side_lines(sides: tuple[Side, ...]) -> list[tuple[str, str]]:
     return [
-        (side.role, f"$${escape(side.latex)}$${escape(side.source)}, degree {escape(side.degrees)}") for side in found
+        (side.role, f"$${escape(side.latex)}$${escape(side.source)}, degree {escape(side.degrees)}") for side in sides
     ]
 
 
@@ -225,7 +228,7 @@ def _(e: Erratum) -> str:
 @html.register
 def _(s: Statement) -> str:
     c, f = s.claim, s.finding
-    found = [
+    fields = [
         ("claimed", c.claims),
         ("computed", worded(f.computed)),
         ("factor", worded(f.factor)),
@@ -235,7 +238,7 @@ def _(s: Statement) -> str:
     lines = [
         *_claim_lines(c, s.latex),
         *_side_lines(s.sides),
-        *[(name, breakable(value)) for name, value in found if value],
+        *[(name, breakable(value)) for name, value in fields if value],
     ]
     return facts(f"{c.id}, {c.source}", lines)
 
@@ -284,7 +287,7 @@ def load_ipython_extension(shell: object) -> None:
 
 
 def _png(figure_or_axes: Any) -> tuple[bytes, dict[str, str]]:
-    """The picture with what it shows in words, for those who do not see it: beside it and in it."""
+    """The picture with a description in words for blind readers, both next to it and inside the file."""
     figure = getattr(figure_or_axes, "figure", figure_or_axes)
     stream = BytesIO()
     settle(figure)

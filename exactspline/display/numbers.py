@@ -1,4 +1,4 @@
-"""Readable exact numbers: a long fraction is shown as a decimal, or in full when asked for."""
+"""Readable exact numbers: a long fraction is shown as a decimal, or in full on request."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from exactspline.numbers.exact import mpq, text
 _NUMBER = re.compile(r"(?<![\w/.])-?\d+/\d+(?![\w/.])|(?<![\w/.])-?\d{25,}(?![\w/.])")
 #: A number with more characters than this is shown as a decimal.
 LONGEST = 14
-#: Its significant digits.
+#: The significant digits of such a decimal.
 DIGITS = 6
 
 
 @dataclass(frozen=True)
 class Numbers:
-    """How exact numbers are written: a long one as a decimal (in full where ``exact``), every one with this many digits
-    next to it when asked for.
+    """How exact numbers are written: a long one as a decimal (in full where ``exact``), every one followed by this many
+    digits if `digits` is given.
 
     >>> Numbers()(mpq(1, 3)), Numbers(5)(mpq(1, 3)), Numbers()(mpq(1, 3**40))
     ('1/3', '1/3 ≈ 0.33333', '≈ 8.22526e-20')
@@ -31,7 +31,7 @@ class Numbers:
         return self.within(text(value))
 
     def within(self, formula: str) -> str:
-        """A formula with its numbers written so.
+        """A formula with its numbers formatted.
 
         >>> Numbers().within("x/7 + 1/1220703125000000000")
         'x/7 + ≈ 8.192e-19'
@@ -39,7 +39,7 @@ class Numbers:
         return formula if self.exact and not self.digits else _NUMBER.sub(self._shown, formula)
 
     def common(self, low: mpq, high: mpq) -> str:
-        """The digits on which the ends of an isolating interval agree; empty where they are written in full."""
+        """The digits on which the ends of an isolating interval agree; empty where numbers are written in full."""
         if self.exact or max(len(text(low)), len(text(high))) <= LONGEST:
             return ""
         digits = next((n for n in range(DIGITS, 1, -1) if decimal(low, n) == decimal(high, n)), 0)

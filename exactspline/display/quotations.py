@@ -1,14 +1,13 @@
-r"""Words of a source, whose formulas stand there in TeX, as a page shows them.
+r"""The words of a source, with formulas in TeX, prepared for display on a page.
 
-Some sources are quoted with their dollars, some from inside a formula; commands of their own are those of their
-preambles.
+Some sources are quoted with dollar signs, some from inside a formula; some use commands from their preambles.
 """
 
 from __future__ import annotations
 
 import re
 
-#: Commands that a source defines for itself (Petrunin and Zamora Barrera), or that only its typesetter reads.
+#: Commands that a source defines for itself (Petrunin and Zamora Barrera), or that affect typesetting only.
 COMMANDS = {
     r"\kur": r"\kappa",
     r"\skur": r"\kappa",
@@ -20,13 +19,13 @@ COMMANDS = {
 _DROPPED = re.compile(r"\\(?:eqlbl|label|index)\{[^{}]*\}")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _FORMULA = re.compile(r"\$([^$]+)\$|\\\((.+?)\\\)|\\\[(.+?)(?:\\\]|$)")
-#: What stands in formulas without a command of TeX: an aligned sum, an index or an exponent; and what in none.
+#: Signs of a formula without a TeX command: an aligned sum, an index or an exponent; and signs of plain text.
 _INSIDE = re.compile(r"&|\b[a-z]_\d|[a-z)]\^\d\b")
 _OTHERWISE = re.compile(r"[*;]|\b[a-z]{3,}\b|\d\.\d")
 
 
 def parts(words: str) -> list[tuple[bool, str]]:
-    r"""The words as pieces of prose and of formulas (True), these in TeX without delimiters.
+    r"""The words as pieces of prose (False) and of formulas (True, in TeX without delimiters).
 
     >>> parts(r"Assume $|\gamma|=1$ for any~$s$.")
     [(False, 'Assume '), (True, '|\\gamma|=1'), (False, ' for any\xa0'), (True, 's'), (False, '.')]
@@ -37,15 +36,15 @@ def parts(words: str) -> list[tuple[bool, str]]:
     if not _FORMULA.search(words):
         is_formula = "\\" in words or (bool(_INSIDE.search(words)) and not _OTHERWISE.search(words))
         return [(is_formula, _formula(words) if is_formula else words)]
-    found, last = [], 0
+    pieces, last = [], 0
     for each in _FORMULA.finditer(words):
-        found += [(False, _prose(words[last : each.start()])), (True, _formula(next(filter(None, each.groups()))))]
+        pieces += [(False, _prose(words[last : each.start()])), (True, _formula(next(filter(None, each.groups()))))]
         last = each.end()
-    return [(kind, text) for kind, text in [*found, (False, _prose(words[last:]))] if text]
+    return [(kind, text) for kind, text in [*pieces, (False, _prose(words[last:]))] if text]
 
 
 def quoted(words: str) -> str:
-    r"""The words as text whose formulas stand between dollars.
+    r"""The words as text with formulas between dollar signs.
 
     >>> quoted(r"\[\kur=\frac1R,\]")
     '$\\kappa=\\frac1R,$'
@@ -54,7 +53,7 @@ def quoted(words: str) -> str:
 
 
 def _formula(tex: str) -> str:
-    tex = _COMMAND.sub(lambda found: COMMANDS.get(found[0], found[0]), tex)
+    tex = _COMMAND.sub(lambda match: COMMANDS.get(match[0], match[0]), tex)
     return " ".join(tex.replace("&", r"\ ").strip("~ ").split())
 
 

@@ -10,19 +10,19 @@ from exactspline.language.surface_kind import BOTH
 from exactspline.symbolic.reduction import Part, Reduction
 
 
-def reduction_rows(found: Iterable[Reduction]) -> list[dict[str, object]]:
+def reduction_rows(reductions: Iterable[Reduction]) -> list[dict[str, object]]:
     """One row per part (a ruled surface has two), as data."""
     return [
         {"key": f"{_label(r, part, always=True)}", "formula": r.name, "dimension": r.dimension}
         | {"polynomial": r.polynomial}
         | part.data()
-        for r in found
+        for r in reductions
         for part in r.parts
     ]
 
 
 def _label(r: Reduction, part: Part, *, always: bool = False) -> str:
-    """A row by its formula, its part and the parameter of its degrees, as far as there are several."""
+    """The label of a row: its formula, and where there are several, its part and the parameter of its degrees."""
     words = [f"{r.name} in R{r.dimension}" if always else r.name]
     words += [part.role] if always or len(r.parts) > 1 else []
     words += (
@@ -31,7 +31,7 @@ def _label(r: Reduction, part: Part, *, always: bool = False) -> str:
     return ", ".join(words)
 
 
-def reduction_sheet(found: Iterable[Reduction]) -> Sheet:
+def reduction_sheet(reductions: Iterable[Reduction]) -> Sheet:
     """The same as a table.
 
     >>> from exactspline.papers import find
@@ -41,7 +41,7 @@ def reduction_sheet(found: Iterable[Reduction]) -> Sheet:
     """
     numbers = ("naive", "k, m, j", "nominal", "true", "in lowest terms")
     made = Sheet("formula", "factors cancelled", "reduced form", *numbers, numbers=numbers)
-    for r in found:
+    for r in reductions:
         for part in r.parts:
             row = part.data()
             label = _label(r, part)
@@ -61,7 +61,7 @@ def reduction_sheet(found: Iterable[Reduction]) -> Sheet:
 
 
 def _argument(r: Reduction) -> str:
-    """The argument on which a formula was reduced."""
+    """The generic argument for which a formula was reduced."""
     if r.kind.counted == BOTH:
         return f"{r.kind.name} of degrees d_u and d_v"
     curve = {2: "plane curve", 3: "space curve"}.get(r.dimension, f"curve in R{r.dimension}")
@@ -76,5 +76,5 @@ def explanations(r: Reduction) -> Iterator[str]:
         yield f"{name}: {meaning}"
     for part in r.parts:
         for d, n in part.true.lower if part.true else ():
-            told = f"the true degree is {n}" if n >= 0 else "it vanishes on every curve"
-            yield f"{part.role}: at d = {d} {told}"
+            degree_text = f"the true degree is {n}" if n >= 0 else "it vanishes on every curve"
+            yield f"{part.role}: at d = {d} {degree_text}"

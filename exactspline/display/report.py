@@ -1,4 +1,6 @@
-"""A referee's report: what a paper claims, which claims hold, and on what that relies; one self-contained page."""
+"""A referee's report: what a paper claims, which claims hold, and on what these verdicts rely; one
+self-contained page.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +32,7 @@ td,th{text-align:left;vertical-align:top;padding:.1rem 1.2rem .1rem 0}.verdict{f
 @media(max-width:600px){dl{grid-template-columns:minmax(0,1fr)}dd{margin:0 0 .4rem}}
 .PROVED .verdict,.VERIFIED .verdict{color:#00694d}.REFUTED .verdict{color:#b34700}
 """
-#: The packages on which a verdict relies besides this one.
+#: The other packages on which a verdict relies.
 PACKAGES = ("exactspline", "python-flint", "gmpy2", "sympy")
 
 
@@ -46,7 +48,9 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
     """
     sources = list(dict.fromkeys(claim.source_paper for claim in claims))
     title = "; ".join(source.title for source in sources)
-    told = "".join(f"<dt>{escape(term)}</dt><dd>{escape(meaning)}</dd>" for term, meaning in explained(_words(rows)))
+    glossary = "".join(
+        f"<dt>{escape(term)}</dt><dd>{escape(meaning)}</dd>" for term, meaning in explained(_words(rows))
+    )
     return (
         '<!doctype html><html lang="en"><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
@@ -55,8 +59,8 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
         f"<p>{escape(summary(claims, rows))} {escape(closing(rows))}.</p>"
         f"<h2>What is claimed, and what holds</h2>{''.join(_claim(claim, rows) for claim in claims)}"
         f"<h2>Formulas</h2>{''.join(map(_formulas, sources))}"
-        f"<h2>What the words mean</h2><dl>{told}</dl>"
-        f"<h2>What it rests on</h2>{_versions()}{''.join(map(_digests, sources))}</html>\n"
+        f"<h2>What the words mean</h2><dl>{glossary}</dl>"
+        f"<h2>What the verdicts rely on</h2>{_versions()}{''.join(map(_digests, sources))}</html>\n"
     )
 
 
@@ -71,8 +75,8 @@ def summary(claims: Sequence[Claim], rows: Iterable[Row]) -> str:
     general = [row for row in rows if not row.curve]
     holds, fails = sum(row.verdict in HOLDS for row in general), sum(row.verdict == REFUTED for row in general)
     rest = len(general) - holds - fails
-    told = f"Of {len(claims)} claims {holds} hold and {fails} fail"
-    return f"{told}, {rest} neither." if rest else f"{told}."
+    result = f"Of {len(claims)} claims {holds} hold and {fails} fail"
+    return f"{result}, {rest} neither." if rest else f"{result}."
 
 
 def _words(rows: Iterable[Row]) -> list[str]:
@@ -81,35 +85,35 @@ def _words(rows: Iterable[Row]) -> list[str]:
 
 
 def _claim(claim: Claim, rows: Iterable[Row]) -> str:
-    own = [row for row in rows if (row.paper, row.key) == (claim.paper, claim.key)]
-    general = next((row for row in own if not row.curve), None)
+    mine = [row for row in rows if (row.paper, row.key) == (claim.paper, claim.key)]
+    general = next((row for row in mine if not row.curve), None)
     verdict = general.verdict if general else ""
-    told = [
+    fields = [
         ("claimed", claim.claims),
         ("assumes", claim.assumed),
         ("recorded", "" if general is None or general.as_recorded else f"{claim.expected}: it differs"),
     ]
     if general:
-        told += [("found", found(general)), ("witness", witness(general)), ("reading", str(general.reading))]
-        told.append(("rests on", ", ".join(general.finding.assumptions)))
-    lines = [("printed", _printed(claim.words)), *[(what, escape(text)) for what, text in told]]
+        fields += [("found", found(general)), ("witness", witness(general)), ("reading", str(general.reading))]
+        fields.append(("rests on", ", ".join(general.finding.assumptions)))
+    lines = [("printed", _printed(claim.words)), *[(what, escape(text)) for what, text in fields]]
     cells = "".join(f"<dt>{what}</dt><dd>{shown}</dd>" for what, shown in lines if shown)
     shown = f'<span class="verdict">{verdict or "on curves"}</span>'
     head = f"<h3>{escape(claim.id)} · {escape(claim.place or claim.source)} · {shown}</h3>"
     return (
-        f'<article class="{verdict}">{head}<p>{escape(claim.statement)}</p><dl>{cells}</dl>{_on_curves(own)}</article>'
+        f'<article class="{verdict}">{head}<p>{escape(claim.statement)}</p><dl>{cells}</dl>{_on_curves(mine)}</article>'
     )
 
 
 def _printed(words: str) -> str:
-    """The words of the source: formulas, which stand there in TeX, as they are typed there."""
+    """The words of the source, with its TeX formulas as typed there."""
     if any(is_formula for is_formula, _ in parts(words)):
         return f"“<code>{escape(words)}</code>”"
     return f"“{escape(words)}”" if words else ""
 
 
 def _on_curves(rows: Iterable[Row]) -> str:
-    """Curve by curve; those that agree in one line."""
+    """The verdicts curve by curve; curves with the same verdict in one line."""
     lines: dict[tuple[str, str], list[str]] = {}
     for row in rows:
         if row.curve:
@@ -117,8 +121,8 @@ def _on_curves(rows: Iterable[Row]) -> str:
     if not lines:
         return ""
     cells = "".join(
-        f"<tr><td>{told}</td><td>{escape(', '.join(curves))}</td><td>{escape(where)}</td></tr>"
-        for (told, where), curves in lines.items()
+        f"<tr><td>{result}</td><td>{escape(', '.join(curves))}</td><td>{escape(where)}</td></tr>"
+        for (result, where), curves in lines.items()
     )
     return f"<table>{cells}</table>"
 
@@ -141,7 +145,7 @@ def _versions() -> str:
             rows.append((package, version(package)))
         except PackageNotFoundError:
             rows.append((package, "not installed"))
-    cells = "".join(f"<tr><td>{name}</td><td>{escape(told)}</td></tr>" for name, told in rows)
+    cells = "".join(f"<tr><td>{name}</td><td>{escape(described)}</td></tr>" for name, described in rows)
     return f"<table>{cells}</table>"
 
 
@@ -149,5 +153,5 @@ def _digests(source: Paper) -> str:
     cells = "".join(
         f'<tr><td>{escape(name)}</td><td class="mono">{digest}</td></tr>' for name, digest in source.digests().items()
     )
-    checked = "run as they stand" if source.trusted else "checked before they ran" if not source.package else "built in"
+    checked = "run unchecked" if source.trusted else "checked before they ran" if not source.package else "built in"
     return f"<h3>{escape(source.name)}: formulas {checked}; SHA-256 of the files</h3><table>{cells}</table>"

@@ -86,7 +86,7 @@ def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
 
 
 def decimal_of(root: Root, digits: int) -> str:
-    """A root to a given number of digits behind the point."""
+    """A root to a given number of digits after the decimal point."""
     from mpmath import mp, nstr
 
     with mp.workdps(digits + 10):
@@ -98,7 +98,7 @@ def decimal_of(root: Root, digits: int) -> str:
 
 def value_of(quantity: Callable[[Nurbs, Root, Side | str], Real], curve: Nurbs, root: Root, digits: int) -> str:
     """κ or τ at a root to a given number of significant digits, 0 where it is exactly 0; at a joint the limits from
-    both sides where they differ; the reason where there is none.
+    both sides where they differ; where there is none, the reason.
     """
     from mpmath import mp, nstr
 
@@ -128,15 +128,16 @@ def inspection_data(
     """
     curve, digits = curve_of(curve), as_integer(digits, "a number of digits", 1)
     if not callable(tick):
-        raise ShapeError(f"{a_kind(tick)}, where what is called after every feature is expected", remedy="leave it out")
+        raise ShapeError(f"{a_kind(tick)}, where a function without arguments is expected", remedy="leave it out")
     found = inspect_curve(curve, approach)
     data: dict[str, Any] = {"curve": curve.name, "approach": found.approach, "closed": curve.closed, "digits": digits}
     return data | {name: answer_data(curve, answer, digits, tick) for name, answer in found.answers.items()}
 
 
 def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], None] = lambda: None) -> object:
-    """The answer to a question as data: points one by one, and the intervals on which all are; joints; pieces, each as
-    the list of its intervals (two where it runs across the seam of a closed curve), planar ones with their planes.
+    """The answer to a question as data: points one by one, and the intervals all of whose points are answers; joints;
+    pieces, each as the list of its intervals (two where it crosses the seam of a closed curve), planar ones with their
+    planes.
     """
     if isinstance(answer, Places):
         points = []
@@ -179,7 +180,7 @@ def derived_data(derived: Derived, curve: str) -> dict[str, object]:
 
     A quotient is given by homogeneous control points ``(w x, w y, …, w)``, a scalar one by ``(w f, w)``.
     """
-    derived = as_instance(derived, Derived, "a derived object", "give what exactspline.derive returns")
+    derived = as_instance(derived, Derived, "a derived object", "give the result of exactspline.derive")
     return {
         "name": derived.name,
         "variant": derived.variant,
@@ -209,7 +210,7 @@ def piece_data(interval: Interval, value: BSpline | SplineVector) -> dict[str, o
 
 
 def _net(components: list[Any], field: str) -> dict[str, object]:
-    """Control points of several splines over the knots that carry them all."""
+    """Control points of several splines over their common knots."""
     raised = with_common_knots(components)
     knots = raised[0].knots
     return {

@@ -1,5 +1,5 @@
-"""A table that is never cropped: columns where there is room, otherwise a block per row; one line per row in a pipe;
-also as CSV and Markdown.
+"""A table that is never cropped: in columns where there is room, otherwise one block per row; in a pipe one line per
+row; also as CSV and Markdown.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from exactspline.display.wrapping import hanging, visible, words_in
 PIPE = 1 << 20
 #: Blanks between two columns.
 GAP = 2
-#: Prose in a column is broken into lines that are not shorter than this; below it rows become blocks.
+#: The smallest width to which prose in a column is broken; below it rows become blocks.
 NARROWEST = 24
-#: In a pipe a longer cell shifts only its own row.
+#: In a pipe a cell longer than this shifts only its row.
 LONGEST_ALIGNED = 72
 #: Colours of verdicts, which are also given in words.
 COLOURS = {
@@ -37,8 +37,8 @@ class Sheet:
     """A table of texts under headings.
 
     ``numbers`` names the columns that are aligned to the right, ``prose`` those whose cells may be broken into lines.
-    ``name`` is the subject of the table: CSV and Markdown put it into a separate column where several tables follow one
-    another. Where rows become blocks, the first ``heads`` cells head the block.
+    ``name`` is the subject of the table: CSV and Markdown put it into a separate column when several tables are
+    combined. Where rows become blocks, the first ``heads`` cells head the block.
 
     >>> sheet = Sheet("curve", "degree", numbers=["degree"])
     >>> sheet.add_row("circle", "2")
@@ -65,7 +65,7 @@ class Sheet:
         self.rows: list[tuple[str, ...]] = []
 
     def add_row(self, *cells: object) -> None:
-        """A row, one cell per column; blanks and line breaks in a cell become single blanks."""
+        """Add a row, one cell per column; runs of blanks and line breaks in a cell become single blanks."""
         row = tuple(visible(" ".join(str(cell).split())) for cell in cells)
         self.rows.append((row + ("",) * len(self.columns))[: len(self.columns)])
 
@@ -90,7 +90,7 @@ class Sheet:
         return "\n".join(line.plain for line in self.lines(width))
 
     def lines(self, width: int = PIPE) -> list[Text]:
-        """The lines of the table, styled: none is longer than the width, and no cell is cropped."""
+        """The styled lines of the table: none is longer than the width, and no cell is cropped."""
         head = [Text(line, style="bold") for line in hanging(self.title, width)] if self.title else []
         if width >= PIPE:
             return head + self._aligned()
@@ -104,7 +104,7 @@ class Sheet:
         ]
 
     def _fitted(self, width: int) -> list[int] | None:
-        """The widths of the columns, with only headings and prose broken; none where they do not fit."""
+        """The widths of the columns, with only headings and prose broken; None where they do not fit."""
         free = width - GAP * (len(self.columns) - 1)
         natural = self._natural()
         if sum(natural) <= free:
@@ -147,7 +147,7 @@ class Sheet:
         return line
 
     def _aligned(self) -> list[Text]:
-        """One row a line, whatever its length."""
+        """One line per row, whatever its length."""
         widths = [
             max(cell_len(c) for c in (name, *[r[i] for r in self.rows if cell_len(r[i]) <= LONGEST_ALIGNED]))
             for i, name in enumerate(self.columns)
@@ -155,7 +155,7 @@ class Sheet:
         return [self._line(self.columns, widths, True), *[self._line(row, widths, False) for row in self.rows]]
 
     def _in_blocks(self, width: int) -> list[Text]:
-        """A row as a heading and, indented below it, the other cells with theirs: short ones side by side."""
+        """A row as a heading and, indented below it, the other cells with their headings: short ones side by side."""
         lines: list[Text] = []
         for row in self.rows:
             heading = ", ".join(cell for cell in row[: self.heads] if cell)
@@ -200,25 +200,26 @@ class Sheet:
         return head + "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
 
-#: What has a meaning in a cell of Markdown: HTML, the end of a cell, the address of a link.
+#: Characters with a meaning in a cell of Markdown: of HTML, of the end of a cell, of a link.
 _MEANT = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "|": "\\|", "](": "]\\(", "\n": " ", "\r": " "}
-#: How a text begins that a spreadsheet computes.
+#: The beginnings of texts that a spreadsheet evaluates.
 _COMPUTED = tuple("=+-@\t\r")
-#: A number as it is printed, cut or not, a fraction, an infinite one.
+#: A printed number: abbreviated or not, a fraction, or infinite.
 _NUMBER = re.compile(r"[-+−]?(∞|[\d.,/…]+([eE][-+]?\d+)?)")
 
 
 def in_markdown(text: str) -> str:
-    r"""A text in a cell of Markdown, where it means nothing but itself.
+    r"""A text escaped for a cell of Markdown, so that it is shown literally.
 
     >>> in_markdown("<img src=x> a | b [here](http://x)")
     '&lt;img src=x&gt; a \\| b [here]\\(http://x)'
     """
-    return re.sub(r"[&<>|\n\r]|\]\(", lambda found: _MEANT[found[0]], text)
+    return re.sub(r"[&<>|\n\r]|\]\(", lambda match: _MEANT[match[0]], text)
 
 
 def in_csv(text: str) -> str:
-    """A text in a cell of a spreadsheet, which would compute what begins like a formula; numbers stay as they are.
+    """A text for a cell of a spreadsheet, escaped where it begins like a formula that would be evaluated; numbers are
+    unchanged.
 
     >>> in_csv("=1+1"), in_csv("-x"), in_csv("-1/2"), in_csv("x = 1")
     ("'=1+1", "'-x", '-1/2', 'x = 1')

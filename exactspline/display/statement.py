@@ -1,4 +1,4 @@
-"""A claim spelled out as text."""
+"""A claim written out as text."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from exactspline.verification.vocabulary import Status
 
 
 def heading(s: Statement) -> str:
-    """The first line: the id, where the claim stands, and whether it is as printed."""
+    """The first line: the id, the place of the claim in its source, and whether it is as printed."""
     return f"{s.claim.id}, {s.claim.source}{' (as it must read)' if s.claim.status == Status.MEANT else ''}"
 
 
 def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
     """Everything about a claim, one field after the other."""
     c, f = s.claim, s.finding
-    told = [("statement", s.latex if latex else c.statement)]
+    rows = [("statement", s.latex if latex else c.statement)]
     for side in s.sides:
-        told += [
+        rows += [
             (side.role, side.latex if latex else side.text),
             ("of which", f"{side.name}, {side.source}, degree {side.degrees}"),
         ]
-    told += [
+    rows += [
         ("claimed", c.claims if not isinstance(c, Identity) else f"factor {c.claims}"),
         ("found", _found(s)),
         ("factor", worded(f.factor) if not isinstance(c, DegreeClaim | Identity) else ""),
@@ -36,7 +36,7 @@ def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
         ("note", c.note),
     ]
     recorded = "as recorded" if s.as_recorded else f"recorded: {c.expected}"
-    return [*[(what, text) for what, text in told if text], ("verdict", f"{f.verdict} [{s.reading}], {recorded}")]
+    return [*[(what, text) for what, text in rows if text], ("verdict", f"{f.verdict} [{s.reading}], {recorded}")]
 
 
 def _found(s: Statement) -> str:

@@ -27,7 +27,7 @@ from exactspline.questions.entry import questions_of
 from exactspline.roots.root import Root
 from exactspline.splines.surface import Along, NurbsSurface
 
-#: What poles of one line have in common.
+#: The common properties of poles along one line.
 _PoleKey = tuple[Along, mpq, tuple[mpq, ...] | None, Gap]
 #: The index of an umbilic by its kind.
 INDEX = {UmbilicKind.POSITIVE: "1/2", UmbilicKind.NEGATIVE: "-1/2"}
@@ -50,9 +50,9 @@ CURVATURE = {
 }
 
 
-#: The order of geometric continuity from which a joint has no row in the table.
+#: Joints of this order of geometric continuity or higher have no row in the table.
 SMOOTH = 2
-#: What the title of a table says of an inspection in which something is undecided.
+#: Appended to the title of a table when something is undecided.
 INCOMPLETE = " – incomplete: see the rows that are undecided"
 
 
@@ -73,32 +73,36 @@ def described_surface(surface: NurbsSurface) -> str:
 # ---- data
 
 
-def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, object]:
+def surface_inspection_data(inspection: SurfaceInspection, digits: int) -> dict[str, object]:
     """The whole inspection as data: numbers as exact text, irrational ones as intervals and to a given number of
     digits.
     """
-    surface = found.surface
+    surface = inspection.surface
     return {
         "surface": surface.name,
         "degree": list(surface.degree),
         "polynomial": surface.polynomial,
         "digits": digits,
-        "closed": [along.value for along in found.closed],
-        "complete": found.complete,
-        "minimal": found.minimal,
-        "curvature": None if found.curvature is None else text(found.curvature),
-        "umbilic_everywhere": found.umbilic_everywhere,
-    } | answers_data(found, digits)
+        "closed": [along.value for along in inspection.closed],
+        "complete": inspection.complete,
+        "minimal": inspection.minimal,
+        "curvature": None if inspection.curvature is None else text(inspection.curvature),
+        "umbilic_everywhere": inspection.umbilic_everywhere,
+    } | answers_data(inspection, digits)
 
 
-def answers_data(found: SurfaceInspection | MapInspection, digits: int) -> dict[str, object]:
+def answers_data(inspection: SurfaceInspection | MapInspection, digits: int) -> dict[str, object]:
     """The answers to all questions of the registry about a surface, under their names."""
-    return {name: surface_answer_data(entry.answer(found), digits) for name, entry in questions_of(type(found)).items()}
+    return {
+        name: surface_answer_data(entry.answer(inspection), digits)
+        for name, entry in questions_of(type(inspection)).items()
+    }
 
 
 def surface_answer_data(answer: object, digits: int) -> object:
-    """The answer to a question about a surface as data: points one by one, the parts of patches all of whose points
-    are, and boxes in which something is undecided; lists of curves, joints and patches; a value as text, one point.
+    """The answer to a question about a surface as data: points one by one, the parts of patches all of whose points are
+    answers, and boxes in which something is undecided; lists of curves, joints and patches; a value as text; a single
+    point.
     """
     if isinstance(answer, SurfacePlaces):
         return {
@@ -113,13 +117,13 @@ def surface_answer_data(answer: object, digits: int) -> object:
         return answer.value
     if answer is None:
         return None
-    assert isinstance(answer, tuple)  # as the registry says
+    assert isinstance(answer, tuple)  # by the types of the registry
     return [_element_data(each, digits) for each in answer]
 
 
 @singledispatch
 def _element_data(each: object, digits: int) -> object:
-    """One of several things, as data; a coordinate as exact text."""
+    """An element of an answer as data; a coordinate as exact text."""
     return text(cast(mpq, each))
 
 
@@ -221,7 +225,7 @@ def _ends(side: Interval) -> list[str]:
 
 
 def shown(low: mpq, high: mpq, digits: int) -> str:
-    """A number between two to a given number of digits behind the point.
+    """A number between two others, to a given number of digits after the decimal point.
 
     >>> shown(mpq(1, 3), mpq(1, 3), 4), shown(mpq(-1, 2), mpq(-1, 2), 3)
     ('0.3333', '-0.5')
@@ -244,7 +248,7 @@ def _hull(piece: Piece) -> Box:
 
 
 def _extent(piece: Piece) -> Box:
-    """About how far it reaches: the hull of points on it."""
+    """Its approximate extent: the hull of points on it."""
     if not piece.part.arcs:
         return _hull(piece)
     points = [point for arc in piece.part.arcs for point in piece.curve.points(arc)]
@@ -254,44 +258,44 @@ def _extent(piece: Piece) -> Box:
 # ---- a table
 
 
-def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
+def surface_sheet(inspection: SurfaceInspection, digits: int) -> Sheet:
     """The features of a surface, one per row."""
-    surface = found.surface
-    closed = f", closed in {' and '.join(along.value for along in found.closed)}" if found.closed else ""
-    title = f"{surface.name}: {described_surface(surface)}{closed}{'' if found.complete else INCOMPLETE}"
+    surface = inspection.surface
+    closed = f", closed in {' and '.join(along.value for along in inspection.closed)}" if inspection.closed else ""
+    title = f"{surface.name}: {described_surface(surface)}{closed}{'' if inspection.complete else INCOMPLETE}"
     made = Sheet("what", "u", "v", "remark", title=title, name=surface.name, prose=["remark"], heads=1)
-    for kind, box, remark in _regions(found):
+    for kind, box, remark in _regions(inspection):
         made.add_row(kind, *(_side(side) for side in box), remark)
-    for line in found.parabolic_lines:
-        told = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
-        made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), told)
-    for curve in found.parabolic_curves:
+    for line in inspection.parabolic_lines:
+        note = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
+        made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), note)
+    for curve in inspection.parabolic_curves:
         extent = hull(_extent(piece) for piece in curve.pieces)
         across = f", across {len(curve.patches)} patches" if len(curve.patches) > 1 else ""
         made.add_row("parabolic curve", *(_near(side, 2) for side in extent), curve.shape.value + across)
-    for place in found.parabolic_points:
-        made.add_row("parabolic point", *_parameters(place, digits), "K = 0 at this point alone")
-    for umbilic in found.umbilics:
+    for place in inspection.parabolic_points:
+        made.add_row("parabolic point", *_parameters(place, digits), "K = 0 at this point only")
+    for umbilic in inspection.umbilics:
         made.add_row("umbilic", *_parameters(umbilic.place, digits), _of_umbilic(umbilic))
-    for place in found.singular_points:
+    for place in inspection.singular_points:
         made.add_row("singular point", *_parameters(place, digits), "no tangent plane")
-    for (along, value, point, gap), intervals in _poles(found):
-        told = f"the point ({', '.join(text(x) for x in point)})" if point else "no tangent planes along a curve"
-        at = f"{told}, {gap.value}"
+    for (along, value, point, gap), intervals in _poles(inspection):
+        note = f"the point ({', '.join(text(x) for x in point)})" if point else "no tangent planes along a curve"
+        at = f"{note}, {gap.value}"
         for interval in intervals:
             made.add_row("pole" if point else "singular line", *_line(along, value, interval), at)
-    for joint in found.joints:
+    for joint in inspection.joints:
         if joint.order is not None and joint.order < SMOOTH:
             along = Along.V if joint.across is Along.U else Along.U
             made.add_row(joint.kind.value, *_line(along, joint.value, joint.interval), _of_joint(joint))
-    _add_open_boxes(made, [box for one in found.patches for box in one.open_boxes])
+    _add_open_boxes(made, [box for one in inspection.patches for box in one.open_boxes])
     return made
 
 
-def _regions(found: SurfaceInspection) -> Iterator[tuple[str, Box, str]]:
-    """Kinds of patches with the rectangle they fill where that is one, else patch by patch."""
+def _regions(inspection: SurfaceInspection) -> Iterator[tuple[str, Box, str]]:
+    """Kinds of patches with the rectangle that they fill, where they fill one; otherwise patch by patch."""
     groups: dict[tuple[str, str], list[Box]] = {}
-    for one in found.patches:
+    for one in inspection.patches:
         remark = _of_patch(one)
         groups.setdefault((one.kind.value, remark), []).append(one.sides)
     for (kind, remark), boxes in groups.items():
@@ -300,31 +304,31 @@ def _regions(found: SurfaceInspection) -> Iterator[tuple[str, Box, str]]:
 
 
 def _together(boxes: Sequence[Box], direction: int) -> list[Box]:
-    """Neighbouring boxes along a direction as one."""
-    found: list[Box] = []
+    """Boxes with neighbours along a direction joined."""
+    joined_boxes: list[Box] = []
     for box in sorted(boxes, key=lambda b: (b[1 - direction], b[direction])):
-        last = found[-1] if found else None
+        last = joined_boxes[-1] if joined_boxes else None
         if last and last[1 - direction] == box[1 - direction] and last[direction][1] == box[direction][0]:
-            found[-1] = box.with_side(direction, Interval(last[direction].low, box[direction].high))
+            joined_boxes[-1] = box.with_side(direction, Interval(last[direction].low, box[direction].high))
         else:
-            found.append(box)
-    return found
+            joined_boxes.append(box)
+    return joined_boxes
 
 
 def _of_patch(one: PatchInspection) -> str:
     """The description of a patch."""
-    told = [CURVATURE.get(one.kind, "")]
+    parts = [CURVATURE.get(one.kind, "")]
     if one.curvature:
-        told = [f"K = {text(one.curvature)}" + ("" if one.radius_squared else " everywhere")]
+        parts = [f"K = {text(one.curvature)}" + ("" if one.radius_squared else " everywhere")]
     if one.radius_squared:
-        told.append("every point is an umbilic")
+        parts.append("every point is an umbilic")
     if one.minimal and one.kind is not PatchKind.PLANAR:
-        told.append("H = 0")
+        parts.append("H = 0")
     if one.umbilics.curve is not None or one.umbilics.edges:
-        told.append("umbilics along a curve")
+        parts.append("umbilics along a curve")
     if one.singular.along_curve:
-        told.append("no tangent planes along a curve")
-    return ", ".join(filter(None, told))
+        parts.append("no tangent planes along a curve")
+    return ", ".join(filter(None, parts))
 
 
 def _of_umbilic(umbilic: Umbilic) -> str:
@@ -350,18 +354,18 @@ def _of_joint(joint: SurfaceJoint) -> str:
 
 
 def _add_open_boxes(made: Sheet, boxes: Sequence[Box]) -> None:
-    """Every box in which something is undecided; those that touch as one row."""
-    for box, own in clusters(boxes):
-        remark = "not decided here" if len(own) == 1 else f"not decided in {len(own)} boxes, which --json lists"
+    """Add the boxes in which something is undecided; boxes that touch share a row."""
+    for box, cluster in clusters(boxes):
+        remark = "not decided here" if len(cluster) == 1 else f"not decided in {len(cluster)} boxes, which --json lists"
         made.add_row("undecided", *(_near(side, DIGITS_OF_BOXES) for side in box), remark)
 
 
-def _poles(found: SurfaceInspection) -> Iterator[tuple[_PoleKey, list[Interval]]]:
-    """Poles along one line at one point together."""
+def _poles(inspection: SurfaceInspection) -> Iterator[tuple[_PoleKey, list[Interval]]]:
+    """Poles along one line, grouped by point."""
     groups: dict[_PoleKey, list[Interval]] = {}
-    for pole in found.poles:
+    for pole in inspection.poles:
         groups.setdefault((pole.along, pole.value, pole.point, pole.gap), []).append(pole.interval)
-    yield from ((key, joined(own)) for key, own in groups.items())
+    yield from ((key, joined(intervals)) for key, intervals in groups.items())
 
 
 def _parameters(place: Place, digits: int) -> Iterator[str]:
@@ -388,38 +392,38 @@ def _near(side: Interval, digits: int = 4) -> str:
 # ---- maps of the plane
 
 
-def map_data(found: MapInspection, digits: int) -> dict[str, object]:
+def map_data(inspection: MapInspection, digits: int) -> dict[str, object]:
     """The sign of a Jacobian determinant as data."""
-    surface = found.surface
+    surface = inspection.surface
     return {
         "surface": surface.name,
         "degree": list(surface.degree),
         "polynomial": surface.polynomial,
-        "complete": found.complete,
-        "undecided": [_hull_data(box) for box in found.undecided],
-    } | answers_data(found, digits)
+        "complete": inspection.complete,
+        "undecided": [_hull_data(box) for box in inspection.undecided],
+    } | answers_data(inspection, digits)
 
 
-def map_sheet(found: MapInspection) -> Sheet:
-    """The sign of a Jacobian determinant, with the places that show it."""
-    surface = found.surface
-    title = f"{surface.name}: {described_surface(surface)}{'' if found.complete else INCOMPLETE}"
+def map_sheet(inspection: MapInspection) -> Sheet:
+    """The sign of a Jacobian determinant as a table, with points that prove it."""
+    surface = inspection.surface
+    title = f"{surface.name}: {described_surface(surface)}{'' if inspection.complete else INCOMPLETE}"
     made = Sheet("what", "u", "v", "remark", title=title, name=surface.name, prose=["remark"], heads=1)
-    made.add_row("map", *(_side(side) for side in surface.domain), found.kind.value)
-    for place, remark in ((found.positive, "det > 0"), (found.negative, "det < 0")):
-        if place and not found.regular:
+    made.add_row("map", *(_side(side) for side in surface.domain), inspection.kind.value)
+    for place, remark in ((inspection.positive, "det > 0"), (inspection.negative, "det < 0")):
+        if place and not inspection.regular:
             made.add_row("point", *(text(x) for x in place), remark)
-    for zero in found.zeros:
+    for zero in inspection.zeros:
         sides = (
             len(zero.patches),
             prod(int(t in mesh.breaks[1:-1]) + 1 for t, mesh in zip(zero.spot, surface.meshes, strict=True)),
         )
         seen = "" if sides[0] == sides[1] else f" as seen from {_patches(zero.patches)}"
         made.add_row("point", *_parameters(zero, DIGITS_OF_BOXES), f"det = 0{seen}")
-    for patch, edge in found.edges:
+    for patch, edge in inspection.edges:
         line = f"{'u' if edge.direction == 0 else 'v'} {'highest' if edge.end else 'lowest'}"
         made.add_row("edge", "", "", f"det = 0 where {line} on patch {patch[0]}, {patch[1]}")
-    _add_open_boxes(made, found.undecided)
+    _add_open_boxes(made, inspection.undecided)
     return made
 
 

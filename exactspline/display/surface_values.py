@@ -1,4 +1,4 @@
-"""What a formula says of a surface, as data: control nets, at the lowest degrees that they have."""
+"""The value of a formula on a surface as data: control nets at their lowest degrees."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from exactspline.splines.tensor_lowest_terms import in_lowest_terms
 
 def surface_value_data(formula: Formula, surface: NurbsSurface, name: str) -> dict[str, object]:
     """The value of a formula on a surface, exactly: a quotient in lowest terms by homogeneous control points ``(w f,
-    w)``, a polynomial by its own.
+    w)``, a polynomial by its control points.
 
     >>> from exactspline import example
     >>> from exactspline.papers import find
@@ -25,7 +25,7 @@ def surface_value_data(formula: Formula, surface: NurbsSurface, name: str) -> di
     >>> data["degree"], data["homogeneous_control_net"][0][0]
     ([0, 0], ['1', '1'])
 
-    Raises `FormulaError` for a formula that speaks of something else than such a surface.
+    Raises `FormulaError` for a formula that is not about such a surface.
     """
     if surface.dimension not in formula.kind.dimensions or formula.kind.name not in ("surface", "planar map"):
         raise FormulaError(

@@ -1,5 +1,4 @@
-"""Small pictures as SVG, made without a plotting library: a curve with its control polygon, the graph of a function
-with its own.
+"""Small SVG pictures without a plotting library: a curve, or the graph of a function, with its control polygon.
 
 Exact numbers become decimals only when they are written.
 """
@@ -16,20 +15,20 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import greville_abscissae
 from exactspline.splines.nurbs import Nurbs
 
-#: Size in pixels, margin, samples in all and at least this many per segment.
+#: Size in pixels, margin, samples in total and at least per segment.
 WIDTH, HEIGHT, MARGIN, SAMPLES, LEAST = 240, 150, 8, 160, 6
 #: A graph this many times lower than its control polygon is shown without the polygon.
 POLYGON_ABOVE_GRAPH = 20
 #: The colour of the letters around the picture: dark on a light page, light on a dark one.
 INK = "currentColor"
-#: The projection of a point of space: coordinates of the picture by x, y, z.
+#: The projection of a point in space: the coefficients of x, y, z for the two coordinates of the picture.
 VIEW = ((mpq(4, 5), mpq(-3, 5), mpq(0)), (mpq(-1, 4), mpq(-1, 3), mpq(9, 10)))
 
 
 def curve_picture(curve: Nurbs) -> str:
     """A curve in the plane or (in a fixed view) in space, with its control polygon; empty for other dimensions.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve_picture(example("circle")).count("<polyline")
     5
     """
@@ -41,8 +40,8 @@ def curve_picture(curve: Nurbs) -> str:
 
 
 def graph_picture(f: BSpline) -> str:
-    """The graph of a scalar spline with its control polygon, if the polygon is not out of all proportion; empty for a
-    degree below 0.
+    """The graph of a scalar spline with its control polygon, unless the polygon is far larger than the graph; empty for
+    a degree below 0.
     """
     if f.degree < 0:
         return ""
@@ -97,8 +96,8 @@ def _svg(
     for x, y in (at(p) for run in legs for p in run):
         parts.append(f'<circle cx="{x}" cy="{y}" r="2" fill="{BLUE}"/>')
     size = f'width="{WIDTH}" height="{HEIGHT}" viewBox="0 0 {WIDTH} {HEIGHT}"'
-    told = f'role="img" aria-label="{shown}"'
-    return f'<svg xmlns="http://www.w3.org/2000/svg" {size} {told} style="max-width:100%">{"".join(parts)}</svg>'
+    label = f'role="img" aria-label="{shown}"'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" {size} {label} style="max-width:100%">{"".join(parts)}</svg>'
 
 
 def _line(points: Sequence[tuple[str, str]], color: str, width: str) -> str:

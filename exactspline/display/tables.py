@@ -1,4 +1,4 @@
-"""Tables for notebooks and terminals: degrees, verdicts, and the printed numbers beside the computed ones."""
+"""Tables for notebooks and terminals: degrees, verdicts, and printed numbers next to computed ones."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ COLOURS = dict.fromkeys(Verdict, "#666666") | {
     REFUTED: "#B34700",
     CONTRADICTION: "#B00020",
 }
-#: A remark in a table is cut when it has more characters.
+#: A remark in a table is shortened when it has more characters.
 LONGEST = 160
-#: The characters of a word that are not broken in HTML.
+#: Words up to this many characters are not broken in HTML.
 LONGEST_WORD = 24
-#: The columns that hold words of a source.
+#: The columns with words of a source.
 QUOTATIONS = ("words", "printed")
 
 
@@ -81,7 +81,7 @@ class Grid(Displayed):
 
     @property
     def sheet(self) -> Sheet:
-        """The table as it is printed, with CSV and Markdown."""
+        """The table for printing, also as CSV and Markdown."""
         made = Sheet(*self.columns, title=self.title)
         for row in self.rows:
             made.add_row(*row)
@@ -99,7 +99,7 @@ class Grid(Displayed):
         return f"<table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
     def _typeset(self, row: Sequence[str]) -> Iterator[str]:
-        """The cells, words of a source with their formulas between dollars."""
+        """The cells; words of a source with their formulas between dollar signs."""
         return (quoted(cell) if column in QUOTATIONS else cell for column, cell in zip(self.columns, row, strict=True))
 
 
@@ -145,12 +145,12 @@ class Verdicts(Grid):
 
     @property
     def as_recorded(self) -> bool:
-        """Whether every verdict is the one on record."""
+        """Whether every verdict is the recorded one."""
         return all(r.as_recorded for r in self.rows_of_ledger)
 
 
 def remark(row: Row) -> str:
-    """Factor or witness of a row, cut where it is too long to read.
+    """Factor or witness of a row, shortened where it is too long to read.
 
     >>> remark(proved(select(["C4.1a"])[0]))
     'w'
@@ -163,12 +163,12 @@ def _cut(text: str) -> str:
 
 
 def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = ()) -> Verdicts:
-    """Claims decided anew, except those of certain kinds: for all curves, or on the curves given.
+    """Decide claims, except those of certain kinds: for all curves, or on the given curves.
 
     >>> verdicts("C4.1a")["verdict"]
     ['PROVED', 'PROVED']
 
-    Raises `ClaimError` with the ids there are.
+    Raises `ClaimError` with the existing ids.
     """
     curves = [curve_of(curve) for curve in as_items(curves, "curves")]
     left_out = as_texts(without, "kinds of claims", "the kind of a claim")
@@ -179,7 +179,7 @@ def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = (
 def degree_table(curve: Nurbs) -> Grid:
     """The constructions of a curve in every form: degrees, control points, time.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> degree_table(example("ellipse"))["control points"][:3]
     ['52', '16', '16']
     """
@@ -211,13 +211,15 @@ def degree_table(curve: Nurbs) -> Grid:
 def measured(curve: Nurbs, *names: str) -> Grid:
     """Formulas on a curve (by default all that apply to it): nominal, represented and true degree, control points.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> measured(example("ellipse"), "f2")["degree in d"]
     ['3d − 3']
     """
     formulas = [find(name) for name in names] or measurable(curve_of(curve).dimension)
-    found = [measure(formula, curve) for formula in formulas]
-    rows = [(m.formula, m.nominal, m.represented, "–" if m.true is None else m.true, m.control_points) for m in found]
+    measurements = [measure(formula, curve) for formula in formulas]
+    rows = [
+        (m.formula, m.nominal, m.represented, "–" if m.true is None else m.true, m.control_points) for m in measurements
+    ]
     return Grid(["formula", "degree in d", "degree here", "true degree", "control points"], rows, curve.name)
 
 
@@ -233,7 +235,7 @@ def symbolic_table(*, polynomial: bool = False) -> Grid:
     ['zero curvature', '6d', '3d − 3', '3d − 6']
     """
     rows = [call() for call in generic_table(polynomial=as_flag(polynomial, POLYNOMIAL))]
-    columns = ["object", "naive", "paper", "reduced as far as it goes", "minimal", "attained at d ="]
+    columns = ["object", "naive", "paper", "fully reduced", "minimal", "attained at d ="]
     cells = [(r.object, r.naive, r.paper, r.nominal, r.true, ", ".join(map(str, r.attained))) for r in rows]
     return Grid(columns, cells, f"{'polynomial' if polynomial else 'rational'} curves of degree d")
 
@@ -249,21 +251,21 @@ def reduction_table(*names: str) -> Grid:
         for part in reduce(find(name)).parts:
             d = part.data()
             rows.append((name, d["part"], d["naive"], d["cancelled"], d["reduced"], d["nominal"], d["true"]))
-    return Grid(["formula", "part", "naive", "cancelled", "what is left", "its degree", "true degree"], rows)
+    return Grid(["formula", "part", "naive", "cancelled", "remaining factor", "its degree", "true degree"], rows)
 
 
 class Numbers(Grid):
-    """Printed numbers beside the computed ones."""
+    """Printed numbers next to the computed ones."""
 
-    def __init__(self, found: Iterable[Statement]) -> None:
-        found = list(found)
-        self.as_recorded = all(s.as_recorded for s in found)
+    def __init__(self, statements: Iterable[Statement]) -> None:
+        statements = list(statements)
+        self.as_recorded = all(s.as_recorded for s in statements)
         columns = ["claim", "source", "statement", "printed", "computed", "verdict"]
-        super().__init__(columns, map(_printed, found))
+        super().__init__(columns, map(_printed, statements))
 
 
 def printed_numbers(*ids: str) -> Numbers:
-    """Every degree and every count that the paper prints, from its claims, beside the computed one.
+    """Every degree and every count that the paper prints, from its claims, next to the computed one.
 
     >>> printed_numbers("C4.2d")["computed"]
     ['6d − 6', '24d']
@@ -281,16 +283,16 @@ def numerical_claims(*ids: str) -> list[Claim]:
 
 
 def _printed(s: Statement) -> tuple[str, ...]:
-    claim, found = s.claim, s.finding
+    claim, finding = s.claim, s.finding
     claimed = str(getattr(claim, "claimed", claim.claims))
     printed = claimed if claim.status == Status.PRINTED else f"({claimed})"
-    return claim.id, claim.source, claim.statement, printed, worded(found.computed), found.verdict
+    return claim.id, claim.source, claim.statement, printed, worded(finding.computed), finding.verdict
 
 
 def approaches_table(curve: Nurbs) -> Grid:
     """The approaches to critical curvature side by side on one curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> approaches_table(example("six_segment_cubic"))["extraneous"]
     ['2', '0', '0', '0', '0']
     """

@@ -43,8 +43,8 @@ def rule(scheme: Scheme) -> str:
             "coefficient of the product's degree, is a Bézier point of the product."
         )
     if scheme.method == "elevation":
-        return "An entry is s times the entry above in the column before plus 1 − s times the entry beside it."
-    return "An entry is 1 − s times the entry above in the column before plus s times the entry beside it."
+        return "An entry is s times the entry above it in the previous column plus 1 − s times the entry to its left."
+    return "An entry is 1 − s times the entry above it in the previous column plus s times the entry to its left."
 
 
 def point_text(row: Row) -> str:
@@ -58,7 +58,7 @@ def point_text(row: Row) -> str:
 
 
 def sheets(scheme: Scheme) -> list[Sheet]:
-    """The points, the weights with which neighbours were combined below them, and the result."""
+    """The points, below them the weights with which neighbours were combined, and the result."""
     return _product_sheets(scheme) if isinstance(scheme, ProductTable) else _triangle_sheets(scheme)
 
 
@@ -104,8 +104,8 @@ def _product_sheets(table: ProductTable) -> list[Sheet]:
 def _grid(
     triangle: Triangle, columns: Sequence[Sequence[object]], shown: Callable[..., str], name: str = "d"
 ) -> Iterable[list[str]]:
-    """Rows of cells, a label in front. Downwards a column begins a row lower than the one before, so that an entry
-    stands beside the lower of the two that it is made of; in elevation each ends a row lower.
+    """Labelled rows of cells. Each column begins one row lower than the one before, so that an entry is next to the
+    lower of the two entries from which it is computed; in elevation each column ends one row lower.
     """
     bezier = triangle.first < 0
     first, letter = (0, "b") if bezier else (triangle.first, name)
@@ -159,7 +159,7 @@ def point_mathml(row: Row) -> str:
 
 
 def scheme_mathml(scheme: Scheme) -> str:
-    """The table as one formula."""
+    """The table as one MathML formula."""
     if isinstance(scheme, ProductTable):
         head = ["", *map(mathml.number, scheme.right)]
         pairs = zip(scheme.left, scheme.table, strict=True)
@@ -195,14 +195,14 @@ def _listed(what: str, rows: Sequence[Row]) -> str:
 
 
 def scheme_data(scheme: Scheme) -> dict[str, object]:
-    """Everything as data: numbers as text."""
+    """A scheme as data: numbers as text."""
 
     def rows(points: Iterable[Row]) -> list[list[str]]:
         return [list(map(text, row)) for row in points]
 
-    told: dict[str, object] = {"key": title(scheme), "span": list(map(text, scheme.span))}
+    data: dict[str, object] = {"key": title(scheme), "span": list(map(text, scheme.span))}
     if isinstance(scheme, ProductTable):
-        return told | {
+        return data | {
             "method": "product",
             "left": list(map(text, scheme.left)),
             "right": list(map(text, scheme.right)),
@@ -210,7 +210,7 @@ def scheme_data(scheme: Scheme) -> dict[str, object]:
             "sums": list(map(text, scheme.sums)),
             "points": list(map(text, scheme.points)),
         }
-    told |= {
+    data |= {
         "method": scheme.method,
         "degree": scheme.degree,
         "parameter": None if scheme.parameter is None else text(scheme.parameter),
@@ -220,7 +220,7 @@ def scheme_data(scheme: Scheme) -> dict[str, object]:
         "ratios": rows(scheme.ratios),
     }
     if scheme.method == "de Boor":
-        told["tip"] = list(map(text, scheme.tip))
+        data["tip"] = list(map(text, scheme.tip))
     if scheme.made and scheme.knots is not None:
-        told |= {"knots": list(map(text, scheme.knots)), "made": rows(scheme.made)}
-    return told
+        data |= {"knots": list(map(text, scheme.knots)), "made": rows(scheme.made)}
+    return data

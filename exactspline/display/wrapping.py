@@ -1,4 +1,4 @@
-"""Texts broken into lines at blanks; a word that is longer than a line is broken where the line ends."""
+"""Texts broken into lines at blanks; words longer than a line are broken at its end."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from collections.abc import Iterator
 
 from rich.cells import cell_len
 
-#: Control characters but tab and line break, and those that turn the direction of what follows.
+#: Control characters except tab and line break, and those that change the direction of text.
 STEERING = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 
 def hanging(text: str, width: int, indent: int = 2, first: int = 0) -> list[str]:
-    """The lines of a text, at most so wide; all but the first are indented, the first by `first`.
+    """The lines of a text, at most this wide; all but the first are indented by `indent`, the first by `first`.
 
     >>> hanging("the zero set of f0 is that of f2", 16)
     ['the zero set of', '  f0 is that of', '  f2']
@@ -37,12 +37,12 @@ def hanging(text: str, width: int, indent: int = 2, first: int = 0) -> list[str]
 
 
 def visible(text: str) -> str:
-    """A text with its control characters spelled out: what a file is called does not steer the terminal.
+    """A text with its control characters escaped, so that a file name cannot control the terminal.
 
     >>> visible("red\\x1b[31m, κ′ ≡ 0")
     'red\\\\x1b[31m, κ′ ≡ 0'
     """
-    return STEERING.sub(lambda found: found[0].encode("unicode_escape").decode(), text)
+    return STEERING.sub(lambda match: match[0].encode("unicode_escape").decode(), text)
 
 
 def words_in(text: str) -> Iterator[str]:

@@ -43,7 +43,7 @@ class Analysis(SpaceFacts, Displayed):
     All parameters are certified roots. A point where γ′ = 0 is a singular point and nothing else. On a closed curve the
     seam is a knot like any other and counts once, at the start of the domain; no parameter is outside the domain.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> found = analyse(example("ellipse"))
     >>> [f.kind.value for f in found.curvature_extrema], found.inflections, found.corners
     (['maximum', 'minimum', 'maximum', 'minimum'], nowhere, ())
@@ -54,7 +54,7 @@ class Analysis(SpaceFacts, Displayed):
 
     @property
     def in_space(self) -> bool:
-        """Whether it is a space curve; `ShapeError` when it is neither in the plane nor in space."""
+        """Whether it is a space curve; raises `ShapeError` when it is neither in the plane nor in space."""
         self.check_dimension()
         return self.curve.dimension == 3
 
@@ -67,10 +67,10 @@ class Analysis(SpaceFacts, Displayed):
     def inflections(self) -> Places[Feature]:
         """The zeros of the curvature at regular points.
 
-        ``inflection``: its sign changes, in space the direction of κN is reversed; ``undulation``: it is kept; ``flat
-        end``: the domain ends there; ``flat point``: at a knot of a space curve, the osculating planes of the two sides
-        differ. At a knot with one tangent the curvature may change its sign by a jump (`by_jump`). Everywhere on
-        straight pieces.
+        ``inflection``: the sign changes (in space: the direction of κN is reversed); ``undulation``: it does not;
+        ``flat end``: the domain ends there; ``flat point``: at a knot of a space curve, the osculating planes of the
+        two sides differ. At a knot with one tangent the curvature may change its sign by a jump (`by_jump`). Everywhere
+        on straight pieces.
 
         >>> from exactspline import Nurbs, example
         >>> [f.kind.value for f in analyse(example("six_segment_cubic")).inflections]
@@ -82,8 +82,8 @@ class Analysis(SpaceFacts, Displayed):
 
         Raises `ShapeError` for a curve that is neither in the plane nor in space.
         """
-        found = space_features.flat_points(self) if self.in_space else plane_features.inflections(self)
-        return Places(tuple(found), self.straight_pieces)
+        features = space_features.flat_points(self) if self.in_space else plane_features.inflections(self)
+        return Places(tuple(features), self.straight_pieces)
 
     @question(
         *CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros, known=lambda known: known.extrema
@@ -199,11 +199,11 @@ class Analysis(SpaceFacts, Displayed):
 
     @question_with("1/10", Of.PLANE_CURVE, proof=lambda facts, distance: facts.offset_form(distance).zeros)
     def offset_cusps(self, distance: Number) -> Places[Feature]:
-        """The points where the curve at a signed distance d (positive to the left) has its cusps: κ = 1/d.
+        """The parameters of the cusps of the offset curve at a signed distance d (positive to the left): κ = 1/d.
 
-        ``cusp``: 1 − dκ, the speed of that curve by the speed of this one, changes its sign; ``stop``: it does not. At
-        a knot where κ jumps, 1 − dκ may vanish on one side alone, or change its sign without a zero (`by_jump`).
-        Everywhere on arcs whose centre the other curve is.
+        ``cusp``: 1 − dκ, the ratio of the offset's speed to the curve's, changes its sign; ``stop``: it does not. At a
+        knot where κ jumps, 1 − dκ may vanish on one side alone, or change its sign without a zero (`by_jump`).
+        Everywhere on circular arcs of which the offset is the centre.
 
         >>> from exactspline import example
         >>> [(f.kind.value, round(float(f.root), 3)) for f in analyse(example("ellipse")).offset_cusps(1)]
@@ -214,10 +214,10 @@ class Analysis(SpaceFacts, Displayed):
         Raises `ShapeError` for a space curve and for the distance 0. Source: Farouki and Neff, Analytic properties of
         plane offset curves, CAGD 1990.
         """
-        d, found = rational(distance), self.offset_form(distance)
+        d, form = rational(distance), self.offset_form(distance)
         side = 1 if d > 0 else -1
         points = []
-        for root, _ in self.regular_pairs([(root, False) for root in found.zeros]):
+        for root, _ in self.regular_pairs([(root, False) for root in form.zeros]):
             joint = self.joint(root.low) if root.at_knot else None
             smooth = joint is None or (joint.tangent_continuous and joint.curvatures is None)
             if smooth and self.sign_of("zero_curvature", root) == side:
@@ -227,28 +227,28 @@ class Analysis(SpaceFacts, Displayed):
             if joint.curvatures is not None:
                 at_knot = [(1 - d * curvature).sign for curvature in joint.curvatures]
                 before, behind = (
-                    sign or self._sign_beside(found, d, joint.parameter, side)
+                    sign or self._sign_next_to(form, d, joint.parameter, side)
                     for sign, side in zip(at_knot, Side, strict=True)
                 )
                 if before * behind < 0 or (before * behind and 0 in at_knot):
                     kind = FeatureKind.CUSP if before != behind else FeatureKind.STOP
                     points.append(Feature(kind, knot_root(joint.parameter), "offset", by_jump=True))
         points.sort(key=lambda feature: feature.root)
-        pieces = [piece for piece in self.pieces_where_zero(found) if self._turns_to(side, piece)]
+        pieces = [piece for piece in self.pieces_where_zero(form) if self._turns_to(side, piece)]
         return Places(tuple(points), tuple(pieces))
 
-    def _sign_beside(self, found: ZeroForm, d: mpq, t: mpq, side: Side) -> int:
-        """The sign of 1 − dκ just left or right of a breakpoint, 0 where it vanishes on the whole segment: it is that
-        at any place between the breakpoint and the nearest zero or singular point.
+    def _sign_next_to(self, form: ZeroForm, d: mpq, t: mpq, side: Side) -> int:
+        """The sign of 1 − dκ just left or right of a breakpoint, 0 where it vanishes on the whole segment: the same at
+        every parameter between the breakpoint and the nearest zero or singular point.
         """
         breaks = self.curve.breakpoints
         i = (breaks.index(t) - (side is Side.LEFT)) % (len(breaks) - 1)
         a, b = breaks[i], breaks[i + 1]
-        if found.zeros.isolations[i] is None:
+        if form.zeros.isolations[i] is None:
             return 0
         near, far = (b, a) if side is Side.LEFT else (a, b)
         place = (near + far) / 2
-        inner = [root for root in (*found.zeros, *self.speed.zeros) if root.segment == (a, b)]
+        inner = [root for root in (*form.zeros, *self.speed.zeros) if root.segment == (a, b)]
         while any((root <= place) != (side is Side.LEFT) or root == place for root in inner):
             place = (near + place) / 2
         point, velocity, second, third = (self.curve.derivative(k, place) for k in range(4))
@@ -262,13 +262,13 @@ class Analysis(SpaceFacts, Displayed):
         """d²κ² − 1 without its denominator, and its zeros."""
         d = rational(distance)
         if self.in_space or not d:
-            raise ShapeError("the curve at a distance", remedy="this needs a plane curve, and a distance that is not 0")
+            raise ShapeError("the offset of a curve", remedy="this needs a plane curve, and a distance that is not 0")
 
         def form() -> BSpline:
             squared = construction("curvature_squared").on(self.operands, Variant.MINIMAL, self.value_of)
             assert isinstance(squared, Rational)
-            found: BSpline = squared.scalar * (d * d) - squared.denominator
-            return found
+            numerator: BSpline = squared.scalar * (d * d) - squared.denominator
+            return numerator
 
         return self.once(("offset", d), lambda: self.solved(form))
 
@@ -286,7 +286,7 @@ def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapIn
     """Everything that can be computed of a curve, of a surface in space, or of a map of a rectangle into the plane.
     Each question is answered when it is first asked. The analysis of a curve is made once and kept with the curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve = example("cusp")
     >>> analyse(curve) is analyse(curve), [f.kind.value for f in analyse(curve).singular_points]
     (True, ['cusp'])
@@ -304,9 +304,9 @@ def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapIn
     with _LOCK:
         if curve._analysis is None:
             object.__setattr__(curve, "_analysis", Analysis(curve))
-        found = curve._analysis
-    assert isinstance(found, Analysis)
-    return found
+        analysis = curve._analysis
+    assert isinstance(analysis, Analysis)
+    return analysis
 
 
 #: The registry: what can be asked of a curve, by name.
@@ -316,7 +316,7 @@ QUESTIONS: dict[str, Entry] = questions_of(Analysis)
 def questions_about(curve: Nurbs) -> dict[str, Entry]:
     """The questions that can be asked of a curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ["torsion_zeros" in questions_about(example(name)) for name in ("circle", "twisted_cubic")]
     [False, True]
 

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 
 class Angle:
-    """The angle from one rational direction to another, neither of them zero, by its cosine and sine, exactly; in the
-    plane positive to the left. They are computed when they are first needed: many angles are only counted.
+    """The angle from one rational direction to another, both nonzero, given exactly by its cosine and sine; in the
+    plane positive to the left. They are computed when first needed: many angles are only counted.
 
-    In space it is without a sign: between 0° and 180°.
+    In space it is unsigned: between 0° and 180°.
 
     >>> angle = Angle((mpq(1), mpq(0)), (mpq(1), mpq(-1)))
     >>> print(angle.cosine, angle.sine, angle.degrees(10))

@@ -1,4 +1,6 @@
-"""Numbers known only as balls: angles in degrees, arc lengths; enclosed by rational numbers, by FLINT's balls."""
+"""Numbers known only by enclosures: angles in degrees and arc lengths, enclosed between rational numbers by FLINT's
+ball arithmetic.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,7 @@ from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
-#: The work on one ball of an arc length, as `_Budget` counts it: some seconds.
+#: The work allowed for one enclosure of an arc length, as `_Budget` counts it: a few seconds.
 MOST_WORK = 4_000_000
 TOO_MUCH = "ask for fewer digits, or for parts of the curve"
 
@@ -51,7 +53,7 @@ def _angle_ball(angle: Angle, bits: int) -> arb:
 
 def length(curve: Nurbs) -> Real:
     """The arc length; exact where ‖γ′‖ is a polynomial without a zero on every segment. A curve of many segments, a
-    high degree or many digits may need too much work: what is asked of the number then raises `OpenError`.
+    high degree or many digits may need too much work: operations on the number then raise `OpenError`.
 
     >>> from exactspline import Nurbs
     >>> length(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)]))
@@ -68,10 +70,10 @@ def length(curve: Nurbs) -> Real:
 
 
 def _length_ball(curve: Nurbs, bits: int) -> arb:
-    """The arc length in a ball: |g| √h / w² segment by segment, where γ′ = g u / w², h = ‖u‖² > 0."""
+    """An enclosure of the arc length: |g| √h / w² segment by segment, where γ′ = g u / w², h = ‖u‖² > 0."""
     velocity, breaks, total = analyse(curve).velocity, curve.breakpoints, arb(0)
     budget = _Budget(bits)
-    # all segments at once: each time they are asked for they are made
+    # all segments in one pass: every access to them computes them anew
     weights, *columns = ([_powers(points, f.degree) for points in f.segments] for f in (curve.w, *velocity))
     stops = [root.refine(bits * 3 // 10 + bits // 500 + 5) for root in analyse(curve).speed.zeros]
     for i, (a, b) in enumerate(pairwise(breaks)):
@@ -104,26 +106,26 @@ def _powers(points: Sequence[mpq], degree: int) -> fmpq_poly:
 
 
 class _Budget:
-    """The work that is left for one ball: every evaluation of the integrand is counted before it is made, in the loop
-    of FLINT, which ends when one fails.
+    """The remaining work for one enclosure: every evaluation of the integrand is counted before it is made, inside
+    FLINT's integration loop, which ends when an evaluation fails.
     """
 
     def __init__(self, bits: int) -> None:
-        self.left = MOST_WORK
+        self.remaining = MOST_WORK
         self._words = 1 + bits // 100
 
     def take(self, terms: int) -> None:
-        """Count an evaluation of this many terms; raises `OpenError` where none is left."""
-        self.left -= terms * self._words
-        if self.left < 0:
+        """Count an evaluation of this many terms; raises `OpenError` when the budget is exhausted."""
+        self.remaining -= terms * self._words
+        if self.remaining < 0:
             raise OpenError("the arc length takes too much work", remedy=TOO_MUCH)
 
 
 def _integral(common: fmpq_poly, squared: fmpq_poly, weight: fmpq_poly, low: arb, high: arb, budget: _Budget) -> arb:
     """``∫ common √squared / weight²``.
 
-    ``squared`` has no real zeros, so it is a constant times factors (z − a)² + b²: of each of them FLINT's balls give a
-    narrow enclosure, of the expanded polynomial they do not.
+    ``squared`` has no real zeros, so it is a constant times factors (z − a)² + b²: FLINT encloses each factor narrowly,
+    but not the expanded polynomial.
     """
     factor, bottom = acb_poly(arb_poly(common)), acb_poly(arb_poly(weight))
     integers = squared.numer()
@@ -136,7 +138,7 @@ def _integral(common: fmpq_poly, squared: fmpq_poly, weight: fmpq_poly, low: arb
     pairs = [(root.real, root.imag**2, times) for root, times in roots if root.imag > 0]
 
     def speed(z: acb, analytic: bool) -> acb:
-        # what every evaluation takes, and one factor for each pair
+        # the fixed cost of an evaluation, and one factor per pair
         budget.take(6 + len(pairs))
         value = factor(z) / bottom(z) ** 2
         for a, b, times in pairs:
@@ -148,15 +150,15 @@ def _integral(common: fmpq_poly, squared: fmpq_poly, weight: fmpq_poly, low: arb
 
 def _exact_length(squared: BSpline) -> Real | None:
     """``∫ √squared`` where it is a constant times a square without zeros on every segment, and these constants agree up
-    to squares.
+    to rational squares.
     """
     total = Real(0)
     for a, b in pairwise(squared.breakpoints):
-        found = polynomial_root(squared.restrict(a, b))
-        if found is None or zero_on_segment(found[0].polynomials[0], found[0].degree) is not None:
+        root = polynomial_root(squared.restrict(a, b))
+        if root is None or zero_on_segment(root[0].polynomials[0], root[0].degree) is not None:
             return None
-        points = found[0].control_points
-        total += square_root(found[1]) * abs(sum(points, start=mpq(0)) / len(points) * (b - a))
+        points = root[0].control_points
+        total += square_root(root[1]) * abs(sum(points, start=mpq(0)) / len(points) * (b - a))
         if total.closed_form is None:
             return None
     return total

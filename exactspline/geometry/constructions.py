@@ -1,7 +1,7 @@
-"""The constructions of the paper and the forms each can be computed in.
+"""The constructions of the paper, and the forms in which each can be computed.
 
-A construction is a name with formulas: ``naive`` as the algorithm computes it, ``paper`` as the paper reduces it,
-others by their own names, ``lifted`` from the lifts of the curve. ``minimal`` is the lifted form after division by all
+A construction is a name with formulas: ``naive`` as the algorithm computes it, ``paper`` as the paper reduces it, other
+variants by their names, ``lifted`` from the lifts of the curve. ``minimal`` is the lifted form after division by all
 common factors on the given curve: the naive variant in lowest terms.
 """
 
@@ -66,10 +66,10 @@ class Absence(StrEnum):
 
 @dataclass(frozen=True)
 class Construction:
-    """A derived object: its name, its variants as names of formulas, and whether only its zero set matters (then a
-    positive factor may go).
+    """A derived object: its name, its variants as names of formulas, and whether only its zero set matters (then
+    positive factors may be dropped).
 
-    A ruled surface is directrix and generator side by side; its minimal form is defined in
+    A ruled surface is given by its directrix and its generator; its minimal form is defined in
     `exactspline.splines.lowest_terms.in_lowest_terms`.
     """
 
@@ -87,12 +87,12 @@ class Construction:
 
     @property
     def all_variants(self) -> tuple[Variant, ...]:
-        """The names of the variants, the lowest last."""
+        """The names of the variants, the one of lowest degree last."""
         return (*self.variants, Variant.MINIMAL)
 
     @property
     def unlifted(self) -> dict[Variant, str]:
-        """The variants that make no use of a lift."""
+        """The variants that do not use a lift."""
         return {name: formula for name, formula in self.variants.items() if name != Variant.LIFTED}
 
     @property
@@ -110,7 +110,7 @@ class Construction:
 
     @property
     def dimension(self) -> int:
-        """The kind of its curves."""
+        """The dimension of the space in which its curves lie."""
         return kind_of(self.curve).dimensions[0]
 
     def on(
@@ -120,11 +120,11 @@ class Construction:
         value_of: Values | None = None,
         lowest_of: Values | None = None,
     ) -> BSpline | SplineVector:
-        """The object on a curve; of a zero-set problem the numerator alone. `value_of` evaluates formulas on the curve,
+        """The object on a curve; for a zero-set problem only its numerator. `value_of` evaluates formulas on the curve,
         and `lowest_of` at their true degree.
 
         The minimal form of a zero-set problem has the sign of the first form, whatever the sign of w, and loses the
-        factors it shares with w; where there are none it is as continuous as the lifted form. A quotient is reduced
+        factors it shares with w; where there are none its continuity is that of the lifted form. A quotient is reduced
         segment by segment.
         """
         value_of = value_of or (lambda formula: formula(curve))
@@ -164,8 +164,8 @@ def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int
     factor = _factor(form, first, dimension)
     if factor is None or not factor.names <= {"w"} or factor.constant < 0:
         raise FormulaError(
-            f"the form {form!r} of {construction} is not a power of w away from the first",
-            remedy="its sign is another one",
+            f"the form {form!r} of {construction} is not the first form times a power of w",
+            remedy="its sign cannot be derived from the first form's",
         )
     return next((e for _, e in factor.powers), 0)
 
@@ -207,5 +207,5 @@ def construction(name: str) -> Construction:
 
 
 def constructions_for(dimension: int) -> list[Construction]:
-    """The constructions that curves of this dimension have."""
+    """The constructions defined for curves of this dimension."""
     return [c for c in all_constructions().values() if c.dimension == dimension]

@@ -39,10 +39,10 @@ def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
     """Signed curvature (positive where the curve turns left), segment by segment, where it is rational up to a constant
     square root.
 
-    It is exactly where ‖γ′‖² is a positive constant times a square: the curve is a Pythagorean hodograph there (claim
-    C4.1d; Farouki and Sakkalis 1990).
+    This holds exactly where ‖γ′‖² is a positive constant times a square: the curve is a Pythagorean hodograph there
+    (claim C4.1d; Farouki and Sakkalis 1990).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [(piece.radicand, piece.value(piece.interval[0])) for piece in curvature_function(example("circle"))][:2]
     [(1, mpq(1,1)), (1, mpq(1,1))]
 
@@ -77,7 +77,7 @@ def _inner(interval: Interval, j: int) -> mpq:
 
 
 def polynomial_root(f: BSpline) -> tuple[BSpline, mpq] | None:
-    """A spline r and a constant c with ``f = c r²``, for a spline f of one segment; None where there are none.
+    """A spline r and a constant c with ``f = c r²``, for a spline f of one segment; None where they do not exist.
 
     >>> polynomial_root(BSpline.bezier([2, -4, 8]))
     (BSpline(1, [0, 0, 1, 1], [-1, 2]), mpq(2,1))

@@ -47,7 +47,7 @@ class Derived(Displayed):
     variant: Variant
     pieces: tuple[Piece, ...]
     missing: tuple[tuple[Interval, Absence], ...]
-    #: Whether it is a ruled surface: then the values are directrix and generator side by side.
+    #: Whether it is a ruled surface; the values are then those of the directrix and the generator.
     ruled: bool = False
 
     def __repr__(self) -> str:
@@ -55,7 +55,7 @@ class Derived(Displayed):
 
     @property
     def degree(self) -> int:
-        """The highest degree of the pieces as they are represented."""
+        """The highest represented degree of the pieces."""
         degrees: list[int] = [piece.value.degree for piece in self.pieces]
         return max(degrees)
 
@@ -73,7 +73,7 @@ class Derived(Displayed):
     def existence(self) -> str:
         """Where it exists, and where it does not and why, in words.
 
-        >>> from exactspline.splines.examples import example
+        >>> from exactspline.interchange.examples import example
         >>> print(derive("evolute", example("straight_between_arcs")).existence)
         on [0, 1] and [2, 3]; not on [1, 2]: the curve is straight (its curvature vanishes identically)
         """
@@ -82,7 +82,7 @@ class Derived(Displayed):
         return "; ".join([f"on {there}", *gaps])
 
     def __call__(self, t: Number) -> mpq | tuple[mpq, ...]:
-        """Value at a parameter, by the first piece that holds it; `ShapeError` where there is none."""
+        """Value at a parameter, by the first piece that contains it; raises `ShapeError` where there is none."""
         t = rational(t)
         for piece in self.pieces:
             if piece.interval[0] <= t <= piece.interval[1]:
@@ -100,11 +100,11 @@ def _shown(interval: Interval) -> str:
 def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """A construction or a formula on a curve.
 
-    `what` is a construction (``evolute``, ``zero_curvature``, …) or any formula, itself or by its name (``f2``, ``g0``,
-    …; then `variant` is ``minimal`` or ``naive``, the formula as it stands). Where an object does not exist (the
-    evolute of a straight piece) the other pieces are returned and the missing ones named.
+    `what` is the name of a construction (``evolute``, ``zero_curvature``, …), a formula, or the name of a formula
+    (``f2``, ``g0``, …). For a formula `variant` is ``minimal`` or ``naive`` (the formula as written). Where an object
+    does not exist (the evolute of a straight piece) the other pieces are returned and the missing ones named.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> derive("evolute", example("circle"))("1/2")
     (mpq(0,1), mpq(0,1))
 
@@ -122,7 +122,7 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
         if not isinstance(variant, str) or variant not in (Variant.MINIMAL, Variant.NAIVE):
             raise FormulaError(
                 f"{name} has no variant {shown(variant)}",
-                remedy=f"a formula has the variants {Variant.MINIMAL} and {Variant.NAIVE} (as it stands)",
+                remedy=f"a formula has the variants {Variant.MINIMAL} and {Variant.NAIVE} (as written)",
             )
         needed = formula.kind
         compute = (
@@ -133,9 +133,9 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     if needed not in (CURVE, PLANE, SPACE) or curve.dimension not in needed.dimensions:
         of = f"{needed.name} curve" if needed.made_of_a_curve else needed.name
         raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {of}")
-    found = formula(curve)
-    ruled = isinstance(found, RuledSurface)
-    exists, breaks = _exists(found), curve.breakpoints
+    value = formula(curve)
+    ruled = isinstance(value, RuledSurface)
+    exists, breaks = _exists(value), curve.breakpoints
     missing = tuple(
         (interval, _why_missing(made, curve, interval))
         for interval in intervals_where(breaks, [not here for here in exists])
@@ -152,7 +152,7 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
 def evolute(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """The evolute of a plane curve, in lowest terms (its degree for all: `exactspline formula degrees --generic`).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> evolute(example("ellipse_skew")).pieces[0].value.degree
     6
 
@@ -165,7 +165,7 @@ def focal_curve(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Deriv
     """The centres of the osculating spheres of a space curve, in lowest terms (their degree for all curves:
     `exactspline formula degrees --generic`).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> focal_curve(example("twisted_cubic")).pieces[0].value.degree
     5
 
@@ -178,7 +178,7 @@ def torsion_function(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> 
     """The torsion of a space curve as a function of the parameter, in lowest terms (its degree for all curves:
     `exactspline formula degrees --generic`).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> torsion_function(example("twisted_cubic")).pieces[0].value.degree
     4
 
@@ -191,7 +191,7 @@ def circle_centres(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> De
     """The centres of the osculating circles of a space curve, in lowest terms (their degree for all curves:
     `exactspline formula degrees --generic`).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> circle_centres(example("twisted_cubic")).pieces[0].value.degree
     8
 
@@ -201,7 +201,7 @@ def circle_centres(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> De
 
 
 def _exists(value: Any) -> list[bool]:
-    """Segment by segment whether a denominator, and the generator of a ruled surface, are not identically zero."""
+    """Segment by segment, whether a denominator, and the generator of a ruled surface, are not identically zero."""
     if isinstance(value, RuledSurface):
         ends = [_exists(part) for part in (value.directrix, value.generator)]
         generator = zip(*[c.polynomials for c in numerator(value.generator)], strict=True)

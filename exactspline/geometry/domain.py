@@ -49,14 +49,14 @@ def intervals_where(breaks: Sequence[mpq], holds: Sequence[bool]) -> list[Interv
 
 
 def plane(curve: C) -> C:
-    """The curve itself, if it is one in the plane; `ShapeError` otherwise."""
+    """The curve itself if it is in the plane; raises `ShapeError` otherwise."""
     if curve.dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
     return curve
 
 
 def space(curve: C) -> C:
-    """The curve itself, if it is one in space; `ShapeError` otherwise."""
+    """The curve itself if it is in space; raises `ShapeError` otherwise."""
     if curve.dimension != 3:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in space")
     return curve

@@ -23,7 +23,7 @@ def slope(curve: Nurbs, axis: int) -> BSpline:
 
 
 def slope_zeros(curve: Nurbs, axis: int | str) -> ZeroSet:
-    """The zeros of that spline; `ShapeError` for a coordinate that the curve does not have."""
+    """The zeros of that derivative; raises `ShapeError` for a coordinate that the curve does not have."""
     number = next((i for i in range(curve.dimension) if str(i) == str(axis)), None)
     if number is None:
         raise ShapeError(f"the coordinate {axis} of a curve in R{curve.dimension}", remedy="0 is x, 1 is y, 2 is z")
@@ -36,14 +36,14 @@ def turning_points(curve: Nurbs, axis: int | str) -> Places[Feature]:
 
     Raises `ShapeError` for a coordinate that the curve does not have.
     """
-    found = []
+    features = []
     solved = slope_zeros(curve, axis)
     for root, by_jump in located(solved):
         left, right = root.signs
         if left and right and left != right:
             kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
-            found.append(Feature(kind, root, f"coordinate {axis}", by_jump))
-    return Places(tuple(found), tuple(CurvePiece(each.parts) for each in solved.intervals))
+            features.append(Feature(kind, root, f"coordinate {axis}", by_jump))
+    return Places(tuple(features), tuple(CurvePiece(each.parts) for each in solved.intervals))
 
 
 def coordinate_range(curve: Nurbs, axis: int) -> tuple[Real, Real]:
@@ -61,7 +61,7 @@ def coordinate_range(curve: Nurbs, axis: int) -> tuple[Real, Real]:
 
 
 def _extreme(values: Sequence[Real], side: int) -> Real:
-    """The largest (side 1) or smallest (−1) of several numbers, without deciding which of them it is."""
+    """The largest (side 1) or smallest (−1) of several numbers, without deciding which of them is attained."""
     choose = max if side > 0 else min
     best = choose(x for x in values if isinstance(x, RationalNumber))
     rest = [x for x in values if not isinstance(x, RationalNumber) and (x > best if side > 0 else x < best)]

@@ -62,7 +62,7 @@ from exactspline.splines.values import SplineValue
 from exactspline.words import choice
 
 KINDS: dict[int, Kind] = {2: PLANE, 3: SPACE}
-#: What is computed at once of a curve in the plane and in space, at its true degree, by one program.
+#: The formulas that one program computes together for a plane curve and for a space curve, at their true degrees.
 TOGETHER: dict[int, tuple[Formula, ...]] = {
     2: (tangent_lifted, inflections_lifted, critical_curvature_lifted),
     3: (tangent_lifted, binormal_lifted, torsion_zeros_lifted, space_critical_curvature_lifted),
@@ -78,8 +78,8 @@ class ZeroForm:
     seconds: float
 
     def sign_at(self, root: Root, side: Side | str = Side.RIGHT) -> int:
-        """The sign of the form at a root of any form (at a knot the limit from a side): from the certified zeros
-        alone, nothing is evaluated.
+        """The sign of the form at a root of any form (at a knot the limit from a side): from the certified zeros alone,
+        without an evaluation.
         """
         breaks = self.form.mesh.breaks
         if root.low == root.high:
@@ -107,37 +107,39 @@ class ZeroForm:
         """The number of roots strictly inside a segment."""
         if not count:
             return ()
-        found, start = self.zeros.roots, self.form.mesh.breaks[segment]
-        first = bisect_left(found, start, key=lambda zero: zero.low)
-        first += found[first].at_knot
-        return found[first : first + count]
+        roots, start = self.zeros.roots, self.form.mesh.breaks[segment]
+        first = bisect_left(roots, start, key=lambda zero: zero.low)
+        first += roots[first].at_knot
+        return roots[first : first + count]
 
     def vanishes_on(self, breaks: Sequence[mpq]) -> list[bool]:
-        """Whether the form vanishes identically between breakpoints that are at least as fine as its own."""
+        """For each interval between breakpoints that refine those of the form, whether it vanishes
+        identically there.
+        """
         mesh, isolations = self.form.mesh, self.zeros.isolations
         return [isolations[mesh.locate(a)] is None for a in breaks[:-1]]
 
 
-def located(found: ZeroSet) -> list[tuple[Root, bool]]:
+def located(zeros: ZeroSet) -> list[tuple[Root, bool]]:
     """The roots of a zero set and its changes of sign by a jump, in order, each with whether it is a jump."""
-    jumps = [(jump_root(jump), True) for jump in found.jumps if jump.sign_change]
+    jumps = [(jump_root(jump), True) for jump in zeros.jumps if jump.sign_change]
     if not jumps:
-        return [(root, False) for root in found]
-    return sorted([*((root, False) for root in found), *jumps], key=lambda pair: pair[0])
+        return [(root, False) for root in zeros]
+    return sorted([*((root, False) for root in zeros), *jumps], key=lambda pair: pair[0])
 
 
 def among(roots: Sequence[Root], others: Sequence[Root]) -> list[bool]:
-    """Which of some roots are also among others; both in the order of the parameter."""
-    found, j = [], 0
+    """Which of some roots are also among others; both sequences in the order of the parameter."""
+    contained, j = [], 0
     for root in roots:
         while j < len(others) and others[j] < root:
             j += 1
-        found.append(j < len(others) and others[j] == root)
-    return found
+        contained.append(j < len(others) and others[j] == root)
+    return contained
 
 
 class Facts(Remembers):
-    """The facts of one curve that its features are read from."""
+    """The facts of one curve from which its features are read."""
 
     def __init__(self, curve: Nurbs) -> None:
         super().__init__()
@@ -153,15 +155,15 @@ class Facts(Remembers):
 
     def zero_form(self, name: str, variant: Variant | str = Variant.MINIMAL) -> ZeroForm:
         """The form of a zero-set construction, with the sign it has for a positive weight function, and its certified
-        zeros; `ShapeError` for a curve of another dimension.
+        zeros; raises `ShapeError` for a curve of another dimension.
         """
         made, variant = construction(name), choice(Variant, variant, "variant")
         {"plane": plane, "space": space}[made.curve](self.curve)
 
         def form() -> BSpline:
-            found = made.on(self.operands, variant, self.value_of, self.lowest_of)
-            assert isinstance(found, BSpline)
-            return found
+            value = made.on(self.operands, variant, self.value_of, self.lowest_of)
+            assert isinstance(value, BSpline)
+            return value
 
         return self.once((name, variant), lambda: self.solved(form))
 
@@ -188,7 +190,7 @@ class Facts(Remembers):
         return program.values(formulas, given) if given else {}
 
     def solved(self, form: Callable[[], BSpline]) -> ZeroForm:
-        """A form and its zeros, and how long they took."""
+        """A form, its zeros, and the time it took to find them."""
         start = perf_counter()
         f = form()
         return ZeroForm(f, zeros(f, periodic=self.closed), perf_counter() - start)
@@ -214,9 +216,9 @@ class Facts(Remembers):
         return self._vector(binormal_lifted)
 
     def _vector(self, formula: Formula) -> Vector[BSpline]:
-        found = self.lowest_of(formula)
-        assert isinstance(found, Vector)
-        return found
+        value = self.lowest_of(formula)
+        assert isinstance(value, Vector)
+        return value
 
     # ---- knots
 
@@ -227,7 +229,7 @@ class Facts(Remembers):
 
     @Fact
     def standing(self) -> tuple[bool, ...]:
-        """Segment by segment whether the curve stands still."""
+        """Segment by segment, whether the curve stands still."""
         return tuple([not any(parts) for parts in zip(*[x._polynomials for x in self.velocity], strict=True)])
 
     @Fact
@@ -292,7 +294,7 @@ class Facts(Remembers):
         return Joint(t, self._smooth_kind(t, left, right, order), order, seam, curvatures=curvatures)
 
     def _tangents(self, before: int, behind: int) -> tuple[tuple[fmpz, ...], tuple[fmpz, ...]] | None:
-        """The directions of two segments that surely meet, where they differ and γ′ ≠ 0 on both sides; None proves
+        """The directions of two segments that certainly meet, where these differ and γ′ ≠ 0 on both sides; None proves
         nothing.
         """
         if before >= 0 and self.curve.p[0].continuity[before]:
@@ -368,7 +370,7 @@ class Facts(Remembers):
         """
         self.check_dimension()
         smooth = [0, *self.curve.p[0].continuity]
-        found = []
+        corners = []
         for i in range(0 if self.closed else 1, len(self.breaks) - 1):
             left = end_direction(self.operands, i - 1, Side.LEFT)
             right = end_direction(self.operands, i, Side.RIGHT)
@@ -377,13 +379,13 @@ class Facts(Remembers):
             if smooth[i] == 0 and any(left) and any(right) and same_direction(left, right):
                 continue
             if (joint := self._joint(i)).angle is not None:
-                found.append(joint)
-        return tuple(found)
+                corners.append(joint)
+        return tuple(corners)
 
     @property
     def _moves_between_knots(self) -> bool:
-        """A quick test that γ′ ≠ 0 strictly between knots: a component whose coefficients have one sign
-        there, or two without a common factor; False proves nothing.
+        """A quick test that γ′ ≠ 0 strictly between knots: a component has coefficients of one sign there, or two
+        components have no common factor; False proves nothing.
         """
         return all(
             any(c and variations(c) == 0 for c in parts) or bool(parts[0] and certainly_coprime(parts[0], parts[1]))
@@ -392,7 +394,7 @@ class Facts(Remembers):
 
     @property
     def _knots_at_rest(self) -> list[int]:
-        """The breakpoints at which γ′ = 0 on one side at least, that of a closed curve's seam among them."""
+        """The breakpoints, including a closed curve's seam, at which γ′ = 0 on at least one side."""
         ends = [(x._polynomials, x.degree) for x in self.velocity]
         count = len(self.breaks) - 1
         return [
@@ -412,30 +414,30 @@ class Facts(Remembers):
         return [f.root for f in self.singular_points]
 
     def is_singular(self, root: Root) -> bool:
-        """Whether γ′ = 0 at a root (seen from one side at least)."""
+        """Whether γ′ = 0 at a root (as a limit from at least one side)."""
         position = bisect_left(self._singular_roots, root)
         return position < len(self._singular_roots) and self._singular_roots[position] == root
 
-    def regular(self, found: ZeroSet) -> list[tuple[Root, bool]]:
+    def regular(self, zeros: ZeroSet) -> list[tuple[Root, bool]]:
         """The roots and the changes of sign by a jump of a zero set that are not singular points (see `located`)."""
-        return self.regular_pairs(located(found))
+        return self.regular_pairs(located(zeros))
 
-    def regular_pairs(self, found: list[tuple[Root, bool]]) -> list[tuple[Root, bool]]:
+    def regular_pairs(self, located_roots: list[tuple[Root, bool]]) -> list[tuple[Root, bool]]:
         """The roots, in order, that are not singular points."""
-        singular = among([root for root, _ in found], self._singular_roots)
-        return [pair for pair, here in zip(found, singular, strict=True) if not here]
+        singular = among([root for root, _ in located_roots], self._singular_roots)
+        return [pair for pair, here in zip(located_roots, singular, strict=True) if not here]
 
     # ---- pieces
 
-    def pieces_where_zero(self, found: ZeroForm) -> list[CurvePiece]:
+    def pieces_where_zero(self, zero_form: ZeroForm) -> list[CurvePiece]:
         """The pieces on which a form vanishes and the curve does not stand still, cut where its curvature jumps."""
-        if not found.zeros.intervals:
+        if not zero_form.zeros.intervals:
             return []
-        vanishes = found.vanishes_on(self.breaks)
+        vanishes = zero_form.vanishes_on(self.breaks)
         holds = [zero and not still for zero, still in zip(vanishes, self.standing, strict=True)]
 
         def joined(i: int) -> bool:
-            """Whether a piece can go on at the i-th breakpoint: only asked where it could."""
+            """Whether a piece continues across the i-th breakpoint; called only where both segments belong to it."""
             if not (holds[i - 1] and holds[i]) or (i == 0 and not self.closed):
                 return False
             return self._tangents(i - 1, i) is None and self._joint(i).same_curvature
@@ -451,6 +453,6 @@ class Facts(Remembers):
         return tuple(pieces(self.breaks, runs(self.standing, joined if self.closed else [False, *joined])))
 
     def check_dimension(self) -> None:
-        """`ShapeError` for a curve that is neither in the plane nor in space."""
+        """Raise `ShapeError` for a curve that is neither in the plane nor in space."""
         if self.curve.dimension not in (2, 3):
             raise ShapeError(f"a curve in R{self.curve.dimension}", remedy="give a curve in the plane or in space")

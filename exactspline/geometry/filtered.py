@@ -1,5 +1,5 @@
-"""The forms of inflections and extrema of many segments in doubles, and where they vanish: what is certain of that, and
-which segments are left to exact arithmetic. This module loads numpy.
+"""The forms of inflections and extrema of many segments in doubles, and their zeros: what is certified, and which
+segments must be decided in exact arithmetic. This module loads numpy.
 
 Derivation: docs/certified-filter.md.
 """
@@ -19,20 +19,20 @@ from exactspline.programs.doubles import Floats, in_doubles
 from exactspline.programs.program import Program, program_of
 from exactspline.programs.reading import Signature
 
-#: How many segments are computed at once, so that their numbers fit into the cache.
+#: How many segments are computed together, so that their numbers fit into the cache.
 AT_ONCE = 4096
 
 
 class Form(NamedTuple):
-    """A form on many segments: its ordinates, and its zeros on the segments on which they are certain."""
+    """A form on many segments: its ordinates, and its zeros on the segments where they are certified."""
 
     rows: Rows
     zeros: Isolated
 
 
 class Filtered(NamedTuple):
-    """κ and κ′ up to positive factors on many segments, and the segments of which something is not certain: a sign that
-    decides a zero, or that γ′ has none.
+    """κ and κ′ up to positive factors on many segments, and the segments on which something is not certified: a sign
+    that decides a zero, or that γ′ has no zero.
     """
 
     curvature: Form
@@ -49,7 +49,7 @@ class Programs(NamedTuple):
 
 
 def _signature(degree: int, rational: bool) -> Signature:
-    """What programs of segments of width 1 over common denominators depend on, at their true degrees."""
+    """The signature of the programs for segments of width 1 over common denominators, at their true degrees."""
     count = 3 if rational else 2
     return Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, unit_widths=True, true_degree=True)
 
@@ -66,34 +66,34 @@ def programs(degree: int, rational: bool) -> Programs:
 
 
 def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Filtered | None:
-    """What is certain of segments of one degree, from the scaled coefficients of their components and, for rational
-    ones, of their weight functions, that were rounded twice at most; no Bézier ordinate is larger than 1. The intervals
-    of zeros are made narrow on request. None where doubles cannot hold the forms.
+    """What is certified for segments of one degree, from the scaled coefficients of their components and, for rational
+    ones, of their weight functions, rounded at most twice; no Bézier ordinate is larger than 1. The intervals of zeros
+    are narrowed on request. None where doubles cannot hold the forms.
 
     >>> done = filtered(3, [np.array([[0.0, 1, 2, 1]]) / 4, np.array([[0.0, 3, -3, 1]]) / 4])
     >>> done.curvature.zeros.row.tolist(), done.open.tolist()
     ([0], [False])
     """
-    left = np.zeros(len(operands[0]), dtype=bool)
+    undecided = np.zeros(len(operands[0]), dtype=bool)
     if len(operands) == 3:
-        left |= ~(operands[2] > 0).all(axis=1)
+        undecided |= ~(operands[2] > 0).all(axis=1)
     try:
         curvature_form, critical_form, speed = programs(degree, len(operands) == 3)
-        left |= ~without_zeros(_rows(speed, operands))
-        solved = [_solved(program, operands, left) for program in (curvature_form, critical_form)]
+        undecided |= ~without_zeros(_rows(speed, operands))
+        solved = [_solved(program, operands, undecided) for program in (curvature_form, critical_form)]
     except FormulaError:
         return None
-    curvature, critical = (Form(rows, zeros.where(~left[zeros.row])) for rows, zeros in solved)
+    curvature, critical = (Form(rows, zeros.where(~undecided[zeros.row])) for rows, zeros in solved)
     if narrow:
         curvature, critical = (Form(rows, narrowed(rows, zeros)) for rows, zeros in (curvature, critical))
-    return Filtered(curvature, critical, left)
+    return Filtered(curvature, critical, undecided)
 
 
-def _solved(program: Program, operands: list[Floats], left: Flags) -> Form:
-    """The zeros of a form; segments on which they are not certain are added to those that are left."""
+def _solved(program: Program, operands: list[Floats], undecided: Flags) -> Form:
+    """The zeros of a form; segments on which they are not certified are added to the undecided ones."""
     rows = _rows(program, operands)
     zeros, open_ = isolated(rows)
-    left |= open_
+    undecided |= open_
     return Form(rows, zeros)
 
 

@@ -19,7 +19,7 @@ from exactspline.words import Word, choice
 
 
 class Approach(Word):
-    """The approaches to critical curvature, by the names of the paper and then by ours."""
+    """The approaches to critical curvature, first the paper's, then two more."""
 
     SQUARING = "squaring"
     DIRECT = "direct"
@@ -28,7 +28,7 @@ class Approach(Word):
     MINIMAL = "minimal"
 
     def variant(self, curve: Nurbs) -> Variant:
-        """The form that it solves on a curve: in space the paper has no reduced form."""
+        """The form that it solves on a curve; for space curves the paper has no reduced form."""
         if self is Approach.REDUCED and curve.dimension == 2:
             return Variant.PAPER
         return Variant(self.value)
@@ -43,12 +43,12 @@ class Inspection:
 
     @property
     def analysis(self) -> Analysis:
-        """The analysis that is kept with the curve."""
+        """The analysis stored with the curve."""
         return analyse(self.curve)
 
     @property
     def critical_points(self) -> Places[Feature]:
-        """The extrema of the curvature and the points where κ′ = 0 without one."""
+        """The extrema of the curvature and the points where κ′ = 0 without an extremum."""
         return self.analysis.critical_points_by(self.approach.variant(self.curve))
 
     @property
@@ -64,7 +64,7 @@ class Inspection:
 def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> Inspection:
     """The features of a curve in the plane or in space by one approach (`Approach`) to critical curvature.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [len(inspect_curve(example(name)).critical_points) for name in ("ellipse", "rational_space_cubic")]
     [4, 2]
 
@@ -77,18 +77,18 @@ def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> 
 def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpline, ZeroSet]]:
     """The functions that an inspection solves: names, titles, functions and their zeros.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [name for name, *_ in solved(example("twisted_cubic"), "minimal")]
     ['zero_torsion', 'space_critical_curvature', 'zero_curvature']
     """
-    found = analyse(curve)
-    first = ("zero_torsion", Variant.PAPER) if found.in_space else ("zero_curvature", Variant.MINIMAL)
+    analysis = analyse(curve)
+    first = ("zero_torsion", Variant.PAPER) if analysis.in_space else ("zero_curvature", Variant.MINIMAL)
     rows = []
-    for name, variant in (first, (found.critical_form, choice(Approach, approach, "approach").variant(curve))):
-        form = found.zero_form(name, variant)
+    for name, variant in (first, (analysis.critical_form, choice(Approach, approach, "approach").variant(curve))):
+        form = analysis.zero_form(name, variant)
         rows.append((name, construction(name).title, form.form, form.zeros))
-    if found.in_space:
-        rows.append(("zero_curvature", "common factor of γ′ × γ″", found.bending.form, found.bending.zeros))
+    if analysis.in_space:
+        rows.append(("zero_curvature", "common factor of γ′ × γ″", analysis.bending.form, analysis.bending.zeros))
     return rows
 
 
@@ -97,7 +97,7 @@ class ApproachResult:
     """The cost and the result of one approach to critical curvature.
 
     `extraneous` are roots at which κ′ neither vanishes nor changes its sign by a jump (the inflections of a plane curve
-    that squaring adds, and singular points); `missing` are critical points at which it finds nothing.
+    that squaring adds, and singular points); `missing` are critical points that it does not find.
     """
 
     name: Approach
@@ -112,19 +112,19 @@ class ApproachResult:
 def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
     """All approaches on one curve, their results compared exactly with the minimal form.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [(str(a.name), a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
     [('squaring', 24, 8, 2), ('direct', 6, 6, 0), ('reduced', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
     """
-    found = analyse(curve)
-    true = [root for root, _ in located(found.zero_form(found.critical_form).zeros)]
-    wanted = [f.root for f in found.critical_points]
+    analysis = analyse(curve)
+    true = [root for root, _ in located(analysis.zero_form(analysis.critical_form).zeros)]
+    expected = [f.root for f in analysis.critical_points]
     rows = []
     for approach in Approach:
-        form = found.zero_form(found.critical_form, approach.variant(curve))
+        form = analysis.zero_form(analysis.critical_form, approach.variant(curve))
         own = form.zeros.roots
         extraneous = among(own, true).count(False)
-        missing = among(wanted, [root for root, _ in located(form.zeros)]).count(False)
+        missing = among(expected, [root for root, _ in located(form.zeros)]).count(False)
         rows.append(
             ApproachResult(
                 approach, form.form.degree, control_point_count(form.form), len(own), extraneous, missing, form.seconds

@@ -2,7 +2,7 @@
 geometric continuity.
 
 The order is decided without arc length: two sides agree to order r where a change of parameter with rational
-derivatives β₁ > 0, β₂, β₃ takes the derivatives of the left side to those of the right one. The decision is therefore
+derivatives β₁ > 0, β₂, β₃ maps the derivatives of the left side to those of the right side. The decision is therefore
 exact, and the same in every dimension.
 
 Source: Barsky and DeRose, Geometric continuity of parametric curves, IEEE CG&A 1989.
@@ -26,14 +26,14 @@ from exactspline.numbers.exact import mpq, ratio
 from exactspline.numbers.sides import Side
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.nurbs_values import quotient_derivatives
+from exactspline.splines.nurbs import quotient_derivatives
 
 N = TypeVar("N", mpq, fmpz)
 Point = tuple[mpq, ...]
 #: A point of the curve and its first three derivatives by the parameter, from one side.
 Jet = tuple[Point, Point, Point, Point]
 
-#: Derivatives in a jet, and the highest order of continuity that is reported.
+#: The number of derivatives in a jet, and the highest order of continuity that is reported.
 ORDER = 3
 
 
@@ -60,7 +60,7 @@ class Joint:
 
     @property
     def tangent_continuous(self) -> bool:
-        """Whether γ′ ≠ 0 on both sides, of one direction."""
+        """Whether γ′ ≠ 0 on both sides, with the same direction."""
         return self.kind in (JointKind.TURN, JointKind.CURVATURE_JUMP, JointKind.CONTINUOUS)
 
     @property
@@ -118,7 +118,7 @@ def _end(f: BSpline, segment: int, side: Side | str) -> mpq:
 
 
 def same_direction(a: Sequence[N], b: Sequence[N]) -> bool:
-    """Whether two vectors that are not zero point the same way (exactly: a·b > 0 and (a·b)² = ‖a‖²‖b‖²).
+    """Whether two nonzero vectors have the same direction (exactly: a·b > 0 and (a·b)² = ‖a‖²‖b‖²).
 
     >>> same_direction((1, 2), (2, 4)), same_direction((1, 2), (-1, -2))
     (True, False)
@@ -139,7 +139,7 @@ def inner(a: Sequence[N], b: Sequence[N]) -> N:
 
 
 def limit_direction(v: Vector[BSpline], t: mpq, side: Side | str) -> Point:
-    """The direction of a vector just beside a parameter; zeros where it vanishes on all of that side.
+    """The limit direction of a vector at a parameter from one side; zeros where it vanishes on that whole side.
 
     >>> s = BSpline.identity(-1, 1)
     >>> limit_direction(Vector(s, s * s), mpq(0), "left")
@@ -178,7 +178,7 @@ def geometric_order(left: Jet, right: Jet) -> int:
 
 
 def distance(a: Point, b: Point) -> Real:
-    """The distance of two points."""
+    """The distance between two points."""
     difference = [x - y for x, y in zip(a, b, strict=True)]
     return square_root(inner(difference, difference))
 

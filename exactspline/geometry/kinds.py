@@ -9,7 +9,7 @@ from exactspline.roots.root import Root
 
 
 class FeatureKind(StrEnum):
-    """The kind of a point of interest; every member is also its name as text."""
+    """The kind of a point of interest; every member equals its name as text."""
 
     #: γ′ = 0 and the direction of the curve is reversed, kept, or turned by another angle.
     CUSP = "cusp"
@@ -69,7 +69,7 @@ class JointKind(StrEnum):
 
 @dataclass(frozen=True)
 class Feature:
-    """A point of the curve: its kind, its parameter as a certified root, and how it was found. `by_jump` says that a
+    """A point of the curve: its kind, its parameter as a certified root, and how it was detected. `by_jump` says that a
     sign changes at a knot without a zero on both sides; `of_absolute` is the kind of extremum of the absolute
     curvature, None where it has none.
     """

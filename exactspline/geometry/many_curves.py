@@ -1,8 +1,8 @@
 """Inflections and curvature extrema of thousands of plane Bézier curves given as arrays of doubles.
 
-The forms are computed in doubles with proved bounds (`exactspline.programs.doubles`), their zeros isolated where that
-is certain (`exactspline.polynomials.doubles`), and uncertain ones are left to exact arithmetic: every answer is that of
-`exactspline.analyse` on the curve with exactly these doubles for data. This module loads numpy.
+The forms are computed in doubles with proved bounds (`exactspline.programs.doubles`), their zeros are isolated where
+that is certified (`exactspline.polynomials.doubles`), and all others are decided in exact arithmetic: every answer is
+that of `exactspline.analyse` for the curve with exactly these doubles as data. This module loads numpy.
 """
 
 from __future__ import annotations
@@ -24,21 +24,21 @@ from exactspline.polynomials.doubles import Flags, Integers
 from exactspline.programs.doubles import Floats
 from exactspline.splines.nurbs import Nurbs
 
-#: The numbers of the kinds in an array.
+#: The codes of the kinds in an array.
 KINDS = (FeatureKind.INFLECTION, FeatureKind.MAXIMUM, FeatureKind.MINIMUM)
-#: Integers up to here are doubles.
+#: All integers up to this one are doubles.
 WHOLE = 2**53
-#: The bits of a double without its sign, and those of the least that is not subnormal, read as an integer.
+#: The bits of a double without its sign, and those of the smallest normal double, read as integers.
 SIZE, LEAST = 2**63 - 1, 2**52
 TINY = mpq(1, 2**1022)
-#: The rows of one curve or of many: the number of the curve, kinds, both bounds, and which form vanishes.
+#: The rows of one curve or many: the index of the curve, kinds, both bounds, and which form vanishes.
 Found = tuple[Integers, NDArray[np.str_], Floats, Floats, Integers]
 
 
 class ManyFeatures(NamedTuple):
-    """Features of many curves: the number of the curve, what it is (the value of a `FeatureKind`), and an interval with
-    its parameter; `exact` are the numbers of the curves that were left to exact arithmetic, `refused` says for others
-    why they have no features.
+    """Features of many curves: the index of the curve, the kind of the feature (the value of a `FeatureKind`), and an
+    interval that contains its parameter; `exact` are the indices of the curves that were decided in exact arithmetic,
+    `refused` gives the reason why other curves have no features.
 
     In the order of the curves; for each curve first the points with κ = 0, then those with κ′ = 0, in the order of the
     parameter.
@@ -66,21 +66,21 @@ def features_of_many(points: ArrayLike, weights: ArrayLike | None = None) -> Man
     """Inflections and curvature extrema of plane Bézier curves of one degree.
 
     `points` are doubles of the shape (curves, degree + 1, 2), `weights` of the shape (curves, degree + 1). A curve with
-    a number that is not finite or no double, or whose denominator has a zero, is refused; the others are computed.
+    a number that is not finite or not a double, or whose denominator has a zero, is refused; the others are computed.
 
-    >>> found = features_of_many([[(0, 0), (1, 2), (2, -2), (3, 0.5)]] * 2)
-    >>> found.curve.tolist(), found.kind.tolist(), found.exact.tolist()
+    >>> features = features_of_many([[(0, 0), (1, 2), (2, -2), (3, 0.5)]] * 2)
+    >>> features.curve.tolist(), features.kind.tolist(), features.exact.tolist()
     ([0, 0, 0, 1, 1, 1], ['inflection', 'minimum', 'maximum', 'inflection', 'minimum', 'maximum'], [])
     >>> list(features_of_many([[(0, 0), (1, float("nan"))], [(0, 0), (1, 1)]]).refused.values())
     [NumberError('points[0]: is not a finite number; write finite numbers')]
 
-    Raises `ShapeError` for arrays of another shape, `NumberError` for arrays of what are not numbers.
+    Raises `ShapeError` for arrays of another shape, `NumberError` for arrays that do not contain numbers.
     """
     return joined(list(features_in_parts(points, weights)))
 
 
 def joined(parts: list[ManyFeatures]) -> ManyFeatures:
-    """Several parts, at least one, as one."""
+    """Several parts (at least one) joined into one."""
     refused = {i: error for part in parts for i, error in part.refused.items()}
     curve, kind, low, high, exact = (
         np.concatenate(column) for column in zip(*(part[:5] for part in parts), strict=True)
@@ -91,18 +91,20 @@ def joined(parts: list[ManyFeatures]) -> ManyFeatures:
 def features_in_parts(
     points: ArrayLike, weights: ArrayLike | None = None, *, at_once: int = AT_ONCE
 ) -> Iterator[ManyFeatures]:
-    """The same, a part of the curves at a time, so that partial results are available."""
+    """The same as `features_of_many`, for a part of the curves at a time, so that partial results are available."""
     p, w, wrong = _checked(points, weights)
     for start in range(0, max(len(p), 1), at_once):
         some = slice(start, start + at_once)
         own = {i - start: error for i, error in wrong.items() if start <= i < start + at_once}
-        found = _features(p[some], None if w is None else w[some], own)
-        refused = {i + start: error for i, error in sorted(found.refused.items())}
-        yield found._replace(curve=found.curve + start, exact=found.exact + start, refused=MappingProxyType(refused))
+        features = _features(p[some], None if w is None else w[some], own)
+        refused = {i + start: error for i, error in sorted(features.refused.items())}
+        yield features._replace(
+            curve=features.curve + start, exact=features.exact + start, refused=MappingProxyType(refused)
+        )
 
 
 def _checked(points: ArrayLike, weights: ArrayLike | None) -> tuple[Floats, Floats | None, dict[int, ExactSplineError]]:
-    """The numbers as doubles, and what is wrong with those of a curve; instead of them there are zeros."""
+    """The numbers as doubles, and by curve what is wrong with them; such numbers are replaced by zeros."""
     p, inexact = _doubles(points, "points")
     if p.ndim != 3 or p.shape[1] < 2 or p.shape[2] != 2:
         raise ShapeError(f"points of the shape {p.shape}", where="points", remedy="(curves, degree + 1, 2)")
@@ -120,7 +122,7 @@ def _checked(points: ArrayLike, weights: ArrayLike | None) -> tuple[Floats, Floa
 
 
 def _doubles(given: ArrayLike, name: str) -> tuple[Floats, Flags]:
-    """Numbers as doubles, and which of them are other numbers then. What a masked array hides is not a number."""
+    """Numbers as doubles, and which of them changed their value. A masked entry of an array is not a number."""
     try:
         a = np.ma.filled(given, np.nan) if isinstance(given, np.ma.MaskedArray) else np.asarray(given)
     except (ValueError, TypeError) as error:
@@ -144,7 +146,7 @@ def _doubles(given: ArrayLike, name: str) -> tuple[Floats, Flags]:
 
 
 def _double(number: object, name: str) -> tuple[float, bool]:
-    """An exact number or a float as a double, and whether that is the same number."""
+    """An exact number or a float as a double, and whether the conversion changed it."""
     if is_float(number):
         return float(number), True
     value = rational(number)  # type: ignore[arg-type]  # the gate refuses what is not a number
@@ -158,45 +160,45 @@ def _double(number: object, name: str) -> tuple[float, bool]:
 def _wrong(a: Floats, inexact: Flags, name: str) -> dict[int, ExactSplineError]:
     """What is wrong with the numbers of each curve."""
     wrong: dict[int, ExactSplineError] = {}
-    for bad, told, remedy in (
-        (inexact, "is not a double", "write doubles, or take `analyse`"),
+    for bad, message, remedy in (
+        (inexact, "is not a double", "write doubles, or use `analyse`"),
         (~np.isfinite(a), "is not a finite number", "write finite numbers"),
     ):
         for row in np.unique(np.nonzero(bad)[0]).tolist():
-            wrong[row] = NumberError(told, where=f"{name}[{row}]", remedy=remedy)
+            wrong[row] = NumberError(message, where=f"{name}[{row}]", remedy=remedy)
     return wrong
 
 
 def _features(p: Floats, w: Floats | None, wrong: dict[int, ExactSplineError]) -> ManyFeatures:
     """The features of the curves of one part."""
-    left = np.array(_subnormal(p).any(axis=(1, 2)), dtype=bool)
+    undecided = np.array(_subnormal(p).any(axis=(1, 2)), dtype=bool)
     if w is not None:
-        left |= _subnormal(w).any(axis=1)
-    found: list[Found] = []
-    done = filtered(p.shape[1] - 1, _operands(p, w))
+        undecided |= _subnormal(w).any(axis=1)
+    features: list[Found] = []
+    done = filtered(p.shape[1] - 1, scaled_operands(p, w))
     if done is None:
-        left[:] = True
+        undecided[:] = True
     else:
-        left |= done.open
+        undecided |= done.open
         for which, form in enumerate((done.curvature, done.critical)):
-            zeros = form.zeros.where(~left[form.zeros.row])
+            zeros = form.zeros.where(~undecided[form.zeros.row])
             kinds = np.where(zeros.before > 0, *KINDS[1:]) if which else np.full(len(zeros.row), KINDS[0])
-            found.append((zeros.row, kinds, zeros.low, zeros.high, np.full(len(zeros.row), which)))
+            features.append((zeros.row, kinds, zeros.low, zeros.high, np.full(len(zeros.row), which)))
     refused = dict(wrong)
-    left[list(wrong)] = False
-    for i in np.flatnonzero(left).tolist():
+    undecided[list(wrong)] = False
+    for i in np.flatnonzero(undecided).tolist():
         try:
             curve = _curve(p[i], None if w is None else w[i])
-            found.append(exactly(i, curve))
+            features.append(exactly(i, curve))
         except ExactSplineError as error:
             refused[i] = error
-            left[i] = False
-    return in_order(found, np.flatnonzero(left), refused)
+            undecided[i] = False
+    return in_order(features, np.flatnonzero(undecided), refused)
 
 
-def in_order(found: list[Found], exact: Integers, refused: Mapping[int, ExactSplineError]) -> ManyFeatures:
-    """The features of curves that were found in any order."""
-    curve, kind, low, high, which = (np.concatenate(column) for column in zip(NONE, *found, strict=True))
+def in_order(parts: list[Found], exact: Integers, refused: Mapping[int, ExactSplineError]) -> ManyFeatures:
+    """The features of curves, found in any order, in the order of the curves."""
+    curve, kind, low, high, which = (np.concatenate(column) for column in zip(NONE, *parts, strict=True))
     order = np.lexsort((high, low, which, curve))
     return ManyFeatures(curve[order], kind[order].astype(str), low[order], high[order], exact, refused)
 
@@ -206,15 +208,15 @@ NONE: Found = (np.zeros(0, dtype=int), np.zeros(0, dtype=str), np.zeros(0), np.z
 
 
 def _subnormal(a: Floats) -> Flags:
-    """Which numbers are not zero and so small that a processor may read them as zero; told by their bits, since a
-    comparison reads them so, too.
+    """Which numbers are subnormal, so that a processor may treat them as zero; decided by their bits, since a
+    comparison may treat them as zero, too.
     """
     bits = np.ascontiguousarray(a).view(np.int64) & SIZE
-    found: Flags = (bits > 0) & (bits < LEAST)
-    return found
+    subnormal: Flags = (bits > 0) & (bits < LEAST)
+    return subnormal
 
 
-def _operands(p: Floats, w: Floats | None) -> list[Floats]:
+def scaled_operands(p: Floats, w: Floats | None) -> list[Floats]:
     """The scaled coefficients of numerators (and denominators) of curves scaled down by powers of two."""
     scale = np.array([float(comb(p.shape[1] - 1, i)) for i in range(p.shape[1])])
     x = _small(p, axis=(1, 2))
@@ -263,7 +265,7 @@ def exactly(i: int, curve: Nurbs) -> Found:
 
 
 def outside(low: mpq, high: mpq) -> tuple[float, float]:
-    """The nearest doubles that are not inside an interval and not subnormal, whatever the rounding of the processor.
+    """The nearest doubles outside an interval that are not subnormal, whatever the rounding mode of the processor.
 
     >>> outside(mpq(1, 3), mpq(1, 3)) == (1 / 3, 1 / 3 + 2.0**-54), outside(mpq(0), mpq(1, 10**400)) == (0, 2.0**-1022)
     (True, True)
@@ -275,4 +277,4 @@ def outside(low: mpq, high: mpq) -> tuple[float, float]:
     try:
         return double(low, Rounding.DOWN), double(high, Rounding.UP)
     except OverflowError:
-        raise NumberError("a parameter exceeds the range of doubles", remedy="take `analyse`") from None
+        raise NumberError("a parameter exceeds the range of doubles", remedy="use `analyse`") from None

@@ -1,9 +1,9 @@
-"""The parameters of inflections and curvature extrema of many plane curves through the certified filter: exactly where
-they are rational, and proved to be irrational elsewhere.
+"""The parameters of inflections and curvature extrema of many plane curves through the certified filter: exact where
+they are rational, and proved to be irrational otherwise.
 
-The filter decides how many zeros there are, and on which segments. On these alone the forms are computed in integers,
-by the same programs, rounded once, and evaluated in doubles with proved bounds around every zero; a form without zeros
-modulo some small prime has no rational one (`exactspline.polynomials.modular`). Derivation: docs/certified-filter.md.
+The filter decides how many zeros there are, and on which segments. Only on these are the forms computed in integers, by
+the same programs, rounded once, and evaluated in doubles with proved bounds around every zero; a form without zeros
+modulo some small prime has no rational zero (`exactspline.polynomials.modular`). Derivation: docs/certified-filter.md.
 This module loads numpy.
 """
 
@@ -50,13 +50,13 @@ class OnSegment:
         return zeros(BSpline.from_forms(self.degree, Mesh(self.ends), (), [(self.polynomial, ONE)])).roots
 
     def irrational(self, number: int, low: float, high: float) -> LateRoot:
-        """The zero with this number, irrational, between two places on the segment, from 0 to 1."""
+        """The irrational zero with this index, between two local parameters of the segment, from 0 to 1."""
         return LateRoot(self.ends.at(mpq(low)), self.ends.at(mpq(high)), self, number)
 
 
 class LateRoot(Real):
-    """An irrational zero strictly between two numbers, and where it is computed to any number of digits: on a segment,
-    the zero with this number there.
+    """An irrational zero strictly between two numbers, and what it is computed from to any number of digits: the
+    segment and the index of the zero on it.
     """
 
     __slots__ = ("high", "low", "number", "on")
@@ -94,13 +94,14 @@ class Point(NamedTuple):
 
     @property
     def order(self) -> tuple[mpq, mpq]:
-        """Points are in the order of these pairs: a knot before what follows it."""
+        """The key by which points are sorted: a knot comes before what follows it."""
         return self.place.low, self.place.high
 
 
 class Settled(NamedTuple):
-    """The inflections and the extrema of a curve of which everything is certain, in the order of the parameter. It has
-    no other zeros of κ and κ′ and no singular points, and is neither straight nor an arc of a circle on any segment.
+    """The inflections and the extrema of a curve for which everything is certified, in the order of the parameter. It
+    has no other zeros of κ and κ′ and no singular points, and is neither straight nor an arc of a circle on any
+    segment.
     """
 
     inflections: list[Point]
@@ -108,8 +109,8 @@ class Settled(NamedTuple):
 
 
 def settled(curves: Sequence[Nurbs]) -> Iterator[tuple[list[int], list[Settled | None]]]:
-    """What is certain of plane curves, group by group: their numbers, and for each what is known, None where it is left
-    to exact arithmetic.
+    """What is certified for plane curves, group by group: their indices, and for each its points, or None where exact
+    arithmetic must decide.
 
     >>> from exactspline import example
     >>> [(numbers, [found])] = settled([example("six_segment_cubic")])
@@ -125,32 +126,35 @@ def settled(curves: Sequence[Nurbs]) -> Iterator[tuple[list[int], list[Settled |
 
 
 def _settled(curves: Sequence[Nurbs]) -> list[Settled | None]:
-    """The same of curves of one degree, all polynomial or all rational."""
+    """The same for curves of one degree, all polynomial or all rational."""
     segments = Segments(curves)
-    done, left = segments.filtered(narrow=False)
+    done, undecided = segments.filtered(narrow=False)
     if done is None:
         return [None] * len(curves)
-    at_knots = segments.jumps(done, left)
-    found: list[Settled | None] = [None if open_ else Settled([], []) for open_ in left.tolist()]
+    at_knots = segments.jumps(done, undecided)
+    settled_curves: list[Settled | None] = [None if open_ else Settled([], []) for open_ in undecided.tolist()]
     curvature, critical, _ = programs(curves[0].degree, not curves[0].polynomial)
     for which, (form, program) in enumerate(((done.curvature, curvature), (done.critical, critical))):
-        for i, point in (*_inside(segments, form.zeros, which, program, left), *_at_knots(segments, at_knots[which])):
-            if (own := found[i]) is not None:
-                own[which].append(point)
-    for each in found:
+        for i, point in (
+            *_inside(segments, form.zeros, which, program, undecided),
+            *_at_knots(segments, at_knots[which]),
+        ):
+            if (points_of_forms := settled_curves[i]) is not None:
+                points_of_forms[which].append(point)
+    for each in settled_curves:
         for points in each or ():
             points.sort(key=lambda point: point.order)
-    return found
+    return settled_curves
 
 
 def _inside(
-    segments: Segments, found: Isolated, which: int, program: Program, left: Flags
+    segments: Segments, isolated: Isolated, which: int, program: Program, undecided: Flags
 ) -> Iterator[tuple[int, Point]]:
-    """The zeros of a form inside segments of curves that are not left, each with the number of its curve."""
-    found = found.where(~left[segments.owner[found.row]])
-    if not len(found.row):
+    """The zeros of a form inside segments of decided curves, each with the index of its curve."""
+    isolated = isolated.where(~undecided[segments.owner[isolated.row]])
+    if not len(isolated.row):
         return
-    rows, first, place = np.unique(found.row, return_index=True, return_inverse=True)
+    rows, first, place = np.unique(isolated.row, return_index=True, return_inverse=True)
     owner = segments.owner[rows].tolist()
     where = [(segments.curves[i], r - segments.first[i]) for r, i in zip(rows.tolist(), owner, strict=True)]
     degree, forms = program.terms[0].degree, _exactly(program, where)
@@ -160,8 +164,8 @@ def _inside(
     ]
     numbers = [whole(c, degree) for c in forms]
     irrational = without_rational_zero(numbers)
-    near = narrowed(_in_doubles(numbers), found._replace(row=place))
-    kinds = np.where(found.before > 0, *KINDS[1:]) if which else np.full(len(place), KINDS[0])
+    near = narrowed(_in_doubles(numbers), isolated._replace(row=place))
+    kinds = np.where(isolated.before > 0, *KINDS[1:]) if which else np.full(len(place), KINDS[0])
     columns = (place, np.arange(len(place)) - first[place], irrational[place], near.low, near.high, kinds)
     for j, number, proved, a, b, kind in zip(*(column.tolist() for column in columns), strict=True):
         one = on[j]
@@ -175,17 +179,17 @@ def _exactly(program: Program, where: Sequence[tuple[Nurbs, int]]) -> list[fmpz_
         [own[k]._polynomials[j] for own, (_, j) in zip(splines, where, strict=True)] for k in range(len(splines[0]))
     ]
     below = [own[0].denominators[j] for own, (_, j) in zip(splines, where, strict=True)]
-    return [fmpz_poly(found[0]) for found in program.run(operands, [below], [(ONE, ONE)] * len(where))]
+    return [fmpz_poly(row[0]) for row in program.run(operands, [below], [(ONE, ONE)] * len(where))]
 
 
 def _in_doubles(forms: Sequence[list[int]]) -> Rows:
-    """Forms in doubles, each over a power of two so that no coefficient is larger than 1, and rounded once."""
+    """Forms in doubles, each divided by a power of two so that no coefficient is larger than 1, and rounded once."""
     values = np.array([rounded(form, 1, max(map(abs, form)).bit_length()) for form in forms])
     return ordinates(values, ROUNDING * np.abs(values) + UNDERFLOW)
 
 
 def _at_knots(segments: Segments, jumps: Jumps) -> Iterator[tuple[int, Point]]:
-    """The changes of sign by a jump, each with the number of its curve."""
+    """The changes of sign by a jump, each with the index of its curve."""
     rows = segments.behind[jumps.knot].tolist()
     for row, kind in zip(rows, jumps.kind.tolist(), strict=True):
         i = int(segments.owner[row])

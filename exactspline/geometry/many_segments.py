@@ -20,22 +20,22 @@ from exactspline.programs.doubles import ROUNDING
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
-#: The share of the ends of a segment that a parameter inside can be off by.
+#: The relative error (with respect to the ends of its segment) of a parameter inside.
 WIDER = 16 * ROUNDING
-#: Widths of segments that are known less well than this say nothing.
+#: Widths of segments with a larger relative error than this are not used.
 LITTLE = 1 / 1024
-#: Cubes of quotients of widths below this say nothing: a product with a larger one loses `UNDERFLOW` at most, and the
+#: Cubes of quotients of widths below this are not used: a product with a larger one loses at most `UNDERFLOW`, and the
 #: bounds of both forms are larger than that.
 FLAT = 1 / 2**300
-#: Breakpoints other than 0 whose sizes are outside are left to exact arithmetic: the width of a segment could overflow,
-#: and numbers below `UNDERFLOW` are farther from the nearest double than by a rounding.
+#: Breakpoints other than 0 whose sizes are outside this range are handled in exact arithmetic: the width of a segment
+#: could overflow, and numbers below `UNDERFLOW` differ from the nearest double by more than a rounding.
 SIZES = mpq(1, 2**900), mpq(2**1000)
 #: Continuity at the seam of a closed curve: that of its points.
 SEAM = 0
 
 
 class Jumps(NamedTuple):
-    """Knots where a form changes its sign by a jump, by their numbers, the kind of each, and which form it is."""
+    """The indices of knots where a form changes its sign by a jump, the kind of each, and which form it is."""
 
     knot: Integers
     kind: NDArray[np.str_]
@@ -81,17 +81,17 @@ class Segments:
         self._low, self._high = numbers[:, 3], numbers[:, 4]
 
     def filtered(self, *, narrow: bool = True) -> tuple[Filtered | None, Flags]:
-        """What is certain of the segments, and the curves of which something is not."""
+        """What is certified for the segments, and the curves for which something is not."""
         done = filtered(self.curves[0].degree, self.operands, narrow=narrow)
         if done is None:
             return None, np.ones(len(self.curves), dtype=bool)
-        left = self.unfit.copy()
-        left[self.owner[done.open]] = True
-        return done, left
+        undecided = self.unfit.copy()
+        undecided[self.owner[done.open]] = True
+        return done, undecided
 
     def inside(self, form: Form, which: int) -> Found:
-        """The zeros inside segments, by the parameter of their curve. Its ends are off by a rounding each; with the
-        four roundings of a + (b − a)·x this is less than `WIDER` of both.
+        """The zeros inside segments, by the parameter of their curve. The ends of a segment are off by one rounding
+        each; with the four roundings of a + (b − a)·x this is less than `WIDER` of both.
         """
         row, low, high, before = form.zeros
         a, b = self._ends[row].T
@@ -100,9 +100,9 @@ class Segments:
         kinds = np.where(before > 0, *KINDS[1:]) if which else np.full(len(row), KINDS[0])
         return self.owner[row], kinds, low, high, np.full(len(row), which)
 
-    def jumps(self, done: Filtered, left: Flags) -> tuple[Jumps, Jumps]:
-        """The changes of sign of κ and κ′ by a jump; where it is not certain that there is one, or what it is, the
-        curve is added to those that are left.
+    def jumps(self, done: Filtered, undecided: Flags) -> tuple[Jumps, Jumps]:
+        """The changes of sign of κ and κ′ by a jump; where it is not certain that there is one, or of which kind, the
+        curve is added to the undecided ones.
         """
         bends, turns = (self._differ(form) for form in (done.curvature, done.critical))
         smooth, jumps = self._smooth, self._jumps(done.curvature.rows)
@@ -110,7 +110,7 @@ class Segments:
         # with one tangent and a curvature that jumps κ′ has no extremum there
         nothing = turns & (smooth == 1) & jumps
         open_ = (bends & ~inflection) | (turns & ~extremum & ~nothing)
-        left[self.owner[self.before[open_]]] = True
+        undecided[self.owner[self.before[open_]]] = True
         bent, turned = np.flatnonzero(inflection), np.flatnonzero(extremum)
         kinds = np.where(done.critical.rows.values[self.before[turned], -1] > 0, *KINDS[1:])
         return Jumps(bent, np.full(len(bent), KINDS[0]), 0), Jumps(turned, kinds, 1)
@@ -122,13 +122,13 @@ class Segments:
         return owner, jumps.kind, self._low[here], self._high[here], np.full(len(owner), jumps.which)
 
     def _differ(self, form: Form) -> Flags:
-        """Where a form has other signs before a knot and behind; they are certain on segments that are not open."""
+        """Where a form has different signs before and after a knot; they are certain on segments that are decided."""
         values = form.rows.values
-        found: Flags = (values[self.before, -1] > 0) != (values[self.behind, 0] > 0)
-        return found
+        differ: Flags = (values[self.before, -1] > 0) != (values[self.behind, 0] > 0)
+        return differ
 
     def _jumps(self, rows: Rows) -> Flags:
-        """Where the curvature of two sides with the same first derivatives differs for sure: the form of κ by local
+        """Where the curvature of two sides with the same first derivatives certainly differs: the form of κ in local
         parameters is κ‖γ′‖³ times the cube of the width of a segment, up to what both sides have in common.
         """
         with np.errstate(all="ignore"):
@@ -139,12 +139,12 @@ class Segments:
             left, right = rows.values[self.before, -1] * ratio, rows.values[self.behind, 0]
             bound = rows.errors[self.before, -1] * ratio * 2 + rows.errors[self.behind, 0] * 2
             bound += 2 * np.abs(left) * unsure + 4 * ROUNDING * np.abs(right)
-            found: Flags = (unsure < LITTLE) & (ratio > FLAT) & (np.abs(left - right) > bound)
-        return found
+            jumps: Flags = (unsure < LITTLE) & (ratio > FLAT) & (np.abs(left - right) > bound)
+        return jumps
 
 
 def _places(breaks: Sequence[mpq]) -> list[tuple[float, float]] | None:
-    """Breakpoints between doubles, None where one is too large or too small."""
+    """Breakpoints enclosed between doubles, None where one is too large or too small."""
     least, largest = SIZES
     return [outside(t, t) for t in breaks] if all(t == 0 or least <= abs(t) <= largest for t in breaks) else None
 
@@ -164,7 +164,7 @@ def whole(c: fmpz_poly, degree: int) -> list[int]:
 
 def _doubles(curve: Nurbs) -> Iterator[list[list[float]]]:
     """The scaled coefficients of each component (and of the weight function), segment by segment, each rounded once;
-    all coordinates, and all weights, over one power of two, so that none is larger than 1.
+    all coordinates, and all weights, divided by one power of two, so that none is larger than 1.
     """
     below = [int(m) for m in curve.p[0].denominators]
     rows = [[whole(c, curve.degree) for c in x._polynomials] for x in components(curve)]

@@ -1,9 +1,9 @@
 """Inflections and curvature extrema of thousands of plane curves of any degrees and numbers of segments, through the
 certified filter.
 
-All segments of one degree are filtered together (`exactspline.geometry.filtered`). A curve is decided where all of its
-segments are, and every knot: with the same certain signs of a form on both sides a knot has no feature; otherwise its
-continuity decides. The others are left to exact arithmetic. This module loads numpy.
+All segments of one degree are filtered together (`exactspline.geometry.filtered`). A curve is decided when all of its
+segments and all of its knots are: where a form has the same certified sign on both sides, the knot has no feature;
+otherwise its continuity decides. The other curves are decided in exact arithmetic. This module loads numpy.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ from exactspline.splines.nurbs import Nurbs
 
 
 def features_of_curves(curves: Iterable[Nurbs]) -> ManyFeatures:
-    """Inflections and curvature extrema of plane curves, of any degrees, polynomial or rational. What is not a plane
-    curve is refused; the others are computed.
+    """Inflections and curvature extrema of plane curves, of any degrees, polynomial or rational. Curves that are not in
+    the plane are refused; the others are computed.
 
     >>> from exactspline import example
-    >>> found = features_of_curves([example("six_segment_cubic"), example("cubic_s")] * 2)
-    >>> np.bincount(found.curve).tolist(), found.exact.tolist(), len(found.refused)
+    >>> features = features_of_curves([example("six_segment_cubic"), example("cubic_s")] * 2)
+    >>> np.bincount(features.curve).tolist(), features.exact.tolist(), len(features.refused)
     ([10, 3, 10, 3], [], 0)
     """
     parts = list(curve_features_in_parts(curves))
@@ -36,12 +36,12 @@ def features_of_curves(curves: Iterable[Nurbs]) -> ManyFeatures:
 
 
 def curve_features_in_parts(curves: Iterable[Nurbs], *, at_once: int = AT_ONCE) -> Iterator[ManyFeatures]:
-    """The same, for this many curves at a time, so that partial results are available."""
+    """The same as `features_of_curves`, for this many curves at a time, so that partial results are available."""
     source, start = iter(as_items(curves, "curves")), 0
     while some := list(islice(source, at_once)):
-        found = _features(some)
-        refused = {i + start: error for i, error in found.refused.items()}
-        yield found._replace(curve=found.curve + start, exact=found.exact + start, refused=refused)
+        features = _features(some)
+        refused = {i + start: error for i, error in features.refused.items()}
+        yield features._replace(curve=features.curve + start, exact=features.exact + start, refused=refused)
         start += len(some)
 
 
@@ -58,26 +58,26 @@ def _features(curves: Sequence[Nurbs]) -> ManyFeatures:
             refused[i] = ShapeError(f"a curve in {curve.dimension} dimensions", where=f"curves[{i}]", remedy="in 2")
         else:
             groups.setdefault((curve.degree, curve.polynomial), []).append(i)
-    found: list[Found] = []
-    left: list[int] = []
+    parts: list[Found] = []
+    unsettled: list[int] = []
     for members in groups.values():
         for part in of_few_segments(curves, members):
             own, undecided = decided([curves[i] for i in part])
             numbers = np.array(part)
-            found += [(numbers[rows], kinds, low, high, which) for rows, kinds, low, high, which in own]
-            left += numbers[undecided].tolist()
+            parts += [(numbers[rows], kinds, low, high, which) for rows, kinds, low, high, which in own]
+            unsettled += numbers[undecided].tolist()
     exact: list[int] = []
-    for i in sorted(left):
+    for i in sorted(unsettled):
         try:
-            found.append(exactly(i, curves[i]))
+            parts.append(exactly(i, curves[i]))
             exact.append(i)
         except ExactSplineError as error:
             refused[i] = error
-    return in_order(found, np.array(exact, dtype=int), refused)
+    return in_order(parts, np.array(exact, dtype=int), refused)
 
 
 def of_few_segments(curves: Sequence[Nurbs], members: Sequence[int]) -> Iterator[list[int]]:
-    """The members in order, in parts of about as many segments as are filtered at once."""
+    """The members in order, in parts of about as many segments as are filtered together."""
     part: list[int] = []
     count = 0
     for i in members:
@@ -91,18 +91,18 @@ def of_few_segments(curves: Sequence[Nurbs], members: Sequence[int]) -> Iterator
 
 
 def decided(curves: Sequence[Nurbs]) -> tuple[list[Found], Flags]:
-    """The features of plane curves of one degree, all polynomial or all rational, where they are certain, and the
-    curves of which they are not.
+    """The features of plane curves of one degree, all polynomial or all rational, where they are certified, and the
+    curves for which they are not.
     """
     segments = Segments(curves)
-    done, left = segments.filtered()
+    done, undecided = segments.filtered()
     if done is None:
-        return [], left
-    found = [(segments.inside(form, which)) for which, form in enumerate((done.curvature, done.critical))]
-    at_knots = [segments.at_knots(jumps) for jumps in segments.jumps(done, left)]
-    return [_where(each, ~left[each[0]]) for each in (*found, *at_knots)], left
+        return [], undecided
+    zeros = [(segments.inside(form, which)) for which, form in enumerate((done.curvature, done.critical))]
+    at_knots = [segments.at_knots(jumps) for jumps in segments.jumps(done, undecided)]
+    return [_where(each, ~undecided[each[0]]) for each in (*zeros, *at_knots)], undecided
 
 
-def _where(found: Found, holds: Flags) -> Found:
-    curve, kind, low, high, which = found
+def _where(zeros: Found, holds: Flags) -> Found:
+    curve, kind, low, high, which = zeros
     return curve[holds], kind[holds], low[holds], high[holds], which[holds]

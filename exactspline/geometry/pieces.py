@@ -12,8 +12,8 @@ from exactspline.questions.answers import CurvePiece
 def runs(holds: Sequence[bool], joined: Sequence[bool]) -> list[tuple[int, int]]:
     """The maximal runs of segments on which something holds, as ``(first, number)``.
 
-    ``joined[i]`` says that a run may go on from segment i − 1 to segment i; ``joined[0]`` is about the seam, from the
-    last segment to the first (False for an open curve). A run across the seam begins before it; one that closes up
+    ``joined[i]`` states that a run may continue from segment i − 1 to segment i; ``joined[0]`` concerns the seam, from
+    the last segment to the first (False for an open curve). A run across the seam begins before it; one that closes up
     begins at 0.
 
     >>> runs([True, True, False, True], [True, True, True, True])
@@ -22,26 +22,26 @@ def runs(holds: Sequence[bool], joined: Sequence[bool]) -> list[tuple[int, int]]
     [(1, 3)]
     """
     count = len(holds)
-    found: list[tuple[int, int]] = []
+    maximal: list[tuple[int, int]] = []
     for i, here in enumerate(holds):
         if here and i and holds[i - 1] and joined[i]:
-            first, number = found[-1]
-            found[-1] = first, number + 1
+            first, number = maximal[-1]
+            maximal[-1] = first, number + 1
         elif here:
-            found.append((i, 1))
-    if len(found) > 1 and joined[0] and holds[0] and holds[-1]:
-        first, number = found.pop()
-        found[0] = first, number + found[0][1]
-        found.sort()
-    assert all(number <= count for _, number in found)
-    return found
+            maximal.append((i, 1))
+    if len(maximal) > 1 and joined[0] and holds[0] and holds[-1]:
+        first, number = maximal.pop()
+        maximal[0] = first, number + maximal[0][1]
+        maximal.sort()
+    assert all(number <= count for _, number in maximal)
+    return maximal
 
 
-def pieces(breaks: Sequence[mpq], found: Sequence[tuple[int, int]]) -> list[CurvePiece]:
+def pieces(breaks: Sequence[mpq], maximal_runs: Sequence[tuple[int, int]]) -> list[CurvePiece]:
     """Runs of segments as pieces of the curve with these breakpoints."""
     count = len(breaks) - 1
     result = []
-    for first, number in found:
+    for first, number in maximal_runs:
         last = first + number
         if last <= count:
             result.append(CurvePiece((Interval(breaks[first], breaks[last]),)))

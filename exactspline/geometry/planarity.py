@@ -25,8 +25,8 @@ AXES = "xyz"
 
 @dataclass(frozen=True)
 class Plane:
-    """The plane ``normal·x = offset``: integers without a common divisor, the first of the normal that is not 0
-    positive.
+    """The plane ``normal·x = offset``: integers without a common divisor, the first nonzero component of the normal
+    being positive.
 
     >>> str(Plane((1, 0, -2), 3))
     'x − 2z = 3'
@@ -52,10 +52,10 @@ class Plane:
 
 
 def plane_of(curve: Nurbs) -> Plane | None:
-    """The plane that a space curve lies in, None when there is none; of a straight curve a coordinate plane where there
-    is one, otherwise none.
+    """The plane in which a space curve lies, None when there is none; for a straight curve a coordinate plane (or one
+    parallel to it) where it lies in one, otherwise None.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> print(plane_of(example("planar_in_space"))), plane_of(example("twisted_cubic"))
     x − z = −1
     (None, None)
@@ -79,25 +79,25 @@ def plane_of(curve: Nurbs) -> Plane | None:
 
 def planar_pieces(curve: Nurbs) -> list[tuple[CurvePiece, Plane]]:
     """The longest pieces on each of which a space curve lies in one plane (τ ≡ 0) without being straight, with their
-    planes; on a closed curve they go on across the seam.
+    planes; on a closed curve they continue across the seam.
 
     Two of them can share a straight piece.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [str(piece) for piece, _ in planar_pieces(example("planar_in_space"))]
     ['[0, 1]']
     """
     rows, breaks = _rows(space(curve)), curve.breakpoints
     count = len(rows)
-    found = _planar_runs(rows)
-    if curve.closed and all(last - first < count for first, last, _ in found):
-        # twice around: a run that begins in the second half of the first round, or with the second, is seen completely
-        found = [
+    planar_runs = _planar_runs(rows)
+    if curve.closed and all(last - first < count for first, last, _ in planar_runs):
+        # twice around, so that a run that crosses the seam is seen completely
+        planar_runs = [
             (first % count, first % count + last - first, span)
             for first, last, span in _planar_runs([*rows, *rows])
             if 1 <= first <= count
         ]
-    planar = sorted((run for run in found if len(run[2]) == 3), key=lambda run: run[:2])
+    planar = sorted((run for run in planar_runs if len(run[2]) == 3), key=lambda run: run[:2])
     shown = pieces(breaks, [(first, last - first) for first, last, _ in planar])
     return [(piece, _plane(_relations(span)[0])) for piece, (_, _, span) in zip(shown, planar, strict=True)]
 
@@ -107,7 +107,7 @@ Rows = list[tuple[fmpz, ...]]
 
 def _planar_runs(rows: list[Rows]) -> list[tuple[int, int, Rows]]:
     """The maximal runs of segments ``[first, last)`` that lie in one plane, and the span of their points."""
-    found: list[tuple[int, int, Rows]] = []
+    planar_runs: list[tuple[int, int, Rows]] = []
     first = last = 0
     span: Rows = []
     while last < len(rows):
@@ -116,8 +116,8 @@ def _planar_runs(rows: list[Rows]) -> list[tuple[int, int, Rows]]:
             span, last = wider, last + 1
             continue
         if span:
-            found.append((first, last, span))
-        # the next run begins as far back as the plane of the next segment reaches
+            planar_runs.append((first, last, span))
+        # the next run begins with the earliest segment that lies in one plane with the next one
         first, span = last, _span(rows[last])
         while len(span) < 4 and len(wider := _span([*span, *rows[first - 1]])) < 4:
             first, span = first - 1, wider
@@ -125,12 +125,12 @@ def _planar_runs(rows: list[Rows]) -> list[tuple[int, int, Rows]]:
         if len(span) == 4:
             first, span = last, []
     if span:
-        found.append((first, last, span))
-    return found
+        planar_runs.append((first, last, span))
+    return planar_runs
 
 
 def _rows(curve: Nurbs) -> list[Rows]:
-    """Multiples of the homogeneous Bézier points (p, w) in integers, segment by segment."""
+    """Integer multiples of the homogeneous Bézier points (p, w), segment by segment."""
     n = curve.degree
     columns = [s.elevated_to(curve.p[0]).forms for s in (*curve.p, curve.w)]
     return [_whole(n, parts) for parts in zip(*columns, strict=True)]
@@ -146,8 +146,8 @@ def _whole(n: int, forms: Sequence[Form]) -> Rows:
 
 
 def _span(rows: Rows) -> Rows:
-    """A basis of the span of the rows, in echelon form: integers without a common divisor, the columns of the
-    pivots empty but for these.
+    """A basis of the span of the rows, in echelon form: integers without a common divisor, each pivot being the only
+    nonzero entry of its column.
     """
     matrix, _, rank = fmpz_mat(rows).rref()
     return [_primitive(row) for row in matrix.tolist()[:rank]]
@@ -204,7 +204,7 @@ def as_plane_curve(curve: Nurbs) -> Nurbs | None:
 def with_plane_curves(curves: Iterable[Nurbs]) -> list[Nurbs]:
     """The curves; each one with a constant coordinate is followed by itself as a plane curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> len(with_plane_curves([example("planar_in_space"), example("circle")]))
     2
     """

@@ -36,14 +36,14 @@ def critical_points(facts: Facts, variant: Variant | str) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``)."""
     zero_set = facts.zero_form("critical_curvature", variant).zeros
     if variant == SQUARING:
-        # squaring adds the zeros of κ, and where κ = 0 it hides jumps of κ′: its zeros are judged by κ′ itself
+        # squaring adds the zeros of κ, and where κ = 0 it hides jumps of κ′: its zeros are classified by κ′ itself
         true = located(facts.zero_form("critical_curvature").zeros)
         solved = among([root for root, _ in true], [root for root, _ in located(zero_set)])
-        found = [one for one, there in zip(true, solved, strict=True) if there]
+        zeros = [one for one, there in zip(true, solved, strict=True) if there]
     else:
-        found = located(zero_set)
+        zeros = located(zero_set)
     features, curvature = [], facts.zero_form("zero_curvature")
-    for root, by_jump in facts.regular_pairs(found):
+    for root, by_jump in facts.regular_pairs(zeros):
         if root.at_knot and facts.has_corner(root.low):
             continue
         joint = facts.joint(root.low) if root.at_knot else None
@@ -53,7 +53,7 @@ def critical_points(facts: Facts, variant: Variant | str) -> list[Feature]:
 
 
 def _extremum(curvature: ZeroForm, root: Root, variant: Variant | str, *, by_jump: bool) -> Feature:
-    """A zero of κ′ by the signs of κ′ beside it, and by that of κ there."""
+    """A zero of κ′, classified by the signs of κ′ on both sides and by that of κ there."""
     left, right = root.signs
     if not left or not right or left == right:
         return Feature(FeatureKind.STATIONARY, root, variant)

@@ -1,5 +1,5 @@
 """The registry of all questions: what can be asked of a curve, a surface, a map of the plane, a pair of curves. An
-entry stands where its exact answer is computed; this module only knows the classes that have them.
+entry is defined where its exact answer is computed; this module only lists the classes that have entries.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ REGISTRY: dict[Of, dict[str, Entry]] = {
 
 
 def terms_of_questions() -> dict[str, str]:
-    """What is asked, by the words for it; a question that is not asked of curves with its object, where another one has
-    its name.
+    """The meanings of the questions by their names; where two questions share a name, the one that is not about curves
+    is named with its object.
 
     >>> terms_of_questions()["umbilics"]
     'the points with a tangent plane at which the two principal curvatures are equal'
     >>> terms_of_questions()["singular points of a surface in space"]
     'the points without a tangent plane'
     """
-    found: dict[str, str] = {}
+    meanings: dict[str, str] = {}
     for of, entries in REGISTRY.items():
         for name, entry in entries.items():
             words = name.replace("_", " ")
-            taken = found.get(words, entry.meaning) != entry.meaning
-            found[f"{words} of a {of}" if taken else words] = entry.meaning
-    return found
+            taken = meanings.get(words, entry.meaning) != entry.meaning
+            meanings[f"{words} of a {of}" if taken else words] = entry.meaning
+    return meanings

@@ -50,7 +50,7 @@ def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINI
     """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
     `exactspline.splines.lowest_terms.in_lowest_terms`).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve = example("rational_space_cubic")
     >>> [ruled_surface("tangent_developable", curve, variant).degree for variant in ("naive", "paper", "minimal")]
     [9, 5, 4]
@@ -62,14 +62,14 @@ def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINI
     value = construction(name).formula(variant)(space(curve))
     if not isinstance(value, RuledSurface):
         raise ShapeError(f"{name} is not a ruled surface", remedy="choose a developable, a scroll or the focal surface")
-    found: SplineSurface = in_lowest_terms(value) if variant == Variant.MINIMAL else value
-    return found
+    surface: SplineSurface = in_lowest_terms(value) if variant == Variant.MINIMAL else value
+    return surface
 
 
 def point_at(surface: SplineSurface, s: Number, ruling: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
     """The point of the parameters s and ζ, exactly; `ZeroDivisionError` at a pole.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> point_at(ruled_surface("tangent_developable", example("twisted_cubic")), 1, 2)
     (mpq(3,1), mpq(5,1), mpq(7,1))
     """
@@ -89,7 +89,7 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
     their control points, with those of the denominator as weights, are the net of a NURBS surface in homogeneous
     coordinates.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> tangents = ruled_surface("tangent_developable", example("rational_space_cubic"), "paper")
     >>> patch = as_tensor_product(tangents, -1, 2)
     >>> patch.denominator.degree, patch("1/2", "3/2") == point_at(tangents, "1/2", "3/2")
@@ -102,10 +102,10 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
         raise DomainError(f"[{text(low)}, {text(high)}] is not an interval of ruling parameters", remedy="give a < b")
     meshes = split(surface.directrix)[0][0].mesh, Mesh([low, high])
     ruling = lifted(BSpline.identity(low, high), meshes, 1)
-    found = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling
-    components = [*numerator(found), *([found.denominator] if isinstance(found, Rational) else [])]
+    points = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling
+    components = [*numerator(points), *([points.denominator] if isinstance(points, Rational) else [])]
     components = with_common_knots(components)
-    return Rational(Vector(*components[:3]), components[3]) if isinstance(found, Rational) else Vector(*components)
+    return Rational(Vector(*components[:3]), components[3]) if isinstance(points, Rational) else Vector(*components)
 
 
 def _lifted(part: Any, meshes: tuple[Mesh, Mesh]) -> Any:
@@ -117,7 +117,7 @@ def _lifted(part: Any, meshes: tuple[Mesh, Mesh]) -> Any:
 def is_developable(surface: SplineSurface) -> bool:
     """Whether the tangent plane is constant along every ruling: ``[δ′ G G′]`` vanishes identically, decided exactly.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve = example("rational_space_cubic")
     >>> [is_developable(ruled_surface(name, curve)) for name in ("rectifying_developable", "binormal_scroll")]
     [True, False]
@@ -145,7 +145,7 @@ def same_surface(a: SplineSurface, b: SplineSurface) -> RulingRelation | None:
 
     Where ``ζ = shift + scale λ``, the points are the same: ``a(s, ζ) = b(s, λ)``.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve = example("rational_space_cubic")
     >>> naive, paper = (ruled_surface("binormal_scroll", curve, variant) for variant in ("naive", "paper"))
     >>> relation = same_surface(naive, paper)

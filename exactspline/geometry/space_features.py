@@ -1,8 +1,8 @@
 """Zeros of the torsion, extrema and zeros of the curvature, and special pieces of a space curve, from its facts.
 
-In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it is smallest: these points are listed as inflections,
-undulations and flat points and not once more among the extrema. The form [D1 D2 D3] of the torsion vanishes there
-whatever τ does, so that τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point and nothing
+In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it has a minimum: these points are listed as inflections,
+undulations and flat points, and not again among the extrema. The form [D1 D2 D3] of the torsion vanishes there whether
+or not τ does, so that τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point and nothing
 else.
 """
 
@@ -47,9 +47,9 @@ class SpaceFacts(Facts):
     def _twist(self) -> BSpline:
         """``[γ′ γ″ γ‴]`` times a power of the weight function."""
         space(self.operands)
-        found = self.lowest_of(torsion_zeros_lifted)
-        assert isinstance(found, BSpline)
-        return found
+        form = self.lowest_of(torsion_zeros_lifted)
+        assert isinstance(form, BSpline)
+        return form
 
     @property
     def _twists_everywhere(self) -> bool:
@@ -70,9 +70,9 @@ class SpaceFacts(Facts):
         """Whether γ′ × γ″ = 0 at a root (at a knot: seen from both sides)."""
         if root.low == root.high:
             return not any(any(self.bend(root.low, side)) for side in Side)
-        found = self.bending.zeros.roots
-        position = bisect_left(found, root)
-        return position < len(found) and found[position] == root
+        roots = self.bending.zeros.roots
+        position = bisect_left(roots, root)
+        return position < len(roots) and roots[position] == root
 
 
 def flat_points(facts: SpaceFacts) -> list[Feature]:
@@ -118,10 +118,10 @@ def _flat_knot(facts: SpaceFacts, t: mpq) -> list[Feature]:
 
 def torsion_zeros(facts: SpaceFacts) -> list[Feature]:
     """The zeros of the torsion at regular points, and its changes of sign by a jump."""
-    found = facts.regular(facts.zero_form("zero_torsion", Variant.PAPER).zeros)
-    true = among([root for root, _ in found], facts.torsion_numerator.zeros.roots)
+    zeros = facts.regular(facts.zero_form("zero_torsion", Variant.PAPER).zeros)
+    true = among([root for root, _ in zeros], facts.torsion_numerator.zeros.roots)
     features = []
-    for (root, by_jump), zero in zip(found, true, strict=True):
+    for (root, by_jump), zero in zip(zeros, true, strict=True):
         if root.at_knot:
             features += _torsion_at_knot(facts, root, root.sign_change or by_jump)
         elif zero:

@@ -42,17 +42,17 @@ def _derivative(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline]:
     """The derivative of some order as a quotient of splines."""
     if curve.polynomial:
         return [x.d(order) for x in curve.p], curve.w
-    found, slope, denominator = list(curve.p), curve.w.d(), curve.w
+    numerators, slope, denominator = list(curve.p), curve.w.d(), curve.w
     for k in range(1, order + 1):
         # (N/wᵏ)′ = (N′ w − k w′ N)/wᵏ⁺¹
-        found = [f.d() * curve.w - (slope * f).scaled(k) for f in found]
+        numerators = [f.d() * curve.w - (slope * f).scaled(k) for f in numerators]
         denominator = denominator * curve.w
-    return found, denominator
+    return numerators, denominator
 
 
 def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
     """The curvature of a curve at a parameter: in the plane signed (positive where the curve turns left), in space not
-    negative; at a knot the one from the `side`.
+    negative; at a knot the limit from this `side`.
 
     >>> from exactspline import Nurbs, zeros
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
@@ -83,7 +83,7 @@ def _curvature_forms(curve: Nurbs, i: int) -> tuple[Rational[BSpline], BSpline |
 
 def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
     """The torsion of a space curve at a parameter (its limit where κ = 0), positive for a right-handed helix; at a knot
-    the one from the `side`.
+    the limit from this `side`.
 
     >>> from exactspline import example
     >>> torsion(example("twisted_cubic"), 0)
@@ -103,15 +103,15 @@ def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Re
 
 def _torsion_form(curve: Nurbs, i: int) -> Rational[BSpline]:
     """τ on a segment in lowest terms."""
-    found = find("torsion")(_part(curve, i))
-    if found.denominator.is_zero:
-        raise ShapeError("the torsion of a straight piece", remedy="ask for it where the curve is not straight")
-    reduced: Rational[BSpline] = in_lowest_terms(found)
+    torsion = find("torsion")(_part(curve, i))
+    if torsion.denominator.is_zero:
+        raise ShapeError("the torsion of a straight piece", remedy="choose a parameter where the curve is not straight")
+    reduced: Rational[BSpline] = in_lowest_terms(torsion)
     return reduced
 
 
 def _segment(curve: Nurbs, place: mpq | Real, side: Side | str) -> int:
-    """The number of the segment that holds a parameter or a root."""
+    """The index of the segment that contains a parameter or a root."""
     left = checked_side(side)
     if not isinstance(place, Real):
         return curve.mesh.locate(place, left=left)

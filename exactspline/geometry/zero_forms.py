@@ -13,9 +13,9 @@ def zero_form(curve: Nurbs, name: str, variant: Variant | str = Variant.MINIMAL)
     """The form of a zero-set construction on a curve, with the sign it has for a positive weight function, and its
     certified zeros.
 
-    >>> from exactspline.splines.examples import example
-    >>> form, found = zero_form(example("cubic_s"), "zero_curvature")
-    >>> form.degree, len(found)
+    >>> from exactspline.interchange.examples import example
+    >>> form, zeros = zero_form(example("cubic_s"), "zero_curvature")
+    >>> form.degree, len(zeros)
     (1, 1)
 
     Raises `ShapeError` for a curve of another dimension.

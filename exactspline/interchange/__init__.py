@@ -1,7 +1,7 @@
 """Exact import and export of curves: `read` and `write` for file formats, and bridges to other libraries.
 
 >>> import os, tempfile
->>> from exactspline.splines.examples import example
+>>> from exactspline.interchange.examples import example
 >>> with tempfile.TemporaryDirectory() as folder:
 ...     place = os.path.join(folder, "circle.g2")
 ...     notes = write([example("circle")], place)

@@ -11,14 +11,14 @@ from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, as_instance, as_items, as_path, as_text, written
+from exactspline.interchange.examples import example_text
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
-from exactspline.splines.examples import example_text, examples
+from exactspline.interchange.surface_files import surface_data
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
-from exactspline.splines.surface_files import surface_data
 
 #: How many bytes of a file are used to recognize its format.
 HEAD = 16_384
@@ -110,7 +110,7 @@ def write(
     what was lost.
 
     >>> import tempfile
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     notes = write(example("torus"), f"{folder}/torus.json")
     ...     read(f"{folder}/torus.json").surface == example("torus")

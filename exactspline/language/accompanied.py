@@ -31,22 +31,22 @@ class Accompanied(Curve[T], Generic[T]):
     x′·δ
     """
 
-    def __init__(self, curve: Curve[T], beside: Mapping[str, T], made: Made = nothing_made) -> None:
+    def __init__(self, curve: Curve[T], additional: Mapping[str, T], made: Made = nothing_made) -> None:
         super().__init__(curve.p, curve.w, polynomial=curve.polynomial, gamma=curve.gamma, point=curve.point)
-        self.beside, self.made = dict(beside), made
-        vars(self).update(self.beside | made(self.operands()))
+        self.additional, self.made = dict(additional), made
+        vars(self).update(self.additional | made(self.operands()))
 
     def operands(self) -> dict[str, T]:
         """The operands of the curve, and the additional ones."""
-        return super().operands() | self.beside
+        return super().operands() | self.additional
 
     def copied(self) -> Accompanied[T]:
         """A new curve with the same operands."""
-        return Accompanied(super().copied(), self.beside, self.made)
+        return Accompanied(super().copied(), self.additional, self.made)
 
     def mapped(self, change: Callable[[T], U]) -> Accompanied[U]:
         """The curve with `change` applied to every operand, the additional ones included."""
-        return Accompanied(super().mapped(change), {n: change(x) for n, x in self.beside.items()}, self.made)
+        return Accompanied(super().mapped(change), {n: change(x) for n, x in self.additional.items()}, self.made)
 
 
 def vector_of(operands: Mapping[str, V], *names: str) -> Vector[V]:

@@ -43,12 +43,12 @@ class Adjoined(FieldOperand):
         """An exact constant."""
         return self.lifted(self.square.constant(value))
 
-    def beside(self, other: object) -> Adjoined | None:
+    def coerced(self, other: object) -> Adjoined | None:
         """Another element of this extension, constants converted; None for anything else.
 
         Raises `FormulaError` for an element of another extension.
         """
-        element = super().beside(other)
+        element = super().coerced(other)
         if isinstance(element, Adjoined) and element.square is not self.square and not element.square == self.square:
             raise FormulaError(
                 "elements of different extensions in one operation",
@@ -57,13 +57,13 @@ class Adjoined(FieldOperand):
         return element
 
     def __add__(self, other: object) -> Adjoined:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         return Adjoined(self.plain + right.plain, self.rooted + right.rooted, self.square)
 
     def __mul__(self, other: object) -> Adjoined:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         plain = self.plain * right.plain + self.rooted * right.rooted * self.square

@@ -59,11 +59,11 @@ class ImplicitKind(Kind):
 
     def names(self, dimension: int) -> dict[str, bool]:
         """The names of a curve, and the additional operands."""
-        own: dict[str, bool] = {"p": True, "w": False, "gamma": True} | {f"axis_{x}": True for x in self.axes}
+        vectors: dict[str, bool] = {"p": True, "w": False, "gamma": True} | {f"axis_{x}": True for x in self.axes}
         for f in self.functions:
-            own |= dict.fromkeys(self.partials[f], False) | {f"gradient_{f}": True}
-            own |= {f"hessian_{f}{x}": True for x in self.axes}
-        return own | ({"cut": True} if len(self.free) > 1 else {"pace": False})
+            vectors |= dict.fromkeys(self.partials[f], False) | {f"gradient_{f}": True}
+            vectors |= {f"hessian_{f}{x}": True for x in self.axes}
+        return vectors | ({"cut": True} if len(self.free) > 1 else {"pace": False})
 
     def rules(self, dimension: int) -> dict[str, Rule]:
         """The derivative of the curve, and the chain rule for the partial derivatives."""
@@ -110,8 +110,8 @@ class ImplicitKind(Kind):
         """The curve with the partial derivatives along it."""
         named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension)}
         curve = Curve(vector_of(named, *self.axes), one, polynomial=True)
-        beside = {name: value for name, value in named.items() if name not in self.axes}
-        return Accompanied(curve, beside, self._made)
+        additional = {name: value for name, value in named.items() if name not in self.axes}
+        return Accompanied(curve, additional, self._made)
 
     def _made(self, named: Mapping[str, Any]) -> dict[str, Any]:
         made = {}

@@ -58,7 +58,7 @@ _SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
 _DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 #: Names that constants must not have: those of operands, and everything else that formulas may name.
 RESERVED = {*COORDINATES, *BARRED, "w", "W", "p", "d", "gamma", "point", "first", "second", "polynomial", "dimension"}
-RESERVED |= {"beside", "made", "degree", "provenance", "ring", "generator", "directrix"}
+RESERVED |= {"additional", "made", "degree", "provenance", "ring", "generator", "directrix"}
 #: The maximal length of the name of a constant.
 LETTERS = 30
 #: Greek letters by their names.
@@ -102,8 +102,8 @@ class CurveKind(Kind):
     def names(self, dimension: int) -> dict[str, bool]:
         """Numerator, denominator, the curve itself, the axes, the point and the constants."""
         axes = dict.fromkeys(("axis_x", "axis_y", "axis_z")[:dimension], True)
-        beside = ({"point": True} if self.with_point else {}) | dict.fromkeys(self.constants, False)
-        return {"p": True, "w": False, "gamma": True} | axes | beside
+        additional = ({"point": True} if self.with_point else {}) | dict.fromkeys(self.constants, False)
+        return {"p": True, "w": False, "gamma": True} | axes | additional
 
     def with_constants(self, names: Iterable[str]) -> CurveKind:
         """The kind with additional constants.
@@ -126,8 +126,8 @@ class CurveKind(Kind):
 class PairKind(Kind):
     """Two curves in space or in the plane, the first a function of s, the second of s̄."""
 
-    def __init__(self, name: str, own: CurveKind) -> None:
-        self.name, self.own, self.dimensions = name, own, own.dimensions
+    def __init__(self, name: str, curve: CurveKind) -> None:
+        self.name, self.curve, self.dimensions = name, curve, curve.dimensions
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """The operands of the first curve, then those of the second."""
@@ -141,7 +141,7 @@ class PairKind(Kind):
     @property
     def parts(self) -> dict[str, Kind]:
         """The two curves."""
-        return {"first": self.own, "second": self.own}
+        return {"first": self.curve, "second": self.curve}
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
@@ -201,8 +201,8 @@ class FramedKind(CurveKind):
 def _functions(names: str, w: str, dimension: int, which: int, polynomial: bool) -> tuple[Symbol, ...]:
     """The functions of one curve: numerators, and the denominator of a rational one."""
     bar = "\u0304" if which else ""
-    own = [*names[:dimension], *([] if polynomial else [w])]
-    return tuple(Symbol(name, name.lower() + bar, (PARAMETERS[which],)) for name in own)
+    letters = [*names[:dimension], *([] if polynomial else [w])]
+    return tuple(Symbol(name, name.lower() + bar, (PARAMETERS[which],)) for name in letters)
 
 
 def _curve(named: dict[str, Any], names: str, w: str, one: Any, point: Vector[Any] | None = None) -> Curve[Any]:
@@ -271,11 +271,11 @@ def kind_of(name: str) -> Kind:
     """
     if name in KINDS:
         return KINDS[name]
-    plain, beside, constants = name.partition(" with ")
+    plain, separator, constants = name.partition(" with ")
     if plain not in KINDS:
         raise FormulaError(f"there is no kind of argument called {name!r}", remedy=nearest(plain, KINDS))
     kind = KINDS[plain]
-    if not beside:
+    if not separator:
         return kind
     if type(kind) is not CurveKind:
         raise FormulaError(f"constants for {plain!r}", remedy="only curves have constants: 'plane with delta'")

@@ -204,7 +204,7 @@ class Operand(Displayed, ABC):
     def __bool__(self) -> bool:
         raise no_truth_value(self)
 
-    def beside(self, other: object) -> Self | None:
+    def coerced(self, other: object) -> Self | None:
         """Another operand of the same reading, constants converted; None for anything else."""
         if isinstance(other, type(self)):
             return other
@@ -244,11 +244,11 @@ class FieldOperand(Operand):
     @overload
     def __truediv__(self, other: Operand) -> Operand: ...
     def __truediv__(self, other: object) -> object:
-        right = self.beside(other)
+        right = self.coerced(other)
         return NotImplemented if right is None else self * right.reciprocal()
 
     def __rtruediv__(self, other: Constant) -> Self:
-        left = self.beside(other)
+        left = self.coerced(other)
         return NotImplemented if left is None else left * self.reciprocal()
 
     def dividing(self, numerator: object) -> object:

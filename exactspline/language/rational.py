@@ -54,7 +54,7 @@ class Product(Generic[T]):
         rest = list(self.factors)
         lacking = []
         for factor in other.factors:
-            index = next((i for i, own in enumerate(rest) if _agree(own, factor)), None)
+            index = next((i for i, present in enumerate(rest) if _agree(present, factor)), None)
             if index is None:
                 lacking.append(factor)
             else:
@@ -228,11 +228,11 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     def _can_be(self, other: object) -> TypeGuard[Any]:
         """Whether an object that is not a quotient is a scalar or vector of the same reading."""
         parts = other.components if isinstance(other, Vector) else (other,)
-        own = type(self.denominator)
+        operand_type = type(self.denominator)
         return (
-            own.equals_quotients
+            operand_type.equals_quotients
             and self.is_vector == isinstance(other, Vector)
-            and all(isinstance(part, own) for part in parts)
+            and all(isinstance(part, operand_type) for part in parts)
         )
 
     def __hash__(self) -> int:
@@ -284,8 +284,8 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
 
     def times_vector(self, vector: Components) -> Rational[T]:
         """The product with a vector, as one quotient."""
-        own: Any = vector
-        return Rational(own * self.scalar, self.product)
+        untyped: Any = vector
+        return Rational(untyped * self.scalar, self.product)
 
     def __rtruediv__(self, other: object) -> Rational[T]:
         if isinstance(other, CONSTANTS):
@@ -339,14 +339,14 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         first, *rest = [one.scaled(part) if isinstance(part, CONSTANTS) else part for part in parts]
         joined, product = _components(first), first.product if isinstance(first, Rational) else Product(one)
         for part in rest:
-            own = part.product if isinstance(part, Rational) else Product(one)
+            denominator = part.product if isinstance(part, Rational) else Product(one)
             if not isinstance(part, Rational):
                 joined += [a * product.value for a in _components(part)]
-            elif own.same(product):
+            elif denominator.same(product):
                 joined += _components(part)
             else:
-                joined = [a * own.value for a in joined] + [a * product.value for a in _components(part)]
-                product = product * own
+                joined = [a * denominator.value for a in joined] + [a * product.value for a in _components(part)]
+                product = product * denominator
         return Rational(Vector(*joined), product)
 
     def elevated(self) -> tuple[T | Vector[T], T]:

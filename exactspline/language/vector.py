@@ -329,9 +329,9 @@ def join(*parts: Vector[S] | S | Constant) -> Vector[S]:
     for part in parts:
         if not isinstance(part, (Operand, Vector, OwnJoining, *CONSTANTS)):
             raise FormulaError(f"{a_kind(part)} in a vector", remedy="join vectors, operands of formulas and numbers")
-    own: object = next((part for part in parts if isinstance(part, OwnJoining)), None)
-    if isinstance(own, OwnJoining):
-        return cast("Vector[S]", own.joining(parts))
+    joiner: object = next((part for part in parts if isinstance(part, OwnJoining)), None)
+    if isinstance(joiner, OwnJoining):
+        return cast("Vector[S]", joiner.joining(parts))
     operand: Any = next((part for part in parts if not isinstance(part, CONSTANTS)), None)
     if operand is None:
         return Vector(*cast("tuple[S, ...]", parts))

@@ -47,8 +47,8 @@ def wronskian(a: Vector[R], order: int | None = None) -> R:
     True
     """
     expect_vector(a)
-    if (own := _own(a)) is not None:
-        return cast(R, own.wronskian(cast(Any, a.components)))
+    if (implementer := _implementer(a)) is not None:
+        return cast(R, implementer.wronskian(cast(Any, a.components)))
     n = len(a) if order is None else as_integer(order, "a number of components", 1)
     return det(a, *[a.d(k) for k in range(1, n)])
 
@@ -79,9 +79,11 @@ def osculating(a: Vector[R], order: int) -> Vector[R]:
     >>> [x(0) for x in osculating(Vector(t.constant(1), t, t * t), 2)]
     [mpq(0,1), mpq(0,1), mpq(1,1)]
     """
-    if (own := _own(a)) is not None and len(a) == order + 1:
+    if (implementer := _implementer(a)) is not None and len(a) == order + 1:
         components: tuple[Any, ...] = a.components
-        minors: list[Any] = [own.wronskian([x for k, x in enumerate(components) if k != j]) for j in range(order + 1)]
+        minors: list[Any] = [
+            implementer.wronskian([x for k, x in enumerate(components) if k != j]) for j in range(order + 1)
+        ]
         return Vector(*[-minor if (order + j) % 2 else minor for j, minor in enumerate(minors)])
     return generalized_cross(a, *[a.d(k) for k in range(1, order)])
 
@@ -98,9 +100,9 @@ def logarithmic_numerator(*powers: tuple[R, int]) -> R:
     """
     if not powers:
         raise FormulaError("the logarithmic derivative of nothing", remedy="give functions with their exponents")
-    own: object = powers[0][0]
-    if isinstance(own, OwnWronskians):
-        return cast(R, own.logarithmic_numerator(cast(Any, powers)))
+    implementer: object = powers[0][0]
+    if isinstance(implementer, OwnWronskians):
+        return cast(R, implementer.logarithmic_numerator(cast(Any, powers)))
     return logarithmic_sum([(f, f.d(1), e) for f, e in powers])
 
 
@@ -115,7 +117,7 @@ def logarithmic_sum(parts: Sequence[tuple[R, R, int]]) -> R:
     return cast(R, reduce(add, terms))
 
 
-def _own(a: Vector[T]) -> OwnWronskians | None:
+def _implementer(a: Vector[T]) -> OwnWronskians | None:
     """A component that implements these operations itself, or None."""
     first: object = a[0] if type(a) is Vector and len(a) else None
     return first if isinstance(first, OwnWronskians) else None

@@ -1,6 +1,6 @@
-"""Polynomials over FLINT, safe for coefficients of any size: products of powers, factorizations, resultants, and what
-their computation costs.
+"""Polynomials over FLINT, safe for coefficients of any size: products of powers, factorizations, resultants, and bounds
+on their cost.
 
-A call into FLINT cannot be interrupted. What it may cost is therefore known before it is made, and beyond a bound a
-`ReachError` is raised instead.
+A call into FLINT cannot be interrupted. Its cost is therefore estimated before it is made, and a `ReachError` is raised
+instead if the estimate exceeds a bound.
 """

@@ -1,8 +1,8 @@
-"""Polynomials with integer coefficients that have a given real number as a zero: of sums, products, quotients, square
-roots and rational functions of algebraic numbers; their square-free parts and irreducible factors.
+"""Integer polynomials that vanish at sums, products, quotients, square roots and rational functions of algebraic
+numbers; their square-free parts and irreducible factors.
 
-Each is a resultant ``Res_y(p(y), h(x, y))`` (`exactspline.polynomials.elimination`), whose cost is known before it
-begins: beyond the bound it is refused with a `ReachError`.
+Each is a resultant ``Res_y(p(y), h(x, y))`` (`exactspline.polynomials.elimination`), whose cost is estimated
+beforehand; a `ReachError` is raised if it exceeds the bound.
 
 Source: Loos, Computing in algebraic extensions, 1982.
 """
@@ -18,18 +18,18 @@ from exactspline.polynomials.cost import check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 
-#: The highest degree of a polynomial that is computed.
+#: The highest degree of a polynomial that may be computed.
 DEGREE = 200
-#: Nanoseconds for each coefficient bit times the degree, of arithmetic modulo a polynomial.
+#: The cost of arithmetic modulo a polynomial: nanoseconds per coefficient bit times the degree.
 ARITHMETIC = 10
-#: Modulo these it is tried whether a zero can be rational.
+#: The primes modulo which a polynomial is tested for rational zeros.
 PRIMES = (5, 7, 11, 13, 17, 19)
 #: The polynomial x.
 X = fmpz_poly([0, 1])
 
 
 def check_size(degree: int, bits: int) -> None:
-    """Raise `ReachError` where a polynomial of this degree, with coefficients of this many bits, is out of reach."""
+    """Raise `ReachError` if a polynomial of this degree, with coefficients of this many bits, is too expensive."""
     cost = degree * degree * bits * ARITHMETIC
     check_reach(cost if degree <= DEGREE else max(cost, 10**10), lambda: f"a polynomial of degree {degree}")
 
@@ -61,17 +61,17 @@ def product_of(p: fmpz_poly, q: fmpz_poly) -> fmpz_poly:
     n = q.degree()
     check_size(p.degree() * n, 0)
     # yⁿ q(x/y) = Σ qₙ₋ᵢ xⁿ⁻ⁱ yⁱ
-    found = primitive(resultant(_rows(p), [fmpz_poly([q[n - i]]).left_shift(n - i) for i in range(n + 1)]))
-    return found * X if zeros and found[0] != 0 else found
+    product = primitive(resultant(_rows(p), [fmpz_poly([q[n - i]]).left_shift(n - i) for i in range(n + 1)]))
+    return product * X if zeros and product[0] != 0 else product
 
 
 def negated(p: fmpz_poly) -> fmpz_poly:
-    """The polynomial with the negative zeros."""
+    """The polynomial whose zeros are the negatives of those of p."""
     return primitive(p(fmpz_poly([0, -1])))
 
 
 def inverted(p: fmpz_poly) -> fmpz_poly:
-    """The polynomial with the reciprocals of the non-zero zeros.
+    """The polynomial whose zeros are the reciprocals of the non-zero zeros of p.
 
     >>> inverted(fmpz_poly([0, -2, 0, 3]))
     2*x^2 + (-3)
@@ -80,13 +80,14 @@ def inverted(p: fmpz_poly) -> fmpz_poly:
 
 
 def square_root_of(p: fmpz_poly) -> fmpz_poly:
-    """The polynomial with both square roots of every zero."""
+    """The polynomial whose zeros are both square roots of every zero of p."""
     check_size(2 * p.degree(), p.height_bits())
     return p(fmpz_poly([0, 0, 1]))
 
 
 def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
-    """A polynomial that vanishes at ``top(α)/bottom(α)`` for all zeros α of m at which not both vanish.
+    """A polynomial that vanishes at ``top(α)/bottom(α)`` for all zeros α of m at which `top` and `bottom` do not both
+    vanish.
 
     >>> quotient_at(fmpz_poly([-2, 0, 1]), fmpq_poly([1, 1]), fmpq_poly([0, 1]))  # (√2 + 1)/√2
     2*x^2 + (-4)*x + 1
@@ -99,7 +100,7 @@ def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
 
 
 def _rows(p: fmpz_poly) -> list[fmpz_poly]:
-    """A polynomial in y as one in x and y."""
+    """A polynomial in y as a polynomial in x and y."""
     return [fmpz_poly([c]) for c in p.coeffs()]
 
 
@@ -111,7 +112,7 @@ def primitive(p: fmpz_poly) -> fmpz_poly:
 
 
 def square_free(p: fmpz_poly) -> fmpz_poly:
-    """The polynomial with the same zeros, each once.
+    """The square-free part: the polynomial with the same zeros, all simple.
 
     >>> square_free(fmpz_poly([1, 2, 1]))
     x + 1
@@ -120,9 +121,9 @@ def square_free(p: fmpz_poly) -> fmpz_poly:
 
 
 def irreducible_factors(p: fmpz_poly) -> tuple[fmpz_poly, ...]:
-    """The irreducible factors with positive leading coefficients, shared by many numbers.
+    """The irreducible factors, with positive leading coefficients; cached, because many numbers share them.
 
-    Raises `ReachError` where FLINT may need too long.
+    Raises `ReachError` if FLINT may take too long.
     """
     return _factors(*p.coeffs())
 
@@ -133,7 +134,7 @@ def _factors(*coefficients: fmpz) -> tuple[fmpz_poly, ...]:
 
 
 def without_rational_zero(p: fmpz_poly) -> bool:
-    """Whether it is certain that no zero is rational: a rational one is a zero modulo every prime that does not divide
+    """Whether it is certain that no zero is rational: a rational zero is a zero modulo every prime that does not divide
     the leading coefficient. False decides nothing.
 
     >>> [without_rational_zero(fmpz_poly(c)) for c in ([-2, 0, 1], [-4, 0, 1])]
@@ -143,7 +144,7 @@ def without_rational_zero(p: fmpz_poly) -> bool:
 
 
 def _no_zero_modulo(p: fmpz_poly, prime: int) -> bool:
-    """Whether a polynomial keeps its degree modulo a prime and has no zero there."""
+    """Whether a polynomial keeps its degree modulo a prime and has no zero modulo the prime."""
     residues = nmod_poly(p, prime)
     return residues.degree() == p.degree() and all(int(residues(x)) for x in range(prime))
 
@@ -169,7 +170,7 @@ def changes_sign(p: fmpz_poly, low: mpq, high: mpq) -> bool:
 
 
 class QuotientModulo:
-    """``top(α)/bottom(α)`` for a zero α of a polynomial: what `+ − * /` make of such quotients.
+    """``top(α)/bottom(α)`` for a zero α of a polynomial, with arithmetic `+ − * /`.
 
     >>> y = QuotientModulo(fmpz_poly([-2, 0, 1]), fmpq_poly([0, 1]))
     >>> ((y + y) * y).top, (y / y - y).top
@@ -206,7 +207,7 @@ class QuotientModulo:
 
 
 def may_vanish(p: fmpz_poly, t: mpq) -> bool:
-    """Whether an integer polynomial vanishes at a rational number modulo a prime; False proves that it does not vanish.
+    """Whether an integer polynomial vanishes at a rational number modulo a prime; False proves that it does not.
 
     >>> may_vanish(fmpz_poly([-1, 3]), mpq(1, 3)), may_vanish(fmpz_poly([-1, 3]), mpq(1, 2))
     (True, False)

@@ -2,9 +2,9 @@
 
 ``P(u, v) = (c_0 uⁿ + c_1 uⁿ⁻¹v + … + c_n vⁿ) / m`` with ``u = 1 − t``, ``v = t``, integers ``c_i = m·C(n, i)·b_i`` and
 ``m > 0``; the ``b_i`` are the Bézier points. A form is the pair ``(c, m)``: an ``fmpz_poly`` in ``z = v/u`` and an
-``fmpz``; its formal degree n is kept by its owner, because leading zeros are significant here. Product is
-convolution, raising the degree is multiplication by ``u + v``, lowering it exactly is division by ``u + v``, the
-derivative is ``∂v − ∂u``. Everything stays in the Bernstein basis.
+``fmpz``; its formal degree n is stored separately, because leading zeros are significant here. Multiplication is
+convolution, degree elevation is multiplication by ``u + v``, exact degree reduction is division by ``u + v``, and the
+derivative is ``∂v − ∂u``. All operations stay in the Bernstein basis.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ NOTHING, ONE = fmpz(0), fmpz(1)
 ZERO_FORM: Form = (fmpz_poly([]), ONE)
 U_PLUS_V = fmpz_poly([1, 1])
 ONE_PLUS_2Z = fmpz_poly([1, 2])
-#: The degree from which on linear polynomials are substituted by shifts.
+#: From this degree, linear polynomials are substituted by Taylor shifts.
 BY_SHIFTS = 24
 
 
@@ -54,17 +54,19 @@ def bezier(form: Form, n: int) -> list[mpq]:
 
 
 def derivative(c: fmpz_poly, n: fmpz) -> fmpz_poly:
-    """``(∂v − ∂u)`` of a form of degree n ≥ 1: the derivative by the local parameter, of formal degree n−1."""
+    """``(∂v − ∂u)`` of a form of degree n ≥ 1: the derivative with respect to the local parameter, of formal degree
+    n−1.
+    """
     return c.derivative() * U_PLUS_V - n * c
 
 
 def rescaled(form: Form, m: fmpz) -> Form:
-    """The same form over the denominator `m`, a multiple of its own."""
+    """The same form over the denominator `m`, a multiple of its denominator."""
     return (form[0] * (m // form[1]), m) if m != form[1] else form
 
 
 def add(a: Form, b: Form) -> Form:
-    """Sum of two forms of one degree."""
+    """The sum of two forms of the same degree."""
     (p, k), (q, m) = a, b
     if k == m:
         return p + q, k
@@ -87,7 +89,7 @@ def _times(polynomials: Sequence[fmpz_poly], factors: Sequence[fmpz]) -> tuple[f
 
 
 def value(form: Form, n: int, t: mpq) -> mpq:
-    """Value of a form of degree n at the local parameter t.
+    """The value of a form of degree n at the local parameter t.
 
     >>> value(from_bezier([mpq(0), mpq(1, 2), mpq(1)]), 2, mpq(1, 3))
     mpq(1,3)
@@ -103,12 +105,12 @@ def value(form: Form, n: int, t: mpq) -> mpq:
     return from_flint(c(to_fmpq(t / u))) * u**n / int(m)
 
 
-#: From this degree on, integers are cheaper than fractions in lowest terms on the way.
+#: From this degree, integers are cheaper than intermediate fractions in lowest terms.
 LONG = 24
 
 
 def _long_value(form: Form, n: int, t: mpq) -> mpq:
-    """``Σ c_i bⁿ⁻ⁱ aⁱ / (m qⁿ)`` at ``t = a/q`` with ``b = q − a``: one fraction, made at the end."""
+    """``Σ c_i bⁿ⁻ⁱ aⁱ / (m qⁿ)`` at ``t = a/q`` with ``b = q − a``, with a single fraction at the end."""
     a, q = to_fmpz(t.numerator), to_fmpz(t.denominator)
     b, power, c = q - a, ONE, form[0].coeffs()
     c += [NOTHING] * (n + 1 - len(c))
@@ -119,7 +121,7 @@ def _long_value(form: Form, n: int, t: mpq) -> mpq:
 
 
 def substituted(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:
-    """``Σ c_i uⁿ⁻ⁱ vⁱ`` for two polynomials: restriction, reversal and composition are this."""
+    """``Σ c_i uⁿ⁻ⁱ vⁱ`` for two polynomials: restriction, reversal and composition are special cases."""
     if n >= BY_SHIFTS and u.degree() == 1 and v.degree() <= 1:
         return _by_shifts(c, n, u, v)
     result, power = fmpz_poly([]), fmpz_poly([1])
@@ -130,8 +132,8 @@ def substituted(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:
 
 
 def _by_shifts(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:
-    """The same for linear ones, u not constant: with ``u₁ v = v₁ u + Δ`` it is ``uⁿ h(1/u)/u₁ⁿ`` for a polynomial
-    ``h(y) = Σ c_i u₁ⁿ⁻ⁱ (v₁ + Δ y)ⁱ``, so that two substitutions of linear polynomials inside FLINT suffice.
+    """The same for linear polynomials, u not constant: with ``u₁ v = v₁ u + Δ`` it is ``uⁿ h(1/u)/u₁ⁿ`` for a
+    polynomial ``h(y) = Σ c_i u₁ⁿ⁻ⁱ (v₁ + Δ y)ⁱ``, so that two substitutions of linear polynomials in FLINT suffice.
 
     >>> c, u, v = fmpz_poly([1, 2, 3]), fmpz_poly([5, -2]), fmpz_poly([-1, 3])
     >>> _by_shifts(c, 2, u, v) == u * u + 2 * u * v + 3 * v * v
@@ -148,7 +150,8 @@ def _by_shifts(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:
 
 
 def restrict(form: Form, n: int, a: mpq, b: mpq) -> Form:
-    """The form over the part [a, b] of its segment (or beyond it), in the local parameter of the part.
+    """The form restricted to the part [a, b] of its segment (or extended beyond it), in the local parameter of the
+    part.
 
     >>> restrict(from_bezier([mpq(0), mpq(1)]), 1, mpq(1, 2), mpq(3, 4))
     (3*x + 2, 4)
@@ -174,13 +177,13 @@ def in_parameter(c: fmpz_poly, n: int, side: Sequence[mpq]) -> tuple[fmpz_poly, 
 
 
 def of_parameter(p: fmpz_poly, n: int, a: mpq, b: mpq) -> fmpz_poly:
-    """The form of degree n over [a, b] of a polynomial, up to a positive constant that depends on n alone."""
+    """The form of degree n over [a, b] of a polynomial, up to a positive constant that depends only on n."""
     m = int(lcm(a.denominator, b.denominator))
     return substituted(p, n, fmpz_poly([m, m]), fmpz_poly([int(a * m), int(b * m)]))
 
 
 def primitive(form: Form) -> Form:
-    """The same form, without its common integer factor with the denominator."""
+    """The same form, without common integer factors of coefficients and denominator."""
     c, m = form
     if not c:
         return ZERO_FORM
@@ -189,13 +192,13 @@ def primitive(form: Form) -> Form:
 
 
 def reverse(form: Form, n: int) -> Form:
-    """The form reversed."""
+    """The reversed form, in 1 − t."""
     c, m = form
     return backwards(c, n), m
 
 
 def divide_u_plus_v(c: fmpz_poly, at_most: int) -> tuple[fmpz_poly, int]:
-    """Divide by ``u + v`` as long as the division is exact, at most this many times; the quotient and the number of
+    """The quotient after dividing by ``u + v`` while the division is exact, at most this many times; and the number of
     divisions.
     """
     times = 0
@@ -205,7 +208,7 @@ def divide_u_plus_v(c: fmpz_poly, at_most: int) -> tuple[fmpz_poly, int]:
 
 
 def true_degree(form: Form, n: int) -> int:
-    """Degree of the polynomial in the parameter, −1 for zero.
+    """The degree of the polynomial in the parameter, −1 for zero.
 
     >>> true_degree(from_bezier([mpq(0), mpq(1, 2), mpq(1)]), 2)
     1
@@ -217,7 +220,7 @@ def true_degree(form: Form, n: int) -> int:
 def blossom(points: Sequence[mpq], arguments: Iterable[mpq]) -> mpq:
     """The polar form of the polynomial with the given Bézier points, at as many local arguments as its degree.
 
-    Arguments 0 and 1 cost nothing: they drop the last or the first point.
+    Arguments 0 and 1 take no arithmetic: they drop the last or the first point.
 
     >>> blossom([mpq(0), mpq(1, 2), mpq(1)], [mpq(1, 4), mpq(3, 4)])
     mpq(1,2)
@@ -232,8 +235,8 @@ def blossom(points: Sequence[mpq], arguments: Iterable[mpq]) -> mpq:
 
 
 def is_square_class(c: fmpz_poly, n: int) -> bool:
-    """Whether the function of a form of degree n is a constant times a square; powers of ``u + v``, which is 1, do not
-    count.
+    """Whether the polynomial of a form of degree n is a constant times a square; powers of ``u + v`` are ignored,
+    because it is 1.
 
     >>> is_square_class(3 * fmpz_poly([1, 2, 1]), 2), is_square_class(fmpz_poly([1, 2, 1]), 3)
     (True, False)
@@ -253,8 +256,8 @@ def compose(outer: Form, n: int, inner: Form, degree: int) -> Form:
 
 
 def variations(c: fmpz_poly) -> int:
-    """Sign changes in the coefficients: at least the number of roots inside the segment, and of its parity
-    (Descartes).
+    """The number of sign changes in the coefficients: an upper bound for the number of roots inside the segment, with
+    the same parity (Descartes).
     """
     changes, last = -1, None
     for x in c.coeffs():
@@ -268,8 +271,8 @@ def variations(c: fmpz_poly) -> int:
 def halves(c: fmpz_poly, n: int) -> tuple[fmpz_poly, fmpz_poly]:
     """The form on the left and right half of its segment, up to positive constants.
 
-    In ``z = v/u`` the right half is ``z ↦ 1 + 2z``, and the left half the same for the reversed form: two
-    shifts inside FLINT.
+    In ``z = v/u`` the right half is ``z ↦ 1 + 2z``, and the left half is the same for the reversed form: two Taylor
+    shifts in FLINT.
     """
     return backwards(backwards(c, n)(ONE_PLUS_2Z), n), c(ONE_PLUS_2Z)
 

@@ -1,9 +1,9 @@
-"""Where a polynomial vanishes on an interval, cell by cell, each with the data for three lemmas: Bernstein coefficients
-of one sign (no zero), opposite signs at the ends (a zero), a derivative with Bernstein coefficients of one sign (at
-most one zero).
+"""Decomposition of an interval into cells that show where a polynomial vanishes, each with the data for one of three
+lemmas: Bernstein coefficients of one sign (no zero), opposite signs at the ends (a zero), a derivative with Bernstein
+coefficients of one sign (at most one zero).
 
-The certificate (`certificate_of`) is the input of the proofs in ``verification/coq/theory/Answers.v``; a multiple
-zero has a witness, the factor that has it once and the cofactor that has none.
+The cells are the input of the proofs in ``verification/coq/theory/Answers.v``; a multiple zero has a witness: a factor
+of which it is a simple zero, and a cofactor without zeros.
 """
 
 from __future__ import annotations
@@ -18,18 +18,17 @@ from exactspline.numbers.exact import mpq, text, to_fmpq
 from exactspline.polynomials.bernstein import of_parameter
 from exactspline.polynomials.factors import factorize_square_free
 
-FORMAT = "exactspline cells 1"
-#: How often an interval is halved before the search stops.
+#: The maximal number of bisections of an interval.
 DEPTH = 400
 
 
 @dataclass(frozen=True)
 class Cell:
-    """An interval on which a polynomial has no zero inside (`sign`), is 0 (`sign` None), or has one zero (`one`) with
-    `sign` to the left of it.
+    """An interval in the interior of which a polynomial has no zero (`sign` is its sign), is identically 0 (`sign` is
+    None), or has one zero (`one`) and `sign` is its sign to the left of it.
 
-    Of a multiple zero `factor` has it once, `rest` has none and the sign `rest_sign`, and the polynomial is
-    ``factor^power · rest``; `sign` is that of the factor to the left.
+    For a multiple zero, the polynomial is ``factor^power · rest``, where the zero is simple in `factor`, and `rest` has
+    no zero and the sign `rest_sign`; `sign` is the sign of the factor to the left.
     """
 
     low: mpq
@@ -41,17 +40,6 @@ class Cell:
     rest: fmpq_poly | None = None
     rest_sign: bool = True
 
-    def data(self) -> dict[str, object]:
-        """The cell as JSON data with exact strings."""
-        found: dict[str, object] = {"low": text(self.low), "high": text(self.high)}
-        found["says"] = "zero" if self.sign is None else "one zero" if self.one else "no zero"
-        if self.sign is not None:
-            found["positive"] = self.sign
-        if self.factor is not None and self.rest is not None:
-            found |= {"factor": _texts(self.factor), "power": self.power}
-            found |= {"rest": _texts(self.rest), "rest positive": self.rest_sign}
-        return found
-
 
 def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
     """The cells of a polynomial between two points.
@@ -61,25 +49,25 @@ def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
     >>> [c.one for c in cells_of(fmpq_poly([1, 0, -4, 0, 4]), mpq(0), mpq(1))]
     [True]
 
-    Raises `DomainError` where halving does not end.
+    Raises `DomainError` if bisection does not terminate.
     """
     if not polynomial:
         return [Cell(low, high, None)]
     powers = sorted(factorize_square_free(polynomial.numer()).powers, key=itemgetter(1))
     multiple = [(fmpq_poly(f) / f.leading_coefficient(), e) for f, e in powers if e > 1]
-    found: list[Cell] = []
+    cells: list[Cell] = []
     todo = [(low, high, 0)]
     while todo:
         a, b, depth = todo.pop()
         cell = _cell(polynomial, multiple, a, b)
         if cell is not None:
-            found.append(cell)
+            cells.append(cell)
             continue
         if depth == DEPTH:
-            raise DomainError("halving does not end", where=f"[{text(a)}, {text(b)}]", remedy="report this")
+            raise DomainError("bisection does not terminate", where=f"[{text(a)}, {text(b)}]", remedy="report this")
         middle = (a + b) / 2
         todo += [(middle, b, depth + 1), (a, middle, depth + 1)]
-    return found
+    return cells
 
 
 def bernstein_signs(polynomial: fmpq_poly, low: mpq, high: mpq) -> tuple[bool, bool]:
@@ -104,23 +92,21 @@ def _cell(f: fmpq_poly, multiple: list[tuple[fmpq_poly, int]], a: mpq, b: mpq) -
 
 
 def _one_sign(f: fmpq_poly, a: mpq, b: mpq) -> bool | None:
-    """The sign inside, where the Bernstein coefficients show it."""
+    """The sign in the interior, if it follows from the Bernstein coefficients, else None."""
     not_negative, not_positive = bernstein_signs(f, a, b)
     return None if not_negative == not_positive else not_negative
 
 
 def _one_zero(f: fmpq_poly, a: mpq, b: mpq) -> bool | None:
-    """The sign to the left of the one zero inside, where the ends and the derivative show it."""
-    left, right = _at(f, a), _at(f, b)
-    if left == 0 or right == 0 or (left > 0) == (right > 0):
+    """The sign to the left of the only zero in the interior, if this follows from the ends and the derivative, else
+    None.
+    """
+    at_low, at_high = _at(f, a), _at(f, b)
+    if at_low == 0 or at_high == 0 or (at_low > 0) == (at_high > 0):
         return None
     rising = _one_sign(f.derivative(), a, b)
-    return None if rising is None or rising == bool(left > 0) else bool(left > 0)
+    return None if rising is None or rising == bool(at_low > 0) else bool(at_low > 0)
 
 
 def _at(f: fmpq_poly, t: mpq) -> fmpq:
     return f(to_fmpq(t))
-
-
-def _texts(polynomial: fmpq_poly) -> list[str]:
-    return [str(c) for c in polynomial.coeffs()]

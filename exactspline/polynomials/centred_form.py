@@ -1,9 +1,9 @@
-"""Bounds of a polynomial over a narrow interval, in integers of as many bits as the interval has.
+"""Bounds of a polynomial over a narrow interval, in integers of about as many bits as the interval has.
 
-A form of high degree at a root that is known to many digits: its exact value there, or its exact Bézier points over the
-interval, are numbers of degree times as many bits, of which nobody reads more than the first. Here every operation is
-rounded outwards to a fixed number of binary places. (The same could be asked of FLINT's balls; their precision is one
-setting for all threads.)
+At a root known to many digits, the exact value of a form of high degree, or its exact Bézier points over the interval,
+have as many bits times the degree, of which only the leading ones matter. Here every operation is rounded outwards to a
+fixed number of binary places. (FLINT's balls could do the same, but their precision is a global setting of all
+threads.)
 
 Reference: Moore, Kearfott and Cloud, *Introduction to Interval Analysis*, section 6.4 (the mean value form).
 """
@@ -15,15 +15,15 @@ from flint import fmpz, fmpz_poly
 from exactspline.numbers.exact import mpq, mpz
 from exactspline.polynomials.bernstein import Form, derivative, value
 
-#: Binary places beyond those of the interval: what rounding adds to the bounds is that much narrower than they are.
+#: Guard bits in addition to those of the interval: rounding widens the bounds by this factor less than their width.
 GUARD = 64
 
 
 def bounds_over(form: Form, n: int, low: mpq, high: mpq) -> tuple[mpq, mpq]:
-    """Two numbers between which the form of degree n ≥ 0 is, for all local parameters in [low, high] ⊆ [0, 1].
+    """Lower and upper bounds of the form of degree n ≥ 0 for all local parameters in [low, high] ⊆ [0, 1].
 
-    The value in the middle, and the slope over the interval times how far the ends are away from there: the bounds come
-    together as the ends do.
+    By the mean value form: the value at the midpoint, plus the range of the slope times the distance from there. The
+    bounds converge as the interval shrinks.
 
     >>> from exactspline.polynomials.bernstein import from_bezier
     >>> low, high = bounds_over(from_bezier([mpq(0), mpq(0), mpq(1)]), 2, mpq(1, 3), mpq(1001, 3000))
@@ -47,8 +47,8 @@ def _rounded_down(t: mpq, bits: int) -> mpq:
 
 
 def _values(c: fmpz_poly, n: int, low: mpq, high: mpq, bits: int) -> tuple[mpq, mpq]:
-    """Bounds of ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` over [low, high], by Horner's rule; every product is rounded outwards to that
-    many binary places of the greatest coefficient.
+    """Bounds of ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` over [low, high], by Horner's rule; every product is rounded outwards to `bits`
+    binary places, relative to the largest coefficient.
     """
     one = mpz(1) << bits
     v = (low * one) // 1, -((-high * one) // 1)
@@ -65,7 +65,7 @@ def _values(c: fmpz_poly, n: int, low: mpq, high: mpq, bits: int) -> tuple[mpq, 
 
 
 def _shifted(c: fmpz, scale: int) -> tuple[mpz, mpz]:
-    """Integers not above and not below ``c / 2^scale``, at most 1 apart."""
+    """Integer lower and upper bounds of ``c / 2^scale``, at most 1 apart."""
     if scale <= 0:
         exact = mpz(int(c)) << -scale
         return exact, exact

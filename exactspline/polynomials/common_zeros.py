@@ -1,11 +1,12 @@
-"""The common zeros of two polynomials on a patch, each certified: exact subdivision in Bernstein form.
+"""Certified common zeros of two polynomials on a patch, by exact subdivision in Bernstein form.
 
-A box is left out where the coefficients of one of the polynomials, or of their combination by the inverse of their
-Jacobian there, have one strict sign. Around a simple zero the combinations G₁, G₂ are nearly ``x − x₀`` and ``y − y₀``:
-where the ranges of their derivatives are strictly diagonally dominant there is at most one zero, and where G₁ has
-opposite signs on the left and right side and G₂ below and above there is at least one (Miranda). All in integers.
+A box is excluded if the coefficients of one of the polynomials, or of their combinations by the inverse of their
+Jacobian there, are all positive or all negative. Near a simple zero the combinations G₁, G₂ are approximately
+``x − x₀`` and ``y − y₀``: if the ranges of their derivatives are strictly diagonally dominant, there is at most one
+zero, and if G₁ has opposite signs on the left and right sides and G₂ on the lower and upper sides, there is at least
+one (Miranda). All computations are in integers.
 
-A zero is certified where Krawczyk's operator shrinks a box around it by a fixed part: refinement then ends.
+A zero is certified if Krawczyk's operator contracts a box around it by a fixed factor; then refinement terminates.
 
 Source: Miranda, Un'osservazione su un teorema di Brouwer, Bollettino UMI 1940; Mourrain and Pavone, Subdivision methods
 for solving polynomial equations, 2009 (the preconditioning).
@@ -23,13 +24,13 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
-#: By how much of its width a box grows on each side before it is certified.
+#: The fraction of its width by which a box is enlarged on each side before certification.
 MARGIN = mpq(1, 4)
-#: Halvings of a box, and boxes, before the remaining boxes are reported as undecided.
+#: The maximal number of bisections of a box, and of boxes, after which the remaining boxes are reported as undecided.
 DEPTH, BOXES = 48, 5000
-#: Bits of a box in which a simple rational zero is looked for, and the largest denominator that is tried.
+#: The precision (bits) of a box at which a simple rational zero is searched for, and the largest denominator tried.
 SIMPLE_BITS, SIMPLE = 60, 4096
-#: What part of a side Krawczyk's operator keeps of a box in which a zero is certified, at most.
+#: The contraction factor of Krawczyk's operator required for certification.
 KEPT = 3, 4
 #: Refinement limit (bits) for separating two zeros.
 EQUAL_BITS = 200
@@ -38,7 +39,7 @@ EQUAL_BITS = 200
 class Zero:
     """A certified common zero of two forms: the only one in `region`.
 
-    Its box shrinks when it is asked to; nothing else of it changes.
+    Its box shrinks when it is refined; everything else is immutable.
     """
 
     __slots__ = ("_box", "_exact", "forms", "region")
@@ -49,12 +50,12 @@ class Zero:
 
     @property
     def box(self) -> Box:
-        """The smallest box reached."""
+        """The smallest box computed so far."""
         return self._box
 
     @property
     def exact(self) -> tuple[mpq, mpq] | None:
-        """Both coordinates where they are simple rational numbers, verified by evaluation there."""
+        """Both coordinates if they are simple rational numbers (verified by evaluation), else None."""
         if self._exact is None:
             box = self.refine(SIMPLE_BITS)
             place = simplest(*box[0]), simplest(*box[1])
@@ -65,7 +66,7 @@ class Zero:
         return self._exact
 
     def refine(self, bits: int) -> Box:
-        """A box with the zero whose sides are at most ``2^−bits`` long."""
+        """A box that contains the zero, with sides of length at most ``2^−bits``."""
         limit = mpq(1, 1 << max(bits, 0))
         while self._box.longest > limit:
             self._box = self._contracted(self._box)
@@ -78,8 +79,8 @@ class Zero:
     def _contracted(self, box: Box) -> Box:
         """The zero is in ``c − Y F(c) + (1 − Y J)(X − c)``: Krawczyk's operator with the preconditioned pair G.
 
-        The pair of the box contracts each side by `KEPT`, later quadratically. Where it does not, that of the region
-        does so with the longer side, measured by those of the region.
+        The pair preconditioned on the box contracts each side by the factor `KEPT`, later quadratically. If it does
+        not, the pair preconditioned on the region contracts the longer side, relative to the sides of the region.
         """
         pair = preconditioned(*(f.part(box) for f in self.forms))
         if pair is None or not _contracts(pair):
@@ -87,9 +88,9 @@ class Zero:
         half = mpq(1, 2)
         sides = []
         for k, g in enumerate(pair):
-            own, other = g.derivative(k).range, g.derivative(1 - k).range
-            scale = mpq(int(own[0] + own[1]), 2)
-            radius = (int(own[1]) - scale + int(max(-other[0], other[1]))) / scale / 2
+            diagonal, off_diagonal = g.derivative(k).range, g.derivative(1 - k).range
+            scale = mpq(int(diagonal[0] + diagonal[1]), 2)
+            radius = (int(diagonal[1]) - scale + int(max(-off_diagonal[0], off_diagonal[1]))) / scale / 2
             middle = half - g.value(half, half) / scale
             sides.append(Interval(max(mpq(0), middle - radius), min(mpq(1), middle + radius)))
         first, second = (_rounded(side.part(local), side) for local, side in zip(sides, box, strict=True))
@@ -97,17 +98,18 @@ class Zero:
 
 
 class Zeros(NamedTuple):
-    """Certified zeros, and boxes of which it could not be decided whether and which zeros they hold."""
+    """Certified zeros, and boxes for which it could not be decided which zeros they contain, if any."""
 
     zeros: list[Zero]
     undecided: list[Box]
 
 
 def isolate(first: PatchForm, second: PatchForm, also: Sequence[PatchForm] = (), box: Box = UNIT) -> Zeros:
-    """The common zeros of two forms of one degree, over one constant, that lie in a closed box or next to it, except
-    those at which one of the others is certainly not zero.
+    """The common zeros of two forms of the same degree and with a common constant that are in a closed box or close to
+    it, except those at which one of the forms in `also` is certainly not zero.
 
-    Every zero in the box is in the region of one of the zeros or in an undecided box; a region may reach beyond.
+    Every zero in the box is in the region of one of the zeros returned or in an undecided box; a region may extend
+    beyond the box.
 
     >>> circle = PatchForm.of_net([[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # x² + y² − 1
     >>> line = PatchForm.of_net([[0, -1, -2], [1, 0, -1], [2, 1, 0]])  # 2 (x − y)
@@ -115,12 +117,12 @@ def isolate(first: PatchForm, second: PatchForm, also: Sequence[PatchForm] = (),
     >>> len(found.zeros), found.undecided, float(found.zeros[0].refine(40)[0][0])
     (1, [], 0.70710678118...)
     """
-    found = Zeros([], [])
+    result = Zeros([], [])
     todo = deque([Sized(box, [f.part(box) for f in (first, second, *also)], 0)])
     boxes = 0
     while todo:
         part = todo.popleft()
-        if is_known(part.box, found.zeros) or any(f.sign is not None for f in part.forms):
+        if is_known(part.box, result.zeros) or any(f.sign is not None for f in part.forms):
             continue
         boxes += 1
         pair = preconditioned(part.forms[0], part.forms[1])
@@ -128,18 +130,18 @@ def isolate(first: PatchForm, second: PatchForm, also: Sequence[PatchForm] = (),
             if any(g.sign is not None for g in pair):
                 continue
             if _contracts(pair) and (region := _certified((first, second), part.box)):
-                _add(found.zeros, Zero((first, second), region))
+                _add(result.zeros, Zero((first, second), region))
                 continue
         if part.depth >= DEPTH or boxes > BOXES:
-            found.undecided.append(part.box)
+            result.undecided.append(part.box)
         else:
             todo.extend(halved(part))
-    return found
+    return result
 
 
 def preconditioned(first: PatchForm, second: PatchForm) -> tuple[PatchForm, PatchForm] | None:
-    """The pair times the adjugate of its Jacobian, as the corners tell it: near a simple zero multiples of ``x − x₀``
-    and ``y − y₀``; None where that is singular.
+    """The pair multiplied by the adjugate of its Jacobian, estimated from the corners: near a simple zero approximately
+    multiples of ``x − x₀`` and ``y − y₀``. None if the estimate is singular.
     """
     (a, b), (c, d) = _slopes(first), _slopes(second)
     determinant = a * d - b * c
@@ -150,7 +152,7 @@ def preconditioned(first: PatchForm, second: PatchForm) -> tuple[PatchForm, Patc
 
 
 def _preconditioned_on(forms: tuple[PatchForm, PatchForm], region: Box, box: Box) -> tuple[PatchForm, PatchForm]:
-    """The pair of a region on a part of it."""
+    """The pair preconditioned on a region, restricted to a part of it."""
     pair = preconditioned(*(f.part(region) for f in forms))
     assert pair is not None, "the region was certified"
     local = region.local(box)
@@ -163,19 +165,21 @@ def _slopes(f: PatchForm) -> tuple[fmpz, fmpz]:
 
 
 def _contracts(pair: tuple[PatchForm, PatchForm]) -> bool:
-    """Whether the derivatives are so diagonally dominant all over the square that Krawczyk's operator keeps at most
-    `KEPT` of each side: the pair is injective then.
+    """Whether the derivatives are so strongly diagonally dominant on the whole square that Krawczyk's operator
+    contracts each side by the factor `KEPT`; then the pair is injective.
     """
     part, whole = KEPT
     for k, g in enumerate(pair):
-        own, other = g.derivative(k).range, g.derivative(1 - k).range
-        if not own[0] > 0 or whole * (own[1] - own[0] + 2 * max(-other[0], other[1])) > part * (own[0] + own[1]):
+        diagonal, off_diagonal = g.derivative(k).range, g.derivative(1 - k).range
+        if not diagonal[0] > 0 or whole * (
+            diagonal[1] - diagonal[0] + 2 * max(-off_diagonal[0], off_diagonal[1])
+        ) > part * (diagonal[0] + diagonal[1]):
             return False
     return True
 
 
 def _certified(forms: tuple[PatchForm, PatchForm], box: Box) -> Box | None:
-    """A box around this one that holds exactly one zero; None where that is not shown."""
+    """A box around this one that is proved to contain exactly one zero, or None."""
     first, second = (side.grown(side.width * MARGIN) for side in box)
     region = Box(first, second)
     pair = preconditioned(*(f.part(region) for f in forms))
@@ -186,7 +190,7 @@ def _certified(forms: tuple[PatchForm, PatchForm], box: Box) -> Box | None:
 
 
 def _add(zeros: list[Zero], new: Zero) -> None:
-    """Keep a zero unless it is one of those that are known."""
+    """Append a zero unless it is equal to a known one."""
     for known in zeros:
         bits = 8
         while new.box.meets(known.box):
@@ -199,13 +203,13 @@ def _add(zeros: list[Zero], new: Zero) -> None:
 
 
 def is_known(box: Box, zeros: Sequence[Zero]) -> bool:
-    """Whether one of these is the only zero of its forms in a box, if there is any."""
+    """Whether a zero of the forms in a box, if there is one, must be one of these."""
     return any(zero.region.contains(box) for zero in zeros)
 
 
 def _rounded(part: Interval, side: Interval) -> Interval:
-    """An interval around a part with short ends, inside the whole, never a single point: a box that is a line has no
-    Jacobian.
+    """An interval with short ends around a part and inside the whole side. It is never a single point, because a
+    degenerate box has no Jacobian.
     """
     pad = max(part.width / 64, side.width / 1024)
     scale = mpq(1 << int(1 / pad).bit_length())
@@ -214,7 +218,7 @@ def _rounded(part: Interval, side: Interval) -> Interval:
 
 
 def simplest(low: mpq, high: mpq) -> mpq:
-    """The rational number of smallest denominator in a closed interval.
+    """The rational number with the smallest denominator in a closed interval.
 
     >>> simplest(mpq(31, 100), mpq(35, 100))
     mpq(1,3)
@@ -227,9 +231,9 @@ def simplest(low: mpq, high: mpq) -> mpq:
 
 
 def same(one: Zero, other: Zero) -> bool:
-    """Whether two certified points are one: the second kind of zero counts, too, once its box is in the first's region.
+    """Whether two certified zeros are equal: they are if the box of `one` is in the region of `other`.
 
-    Both must be zeros of the forms of `other`; false is a proof as well.
+    Both must be zeros of the forms of `other`; False is also a proof.
     """
     bits = 16
     while True:
@@ -243,7 +247,7 @@ def same(one: Zero, other: Zero) -> bool:
 
 
 def are_one(one: Zero, other: Zero) -> bool | None:
-    """Whether two certified points, each a zero of forms of its own, are one; None where the refinement limit is
+    """Whether two certified points, zeros of different pairs of forms, are equal; None if the refinement limit is
     reached.
     """
     if one.exact is not None and other.exact is not None:

@@ -1,5 +1,5 @@
-"""What a call that cannot be interrupted may cost, in nanoseconds, and the bounds on it: for one call, for a loop, and
-for all calls that one question makes.
+"""Limits on the estimated cost, in nanoseconds, of calls that cannot be interrupted: for one call, for a loop, and for
+all calls made to answer one question.
 """
 
 from __future__ import annotations
@@ -13,39 +13,40 @@ from flint import fmpz
 
 from exactspline.errors import ReachError
 
-#: The longest estimate for a call into FLINT, and for a loop of such calls (which can be interrupted), in nanoseconds.
+#: The largest estimate allowed for a call into FLINT, and for a loop of such calls (which can be interrupted), in
+#: nanoseconds.
 LONGEST, LONGEST_LOOP = 2_000_000_000, 10_000_000_000
 #: The bound on the sum of the estimates for one question: they are upper ones, two to four times what is measured, so
 #: that this is about ten seconds; and what is added to it for each further pair of segments, as two cubics need it.
 QUESTION, PATCH = 20_000_000_000, 200_000_000
-#: What to do about a computation that is out of reach.
+#: Advice for a computation that is too expensive.
 REMEDY = "take curves of lower degree, or numbers of fewer digits"
 
 
 @dataclass
 class Budget:
-    """What all parts of one question may cost together, and what remains of that, in nanoseconds.
+    """The limit on the total cost of all parts of one question, and the remaining part of it, in nanoseconds.
 
-    Estimates are drawn from it, never measured times: an answer does not depend on the machine.
+    Estimates are deducted from it, never measured times, so that answers do not depend on the machine.
 
     >>> budget = Budget(5 * 10**9)
     >>> with drawing_on(budget):
     ...     check_reach(10**9, lambda: "the resultant")
-    >>> budget.left
+    >>> budget.remaining
     4000000000
     """
 
     total: int = QUESTION
-    left: int = -1
+    remaining: int = -1
 
     def __post_init__(self) -> None:
-        if self.left < 0:
-            self.left = self.total
+        if self.remaining < 0:
+            self.remaining = self.total
 
     @property
     def spent(self) -> bool:
-        """Whether nothing of any size can be paid for any more."""
-        return 50 * self.left < self.total
+        """Whether less than a fiftieth of the budget remains."""
+        return 50 * self.remaining < self.total
 
 
 _BUDGET: ContextVar[Budget | None] = ContextVar("budget", default=None)
@@ -53,7 +54,7 @@ _BUDGET: ContextVar[Budget | None] = ContextVar("budget", default=None)
 
 @contextmanager
 def drawing_on(budget: Budget) -> Iterator[Budget]:
-    """In this context all estimates are drawn from one budget."""
+    """A context in which all estimates are deducted from one budget."""
     token = _BUDGET.set(budget)
     try:
         yield budget
@@ -62,8 +63,8 @@ def drawing_on(budget: Budget) -> Iterator[Budget]:
 
 
 def check_reach(nanoseconds: int, what: Callable[[], str], longest: int = LONGEST) -> None:
-    """Refuse what is estimated to take longer than that, or longer than what remains of the budget of the question:
-    `ReachError`. Otherwise it is drawn from that budget.
+    """Raise `ReachError` if an estimate exceeds `longest`, or the remaining budget of the question; otherwise deduct it
+    from this budget.
 
     >>> check_reach(10**10, lambda: "the resultant")
     Traceback (most recent call last):
@@ -76,25 +77,25 @@ def check_reach(nanoseconds: int, what: Callable[[], str], longest: int = LONGES
     budget = _BUDGET.get()
     if nanoseconds > longest:
         raise ReachError(
-            f"{what()} is out of reach ({_told(nanoseconds)})", remedy=REMEDY, seconds=_seconds(nanoseconds)
+            f"{what()} is out of reach ({_duration(nanoseconds)})", remedy=REMEDY, seconds=_seconds(nanoseconds)
         )
     if budget is not None:
-        if nanoseconds > budget.left:
+        if nanoseconds > budget.remaining:
             raise ReachError(
-                f"{what()} ({_told(nanoseconds)}) exceeds what remains of the bound on the whole answer",
+                f"{what()} ({_duration(nanoseconds)}) exceeds what remains of the bound on the whole answer",
                 remedy=REMEDY,
                 seconds=_seconds(nanoseconds),
             )
-        budget.left -= nanoseconds
+        budget.remaining -= nanoseconds
 
 
 def affords(nanoseconds: int, longest: int = LONGEST) -> bool:
-    """Whether something that need not be done can be paid for; it is then drawn from the budget."""
+    """Whether an optional computation is within the limits; if so, its estimate is deducted from the budget."""
     budget = _BUDGET.get()
-    if nanoseconds > longest or (budget is not None and nanoseconds > budget.left):
+    if nanoseconds > longest or (budget is not None and nanoseconds > budget.remaining):
         return False
     if budget is not None:
-        budget.left -= nanoseconds
+        budget.remaining -= nanoseconds
     return True
 
 
@@ -102,7 +103,7 @@ def _seconds(nanoseconds: int) -> int:
     return max(1, nanoseconds // 10**9)
 
 
-def _told(nanoseconds: int) -> str:
+def _duration(nanoseconds: int) -> str:
     seconds = _seconds(nanoseconds)
     if nanoseconds < 10**9:
         return "less than a second"
@@ -110,7 +111,7 @@ def _told(nanoseconds: int) -> str:
 
 
 def height_bits(coefficients: Iterable[fmpz]) -> int:
-    """The number of bits of the largest of some integers of FLINT.
+    """The number of bits of the largest in absolute value of FLINT integers.
 
     >>> from flint import fmpz
     >>> height_bits([fmpz(3), fmpz(-8)])

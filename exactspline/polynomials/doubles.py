@@ -1,8 +1,10 @@
-"""Zeros of many forms at once, in doubles whose errors are bounded: isolated where that is certain.
+"""Isolation of the zeros of many forms in one operation, in doubles with error bounds, for the forms where it is
+certain.
 
-Every form is a row of coefficients in the scaled Bernstein basis with bounds of their errors. A sign counts where the
-coefficient is larger than its bound; Descartes' rule is asked for the largest number of sign changes that the certain
-signs allow. Rows for which that never says 0 or 1 are left to exact arithmetic. Derivation: docs/certified-filter.md.
+Every form is a row of coefficients in the scaled Bernstein basis with bounds on their errors. A sign is certain if the
+coefficient is larger than its error bound; Descartes' rule is applied with the largest number of sign changes that the
+certain signs allow. Rows for which this never yields 0 or 1 are decided by exact arithmetic. Derivation:
+docs/certified-filter.md.
 
 This module and `exactspline.polynomials.modular` are the only ones of `polynomials` that load numpy.
 """
@@ -20,25 +22,29 @@ Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 ROUNDING, UNDERFLOW = 2.0**-52, 2.0**-1022
-#: Where pieces are split: not in the middle, where the zeros of symmetric curves are; ten times it is exact.
+#: The parameter at which pieces are split: not the midpoint, where symmetric curves have zeros. Splitting ten times is
+#: exact in doubles.
 SPLIT, DEPTH = 15 / 32, 9
-#: How often pieces are split whose ends need not be known, as no zero is on them: a speed of 10⁻⁷ is told from none.
+#: The depth of subdivision to prove the absence of zeros, for which the ends of pieces need not be exact: sufficient to
+#: distinguish a speed of 10⁻⁷ from 0.
 DEEP = 22
-#: The most steps towards a zero, without proof, and the length of one that is the last.
+#: The maximal number of (unproved) steps towards a zero, and the length of a step after which they stop.
 STEPS, REACHED = 40, 2.0**-48
-#: Half widths in which a zero is looked for, after Newton's method, the narrowest first.
+#: Half widths of the intervals in which a zero is verified after Newton's method, narrowest first.
 WIDTHS = (2.0**-46, 2.0**-42, 2.0**-37, 2.0**-30, 2.0**-20, 2.0**-10)
 
 
 class Rows(NamedTuple):
-    """Bézier ordinates, one row a form, and bounds of their errors."""
+    """Bézier ordinates, one row per form, and bounds on their errors."""
 
     values: Floats
     errors: Floats
 
 
 class Isolated(NamedTuple):
-    """Simple zeros: the row, an interval of [0, 1] with that zero and no other strictly inside, the sign before it."""
+    """Simple zeros: the row, an interval in [0, 1] whose interior contains this zero and no other, and the sign before
+    it.
+    """
 
     row: Integers
     low: Floats
@@ -46,7 +52,7 @@ class Isolated(NamedTuple):
     before: Integers
 
     def where(self, holds: Flags) -> Isolated:
-        """Those of the zeros for which something holds."""
+        """The zeros selected by a mask."""
         return Isolated(self.row[holds], self.low[holds], self.high[holds], self.before[holds])
 
 
@@ -55,12 +61,12 @@ def ordinates(values: Floats, errors: Floats) -> Rows:
     n = values.shape[1] - 1
     scale = np.array([float(comb(n, i)) for i in range(n + 1)])
     with np.errstate(all="ignore"):
-        found = values / scale
-        return Rows(found, errors / scale * (1 + 8 * ROUNDING) + 2 * ROUNDING * np.abs(found) + UNDERFLOW)
+        values_found = values / scale
+        return Rows(values_found, errors / scale * (1 + 8 * ROUNDING) + 2 * ROUNDING * np.abs(values_found) + UNDERFLOW)
 
 
 def isolated(rows: Rows) -> tuple[Isolated, Flags]:
-    """The zeros inside (0, 1) of the forms that are certain, in order, and which forms are uncertain.
+    """The zeros inside (0, 1) of the forms for which they are certain, in order, and a mask of the uncertain forms.
 
     >>> found, open_ = isolated(Rows(np.array([[1.0, -2, 1], [1, 2, 1], [0, 1, 2]]), np.full((3, 3), 1e-9)))
     >>> found.row.tolist(), found.before.tolist(), open_.tolist()
@@ -73,7 +79,7 @@ def isolated(rows: Rows) -> tuple[Isolated, Flags]:
     for level in range(DEPTH + 1):
         signs = np.where(values > errors, 1, np.where(values < -errors, -1, 0))
         blind = (signs[:, 0] == 0) | (signs[:, -1] == 0)
-        most = _most_changes(signs)
+        most = most_changes(signs)
         one = (most == 1) & ~blind
         parts.append((index[one], low[one], low[one] + width[one], signs[one, 0]))
         undecided[index[blind]] = True
@@ -82,43 +88,43 @@ def isolated(rows: Rows) -> tuple[Isolated, Flags]:
             undecided[index[again]] = True
             break
         index, low, width = index[again], low[again], width[again]
-        left, right = _split(Rows(values[again], errors[again]))
+        left, right = split_in_two(Rows(values[again], errors[again]))
         values, errors = (np.concatenate(pair) for pair in zip(left, right, strict=True))
         index = np.concatenate([index, index])
         low = np.concatenate([low, low + width * SPLIT])
         width = np.concatenate([width * SPLIT, width * (1 - SPLIT)])
     row, start, end, before = (np.concatenate(column) for column in zip(*parts, strict=True))
     order = np.lexsort((start, row))
-    found = Isolated(row[order], start[order], end[order], before[order])
-    return found.where(~undecided[found.row]), undecided
+    zeros = Isolated(row[order], start[order], end[order], before[order])
+    return zeros.where(~undecided[zeros.row]), undecided
 
 
 def without_zeros(rows: Rows) -> Flags:
-    """The forms that certainly have no zero on [0, 1]: on all pieces the ordinates have one certain sign. The ends of
-    pieces need not be known, so that these may be smaller than where zeros are isolated.
+    """A mask of the forms that certainly have no zero on [0, 1]: on all pieces the ordinates have one certain sign. The
+    ends of pieces need not be exact, so that pieces may be smaller than for isolation.
 
     >>> without_zeros(Rows(np.array([[1, -0.999, 1], [1, -1.0, 1]]), np.full((2, 3), 1e-15))).tolist()
     [True, False]
     """
-    found = np.ones(len(rows.values), dtype=bool)
+    certain = np.ones(len(rows.values), dtype=bool)
     index, part = np.arange(len(rows.values)), rows
     for level in range(DEEP + 1):
         values, errors = part
         signs = np.where(values > errors, 1, np.where(values < -errors, -1, 0))
-        # a sign that is not certain at an end, or two signs: there is a zero, or that will not be seen
-        found[index[(signs[:, 0] == 0) | (signs[:, 0] != signs[:, -1])]] = False
-        again = (signs != signs[:, :1]).any(axis=1) & found[index]
+        # an uncertain sign at an end, or two signs: there is a zero, or its absence cannot be shown
+        certain[index[(signs[:, 0] == 0) | (signs[:, 0] != signs[:, -1])]] = False
+        again = (signs != signs[:, :1]).any(axis=1) & certain[index]
         if level == DEEP or not again.any():
-            found[index[again]] = False
+            certain[index[again]] = False
             break
         index = np.concatenate([index[again]] * 2)
-        pair = _split(Rows(values[again], errors[again]))
+        pair = split_in_two(Rows(values[again], errors[again]))
         part = Rows(*(np.concatenate(column) for column in zip(*pair, strict=True)))
-    return found
+    return certain
 
 
-def _most_changes(signs: NDArray[np.int64]) -> NDArray[np.int64]:
-    """The most sign changes that a row can have, whatever the signs that are not certain."""
+def most_changes(signs: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The maximal number of sign changes of a row over all choices of the uncertain signs."""
     ends_up, ends_down = (np.where(signs[:, 0] == s, -1000, 0) for s in (-1, 1))
     for column in signs.T[1:]:
         up, down = np.maximum(ends_up, ends_down + 1), np.maximum(ends_down, ends_up + 1)
@@ -126,8 +132,8 @@ def _most_changes(signs: NDArray[np.int64]) -> NDArray[np.int64]:
     return np.maximum(ends_up, ends_down)
 
 
-def _split(rows: Rows) -> tuple[Rows, Rows]:
-    """The forms left and right of `SPLIT`, by de Casteljau's algorithm."""
+def split_in_two(rows: Rows) -> tuple[Rows, Rows]:
+    """The forms to the left and right of `SPLIT`, by de Casteljau's algorithm."""
     (value, error), n = rows, rows.values.shape[1] - 1
     left, right = [(value[:, 0], error[:, 0])], [(value[:, -1], error[:, -1])]
     with np.errstate(all="ignore"):
@@ -135,8 +141,8 @@ def _split(rows: Rows) -> tuple[Rows, Rows]:
             first, second = (1 - SPLIT) * value[:, :-1], SPLIT * value[:, 1:]
             value = first + second
             carried = (1 - SPLIT) * error[:, :-1] + SPLIT * error[:, 1:]
-            own = 3 * ROUNDING * (np.abs(first) + np.abs(second))
-            error = (carried + own) * (1 + 8 * ROUNDING) + 8 * UNDERFLOW
+            rounding = 3 * ROUNDING * (np.abs(first) + np.abs(second))
+            error = (carried + rounding) * (1 + 8 * ROUNDING) + 8 * UNDERFLOW
             left.append((value[:, 0], error[:, 0]))
             right.append((value[:, -1], error[:, -1]))
     return _stacked(left), _stacked(right[::-1])
@@ -148,7 +154,7 @@ def _stacked(columns: list[tuple[Floats, Floats]]) -> Rows:
 
 
 def values_at(rows: Rows, index: Integers, t: Floats) -> tuple[Floats, Floats]:
-    """The values of forms at parameters in [0, 1], and bounds of their errors."""
+    """The values of forms at parameters in [0, 1], and bounds on their errors."""
     b = rows.values[index]
     n = b.shape[1] - 1
     with np.errstate(all="ignore"):
@@ -160,12 +166,12 @@ def values_at(rows: Rows, index: Integers, t: Floats) -> tuple[Floats, Floats]:
     return b[:, 0], bound[:, 0] * (1 + 8 * (n + 1) * ROUNDING) + 16 * (n + 1) * UNDERFLOW
 
 
-def narrowed(rows: Rows, found: Isolated) -> Isolated:
-    """The same zeros in narrower intervals, as far as signs at their ends are certain."""
-    index, low, high, before = found
+def narrowed(rows: Rows, zeros: Isolated) -> Isolated:
+    """The same zeros in narrower intervals, where the signs at their ends are certain."""
+    index, low, high, before = zeros
     if not len(index):
-        return found
-    x = _approximated(rows, found)
+        return zeros
+    x = _approximated(rows, zeros)
     new_low, new_high, open_ = low.copy(), high.copy(), np.ones(len(index), dtype=bool)
     for half in WIDTHS:
         some = np.flatnonzero(open_)
@@ -180,17 +186,17 @@ def narrowed(rows: Rows, found: Isolated) -> Isolated:
     return Isolated(index, new_low, new_high, before)
 
 
-def _approximated(rows: Rows, found: Isolated) -> Floats:
-    """Numbers near the zeros, without proof, by Newton's method between ends that move in, and by bisection where it
-    leads outside or is slow. Zeros that have been reached are not looked at again.
+def _approximated(rows: Rows, zeros: Isolated) -> Floats:
+    """Unproved approximations of the zeros, by Newton's method safeguarded by bisection when it leaves the bracket or
+    is slow. Zeros for which it has converged are not iterated further.
     """
-    x = (found.low + found.high) / 2
-    low, high, last = found.low.copy(), found.high.copy(), found.high - found.low
+    x = (zeros.low + zeros.high) / 2
+    low, high, last = zeros.low.copy(), zeros.high.copy(), zeros.high - zeros.low
     todo = np.arange(len(x))
     with np.errstate(all="ignore"):
         for _ in range(STEPS):
-            value, slope = _value_and_slope(rows.values[found.row[todo]], x[todo])
-            left = value * found.before[todo] > 0
+            value, slope = _value_and_slope(rows.values[zeros.row[todo]], x[todo])
+            left = value * zeros.before[todo] > 0
             low[todo], high[todo] = np.where(left, x[todo], low[todo]), np.where(left, high[todo], x[todo])
             step = value / slope
             near = x[todo] - step
@@ -204,7 +210,7 @@ def _approximated(rows: Rows, found: Isolated) -> Floats:
 
 
 def _value_and_slope(b: Floats, t: Floats) -> tuple[Floats, Floats]:
-    """The values of forms at parameters, and their derivatives there."""
+    """The values and derivatives of forms at parameters."""
     u, v, n = (1 - t)[:, None], t[:, None], b.shape[1] - 1
     for _ in range(n - 1):
         b = u * b[:, :-1] + v * b[:, 1:]

@@ -1,5 +1,5 @@
-"""Discriminants and resultants of polynomials in two variables, by values at integers: a loop that can be interrupted,
-of a cost that is bounded beforehand.
+"""Discriminants and resultants of polynomials in two variables, by evaluation at integers and interpolation: an
+interruptible loop with a cost that is bounded beforehand.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ VALUE, INTERPOLATION = 110, 15
 
 
 def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
-    """The discriminant by u of ``Σ rows[j](z) uʲ``, of degree m > 1 in u.
+    """The discriminant with respect to u of ``Σ rows[j](z) uʲ``, of degree m > 1 in u.
 
-    It is a form of degree 2m − 2 in the rows, so that its degree in z is bounded; its values at sufficiently many
-    successive integers, at which the leading row does not vanish, determine it. `ReachError` where that would take
-    too long.
+    It is a form of degree 2m − 2 in the rows, so that its degree in z is bounded; it is determined by its values at
+    sufficiently many consecutive integers at which the leading row does not vanish. Raises `ReachError` if this would
+    take too long.
 
     >>> discriminant([fmpz_poly([0, 1]), fmpz_poly([3]), fmpz_poly([1, 1])])
     (-4)*x^2 + (-4)*x + 9
@@ -37,8 +37,8 @@ def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
 
 
 def resultant(first: Sequence[fmpz_poly], second: Sequence[fmpz_poly]) -> fmpz_poly:
-    """The resultant by u of two such sums of degrees m and n in u: a form of degree n in the rows of the first and m in
-    those of the second. `ReachError` where that would take too long.
+    """The resultant with respect to u of two such sums, of degrees m and n in u: a form of degree n in the rows of the
+    first and m in those of the second. Raises `ReachError` if this would take too long.
 
     >>> resultant([fmpz_poly([0, 1]), fmpz_poly([1])], [fmpz_poly([-2]), fmpz_poly([]), fmpz_poly([1])])
     x^2 + (-2)
@@ -57,7 +57,7 @@ def _degree(rows: Sequence[fmpz_poly]) -> int:
 
 
 def _bits(rows: Sequence[fmpz_poly], count: int) -> int:
-    """Bits of the values of the rows at this many successive integers around 0."""
+    """The number of bits of the values of the rows at this many consecutive integers around 0."""
     return max(height_bits(row.coeffs()) + (row.degree() + 1) * count.bit_length() for row in rows)
 
 
@@ -71,12 +71,12 @@ def _at(rows: Sequence[fmpz_poly], k: int) -> fmpz_poly:
 
 
 def _through_whole(values: Sequence[fmpz], start: int) -> fmpz_poly:
-    """The polynomial with these values from a integer on."""
+    """The polynomial with these values at consecutive integers beginning at `start`."""
     return through([mpz(int(value)) for value in values])(fmpz_poly([-start, 1]))
 
 
 def _start(leading: fmpz_poly, count: int) -> int:
-    """The first of this many successive integers at which a polynomial does not vanish, not far from 0."""
+    """The first of this many consecutive integers, close to 0, at which a polynomial does not vanish."""
     start = k = -(count // 2)
     while k < start + count:
         if leading(k) == 0:
@@ -86,7 +86,7 @@ def _start(leading: fmpz_poly, count: int) -> int:
 
 
 def through(values: Sequence[mpz]) -> fmpz_poly:
-    """The polynomial with these values at 0, 1, 2, …, of a degree below their number, with integer coefficients: by
+    """The polynomial with these values at 0, 1, 2, …, of degree below their number and with integer coefficients, by
     Newton's forward differences.
 
     >>> through([mpz(1), mpz(2), mpz(5), mpz(10)])
@@ -98,7 +98,7 @@ def through(values: Sequence[mpz]) -> fmpz_poly:
         differences.append(row[0])
         row = [b - a for a, b in pairwise(row)]
         factorial *= max(k, 1)
-    # Horner's rule in x, x − 1, …, everything over the factorial of the last step, which divides out again
+    # Horner's rule in x, x − 1, …, over a factorial as the common denominator, by which the result is divisible
     total, scale = fmpz_poly([]), mpz(1)
     for k in range(len(values) - 1, -1, -1):
         total = total * fmpz_poly([-k, 1]) + fmpz_poly([fmpz(int(differences[k] * scale))])

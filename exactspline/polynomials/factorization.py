@@ -1,4 +1,4 @@
-"""Polynomials as products of powers, whatever they are polynomials in."""
+"""Products of powers, for polynomials of any type."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Generic, Protocol, Self, TypeVar
 
 
 class Multiplicative(Protocol):
-    """What has products and powers."""
+    """Objects with products and powers."""
 
     def __mul__(self, other: Self, /) -> Self: ...
     def __pow__(self, exponent: int, /) -> Self: ...
@@ -31,7 +31,7 @@ def superscript(number: int) -> str:
 
 
 def power_text(base: str, exponent: int) -> str:
-    """A power as people write it.
+    """A power in mathematical notation.
 
     >>> power_text("w", 8), power_text("‖D1‖²", 3), power_text("w", 1)
     ('w⁸', '(‖D1‖²)³', 'w')
@@ -44,9 +44,10 @@ def power_text(base: str, exponent: int) -> str:
 
 @dataclass(frozen=True)
 class Factorization(Generic[P]):
-    """``Π baseᵉ``: bases that differ from one another, with exponents other than 0, negative ones below the line.
+    """``Π baseᵉ`` with distinct bases and non-zero exponents; bases with negative exponents are in the denominator.
 
-    A constant in front is kept by whoever needs one. Bases are compared, never hashed (FLINT's are not hashable).
+    A constant factor, if any, is stored separately. Bases are compared, never hashed (FLINT's polynomials are not
+    hashable).
 
     >>> a, b = Factorization([("x", 2), ("y", 1)]), Factorization([("y", 2), ("z", 1)])
     >>> print(a * b, a.shared(b), a.without(a.shared(b)))
@@ -68,7 +69,7 @@ class Factorization(Generic[P]):
         return " ".join(power_text(str(base), e) for base, e in self.powers) or "1"
 
     def exponent(self, base: P) -> int:
-        """The exponent of a base, 0 where it does not occur."""
+        """The exponent of a base, 0 if it does not occur."""
         return next((e for other, e in self.powers if other == base), 0)
 
     def __mul__(self, other: Factorization[P]) -> Factorization[P]:
@@ -85,7 +86,7 @@ class Factorization(Generic[P]):
         return Factorization((base, e * exponent) for base, e in self.powers)
 
     def shared(self, other: Factorization[P]) -> Factorization[P]:
-        """The common part: each base with the lower of its exponents, 0 where it does not occur.
+        """The common part: each base with the smaller of its two exponents, which is 0 if it does not occur.
 
         >>> print(Factorization([("x", 2), ("y", -1)]).shared(Factorization([("x", 1)])))
         x y⁻¹
@@ -95,11 +96,11 @@ class Factorization(Generic[P]):
         return Factorization([*mine, *others])
 
     def without(self, part: Factorization[P]) -> Factorization[P]:
-        """Divided by another one."""
+        """The quotient by another factorization."""
         return self * part**-1
 
     def mapped(self, function: Callable[[P], Q]) -> Factorization[Q]:
-        """With every base replaced by its image under a function."""
+        """The factorization with every base replaced by its image under a function."""
         return Factorization((function(base), e) for base, e in self.powers)
 
     @property
@@ -114,7 +115,7 @@ class Factorization(Generic[P]):
 
 
 def multiplied(factorization: Factorization[M], one: M) -> M:
-    """The product multiplied out, where no exponent is negative.
+    """The expanded product; no exponent may be negative.
 
     >>> multiplied(Factorization([(2, 3), (5, 1)]), 1)
     40

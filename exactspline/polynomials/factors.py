@@ -1,9 +1,10 @@
-"""The one way to factor a polynomial, and to the greatest common divisor of polynomials and to products in many
-variables: over the integers or the rationals in any number of variables; factors modulo a prime, too.
+"""Factorization, greatest common divisors and products of polynomials over the integers or the rationals, in any number
+of variables; also factorization modulo a prime.
 
-A factorization of FLINT is multiplied out again before it is believed. Where it may take long, for integer polynomials
-in one or two variables, irreducibility is tried to be shown modulo primes first; where that fails, a call beyond the
-bound on its cost is refused. Greatest common divisors likewise, and products of polynomials with many terms.
+A factorization by FLINT is accepted only after its product has been verified. If it may take long, for integer
+polynomials in one or two variables, a proof of irreducibility modulo primes is tried first; if that fails, a call whose
+cost exceeds the bound is rejected. The same holds for greatest common divisors, and for products of polynomials with
+many terms.
 
 Source: the degrees of factors modulo primes as a test of irreducibility, Knuth, The Art of Computer Programming 2,
 §4.6.2.
@@ -30,7 +31,7 @@ G = TypeVar("G", fmpz_poly, fmpq_poly, fmpz_mpoly, fmpq_mpoly)
 #: factors and of squares: of factorizations in irreducible ones (700 to 1300, and 1000 to 3700), of square-free ones
 #: (200, and 2500), and of greatest common divisors in two (400).
 FACTOR, SQUARE_FREE, DIVISOR = {1: 1500, 2: 4000}, {1: 250, 2: 3000}, 600
-#: Nanoseconds for a term in more variables, and for 1000 bits of it (measured: 3 to 50 microseconds).
+#: Nanoseconds per term in more variables, and per 1000 bits of it (measured: 3 to 50 microseconds).
 TERM = 50_000
 #: Nanoseconds of a greatest common divisor in many variables, for a term of both polynomials: with short coefficients
 #: (measured: 0.3 to 6 microseconds), times the degree in up to four variables (measured: 0.3 to 3); and the coefficient
@@ -38,26 +39,28 @@ TERM = 50_000
 DIVISOR_TERM, DIVISOR_DEGREE, DIVISOR_BITS, FEW = 10_000, 4_000, 150, 4
 #: Nanoseconds for a term and a variable to restrict a polynomial to a line modulo a prime.
 RESTRICTED = 1000
-#: The largest number of terms of a polynomial in many variables, and of pairs of terms that are multiplied at once
-#: (measured: 40 to 70 nanoseconds for a pair).
+#: Limits on the number of terms of a polynomial in many variables, and of pairs of terms in one multiplication
+#: (measured: 40 to 70 nanoseconds per pair).
 TERMS, PAIRS = 10**6, 3 * 10**7
 SHORTER = f"at most {TERMS} are allowed: factor the formula, or name its parts"
-#: Nanoseconds for the square of the degree in one variable.
+#: Nanoseconds per square of the degree in one variable.
 SQUARE = 1200
-#: Nanoseconds from which on the images modulo primes are looked at first.
+#: The cost in nanoseconds above which images modulo primes are examined first.
 WORTH_A_TRY = 200_000_000
-#: Nanoseconds for the square of the degree of an image modulo a small prime, to make and to factor it (measured: 150
-#: to 500).
+#: Nanoseconds per square of the degree of an image modulo a small prime, to compute and to factor it (measured: 150 to
+#: 500).
 IMAGE = 600
-#: Bits of prime factors that are looked for whatever the size of a number, and of numbers that are factored completely
-#: (measured: 0.5 s for a product of two primes of 80 bits).
+#: Bits of prime factors that are found in a number of any size, and of numbers that are factored completely (measured:
+#: 0.5 s for a product of two primes of 80 bits).
 SMOOTH_BITS, NUMBER_BITS = 24, 160
-#: Small primes: what is asked for is the degrees of factors.
+#: Small primes for the degrees of factors.
 PRIMES = (10007, 10009, 10037, 10039, 10061, 10067, 10069, 10079, 10091, 10093, 10099, 10103)
 
 
 class Factored(NamedTuple, Generic[P]):
-    """``constant · Π baseᵉ``, no base a constant: with coprime integer coefficients or, modulo a prime, monic."""
+    """``constant · Π baseᵉ`` with non-constant bases, which have coprime integer coefficients or, modulo a prime, are
+    monic.
+    """
 
     constant: Any
     powers: Factorization[P]
@@ -69,14 +72,14 @@ class Factored(NamedTuple, Generic[P]):
 
 
 def factorize(p: P) -> Factored[P]:
-    """A polynomial that is not zero as a constant times powers of irreducible ones.
+    """A non-zero polynomial as a constant times powers of irreducible polynomials.
 
     >>> x = fmpz_poly([0, 1])
     >>> constant, powers = factorize(-6 * (x - 1) ** 2 * (x**2 - 2))
     >>> constant, list(powers)
     (-6, [(x^2 + (-2), 1), (x + (-1), 2)])
 
-    Raises `ReachError` where FLINT may need too long.
+    Raises `ReachError` if FLINT may take too long.
     """
     if not isinstance(p, nmod_poly):
         cost = _cost(p, FACTOR)
@@ -93,7 +96,7 @@ def factorize(p: P) -> Factored[P]:
 
 
 def factorize_square_free(p: P) -> Factored[P]:
-    """A polynomial that is not zero as a constant times powers of coprime ones without multiple factors.
+    """A non-zero polynomial as a constant times powers of coprime square-free polynomials.
 
     >>> x = fmpz_poly([0, 1])
     >>> list(factorize_square_free(x**2 * (x**2 - 1)).powers)
@@ -111,20 +114,20 @@ def factorize_square_free(p: P) -> Factored[P]:
 
 
 def prime_factors(n: int) -> dict[int, int]:
-    """The prime factors of an integer that is not 0, with their exponents; of its absolute value.
+    """The prime factors of the absolute value of a non-zero integer, with their exponents.
 
     >>> prime_factors(-12), prime_factors(10**15 + 37)
     ({2: 2, 3: 1}, {1000000000000037: 1})
 
-    Raises `ReachError` where what small primes leave of it is too long.
+    Raises `ReachError` if the cofactor of its small prime factors is too large.
     """
-    found = {int(p): int(e) for p, e in fmpz(abs(n)).factor_smooth(SMOOTH_BITS)}
-    rest = next((p for p in found if not fmpz(p).is_prime()), 1)
+    exponents = {int(p): int(e) for p, e in fmpz(abs(n)).factor_smooth(SMOOTH_BITS)}
+    rest = next((p for p in exponents if not fmpz(p).is_prime()), 1)
     if rest.bit_length() > NUMBER_BITS:
         raise ReachError(f"the prime factors of a number of {rest.bit_length()} bits", remedy=REMEDY)
-    exponent = found.pop(rest, 0)
-    found |= {int(p): int(e) * exponent for p, e in fmpz(rest).factor()}
-    return dict(sorted(found.items()))
+    exponent = exponents.pop(rest, 0)
+    exponents |= {int(p): int(e) * exponent for p, e in fmpz(rest).factor()}
+    return dict(sorted(exponents.items()))
 
 
 def certainly_square_free(c: fmpz_poly) -> bool:
@@ -196,7 +199,7 @@ def _divisor_in_many(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
 def bounded_product(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
     """The product of two polynomials in many variables.
 
-    Raises `FormulaError` where it is too large.
+    Raises `FormulaError` if it is too large.
     """
     if len(p) * len(q) > PAIRS:
         raise FormulaError(f"a product of {len(p)} by {len(q)} terms", remedy=SHORTER)
@@ -207,7 +210,7 @@ def bounded_product(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
 
 
 def _cost_of_divisor(p: fmpz_poly, q: fmpz_poly) -> int:
-    """An estimate in nanoseconds of what the images modulo as many primes cost as there are words in a coefficient
+    """An estimate in nanoseconds of the cost of images modulo as many primes as a coefficient has words
     (measured: 40 s for degree 32 and 1,300,000 bits, 3 s for 400 and 67,000).
     """
     degree, words = max(p.degree(), q.degree()), 1 + max(p.height_bits(), q.height_bits()) // 62
@@ -224,25 +227,25 @@ def _split(base: fmpz_poly) -> list[fmpz_poly]:
 
 
 def _by_flint(p: Any) -> Any:
-    """The factors as FLINT gives them. Those of integer polynomials in several variables come from their image over the
-    rationals: python-flint sorts the former by their coefficients as machine integers, and fails beyond 31 bits.
+    """The factors as returned by FLINT. Integer polynomials in several variables are factored over the rationals,
+    because python-flint sorts integer factors by their coefficients as machine integers, and fails beyond 31 bits.
     """
     if not isinstance(p, fmpz_mpoly):
         return p.factor()
     context = p.context()
     rationals = fmpq_mpoly_ctx.get(context.names(), context.ordering())
     constant, factors = rationals.from_dict(p.to_dict()).factor()
-    found = [(context.from_dict({e: x.p for e, x in base.to_dict().items()}), k) for base, k in factors]
-    return constant.p, found
+    scaled = [(context.from_dict({e: x.p for e, x in base.to_dict().items()}), k) for base, k in factors]
+    return constant.p, scaled
 
 
 def _believed(p: P, constant: Any, factors: list[tuple[P, int]]) -> Factored[P]:
-    """The factorization, once its product is the polynomial; `ArithmeticError` otherwise."""
-    found = Factorization((base, int(e)) for base, e in factors)
-    product_of_all = multiplied(found, p * 0 + 1) * constant
+    """The factorization, after verification of its product; raises `ArithmeticError` if it is not the polynomial."""
+    factorization = Factorization((base, int(e)) for base, e in factors)
+    product_of_all = multiplied(factorization, p * 0 + 1) * constant
     if product_of_all != p:
-        raise ArithmeticError("FLINT's factors do not multiply to the polynomial")
-    return Factored(constant, found)
+        raise ArithmeticError("the product of FLINT's factors is not the polynomial")
+    return Factored(constant, factorization)
 
 
 def _content(p: fmpz_mpoly) -> fmpz:
@@ -253,12 +256,12 @@ def _content(p: fmpz_mpoly) -> fmpz:
 
 
 def _degrees(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> list[int]:
-    """The degrees in the variables that occur."""
+    """The degrees in those variables that occur."""
     return [d for d in map(int, [p.degree()] if isinstance(p, fmpz_poly) else p.degrees()) if d > 0]
 
 
 def _bits(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> int:
-    """The number of bits of the largest integer of a polynomial."""
+    """The number of bits of the largest coefficient of a polynomial."""
     if isinstance(p, fmpz_poly):
         return int(p.height_bits())
     if isinstance(p, fmpz_mpoly):
@@ -267,7 +270,7 @@ def _bits(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> int:
 
 
 def _cost(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly, per_bit: dict[int, int]) -> int:
-    """An estimate in nanoseconds: of a dense polynomial in one variable or two, by terms in more."""
+    """An estimate in nanoseconds: as for a dense polynomial in one or two variables, by the number of terms in more."""
     degrees, terms = _degrees(p), 1
     if not degrees:
         return 0
@@ -290,12 +293,13 @@ def _size(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> str:
 
 
 def _certainly_irreducible(p: fmpz_poly | fmpz_mpoly) -> bool:
-    """Whether the degrees of factors modulo primes show that there are no two factors but for constants; False proves
+    """Whether the degrees of factors modulo primes prove that there are no two non-constant factors; False proves
     nothing.
 
-    The degree of a factor in one variable is a sum of degrees of factors of every image of the same degree. In two
-    variables one of them takes a value: when a factor has all of the degree in the other one or nothing of it, there is
-    one factor, unless the coefficients, as polynomials in the first, have a common one.
+    In one variable, the degree of a factor is a sum of degrees of factors of each image of the same degree. In two
+    variables, one of them is set to a value: if every factor must have the full degree in the other variable or degree
+    0, then there is only one factor, unless the coefficients, as polynomials in the first variable, have a common
+    factor.
     """
     if isinstance(p, fmpz_poly):
         return _one_degree((nmod_poly([int(x % n) for x in p.coeffs()], n) for n in PRIMES), p.degree())
@@ -305,7 +309,7 @@ def _certainly_irreducible(p: fmpz_poly | fmpz_mpoly) -> bool:
 
 
 def _one_degree(images: Iterable[nmod_poly], degree: int) -> bool:
-    """Whether no sum of degrees of factors is between 0 and the degree, for all images of this degree."""
+    """Whether no number strictly between 0 and the degree is a sum of factor degrees of all images of this degree."""
     possible = (1 << (degree + 1)) - 1
     for image in images:
         if not affords(IMAGE * degree**2):
@@ -322,21 +326,21 @@ def _one_degree(images: Iterable[nmod_poly], degree: int) -> bool:
 
 
 def _images(p: fmpz_mpoly, variable: int) -> Iterator[nmod_poly]:
-    """Polynomials in the other variable: one variable takes a small value, modulo each prime."""
+    """Polynomials in the other variable, with one variable set to a small value, modulo each prime."""
     for value, prime in enumerate(PRIMES, 2):
         yield _image(p, variable, value, prime)
 
 
 def _image(p: fmpz_mpoly, variable: int, value: int, prime: int) -> nmod_poly:
-    found = [0] * (int(p.degrees()[1 - variable]) + 1)
+    coefficients = [0] * (int(p.degrees()[1 - variable]) + 1)
     for powers, x in p.to_dict().items():
-        found[powers[1 - variable]] += int(x % prime) * pow(value, powers[variable], prime)
-    return nmod_poly([x % prime for x in found], prime)
+        coefficients[powers[1 - variable]] += int(x % prime) * pow(value, powers[variable], prime)
+    return nmod_poly([x % prime for x in coefficients], prime)
 
 
 def _certainly_primitive(p: fmpz_mpoly, variable: int) -> bool:
-    """Whether the coefficients, polynomials in one variable, have no common factor: their images have none, and one of
-    them keeps its degree.
+    """Whether the coefficients, polynomials in one variable, certainly have no common factor: their images modulo a
+    prime have none, and one of them keeps its degree.
     """
     rows: dict[int, dict[int, int]] = {}
     for powers, x in p.to_dict().items():

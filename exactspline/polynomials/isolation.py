@@ -1,9 +1,10 @@
 """Exact isolation of the zeros of one form on its segment: Descartes' rule with subdivision.
 
 In ``z = t/(1 − t)`` the segment is ``z ≥ 0`` and the form is ``Σ c_i zⁱ``; the sign changes of its coefficients bound
-the number of zeros inside the segment and agree with it in parity. None means no zero, one means one simple zero;
-anything else is split at the midpoint, which is two Taylor shifts. No square-free part is needed until a depth cap is
-reached: only there could a multiple zero be the reason, and a gcd modulo one prime mostly says that it is not.
+the number of zeros inside the segment and agree with it in parity. No sign change means no zero, one sign change means
+one simple zero; otherwise the segment is split at the midpoint, by two Taylor shifts. The square-free part is needed
+only if a depth limit is reached: then a multiple zero may be the cause, and a gcd modulo one prime usually proves that
+it is not.
 
 Source: Collins and Akritas, Polynomial real root isolation using Descartes' rule of signs, SYMSAC 1976; Lane and
 Riesenfeld, Bounds on a polynomial, BIT 1981.
@@ -26,13 +27,13 @@ from exactspline.polynomials.bernstein import ONE, backwards, divide_u_plus_v, h
 from exactspline.polynomials.factorization import Factorization, multiplied
 from exactspline.polynomials.factors import certainly_square_free, factorize, factorize_square_free
 
-#: Depth at which multiple zeros are first suspected.
+#: The depth at which multiple zeros are first suspected.
 DEPTH = 10
 
 
 class LocalPolynomial:
-    """An integer polynomial in z, non-zero at both ends of the segment, with the data for its evaluation from either
-    end.
+    """An integer polynomial in z, non-zero at both ends of the segment, with the polynomials for its evaluation from
+    either end.
 
     >>> LocalPolynomial(fmpz_poly([1, -5, 6])).reversed.coeffs()
     [6, -5, 1]
@@ -46,7 +47,7 @@ class LocalPolynomial:
 
     @cached_property
     def slope(self) -> fmpz_poly:
-        """Derivative by z."""
+        """The derivative with respect to z."""
         return self.polynomial.derivative()
 
     @cached_property
@@ -56,7 +57,7 @@ class LocalPolynomial:
 
     @cached_property
     def reversed_slope(self) -> fmpz_poly:
-        """Derivative by 1/z of the polynomial in 1/z."""
+        """The derivative of the polynomial in 1/z with respect to 1/z."""
         return self.reversed.derivative()
 
     @cached_property
@@ -74,8 +75,8 @@ def _local(*coefficients: int) -> LocalPolynomial:
 
 
 class LocalZero(NamedTuple):
-    """A zero strictly inside the segment, in the local parameter: at ``low = high`` exactly, or the only one in the
-    open interval (low, high).
+    """A zero strictly inside the segment, in the local parameter: exactly ``low = high``, or the only zero in the open
+    interval (low, high).
     """
 
     low: mpq
@@ -83,15 +84,15 @@ class LocalZero(NamedTuple):
     multiplicity: int
     #: Signs of the form just left and just right of the zero.
     signs: tuple[int, int]
-    #: A factor of the form that has this zero once and no other in the interval (any factor that has the zero, when it
-    #: is exact).
+    #: A factor of the form with this simple zero and no other in the interval (any factor with this zero if it is
+    #: exact).
     factor: LocalPolynomial
-    #: Sign of the factor just left of the zero (0 when it is exact).
+    #: Sign of the factor just left of the zero (0 if it is exact).
     sign: int
 
 
 class Leaf(NamedTuple):
-    """The interval ``[k, k + 1]/2^level``, with 0 or 1 sign changes of the polynomial that was searched."""
+    """The interval ``[k, k + 1]/2^level``, with 0 or 1 sign changes of the subdivided polynomial."""
 
     level: int
     k: int
@@ -99,7 +100,7 @@ class Leaf(NamedTuple):
 
 
 class Isolation(NamedTuple):
-    """The zeros of one form on one segment, and the leaves of the subdivision that prove there are no others."""
+    """The zeros of one form on one segment, and the leaves of the subdivision, which prove that there are no others."""
 
     #: Multiplicity of the zero at the left end, and at the right end (0: none).
     at_left: int
@@ -108,14 +109,14 @@ class Isolation(NamedTuple):
     signs: tuple[int, int]
     inner: list[LocalZero]
     leaves: list[Leaf]
-    #: The zeros met exactly at midpoints, ``k/2^level``.
+    #: The zeros exactly at midpoints, ``k/2^level``.
     points: list[tuple[int, int]]
-    #: Square-free factors with their multiplicities, when they were needed; the leaves then belong to the product of
-    #: the factors, each taken once.
+    #: Square-free factors with their multiplicities, if they were needed; the leaves then refer to the product of the
+    #: factors, each taken once.
     factors: Factorization[LocalPolynomial] | None
 
 
-#: The leaves where all coefficients have one sign.
+#: The leaves of a form whose coefficients all have the same sign.
 NO_CHANGE = [Leaf(0, 0, 0)]
 
 
@@ -145,8 +146,8 @@ def isolate(c: fmpz_poly, n: int) -> Isolation:
 
 
 class _Search:
-    """Subdivision of a polynomial that is non-zero at both ends; not finished when it stopped at the cap because of a
-    multiple zero.
+    """Subdivision of a polynomial that is non-zero at both ends; not `finished` if it stopped at the depth limit
+    because of a multiple zero.
     """
 
     def __init__(self, polynomial: fmpz_poly, cap: int | None) -> None:
@@ -197,7 +198,7 @@ class _Search:
 
 
 def _attributed(c: fmpz_poly, factors: Factorization[LocalPolynomial], zeros: list[LocalZero]) -> list[LocalZero]:
-    """The zeros of the product of the factors, each with the one factor it belongs to, and with the signs of the form
+    """The zeros of the product of the factors, each with the factor to which it belongs, and with the signs of the form
     itself.
     """
     result = []
@@ -229,7 +230,7 @@ def _exact_if_linear(zero: LocalZero) -> LocalZero:
 
 
 def end_signs(c: fmpz_poly, low: mpq, high: mpq) -> tuple[int, int]:
-    """Signs of the form with integers c (of its own degree) just inside the ends of [low, high].
+    """Signs of the form with integers c (of the degree of c) just inside the ends of [low, high].
 
     >>> end_signs(fmpz_poly([1, -1]), mpq(1, 2), mpq(1))
     (-1, -1)
@@ -240,7 +241,7 @@ def end_signs(c: fmpz_poly, low: mpq, high: mpq) -> tuple[int, int]:
 
 
 def rational_roots(c: fmpz_poly) -> list[mpq]:
-    """The rational local parameters strictly inside the segment at which a form that is not zero vanishes.
+    """The rational local parameters strictly inside the segment at which a non-zero form vanishes.
 
     >>> rational_roots(fmpz_poly([-1, 1]) * fmpz_poly([-2, 0, 1]))
     [mpq(1,2)]
@@ -250,7 +251,8 @@ def rational_roots(c: fmpz_poly) -> list[mpq]:
 
 
 def zero_on_segment(c: fmpz_poly, n: int) -> Interval | None:
-    """An interval of [0, 1] with a zero of the form in it, a point where that is rational; None where there is none.
+    """An interval in [0, 1] that contains a zero of the form (a point if the zero is rational); None if there is no
+    zero.
 
     >>> zero_on_segment(fmpz_poly([1, -2, 3]), 2) is None
     True
@@ -267,21 +269,21 @@ def zero_on_segment(c: fmpz_poly, n: int) -> Interval | None:
     inner = isolate(c, n).inner
     if not inner:
         return None
-    found = Interval(inner[0].low, inner[0].high)
-    if found.low < found.high:
+    interval = Interval(inner[0].low, inner[0].high)
+    if interval.low < interval.high:
         with suppress(ReachError):
-            exact = (t for t in rational_roots(inner[0].factor.polynomial) if found.low < t < found.high)
-            found = next(map(Interval.point, exact), found)
-    return found
+            exact = (t for t in rational_roots(inner[0].factor.polynomial) if interval.low < t < interval.high)
+            interval = next(map(Interval.point, exact), interval)
+    return interval
 
 
 def is_nonnegative(c: fmpz_poly, n: int) -> bool:
-    """Whether a form of degree n is ≥ 0 on its segment: it is positive next to both ends, and changes no sign inside.
+    """Whether a form of degree n is ≥ 0 on its segment: it is positive just inside both ends and does not change sign.
 
     >>> is_nonnegative(fmpz_poly([1, -2, 1]), 2), is_nonnegative(fmpz_poly([1, -3, 1]), 2)
     (True, False)
     """
     if not c:
         return True
-    found = isolate(c, n)
-    return found.signs == (1, 1) and all(zero.signs == (1, 1) for zero in found.inner)
+    isolation = isolate(c, n)
+    return isolation.signs == (1, 1) and all(zero.signs == (1, 1) for zero in isolation.inner)

@@ -1,5 +1,5 @@
-"""Which of many integer forms have no rational zero: their residues are evaluated everywhere on projective lines over
-small prime fields. Derivation: docs/certified-filter.md.
+"""Proofs that integer forms have no rational zero, for many forms in one operation: their residues are evaluated at all
+points of projective lines over small prime fields. Derivation: docs/certified-filter.md.
 
 This module and `exactspline.polynomials.doubles` are the only ones of `polynomials` that load numpy.
 """
@@ -14,20 +14,20 @@ import numpy as np
 
 from exactspline.polynomials.doubles import Flags, Floats
 
-#: The primes that are tried, one after the other on the forms that are left.
+#: The primes, tried in turn on the forms not yet decided.
 PRIMES = (11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
-#: Longer numbers are replaced by their residues modulo the product of the primes, which is of fewer bits.
+#: Longer numbers are replaced by their residues modulo the product of the primes, which has fewer bits.
 BITS, PRODUCT = 62, prod(PRIMES)
 
 
 def without_rational_zero(forms: Sequence[Sequence[int]]) -> Flags:
-    """For which forms of one degree, rows of integer coefficients of ``uⁿ⁻ⁱvⁱ``, it is certain that they have no
-    rational zero; False decides nothing.
+    """A mask of the forms (of the same degree, given by rows of integer coefficients of ``uⁿ⁻ⁱvⁱ``) that certainly have
+    no rational zero; False decides nothing.
 
     >>> without_rational_zero([[-2, 0, 1], [-4, 0, 1], [0, 0, 0], [-2 * 10**40, 0, 10**40]]).tolist()
     [True, False, False, True]
 
-    (x² − 2)(x² − 3)(x² − 6) has zeros modulo every prime, and no rational one:
+    (x² − 2)(x² − 3)(x² − 6) has zeros modulo every prime, but no rational zeros:
 
     >>> without_rational_zero([[-36, 0, 36, 0, -11, 0, 1]]).tolist()
     [False]
@@ -52,7 +52,7 @@ def _short(form: Sequence[int]) -> Sequence[int]:
 @cache
 def _monomials(p: int, degree: int) -> Floats:
     """The monomials of a degree at all points of a projective line, (1 : t) and (0 : 1). Products with residues are
-    integers below ``p² (degree + 1)``, which doubles hold.
+    integers below ``p² (degree + 1)``, which are exact in doubles.
     """
     rows = [[pow(t, i, p) for t in range(p)] + [int(i == degree)] for i in range(degree + 1)]
     return np.array(rows, dtype=float)

@@ -1,8 +1,8 @@
-"""The Bernstein coefficients of one patch as a matrix of integers: halves, parts, derivatives, signs.
+"""The Bernstein coefficients of one patch as a matrix of integers: subdivision, restriction, derivatives, signs.
 
-A `PatchForm` is ``Σ c_ij B_i(x) B_j(y)`` times a positive constant, over the unit square of its own parameters. Signs
-and zeros do not depend on that constant; forms that were derived together from forms with one constant keep a common
-one.
+A `PatchForm` is ``Σ c_ij B_i(x) B_j(y)`` times a positive constant, over the unit square of its local parameters. Signs
+and zeros do not depend on this constant; forms derived by the same operations from forms with a common constant have a
+common constant.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from exactspline.numbers.intervals import Box, hull
 
 
 class PatchForm:
-    """One polynomial on one patch by its Bernstein coefficients, up to a positive constant.
+    """A polynomial on a patch, given by its Bernstein coefficients up to a positive constant.
 
     >>> from exactspline.numbers.intervals import UNIT, Interval
     >>> f = PatchForm.of_net([[-1, 0], [0, 1]])  # x + y − 1
@@ -70,8 +70,8 @@ class PatchForm:
 
     @property
     def sign(self) -> int | None:
-        """The sign on the whole closed square where the coefficients show one: 1, −1, 0 for the zero polynomial; None
-        where they do not decide it.
+        """The sign on the whole closed square, if it follows from the coefficients: 1, −1, or 0 for the zero
+        polynomial; otherwise None.
         """
         low, high = self.range
         if low > 0:
@@ -88,31 +88,33 @@ class PatchForm:
     @property
     def corners(self) -> tuple[fmpz, fmpz, fmpz, fmpz]:
         """The values at the corners: (0, 0), (0, 1), (1, 0), (1, 1)."""
-        own, (m, n) = self.entries, self.degree
-        return own[0], own[n], own[m * (n + 1)], own[-1]
+        entries, (m, n) = self.entries, self.degree
+        return entries[0], entries[n], entries[m * (n + 1)], entries[-1]
 
     def halves(self, direction: int) -> tuple[PatchForm, PatchForm]:
-        """The form on the two halves of the square (direction 0: of x), over one constant."""
+        """The form on the two halves of the square (direction 0: in x), with a common constant."""
         m = self.degree[direction]
-        own, (first, second) = self.matrix, _halving(m)
+        matrix, (first, second) = self.matrix, _halving(m)
         if direction == 0:
-            return PatchForm(first * own), PatchForm(second * own)
-        return PatchForm(own * first.transpose()), PatchForm(own * second.transpose())
+            return PatchForm(first * matrix), PatchForm(second * matrix)
+        return PatchForm(matrix * first.transpose()), PatchForm(matrix * second.transpose())
 
     def part(self, box: Box) -> PatchForm:
-        """The form on a box, which may reach beyond the square; the constant depends on box and degree alone."""
+        """The form on a box, which may extend beyond the square; the constant depends only on box and degree."""
         left, right = (_restriction(n, *side) for n, side in zip(self.degree, box, strict=True))
         return PatchForm(left * self.matrix * right.transpose())
 
     def value(self, x: mpq, y: mpq) -> mpq:
-        """The value at a point, up to the form's constant."""
+        """The value at a point, up to the constant of the form."""
         left, a = _weights(self.degree[0], x)
         right, b = _weights(self.degree[1], y)
         total = (left * self.matrix * right.transpose())[0, 0]
         return mpq(int(total)) / (a * b)
 
     def derivative(self, direction: int) -> PatchForm:
-        """The derivative by x (direction 0) or y, over the same constant; of a constant the zero of degree 0."""
+        """The derivative with respect to x (direction 0) or y, with the same constant; for degree 0 the zero form of
+        degree 0.
+        """
         n = self.degree[direction]
         if n == 0:
             return PatchForm(self.matrix * 0)
@@ -121,13 +123,13 @@ class PatchForm:
 
     def edge(self, direction: int, end: int) -> list[fmpz]:
         """The Bernstein coefficients along the edge on which x (direction 0) or y is 0 or 1."""
-        (m, n), own = self.degree, self.entries
+        (m, n), entries = self.degree, self.entries
         if direction == 0:
-            return own[m * (n + 1) :] if end else own[: n + 1]
-        return own[n :: n + 1] if end else own[:: n + 1]
+            return entries[m * (n + 1) :] if end else entries[: n + 1]
+        return entries[n :: n + 1] if end else entries[:: n + 1]
 
     def without_border(self) -> tuple[PatchForm, Borders]:
-        """The form without its factors x, 1 − x, y and 1 − y, and how often each divides it; not for the zero form.
+        """The form without its factors x, 1 − x, y and 1 − y, and the multiplicity of each; not for the zero form.
 
         >>> f, times = PatchForm.of_net([[0, 0], [2, 2], [0, 0]]).without_border()  # 4 x (1 − x)
         >>> f.degree, times
@@ -138,16 +140,16 @@ class PatchForm:
         return PatchForm(_lowest(_lowest(second).transpose())), Borders(low, high, left, right)
 
     def elevated(self, degree: tuple[int, int]) -> PatchForm:
-        """The same polynomial as one of higher degree, up to a constant."""
+        """The same polynomial elevated to a higher degree, up to a constant."""
         left, right = (_elevation(n, to) for n, to in zip(self.degree, degree, strict=True))
         return PatchForm(left * self.matrix * right.transpose())
 
     def combined(self, a: fmpz, other: PatchForm, b: fmpz) -> PatchForm:
-        """``a · self + b · other``, both of one degree."""
+        """``a · self + b · other``, for two forms of the same degree."""
         return PatchForm(self.matrix * a + other.matrix * b)
 
     def primitive(self) -> PatchForm:
-        """The form without a common factor of its coefficients."""
+        """The form divided by the common factor of its coefficients."""
         common = fmpz(0)
         for x in self.entries:
             common = common.gcd(x)
@@ -162,7 +164,7 @@ class PatchForm:
 
 
 class Borders(NamedTuple):
-    """Something for each of the four edges of a patch, on which x or y is 0 or 1."""
+    """A value for each of the four edges of a patch, on which x or y is 0 or 1."""
 
     u_low: int
     u_high: int
@@ -171,7 +173,7 @@ class Borders(NamedTuple):
 
 
 class Sized(NamedTuple):
-    """A box and what the forms are on it."""
+    """A box, and the forms restricted to it."""
 
     box: Box
     forms: list[PatchForm]
@@ -179,7 +181,7 @@ class Sized(NamedTuple):
 
 
 def halved(part: Sized) -> tuple[Sized, Sized]:
-    """The part cut in two across its longer side (of the unit square)."""
+    """The two halves of the part, by bisection of its longer side."""
     direction = 0 if part.box.first.width >= part.box.second.width else 1
     pairs = [f.halves(direction) for f in part.forms]
     first, second = (
@@ -190,7 +192,7 @@ def halved(part: Sized) -> tuple[Sized, Sized]:
 
 
 def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
-    """Boxes in groups, each with the box around it: no line across the square keeps apart what is in one group.
+    """Boxes in groups, each with its bounding box: no horizontal or vertical line separates the boxes of one group.
 
     >>> from exactspline.numbers.intervals import Interval
     >>> near, next_to_it, far = (Interval(mpq(k, 12), mpq(k + 3, 12)) for k in (0, 3, 8))
@@ -200,10 +202,10 @@ def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
     done: list[tuple[Box, list[Box]]] = []
     todo = [(list(boxes), 0, 0)]
     while todo:
-        own, direction, kept = todo.pop()
+        members, direction, kept = todo.pop()
         groups: list[list[Box]] = []
         reached = mpq(0)
-        for box in sorted(own, key=lambda one: one[direction]):
+        for box in sorted(members, key=lambda one: one[direction]):
             low, high = box[direction]
             if groups and low <= reached:
                 groups[-1].append(box)
@@ -213,7 +215,7 @@ def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
                 reached = high
         kept = kept + 1 if len(groups) == 1 else 1
         if kept > 1:
-            done.append((hull(own), own))
+            done.append((hull(members), members))
         else:
             todo += [(group, 1 - direction, kept) for group in reversed(groups)]
     return done
@@ -223,7 +225,7 @@ def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
 
 
 def _without_ends(matrix: fmpz_mat) -> tuple[fmpz_mat, int, int]:
-    """The coefficients without the factors x and 1 − x, x along the columns, and the powers of both."""
+    """The coefficients without the factors x and 1 − x (x varies along the columns), and the multiplicities of both."""
     rows = matrix.table()
     low = next(i for i, row in enumerate(rows) if any(row))
     high = next(i for i, row in enumerate(reversed(rows)) if any(row))
@@ -233,11 +235,11 @@ def _without_ends(matrix: fmpz_mat) -> tuple[fmpz_mat, int, int]:
     kept = n - low - high
     # C(n, i) b_i are the coefficients without binomials; those of the quotient are divided by its own
     common = lcm(*[comb(kept, k) for k in range(kept + 1)])
-    found = [
+    quotient = [
         [x * int(comb(n, low + k) * (common // comb(kept, k))) for x in row]
         for k, row in enumerate(rows[low : n + 1 - high])
     ]
-    return PatchForm(fmpz_mat(found)).primitive().matrix, low, high
+    return PatchForm(fmpz_mat(quotient)).primitive().matrix, low, high
 
 
 def _lowest(matrix: fmpz_mat) -> fmpz_mat:
@@ -261,19 +263,19 @@ def of_powers(rows: Sequence[Sequence[fmpz]]) -> PatchForm:
 
 
 def powers_of(form: PatchForm) -> list[list[fmpz]]:
-    """The coefficients of ``xⁱ yʲ``, up to the form's constant.
+    """The coefficients of ``xⁱ yʲ``, up to the constant of the form.
 
     >>> powers_of(PatchForm.of_net([[-1, 0], [0, 1]]))
     [[-1, 1], [1, 0]]
     """
     m, n = form.degree
-    found: list[list[fmpz]] = (_to_powers(m) * form.matrix * _to_powers(n).transpose()).table()
-    return found
+    table: list[list[fmpz]] = (_to_powers(m) * form.matrix * _to_powers(n).transpose()).table()
+    return table
 
 
 @lru_cache(maxsize=256)
 def _to_powers(n: int) -> fmpz_mat:
-    """Coefficients of powers from Bernstein coefficients."""
+    """The matrix from Bernstein coefficients to coefficients of powers."""
     return fmpz_mat(
         [[(-1) ** (k - i) * comb(n, k) * comb(k, i) if i <= k else 0 for i in range(n + 1)] for k in range(n + 1)]
     )
@@ -281,7 +283,7 @@ def _to_powers(n: int) -> fmpz_mat:
 
 @lru_cache(maxsize=256)
 def _from_powers(n: int) -> fmpz_mat:
-    """Bernstein coefficients from coefficients of powers, times the common multiple of the binomial coefficients."""
+    """The matrix from coefficients of powers to Bernstein coefficients, times the lcm of the binomial coefficients."""
     common = lcm(*[comb(n, k) for k in range(n + 1)])
     return fmpz_mat(
         [[int(comb(i, k) * (common // comb(n, k))) if k <= i else 0 for k in range(n + 1)] for i in range(n + 1)]
@@ -290,20 +292,20 @@ def _from_powers(n: int) -> fmpz_mat:
 
 @lru_cache(maxsize=256)
 def _halving(n: int) -> tuple[fmpz_mat, fmpz_mat]:
-    """Bernstein coefficients on the left and on the right half, times 2ⁿ."""
+    """The matrices to Bernstein coefficients on the left and on the right half, times 2ⁿ."""
     left = [[comb(i, k) << (n - i) if k <= i else 0 for k in range(n + 1)] for i in range(n + 1)]
     return fmpz_mat(left), fmpz_mat([row[::-1] for row in left[::-1]])
 
 
 @lru_cache(maxsize=256)
 def _differences(n: int) -> fmpz_mat:
-    """Bernstein coefficients of the derivative."""
+    """The matrix to Bernstein coefficients of the derivative."""
     return fmpz_mat([[n if k == i + 1 else -n if k == i else 0 for k in range(n + 1)] for i in range(n)])
 
 
 @lru_cache(maxsize=1024)
 def _elevation(n: int, to: int) -> fmpz_mat:
-    """Bernstein coefficients at a higher degree, times the common multiple of its binomial coefficients."""
+    """The matrix to Bernstein coefficients of a higher degree, times the lcm of its binomial coefficients."""
     if n == to:
         return _identity(n)
     common = lcm(*[comb(to, i) for i in range(to + 1)])
@@ -314,12 +316,14 @@ def _elevation(n: int, to: int) -> fmpz_mat:
 
 
 def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
-    """Bernstein coefficients over [a, b], times the common denominator to the power n: blossoms at a and b."""
+    """The matrix to Bernstein coefficients over [a, b], times the n-th power of the common denominator: blossoms at a
+    and b.
+    """
     if a == 0 and b == 1:
         return _identity(n)
     m = lcm(a.denominator, b.denominator)
     at_a, at_b = (_powers(fmpz_poly([int(m - x), int(x)]), n) for x in (a * m, b * m))
-    # the blossom at n − i times a and i times b: a product of two polynomials by which control point is chosen
+    # the blossom at n − i times a and i times b: its weights are the coefficients of a product of two polynomials
     return fmpz_mat([_padded(at_a[n - i] * at_b[i], n) for i in range(n + 1)])
 
 
@@ -329,15 +333,15 @@ def _identity(n: int) -> fmpz_mat:
 
 
 def _powers(p: fmpz_poly, n: int) -> list[fmpz_poly]:
-    found = [fmpz_poly([1])]
+    powers = [fmpz_poly([1])]
     for _ in range(n):
-        found.append(found[-1] * p)
-    return found
+        powers.append(powers[-1] * p)
+    return powers
 
 
 def _padded(p: fmpz_poly, n: int) -> list[fmpz]:
-    own: list[fmpz] = p.coeffs()
-    return own + [fmpz(0)] * (n + 1 - len(own))
+    coefficients: list[fmpz] = p.coeffs()
+    return coefficients + [fmpz(0)] * (n + 1 - len(coefficients))
 
 
 def _weights(n: int, x: mpq) -> tuple[fmpz_mat, mpq]:

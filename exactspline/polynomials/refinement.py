@@ -1,14 +1,14 @@
-"""Refinement of an isolated simple zero to any number of digits: Newton's method in ball arithmetic, the precision
-doubled step by step.
+"""Refinement of an isolated simple zero to any number of digits: Newton's method in ball arithmetic with doubling
+precision.
 
-Every step proves what it returns. For a ball X with midpoint m, ``N = m − g(m)/g′(X)`` holds every zero of g in X, and
-when N lies inside X there is exactly one (interval Newton). The evaluations are those of FLINT's ``arb``, whose results
-hold the exact value whatever the precision; the precision is set for one step at a time, with guard bits that follow
-the cancellation met in the step before. An exact sign at a rational parameter is computed in integers where balls do
-not decide it.
+The result of every step is proved. For a ball X with midpoint m, ``N = m − g(m)/g′(X)`` contains every zero of g in X,
+and if N is contained in the interior of X there is exactly one (interval Newton). Evaluations use FLINT's ``arb``,
+whose results contain the exact value at any precision; the precision is set for each step, with guard bits according to
+the cancellation observed in the previous step. The sign at a rational parameter is computed in integers if balls do not
+decide it.
 
-Everything happens in ``z = t/(1 − t)`` or, in the right half of the segment, in its reciprocal: there evaluation is as
-well conditioned as in the Bernstein basis.
+All computations use ``z = t/(1 − t)`` or, in the right half of the segment, its reciprocal: evaluation in these
+variables is as well conditioned as in the Bernstein basis.
 
 Source: Moore, Interval Analysis, 1966; Johansson, Arb: efficient arbitrary-precision midpoint-radius interval
 arithmetic, IEEE Trans. Comput. 2017.
@@ -25,17 +25,17 @@ from exactspline.numbers.exact import mpq, mpz, sign, to_fmpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import LocalPolynomial
 
-#: Working precision to begin with, and guard bits of every later step.
+#: The initial working precision, and the guard bits of every later step.
 START, GUARD = 64, 12
-#: Up to this product of degree and bits of the parameter a sign is found in integers at once.
+#: Up to this product of the degree and the bits of the parameter, a sign is computed directly in integers.
 EXACTLY = 3000
-#: Bits from which on every step is worth keeping: fewer are quickly computed again.
+#: The precision (bits) from which every step is worth storing: lower ones are quickly recomputed.
 KEEP = 1500
 
 
 def sign_at(c: fmpz_poly, t: mpq) -> int:
-    """Sign of a form (of its own degree) at a local parameter in [0, 1]: by balls first where numbers are long, exactly
-    where they are short or the balls hold zero.
+    """The sign of a form (of the degree of c) at a local parameter in [0, 1]: first by balls if the numbers are long,
+    exactly if they are short or the ball contains zero.
 
     >>> sign_at(fmpz_poly([1, -1]), mpq(1, 3)), sign_at(fmpz_poly([1, -1]), mpq(1, 2))
     (1, 0)
@@ -50,19 +50,19 @@ def sign_at(c: fmpz_poly, t: mpq) -> int:
 
 
 def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: int) -> Iterator[Interval]:
-    """Ever smaller rational intervals around the one zero in (low, high), the last at most ``2^−bits`` wide; ``(t, t)``
-    when t is found to be the zero.
+    """A sequence of shrinking rational intervals around the only zero in (low, high), the last at most ``2^−bits``
+    wide; ``(t, t)`` if t turns out to be the zero.
 
-    `low` and `high` are local parameters, `sign` is that of the factor just right of `low`. The zero is strictly inside
-    every interval, and the factor is not zero at an end unless it was so at `low` or `high` from the beginning. Every
-    interval is valid by itself: a caller that stops early can continue from the last one.
+    `low` and `high` are local parameters, `sign` is the sign of the factor just right of `low`. The zero is strictly
+    inside every interval, and the factor is not zero at an end unless this end is the original `low` or `high`. Every
+    interval is valid, so that a caller that stops early can continue from the last one.
 
     >>> *_, (a, b) = enclosures(LocalPolynomial(fmpz_poly([1, -3, 1])), mpq(0), mpq(1, 2), 1, 200)
     >>> b - a < mpq(1, 2**200), a < mpq(5, 18) < b, mpq(276, 1000) < a < mpq(277, 1000)
     (True, False, True)
     """
     half = mpq(1, 2)
-    if low < half < high:  # each half has a chart of its own, in which z is at most 1
+    if low < half < high:  # each half has its own chart, in which z is at most 1
         at_half = factor.polynomial(1) * sign
         if at_half == 0:
             yield Interval.point(half)
@@ -79,57 +79,55 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
 
 
 class _Chart:
-    """One zero of g(z) in the interval of z that belongs to [low, high], at most 1."""
+    """The zero of g(z) in the interval of z that corresponds to [low, high], with z at most 1."""
 
     def __init__(self, g: fmpz_poly, slope: fmpz_poly, low: mpq, high: mpq, sign: int) -> None:
         self.g, self.slope, self.low, self.high, self.sign = g, slope, low, high, sign
         self.ends = to_fmpq(low / (1 - low)), to_fmpq(high / (1 - high))
-        #: Bits lost by cancellation and division, as met so far.
+        #: Bits lost by cancellation and division, as observed so far.
         self.loss = 0
 
     def run(self, bits: int) -> Iterator[Interval]:
         ball = self._caught()
         accuracy = _accuracy(ball)
-        # one bit for the two units that rounding outwards adds, two for the width of a ball
+        # one bit for the two units added by outward rounding, two for the width of a ball
         goal = bits + 3
         while accuracy < goal:
             if accuracy >= KEEP:
                 yield self._local(ball, accuracy)
-            wanted = goal + GUARD
-            while wanted > 2 * accuracy + GUARD:
-                wanted = wanted // 2 + 2
-            ball = self._step(ball, accuracy, wanted)
+            target = goal + GUARD
+            while target > 2 * accuracy + GUARD:
+                target = target // 2 + 2
+            ball = self._step(ball, accuracy, target)
             accuracy, before = _accuracy(ball), accuracy
             if accuracy < before + 2:
                 self.loss += before + GUARD
         yield self._local(ball, goal)
 
-    def _step(self, ball: Any, accuracy: int, wanted: int) -> Any:
-        """One interval Newton step from a ball of the given accuracy; the cancellation that it meets is kept in
-        `loss`.
-        """
-        precision = wanted + self.loss + GUARD
+    def _step(self, ball: Any, accuracy: int, target: int) -> Any:
+        """One interval Newton step from a ball of the given accuracy; the observed cancellation is stored in `loss`."""
+        precision = target + self.loss + GUARD
         with ctx.workprec(min(precision, accuracy + self.loss + 2 * GUARD)):
             slope = arb_poly(self.slope)(ball)
         with ctx.workprec(precision):
             middle = ball.mid()
             correction = arb_poly(self.g)(middle) / slope
             step = middle - correction
-            # the balls overlap: both hold the zero
+            # the balls overlap, because both contain the zero
             result = step.intersection(ball) if step.is_finite() else ball
         noise = _accuracy(result)
         self.loss = (
-            max(self.loss, min(wanted - noise, wanted))
-            if noise < wanted and noise < 2 * accuracy - 2 * GUARD
+            max(self.loss, min(target - noise, target))
+            if noise < target and noise < 2 * accuracy - 2 * GUARD
             else self.loss
         )
         return result
 
     def _caught(self) -> Any:
-        """A ball proved to hold the zero and no other, on which interval Newton contracts.
+        """A ball that is proved to contain the zero and no other, and on which interval Newton contracts.
 
-        Newton's method without proof from the middle, held inside the interval, whose ends move in with every certain
-        sign; then the inclusion test around where it went.
+        Unproved Newton iteration from the midpoint, restricted to the interval, which shrinks with every certain sign;
+        then an inclusion test around its limit.
         """
         low, high = self.ends
         gap = high - low
@@ -144,14 +142,14 @@ class _Chart:
             self.loss = precision
 
     def _attempt(self, low_end: Any, high_end: Any, x: Any) -> tuple[Any, Any, Any, Any]:
-        """The ball, or None when the precision is not sufficient; then the smaller interval and the point where a sign
-        was not certain.
+        """The ball, or None if the precision is insufficient; then also the smaller interval and the point at which a
+        sign was uncertain.
         """
         g, slope = arb_poly(self.g), arb_poly(self.slope)
         (first, end), low, high = map(arb, self.ends), arb(low_end), arb(high_end)
         x = ((low + high) / 2).mid() if x is None else x
         last = high - low
-        # near enough for the inclusion test to be worth a step of higher precision
+        # close enough to try the inclusion test at a higher precision
         near = last / 1024
         while True:
             at = g(x)
@@ -168,7 +166,7 @@ class _Chart:
             size = abs(change).upper() if change.is_finite() else last
             inside = bool(change.is_finite() and low < y and y < high)
             ball = arb(y, size / 4)
-            # an end that has moved may be nearer to the zero than the precision can tell
+            # an end that has moved may be closer to the zero than the precision can resolve
             if change.is_finite() and size < near and first < ball < end:
                 newton = y - g(y) / slope(ball)
                 if newton.is_finite() and ball.contains_interior(newton):
@@ -184,7 +182,9 @@ class _Chart:
             x = y
 
     def _local(self, ball: Any, bits: int) -> Interval:
-        """The interval of t on the grid of ``2^−bits`` around the ball, rounded outwards and inside the one before."""
+        """The interval of t around the ball, rounded outwards to multiples of ``2^−bits``, and inside the previous
+        interval.
+        """
         if ball.is_exact() and self.g(ball.fmpq()) == 0:
             z = ball.fmpq()
             self.low = self.high = mpq(int(z.p), int(z.p + z.q))
@@ -197,7 +197,7 @@ class _Chart:
 
 
 def _floor_scaled(z: Any, bits: int) -> mpz:
-    """Integer part of ``2^bits z/(1 + z)`` for a dyadic ball of radius zero."""
+    """The integer part of ``2^bits z/(1 + z)`` for a dyadic ball of radius zero."""
     mantissa, exponent = z.man_exp()
     man, exp = mpz(int(mantissa)), int(exponent)
     if exp >= 0:
@@ -206,6 +206,6 @@ def _floor_scaled(z: Any, bits: int) -> mpz:
 
 
 def _accuracy(ball: Any) -> int:
-    """Largest k such that the radius is below ``2^−k``."""
+    """The largest k such that the radius is below ``2^−k``."""
     mantissa, exponent = ball.rad().man_exp()
     return -int(exponent) - int(mantissa).bit_length() if mantissa != 0 else 1 << 60

@@ -1,8 +1,8 @@
-"""One polynomial in two parameters on one patch: a form in each direction, packed into a single ``fmpz_poly``.
+"""A polynomial in two parameters on a patch: a form in each direction, packed into a single ``fmpz_poly``.
 
-``P = Σ c_ij u^(m−i) vⁱ ū^(n−j) v̄ʲ / denominator`` is kept as ``Σ c_ij x^(i + S j)`` (Kronecker): a power x^S of the
-variable stands for the second one. The stride S is a power of two above the degree m in the first parameter, so that a
-product of two patches with room for its degree is a product of two polynomials.
+``P = Σ c_ij u^(m−i) vⁱ ū^(n−j) v̄ʲ / denominator`` is stored as ``Σ c_ij x^(i + S j)`` (Kronecker substitution): the
+power x^S represents the second variable. The stride S is a power of two above the degree m in the first parameter; if
+it has room for the degree of a product, the product of two patches is the product of two polynomials.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from exactspline.polynomials.bernstein import Form, primitive, raiser, value
 
 
 def stride_for(degree: int) -> int:
-    """The smallest stride with room for a degree in the first parameter.
+    """The smallest stride that has room for a degree in the first parameter.
 
     >>> [stride_for(m) for m in (0, 1, 3, 4)]
     [1, 2, 4, 8]
@@ -26,7 +26,7 @@ def stride_for(degree: int) -> int:
 
 
 def rows(c: fmpz_poly, stride: int, n: int) -> list[fmpz_poly]:
-    """The forms in the first parameter, one for each power of the second.
+    """The forms in the first parameter, one per power of the second.
 
     >>> rows(fmpz_poly([1, 2, 3, 4]), 2, 1)
     [2*x + 1, 4*x + 3]
@@ -36,7 +36,7 @@ def rows(c: fmpz_poly, stride: int, n: int) -> list[fmpz_poly]:
 
 
 def columns(c: fmpz_poly, stride: int, m: int) -> list[fmpz_poly]:
-    """The forms in the second parameter, one for each power of the first.
+    """The forms in the second parameter, one per power of the first.
 
     >>> columns(fmpz_poly([1, 2, 3, 4]), 2, 1)
     [3*x + 1, 4*x + 2]
@@ -79,9 +79,9 @@ def packed(parts: Sequence[fmpz_poly], stride: int) -> fmpz_poly:
     """
     coefficients: list[fmpz] = []
     for row in parts:
-        own = row.coeffs()
-        coefficients += own
-        coefficients += [fmpz(0)] * (stride - len(own))
+        row_coefficients = row.coeffs()
+        coefficients += row_coefficients
+        coefficients += [fmpz(0)] * (stride - len(row_coefficients))
     return fmpz_poly(coefficients)
 
 
@@ -93,8 +93,8 @@ def repacked(c: fmpz_poly, old: int, new: int) -> fmpz_poly:
 
 
 def transposed(c: fmpz_poly, stride: int, n: int, new: int) -> fmpz_poly:
-    """The patch with its parameters exchanged: n is the degree in what was the second one, `new` the stride of the
-    result.
+    """The patch with its parameters exchanged: n is the degree in the original second parameter, `new` the stride of
+    the result.
     """
     parts = [row.coeffs() for row in rows(c, stride, n)]
     height = max((len(row) for row in parts), default=0)
@@ -102,7 +102,7 @@ def transposed(c: fmpz_poly, stride: int, n: int, new: int) -> fmpz_poly:
 
 
 def at_first(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq) -> Form:
-    """The form in the second parameter where the first one has the local value a."""
+    """The form in the second parameter at the local value a of the first one."""
     values = [value((row, m), degrees[0], a) for row in rows(c, stride, degrees[1])]
     integers, common = over_one_denominator(values)
     return primitive((fmpz_poly(integers), fmpz(common)))

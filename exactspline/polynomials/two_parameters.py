@@ -1,5 +1,5 @@
-"""Polynomials in two parameters s and t: parts, values in balls, the forms of patches, and boxes in which several may
-vanish together.
+"""Polynomials in two parameters s and t: coefficients, values in balls, forms on patches, and boxes in which several
+may vanish together.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from exactspline.polynomials.patch_forms import PatchForm, of_powers, powers_of
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
 S, T = CONTEXT.gens()
 
-#: Halvings before a box is assumed to hold a common zero, and boxes before the search stops.
+#: The number of bisections after which a box is assumed to contain a common zero, and the maximal number of boxes.
 DEPTH, BOXES = 9, 3000
-#: Nanoseconds for a coefficient of a patch to halve it, and for 100 bits of a coefficient on top of it.
+#: The cost of bisecting a patch: nanoseconds per coefficient, and in addition per 100 bits of a coefficient.
 HALVING, HALVING_BITS = 4000, 500
 
 
 def lifted(p: fmpz_poly, variable: int) -> fmpz_mpoly:
-    """A polynomial of one parameter as one of both: variable 0 is s, 1 is t."""
+    """A polynomial in one parameter as a polynomial in both: variable 0 is s, 1 is t."""
     return CONTEXT.from_dict({(k, 0) if variable == 0 else (0, k): x for k, x in enumerate(p.coeffs()) if x})
 
 
 def in_one(p: fmpz_mpoly, variable: int) -> fmpz_poly:
-    """A polynomial in both parameters in which only one of them occurs."""
-    found = {int(powers[variable]): x for powers, x in p.terms()}
-    return fmpz_poly([found.get(k, 0) for k in range(max(found, default=-1) + 1)])
+    """A polynomial in both parameters, in which only one occurs, as a polynomial in this one."""
+    coefficients = {int(powers[variable]): x for powers, x in p.terms()}
+    return fmpz_poly([coefficients.get(k, 0) for k in range(max(coefficients, default=-1) + 1)])
 
 
 def rows_of(p: fmpz_mpoly) -> list[fmpz_poly]:
@@ -41,14 +41,14 @@ def rows_of(p: fmpz_mpoly) -> list[fmpz_poly]:
     >>> rows_of(S * T + 2)
     [2, x]
     """
-    found: list[dict[int, int]] = [{} for _ in range(int(p.degrees()[1]) + 1)] if p else []
+    rows: list[dict[int, int]] = [{} for _ in range(int(p.degrees()[1]) + 1)] if p else []
     for (i, j), x in p.terms():
-        found[int(j)][int(i)] = int(x)
-    return [fmpz_poly([row.get(k, 0) for k in range(max(row, default=-1) + 1)]) for row in found]
+        rows[int(j)][int(i)] = int(x)
+    return [fmpz_poly([row.get(k, 0) for k in range(max(row, default=-1) + 1)]) for row in rows]
 
 
 def at(p: fmpz_mpoly, variable: int, value: mpq) -> fmpz_poly:
-    """The polynomial in the other parameter when one is a rational number, up to a positive constant.
+    """The polynomial in the other parameter for a rational value of one parameter, up to a positive constant.
 
     >>> at(S * T + 2, 0, mpq(1, 2))
     x + 4
@@ -62,22 +62,23 @@ def at(p: fmpz_mpoly, variable: int, value: mpq) -> fmpz_poly:
 
 
 def value_at(p: fmpz_mpoly, s: mpq, t: mpq) -> mpq:
-    """The exact value at rational parameters, up to a positive constant that depends on s and the degree alone."""
+    """The exact value at rational parameters, up to a positive constant that depends only on s and the degree."""
     return from_flint(at(p, 0, s)(to_fmpq(t)))
 
 
 def enclosed(p: fmpz_mpoly, s: arb, t: arb) -> arb:
-    """A ball with the values of a polynomial over two balls."""
+    """A ball that contains the values of a polynomial over two balls."""
     return arb_poly([arb_poly(row)(s) for row in rows_of(p)])(t)
 
 
 def least_value(p: fmpz_mpoly, first: fmpz_poly, second: fmpz_poly) -> int:
-    """A number b such that p is 0 or of a size of at least ``2^−b`` at a root of one integer polynomial and a root of
-    another.
+    """A number b such that, at a root of one integer polynomial and a root of another, p is 0 or at least ``2^−b`` in
+    absolute value.
 
-    Liouville's inequality: the sizes of an algebraic number at all places of its field multiply to 1. At the others it
-    is at most the sum of the coefficients of p times powers of the Mahler measures, and these are at most Euclid's
-    norms of both polynomials (Waldschmidt, Diophantine Approximation on Linear Algebraic Groups, 2000, §3.5).
+    By Liouville's inequality: the absolute values of an algebraic number at all places of its field multiply to 1. At
+    the other places it is at most the sum of the coefficients of p times powers of the Mahler measures, which are at
+    most the Euclidean norms of both polynomials (Waldschmidt, Diophantine Approximation on Linear Algebraic Groups,
+    2000, §3.5).
 
     >>> least_value(S - T, fmpz_poly([-2, 0, 1]), fmpz_poly([-3, 0, 1]))
     16
@@ -89,7 +90,7 @@ def least_value(p: fmpz_mpoly, first: fmpz_poly, second: fmpz_poly) -> int:
 
 
 def _norm_bits(p: fmpz_poly) -> int:
-    """The logarithm to base 2 of Euclid's norm of the coefficients, rounded up."""
+    """The base 2 logarithm of the Euclidean norm of the coefficients, rounded up."""
     return (sum(int(x) ** 2 for x in p.coeffs()).bit_length() + 1) // 2
 
 
@@ -116,9 +117,9 @@ def as_form(p: fmpz_mpoly) -> PatchForm:
 
 
 def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Box) -> list[Box]:
-    """Boxes that hold all common zeros on a closed rectangle; none is a proof that there are none.
+    """Boxes that contain all common zeros on a closed rectangle; an empty list proves that there are none.
 
-    A box is left out where all Bernstein coefficients of one of the polynomials are of one strict sign.
+    A box is excluded if all Bernstein coefficients of one of the polynomials are positive or all are negative.
 
     >>> from exactspline.numbers.intervals import UNIT
     >>> possible_boxes([S - T, S + T - 3], UNIT)
@@ -127,7 +128,7 @@ def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Box) -> list[Box]:
     forms = [as_form(p).part(sides).primitive() for p in polynomials if p]
     cost = sum(map(_halving, forms))
     todo = [(0, sides, forms)]
-    found: list[Box] = []
+    boxes: list[Box] = []
     steps = 0
     while todo:
         depth, box, own = todo.pop()
@@ -135,15 +136,15 @@ def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Box) -> list[Box]:
             continue
         steps += 1
         if depth == DEPTH or steps > BOXES or not affords(cost):
-            found.append(box)
+            boxes.append(box)
             continue
         parts = [form.halves(depth % 2) for form in own]
         todo += [(depth + 1, half, [pair[k] for pair in parts]) for k, half in enumerate(box.halves(depth % 2))]
-    return found
+    return boxes
 
 
 def _halving(form: PatchForm) -> int:
-    """An estimate in nanoseconds of halving a patch on the way to the smallest boxes."""
+    """An estimate in nanoseconds of the cost of bisecting a patch on the way to the smallest boxes."""
     m, n = form.degree
     bits = height_bits(form.entries) + DEPTH // 2 * (m + n)
     return (m + 1) * (n + 1) * (HALVING + HALVING_BITS * bits // 100)

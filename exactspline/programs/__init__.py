@@ -1,7 +1,7 @@
 """Formulas as straight-line programs: traced once for a kind of argument and run segment by segment on integers.
 
 >>> from exactspline.papers import find
->>> from exactspline.splines.examples import example
+>>> from exactspline.interchange.examples import example
 >>> curve = example("rational_cubic")
 >>> on_segments = program_for(find("g2"), curve)
 >>> on_segments(curve) == find("g2")(curve), on_segments.count("mul")

@@ -139,12 +139,15 @@ def in_doubles(program: Program, operands: Sequence[Floats], roundings: int) -> 
                 if a != UNIT and last[a] == i and a not in program.outputs:
                     del values[a], masses[a]
         return [
-            _bounded(values[i], masses[i], known[i]) if i != ZERO else Bounded(np.zeros((rows, 1)), np.zeros((rows, 1)))
+            bounded_by(values[i], masses[i], known[i])
+            if i != ZERO
+            else Bounded(np.zeros((rows, 1)), np.zeros((rows, 1)))
             for i in program.outputs
         ]
 
 
-def _bounded(values: Floats, masses: Floats, known: Known) -> Bounded:
+def bounded_by(values: Floats, masses: Floats, known: Known) -> Bounded:
+    """Computed values with the bounds of their errors."""
     lost = SLACK * float(known.lost) * UNDERFLOW
     return Bounded(values, masses * (SLACK * known.roundings * ROUNDING) + lost)
 

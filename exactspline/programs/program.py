@@ -25,8 +25,7 @@ from exactspline.programs.reading import ProgramReading, Signature
 from exactspline.programs.term import Term
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.tensor import TensorSpline, make
-from exactspline.splines.tensor_parts import Degrees
-from exactspline.splines.tensor_univariate import spread
+from exactspline.splines.tensor_patches import Degrees, spread
 from exactspline.splines.values import SplineValue
 
 
@@ -45,7 +44,7 @@ class Program:
     """A formula as instructions, and how its value is assembled from them.
 
     >>> from exactspline.papers import find
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> curve = example("rational_cubic")
     >>> program = program_for(find("f2"), curve)
     >>> program(curve).degree, program.count("mul")
@@ -200,7 +199,7 @@ def values(formulas: tuple[Formula, ...], given: Given) -> dict[Formula, SplineV
     """The values of several formulas by one program, in which what they share is computed once.
 
     >>> from exactspline.papers import find
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> given = operands_of(find("f2").kind, example("rational_cubic"), true_degree=True)
     >>> found = values((find("inflections_lifted"), find("critical_curvature_lifted")), given)
     >>> [f.degree for f in found.values()]
@@ -229,7 +228,7 @@ def evaluated(formula: Formula, argument: Evaluated) -> SplineValue:
     """The value of a formula: by its program where there is one, and otherwise in the spline reading.
 
     >>> from exactspline.papers import find
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> evaluated(find("curvature_squared"), example("circle"))(0)
     mpq(1,1)
     """

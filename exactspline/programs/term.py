@@ -151,11 +151,11 @@ class Term(RingOperand):
     # ---- sums
 
     def __add__(self, other: object) -> Self:
-        right = self.beside(other)
+        right = self.coerced(other)
         return NotImplemented if right is None else self._sum(right, 1, SUM)
 
     def __sub__(self, other: object) -> Self:
-        right = self.beside(other)
+        right = self.coerced(other)
         return NotImplemented if right is None else self._sum(right, -1, DIFFERENCE)
 
     def _sum(self, other: Self, sign: int, name: int) -> Self:

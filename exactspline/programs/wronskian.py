@@ -27,7 +27,7 @@ class TermAtTrueDegree(Term, OwnWronskians):
     >>> from exactspline.papers import find
     >>> from exactspline.programs.given import operands_of
     >>> from exactspline.programs.program import program_of
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> lifted, curve = find("inflections_lifted"), example("rational_cubic")
     >>> read = [operands_of(lifted.kind, curve, true_degree=true_degree) for true_degree in (False, True)]
     >>> [program_of(lifted, given.signature).on(given).degree for given in read]

@@ -94,7 +94,7 @@ class Degree(RingOperand, PartlyOrdered):
         return self._made(self.terms | other.terms, self.provenance, self.still)
 
     def __add__(self, other: object) -> Degree:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         provenance = (SUM, self.provenance, right.provenance)

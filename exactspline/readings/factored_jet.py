@@ -65,7 +65,7 @@ class FactoredJet(RingOperand):
         return multiplied(self.ring, self.powers) * self.unit
 
     def __mul__(self, other: object) -> FactoredJet:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         provenance = (PRODUCT, self.provenance, right.provenance)
@@ -82,7 +82,7 @@ class FactoredJet(RingOperand):
         return self._sum(other, -1, DIFFERENCE)
 
     def _sum(self, other: object, sign: int, name: int) -> FactoredJet:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             refused: FactoredJet = NotImplemented
             return refused

@@ -190,19 +190,19 @@ class Jet(RingOperand):
         return self.ring.number(value)
 
     def __add__(self, other: object) -> Jet:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial + right.polynomial, (SUM, self.provenance, right.provenance))
 
     def __sub__(self, other: object) -> Jet:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial - right.polynomial, (DIFFERENCE, self.provenance, right.provenance))
 
     def __mul__(self, other: object) -> Jet:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         product = bounded_product(self.polynomial, right.polynomial)
@@ -226,8 +226,8 @@ class Jet(RingOperand):
         for _ in range(order):
             total = ring.context.constant(0)
             for i, used in enumerate(result.degrees()):
-                if int(used) > 0 and (own := ring.derivative(i, by)) is not None:
-                    total += result.derivative(i) * own
+                if int(used) > 0 and (derivative := ring.derivative(i, by)) is not None:
+                    total += result.derivative(i) * derivative
             result, provenance = total, (DERIVATIVE, provenance)
         return Jet(ring, result, provenance)
 

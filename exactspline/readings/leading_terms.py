@@ -98,8 +98,8 @@ class Expansion(RingOperand):
             return NotImplemented
         parts = dict(self.parts)
         for grading, terms in other.parts.items():
-            own = parts.get(grading)
-            parts[grading] = terms if own is None else [a + b for a, b in zip(own, terms, strict=True)]
+            present = parts.get(grading)
+            parts[grading] = terms if present is None else [a + b for a, b in zip(present, terms, strict=True)]
         return self._made(parts)
 
     def __mul__(self, other: object) -> Expansion:
@@ -221,12 +221,12 @@ class LeadingTermsReading(Reading):
         nothing = [context.constant(0)] * (self.terms - 1)
 
         def operand(symbol: Symbol) -> Expansion:
-            own = [known[f"{symbol.name}{i}"] for i in range(lengths[symbol.name])]
+            coefficients = [known[f"{symbol.name}{i}"] for i in range(lengths[symbol.name])]
             if symbol.parameters == PARAMETERS[:1]:
-                return Expansion(context, self.terms, {(1, 0): own})
-            constants = [StillExpansion(context, self.terms, {(0, 0): [c, *nothing]}) for c in own]
+                return Expansion(context, self.terms, {(1, 0): coefficients})
+            constants = [StillExpansion(context, self.terms, {(0, 0): [c, *nothing]}) for c in coefficients]
             if not symbol.parameters:
-                constants[1:] = [StillExpansion(context, self.terms, {}) for _ in own[1:]]
+                constants[1:] = [StillExpansion(context, self.terms, {}) for _ in coefficients[1:]]
             constants[0].derivatives = constants
             return constants[0]
 
@@ -246,8 +246,8 @@ class LeadingTermsReading(Reading):
         across = Across(other, follows)
 
         def operand(symbol: Symbol) -> Expansion:
-            own = [known[symbol.name, i, 0] for i in range(self.terms)]
-            return Expansion(context, self.terms, {(1, 0): own}, across)
+            coefficients = [known[symbol.name, i, 0] for i in range(self.terms)]
+            return Expansion(context, self.terms, {(1, 0): coefficients}, across)
 
         nothing = [context.constant(0)] * (self.terms - 1)
         one = Expansion(context, self.terms, {(0, 0): [context.constant(1), *nothing]}, across)

@@ -32,11 +32,11 @@ class InOtherParameter(FieldOperand):
         return self._made(self.value.constant(value))
 
     def __add__(self, other: object) -> InOtherParameter:
-        right = self.beside(other)
+        right = self.coerced(other)
         return NotImplemented if right is None else self._made(self.value + right.value)
 
     def __mul__(self, other: object) -> InOtherParameter:
-        right = self.beside(other)
+        right = self.coerced(other)
         return NotImplemented if right is None else self._made(self.value * right.value)
 
     def reciprocal(self) -> InOtherParameter:

@@ -45,7 +45,7 @@ class JetFraction(FieldOperand):
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
 
     def __add__(self, other: object) -> JetFraction:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         if self.bottom.is_one() and right.bottom.is_one():
@@ -63,7 +63,7 @@ class JetFraction(FieldOperand):
         return JetFraction(self.ring, top, bounded_product(bounded_product(mine, its), rest))
 
     def __mul__(self, other: object) -> JetFraction:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         if self.bottom.is_one() and right.bottom.is_one():

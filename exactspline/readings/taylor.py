@@ -44,13 +44,13 @@ class Series(FieldOperand):
         return Series([zero + value, *[zero] * (len(self.coefficients) - 1)])
 
     def __add__(self, other: object) -> Series:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         return Series(a + b for a, b in zip(self.coefficients, right.coefficients, strict=False))
 
     def __mul__(self, other: object) -> Series:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         a, b = self.coefficients, right.coefficients

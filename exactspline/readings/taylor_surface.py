@@ -41,7 +41,7 @@ class DoubleSeries(FieldOperand):
         return DoubleSeries({(0, 0): mpq(value)}, self.terms)
 
     def __add__(self, other: object) -> DoubleSeries:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         total = dict(self.coefficients)
@@ -50,7 +50,7 @@ class DoubleSeries(FieldOperand):
         return DoubleSeries(total, min(self.terms, right.terms))
 
     def __mul__(self, other: object) -> DoubleSeries:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         product, terms = Coefficients(), min(self.terms, right.terms)

@@ -105,8 +105,8 @@ class Node(Expression, Operand, OwnVectors):
 
     def joining(self, parts: tuple[object, ...]) -> Node:
         """The node of a vector joined from parts."""
-        own = (Node(Operation.NUMBER, value=part) if isinstance(part, CONSTANTS) else part for part in parts)
-        return Node(Operation.JOIN, cast("tuple[Node, ...]", tuple(own)), vector=True)
+        operands = (Node(Operation.NUMBER, value=part) if isinstance(part, CONSTANTS) else part for part in parts)
+        return Node(Operation.JOIN, cast("tuple[Node, ...]", tuple(operands)), vector=True)
 
     def ruled(self, generator: Node) -> Node:
         """The node of a ruled surface with this directrix."""

@@ -1,4 +1,4 @@
-"""Certified zero sets: every root, none extraneous, to any number of digits.
+"""Certified zero sets: all roots and no others, to any number of digits.
 
 >>> from exactspline import BSpline
 >>> zeros(BSpline.bezier([1, -2, 1])).roots

@@ -1,23 +1,24 @@
-"""Zero sets written out as proofs: JSON data with exact strings, for `exactspline.roots.checker` or any other reader.
+"""Certificates of zero sets: JSON data with exact strings, for `exactspline.certificates` or any other checker.
 
-A segment carries the integers ``c_i`` of its form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` (t from 0 to 1 on the segment), the leaves of
-a subdivision of [0, 1] with the number, 0 or 1, of sign changes that the Bernstein coefficients have there, the
-midpoints that are zeros themselves, and, where multiple zeros asked for it, factors whose powers multiply to the form
-up to a constant, the zeros at the ends and powers of ``u + v``; the leaves then belong to the product of the factors,
-each taken once. The roots, with the intervals reached so far, are those of the whole spline. An interval on which it
-vanishes is given by its two ends, the end before the beginning where it crosses the seam of a periodic spline.
+A segment contains the integers ``c_i`` of its form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` (t from 0 to 1 on the segment), the leaves
+of a subdivision of [0, 1], each with the number, 0 or 1, of sign changes of the Bernstein coefficients on it, and the
+midpoints that are zeros themselves. If required by multiple zeros, it also contains factors whose powers multiply to
+the form, up to a constant, the zeros at the ends and powers of ``u + v``; the leaves then refer to the product of the
+factors, each taken once. The roots, with the intervals computed so far, are those of the whole spline. An interval on
+which it vanishes is given by its two ends; if it crosses the seam of a periodic spline, its end is smaller than its
+beginning.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
+from exactspline.certificates import ZEROS
+from exactspline.certificates import certificate as written
 from exactspline.numbers.exact import mpq, text
 from exactspline.polynomials.isolation import Isolation
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
-
-FORMAT = "exactspline zeros 1"
 
 
 def certificate(
@@ -29,14 +30,14 @@ def certificate(
     *,
     periodic: bool,
 ) -> dict[str, object]:
-    """The proof of a zero set as JSON data; of jumps the parameter with the signs on both sides, of intervals the ends.
+    """The proof of a zero set as JSON data; `jumps` are given by the parameter and the signs on both sides, `intervals`
+    by their ends.
 
     >>> from exactspline import zeros
     >>> zeros(BSpline.bezier([1, -2, 1])).certificate()["segments"][0]["leaves"]
     [['0', '1/2', 1], ['1/2', '1', 1]]
     """
-    return {
-        "format": FORMAT,
+    data: dict[str, object] = {
         "degree": f.degree,
         "periodic": periodic,
         "breakpoints": [text(t) for t in f.mesh.breaks],
@@ -56,6 +57,7 @@ def certificate(
         "jumps": [{"at": text(t), "signs": [left, right]} for t, left, right in jumps],
         "intervals": [[text(low), text(high)] for low, high in intervals],
     }
+    return written(ZEROS, data)
 
 
 def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, object]:

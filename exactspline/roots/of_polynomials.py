@@ -1,4 +1,4 @@
-"""The real roots of polynomials between rational numbers, as certified zeros of splines."""
+"""The real roots of polynomials in intervals with rational ends, as certified zeros of splines."""
 
 from __future__ import annotations
 
@@ -19,13 +19,12 @@ from exactspline.splines.knots import Mesh
 #: An exact parameter: rational, or a certified root.
 Parameter = mpq | Root
 
-#: Hundredths of a nanosecond, times the square of the degree and the bits of a form, to make it and to isolate its
-#: roots.
+#: The cost of making a form and isolating its roots: hundredths of a nanosecond per square of the degree and per bit.
 ISOLATION = 80
 
 
 def as_splines(polynomials: Sequence[fmpz_poly], a: mpq, b: mpq) -> list[BSpline]:
-    """Polynomials as splines of one degree over [a, b], up to one positive constant.
+    """Polynomials as splines of the same degree over [a, b], up to a common positive constant.
 
     >>> [f("1/2") for f in as_splines([fmpz_poly([0, 2]), fmpz_poly([1])], mpq(0), mpq(1))]
     [mpq(1,1), mpq(1,1)]
@@ -35,7 +34,7 @@ def as_splines(polynomials: Sequence[fmpz_poly], a: mpq, b: mpq) -> list[BSpline
 
 
 def roots_in(p: fmpz_poly, a: mpq, b: mpq) -> list[Root]:
-    """The real roots of a polynomial in [a, b], in order, each once.
+    """The distinct real roots of a polynomial in [a, b], in ascending order.
 
     >>> [root.exact for root in roots_in(fmpz_poly([0, -1, 0, 4]), mpq(0), mpq(1))]
     [mpq(0,1), mpq(1,2)]
@@ -45,17 +44,17 @@ def roots_in(p: fmpz_poly, a: mpq, b: mpq) -> list[Root]:
     check_isolation(p, height_bits(to_fmpz(x) for end in (a, b) for x in (end.numerator, end.denominator)))
     try:
         factors = factorize(p).bases
-    except ReachError:  # with irreducible factors roots are refined faster, but these have the same
+    except ReachError:  # roots are refined faster with irreducible factors, but the square-free part has the same roots
         factors = factorize_square_free(p).bases
     return sorted(root for q in factors for root in zeros(as_splines([q], a, b)[0]))
 
 
 def check_isolation(p: fmpz_poly, bits: int = 0) -> None:
-    """`ReachError` where isolating the roots of a polynomial, between ends of this many bits, would take too long."""
+    """Raise `ReachError` if isolating the roots of a polynomial, between ends of this many bits, takes too long."""
     cost = p.degree() ** 2 * (height_bits(p.coeffs()) + p.degree() * (1 + bits)) * ISOLATION // 100
     check_reach(cost, lambda: f"the isolation of the roots of a polynomial of degree {p.degree()}", QUESTION)
 
 
 def exactly(t: Parameter) -> Parameter:
-    """The rational number itself where a root is one."""
+    """The rational value of a parameter that is rational; others unchanged."""
     return t if not isinstance(t, Root) or t.exact is None else t.exact

@@ -1,4 +1,4 @@
-"""A certified root: where it is, how often, to any number of digits; compared exactly with other roots."""
+"""Certified roots: their place, multiplicity and signs, digits to any precision, and exact comparison."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from exactspline.polynomials.refinement import enclosures, sign_at
 from exactspline.reals.algebraic import Algebraic
 from exactspline.reals.real import Real
 
-#: How often two roots are compared with a number between them before digits are computed.
+#: The number of times two roots are compared with a number between them before they are refined.
 BISECTIONS = 5
 
 
 class Root(Real, Displayed):
-    """One zero of a spline, in the spline's own parameter: a real number, known exactly, and where it was found.
+    """One zero of a spline, in the parameter of the spline: an exact real number, and its place on the spline.
 
-    Either `low` = `high` is the root itself, or it is the only one strictly between them and `polynomial` has a simple
-    zero there. The interval shrinks when digits are needed (also by comparisons) and stays valid when that is
-    interrupted; nothing else of a root ever changes.
+    Either `low` = `high` is the root itself, or it is the only root strictly between them and a simple zero of
+    `polynomial`. The interval shrinks when digits are needed (also for comparisons) and stays valid if this is
+    interrupted; everything else is immutable.
 
-    Roots, also those of different splines, compare with one another and with exact numbers by value, exactly; equal
-    ones, and the numbers they equal, have one hash. ``float(root)`` is the correctly rounded double.
+    Roots, also of different splines, are compared exactly with each other and with exact numbers, by value; equal
+    numbers have equal hashes. ``float(root)`` is the correctly rounded double.
 
     >>> from exactspline import BSpline, zeros
     >>> r, s = zeros(BSpline.bezier([1, "-1/2", "-2/3", 1], 0, 3))
@@ -51,19 +51,19 @@ class Root(Real, Displayed):
         "segment",
         "signs",
     )
-    #: The interval reached, one tuple, so that threads see both ends of one interval.
+    #: The current interval; a single tuple, so that threads never see ends of different intervals.
     _reached: Interval
-    #: The first interval: the spline may have other roots at its ends.
+    #: The initial interval: the spline may have other roots at its ends.
     _first: Interval
     _zero: LocalZero | None
-    #: Computed when it is needed.
+    #: Computed on first use.
     _polynomial: fmpz_poly | None
-    #: Multiplicity seen from either side: they can differ at a knot; None where the domain ends.
+    #: The multiplicities seen from the two sides, which can differ at a knot; None at an end of the domain.
     left_multiplicity: int | None
     right_multiplicity: int | None
-    #: Sign of the spline just left and just right of the root; None where the domain ends.
+    #: The signs of the spline just left and just right of the root; None at an end of the domain.
     signs: tuple[int | None, int | None]
-    #: The segment (its ends) with the root strictly inside, None at a knot.
+    #: The segment that has the root strictly inside; None at a knot.
     segment: Interval | None
 
     def __init__(
@@ -107,7 +107,7 @@ class Root(Real, Displayed):
 
     @property
     def high(self) -> mpq:
-        """The upper end of the isolating interval; equal to `low` when the root is known exactly."""
+        """The upper end of the isolating interval; equal to `low` if the root is known exactly."""
         return self._reached[1]
 
     @property
@@ -117,13 +117,13 @@ class Root(Real, Displayed):
 
     @property
     def sign_change(self) -> bool:
-        """Whether the spline has opposite signs on the two sides (not so at an end of the domain)."""
+        """Whether the spline has opposite signs on the two sides (False at an end of the domain)."""
         left, right = self.signs
         return left is not None and right is not None and left != right
 
     @property
     def at_knot(self) -> bool:
-        """Whether the root is a breakpoint (an end of the domain included)."""
+        """Whether the root is a breakpoint (or an end of the domain)."""
         return self.segment is None
 
     def _decided(self) -> mpq | None:
@@ -149,11 +149,11 @@ class Root(Real, Displayed):
 
     @property
     def polynomial(self) -> list[int]:
-        """Integer coefficients, constant term first, of a polynomial in the spline's parameter with this root.
+        """Integer coefficients, constant term first, of a polynomial in the parameter of the spline with this root.
 
-        Primitive, with positive leading coefficient; the root is a simple one of it. On the segment [a, b] it is ``Σ
-        c_i (b − t)ⁿ⁻ⁱ (t − a)ⁱ`` up to a constant, where the ``c_i`` are the integers of the segment's form or of its
-        square-free factor; for a root found exactly it is linear.
+        It is primitive with positive leading coefficient, and the root is a simple root of it. On the segment [a, b] it
+        is ``Σ c_i (b − t)ⁿ⁻ⁱ (t − a)ⁱ`` up to a constant, where the ``c_i`` are the integers of the form of the segment
+        or of its square-free factor; for a root that is known exactly it is linear.
         """
         return [int(x) for x in self._integers().coeffs()]
 
@@ -167,14 +167,14 @@ class Root(Real, Displayed):
     # ---- where it is
 
     def refine(self, digits: int, progress: Callable[[int], None] | None = None) -> Interval:
-        """An interval with the root in it, at most ``10^−digits`` wide: ``low < root < high``, or ``low = high``, the
-        root.
+        """An interval that contains the root, at most ``10^−digits`` wide: ``low < root < high``, or ``low = high`` is
+        the root.
 
-        The spline has its `signs` at the two ends, so that evaluating it there is a proof of its own (for a root of odd
-        multiplicity).
+        The spline has its `signs` at the two ends, so that for a root of odd multiplicity its values there are an
+        independent proof.
 
-        The work done is kept step by step: after an interrupt, `low` and `high` are the best reached, and the next call
-        goes on from there. `progress` is called after every step with the number of digits reached.
+        The result of every step is stored: after an interrupt, `low` and `high` are the best interval so far, and the
+        next call continues from there. `progress` is called after every step with the number of digits reached.
         """
         if type(digits) is not int:
             raise NumberError(f"{digits!r} digits", where="digits", remedy="an integer")
@@ -195,7 +195,7 @@ class Root(Real, Displayed):
         return Interval(low, high)
 
     def _keep(self, low: mpq, high: mpq) -> None:
-        """Keep an interval, unless another thread was faster with a narrower one."""
+        """Store an interval, unless another thread has stored a narrower one."""
         if low == high:
             self._set_rational(low)
         elif high - low < self.high - self.low:
@@ -220,7 +220,7 @@ class Root(Real, Displayed):
     # ---- comparisons
 
     def _parted(self, other: Algebraic) -> int:
-        """The order of two roots where a few signs at rational numbers between them decide it; 0 where they do not."""
+        """The order of two roots, if a few signs at rational numbers between them decide it, else 0."""
         if not isinstance(other, Root):
             return 0
         for _ in range(BISECTIONS):
@@ -236,7 +236,7 @@ class Root(Real, Displayed):
         return 0
 
     def _beside(self, t: mpq) -> int:
-        """The sign of the root minus a number, which then bounds it."""
+        """The sign of the root minus a number; the number then becomes an end of the interval."""
         sign = self._against_number(t)
         low, high = self._reached
         if sign:
@@ -266,14 +266,14 @@ def _restored(
     segment: Interval | None,
     reached: Interval,
 ) -> Root:
-    """The unpickled root, as far as it was refined."""
+    """Unpickles a root with its current interval."""
     root = Root(low, high, multiplicities, signs, zero, segment)
     root._keep(*reached)
     return root
 
 
 def _digits(width: mpq, most: int) -> int:
-    """Decimal digits that an interval of this width determines, at most as many as asked for."""
+    """The number of decimal digits determined by an interval of this width, at most `most`."""
     if width == 0:
         return most
     quotient = int(1 / width)
@@ -281,5 +281,5 @@ def _digits(width: mpq, most: int) -> int:
 
 
 def knot_root(t: mpq) -> Root:
-    """A knot as a root."""
+    """A knot as a `Root`."""
     return Root(t, t, (1, 1), (0, 0))

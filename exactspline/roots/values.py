@@ -1,7 +1,8 @@
-"""Values of splines, and of quotients of splines, at irrational numbers: as real numbers, and their signs, exactly.
+"""Exact values and signs of splines, and of quotients of splines, at irrational numbers.
 
-The interval of a root bounds the values there (`centred_form`), the narrower the nearer: the root is refined until the
-digits asked for are certain. A sign that the bounds leave open is decided by a common divisor.
+The interval of a root yields bounds on the values there (`centred_form`), which converge as it shrinks: the root is
+refined until the requested digits are certain. A sign that is not decided by bounds is decided by a greatest common
+divisor.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from exactspline.splines.nurbs import Nurbs
 
 
 class ValueAt(Real):
-    """``top/bottom`` at an irrational number at which the denominator is not zero.
+    """``top/bottom`` at an irrational number where the denominator is not zero.
 
     >>> from exactspline import BSpline, zeros
     >>> t = BSpline.identity(0, 2)
@@ -65,7 +66,7 @@ class ValueAt(Real):
 
 
 def value_at(top: BSpline, bottom: BSpline, place: mpq | Real, side: Side | str = Side.RIGHT) -> Real:
-    """``top/bottom`` at a parameter, with a denominator that is not zero there.
+    """``top/bottom`` at a parameter where the denominator is not zero.
 
     >>> from exactspline import BSpline, zeros
     >>> t = BSpline.identity(0, 2)
@@ -78,7 +79,7 @@ def value_at(top: BSpline, bottom: BSpline, place: mpq | Real, side: Side | str 
 
 
 def signed_root(sign: int, square: Real) -> Real:
-    """``± √square`` with the given sign; 0 where that is 0.
+    """``± √square`` with the given sign; 0 if the sign is 0.
 
     >>> signed_root(-1, Real(2))
     <Real -√2>
@@ -93,8 +94,8 @@ def at(function: Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT) -> t
 def at(
     function: BSpline | Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT
 ) -> mpq | Real | tuple[mpq | Real, ...]:
-    """The value of a spline, or the point of a curve, at a parameter: rational numbers at a rational one, real ones at
-    an irrational `Root`.
+    """The value of a spline, or the point of a curve, at a parameter: rational numbers at a rational parameter, `Real`
+    numbers at an irrational `Root`.
 
     >>> from exactspline import BSpline, Nurbs, zeros
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
@@ -130,26 +131,26 @@ def within(domain: Interval, place: Real) -> None:
 
 
 def exact_place(t: Number | Real) -> mpq | Real:
-    """A parameter as an exact number where it is one, otherwise the irrational number."""
+    """A parameter as a rational number if it is rational, otherwise unchanged."""
     if not isinstance(t, Real):
         return rational(t)
     return t if t.exact is None else t.exact
 
 
 def narrowed(bounds: Callable[[mpq, mpq], Interval | None], place: Real, digits: int) -> Interval:
-    """Bounds at most ``10^−digits`` wide: the number is refined until the bounds over its interval (None: not yet
+    """Bounds at most ``10^−digits`` wide: the number is refined until the bounds over its interval (None if not yet
     known) are narrow enough.
     """
-    precision, wanted = digits + 5, mpq(1, mpz(10) ** max(digits + 1, 0))
+    precision, width = digits + 5, mpq(1, mpz(10) ** max(digits + 1, 0))
     while True:
-        found = bounds(*place.enclosure(precision))
-        if found is not None and found.width <= 5 * wanted:
-            return rounded_outwards(found, max(digits + 1, 0))
+        enclosure = bounds(*place.enclosure(precision))
+        if enclosure is not None and enclosure.width <= 5 * width:
+            return rounded_outwards(enclosure, max(digits + 1, 0))
         precision *= 2
 
 
 def values_between(f: BSpline, low: mpq, high: mpq) -> Interval | None:
-    """Bounds of a spline on an interval inside one of its segments; None where a knot is inside.
+    """Bounds of a spline on an interval inside one of its segments; None if a knot is inside the interval.
 
     >>> from exactspline import BSpline
     >>> low, high = values_between(BSpline.bezier([0, 0, 1]), mpq(1, 2), mpq(5001, 10000))
@@ -165,7 +166,7 @@ def values_between(f: BSpline, low: mpq, high: mpq) -> Interval | None:
 
 
 def _segment_between(f: BSpline, low: mpq, high: mpq) -> int | None:
-    """The segment that holds an interval, None where there is none."""
+    """The index of the segment that contains an interval, or None."""
     breaks = f.mesh.breaks
     if low < breaks[0] or high > breaks[-1]:
         return None
@@ -174,15 +175,15 @@ def _segment_between(f: BSpline, low: mpq, high: mpq) -> int | None:
 
 
 def segment_of(f: BSpline, place: Real) -> int:
-    """The segment with an irrational number of the domain inside."""
+    """The index of the segment that contains an irrational number of the domain."""
     digits = 5
-    while (found := _segment_between(f, *place.enclosure(digits))) is None:
+    while (segment := _segment_between(f, *place.enclosure(digits))) is None:
         digits *= 2
-    return found
+    return segment
 
 
 def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
-    """The sign of a spline at a parameter, exactly.
+    """The exact sign of a spline at a parameter.
 
     >>> from exactspline import BSpline, zeros
     >>> t = BSpline.identity(0, 2)
@@ -197,10 +198,10 @@ def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
     digits, zero = 5, None
     while True:
         low, high = place.enclosure(digits)
-        found = values_between(f, low, high)
-        if found is not None:
-            if found.low > 0 or found.high < 0:
-                return 1 if found.low > 0 else -1
+        enclosure = values_between(f, low, high)
+        if enclosure is not None:
+            if enclosure.low > 0 or enclosure.high < 0:
+                return 1 if enclosure.low > 0 else -1
             if zero is None:
                 zero = place.is_root_of(segment_polynomial(f, f.mesh.locate(low)))
             if zero:
@@ -220,7 +221,7 @@ def in_powers(f: BSpline, i: int) -> fmpq_poly:
 
 
 def segment_polynomials(splines: Sequence[BSpline], i: int) -> list[fmpz_poly]:
-    """The polynomials of a segment, in the parameter of the splines, times one positive integer.
+    """The polynomials of a segment, in the parameter of the splines, times a common positive integer.
 
     >>> from exactspline import BSpline
     >>> segment_polynomials([BSpline.bezier([0, "1/2"]), BSpline.bezier([1, 1])], 0)
@@ -250,10 +251,10 @@ def unit(vector: Sequence[BSpline], place: mpq | Real, name: str = "T") -> list[
     >>> unit([t, t * t], mpq(1))
     [<Real √2/2>, <Real √2/2>]
 
-    Raises `DomainError` where the vector vanishes.
+    Raises `DomainError` if the vector vanishes there.
     """
     signs = [sign_at(x, place) for x in vector]
     if not any(signs):
-        raise DomainError(f"{name} is not defined: the vector vanishes there", remedy="choose another parameter")
+        raise DomainError(f"{name} is undefined: the vector vanishes there", remedy="choose another parameter")
     squared = sum((x * x for x in vector[1:]), start=vector[0] * vector[0])
     return [signed_root(s, value_at(x * x, squared, place)) for x, s in zip(vector, signs, strict=True)]

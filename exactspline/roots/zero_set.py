@@ -1,4 +1,4 @@
-"""The zero set of a spline on its domain: roots, intervals on which it vanishes, and changes of sign by a jump."""
+"""The zero set of a spline on its domain: roots, intervals on which it vanishes, and sign changes at jumps."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from exactspline.splines.expected import spline_of
 
 
 class Side(NamedTuple):
-    """A spline seen from one side of a knot: limit, multiplicity of the zero (None where the segment vanishes), sign
-    beside the knot.
+    """A spline seen from one side of a knot: limit, multiplicity of the zero (None if the segment vanishes), and sign
+    near the knot.
     """
 
     value: mpq
@@ -30,10 +30,10 @@ class Side(NamedTuple):
 
 @dataclass(frozen=True)
 class Jump:
-    """A knot where the spline jumps and either changes sign without a zero on both sides, or is zero seen from one side
-    only.
+    """A knot at which the spline jumps and either changes sign without a zero on either side, or has a zero seen from
+    one side only.
 
-    `left` and `right` give the limit, the multiplicity and the sign on each side.
+    `left` and `right` are the limit, the multiplicity and the sign on each side.
     """
 
     parameter: mpq
@@ -51,11 +51,11 @@ class Jump:
 
 @dataclass(frozen=True)
 class ZeroInterval:
-    """An interval on which the spline vanishes, with its sign before and after (None where the domain ends).
+    """An interval on which the spline vanishes, with its sign before and after (None at an end of the domain).
 
-    `parts` are its intervals in the domain in the order of the run: one, or on a periodic spline two where it crosses
-    the seam, up to the end of the domain and on from its start. It begins at `low` and ends at `high`, which is the
-    smaller one exactly if it crosses the seam.
+    `parts` are its intervals in the domain, in the order of traversal: one, or two if it crosses the seam of a periodic
+    spline, one up to the end of the domain and one from its start. It begins at `low` and ends at `high`, and ``high <
+    low`` if and only if it crosses the seam.
 
     >>> f = BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])
     >>> zeros(f, periodic=True).intervals[0]
@@ -67,12 +67,12 @@ class ZeroInterval:
 
     @property
     def low(self) -> mpq:
-        """Where it begins."""
+        """The parameter where the interval begins."""
         return self.parts[0][0]
 
     @property
     def high(self) -> mpq:
-        """Where it ends."""
+        """The parameter where the interval ends."""
         return self.parts[-1][1]
 
     def __repr__(self) -> str:
@@ -80,10 +80,10 @@ class ZeroInterval:
 
 
 class ZeroSet(Immutable, Displayed):
-    """All zeros of a spline; a sequence of its roots, in order, each parameter once.
+    """All zeros of a spline; as a sequence it contains the roots in ascending order, each parameter once.
 
-    `roots`, `intervals` and `jumps` are complete and disjoint: a root at an end of an interval belongs to the interval.
-    Two zero sets are equal when these agree, multiplicities and signs included.
+    `roots`, `intervals` and `jumps` are complete and disjoint: a zero at an end of an interval belongs to the interval.
+    Two zero sets are equal if these agree, including multiplicities and signs.
     """
 
     __slots__ = ("intervals", "isolations", "jumps", "periodic", "roots", "spline")
@@ -95,15 +95,15 @@ class ZeroSet(Immutable, Displayed):
     intervals: tuple[ZeroInterval, ...]
 
     def __init__(self, spline: BSpline, periodic: bool, isolations: Iterable[Isolation | None]) -> None:
-        found = _Found(spline_of(spline), periodic, list(as_items(isolations, "isolations")))
+        collected = _Collected(spline_of(spline), periodic, list(as_items(isolations, "isolations")))
         fill(
             self,
             spline=spline,
             periodic=periodic,
-            isolations=tuple(found.isolations),
-            roots=tuple(found.roots),
-            jumps=tuple(found.jumps),
-            intervals=tuple(_zero_intervals(spline, found.isolations, periodic)),
+            isolations=tuple(collected.isolations),
+            roots=tuple(collected.roots),
+            jumps=tuple(collected.jumps),
+            intervals=tuple(_zero_intervals(spline, collected.isolations, periodic)),
         )
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -132,10 +132,10 @@ class ZeroSet(Immutable, Displayed):
         return f"<ZeroSet: {len(self.roots)} roots, {len(self.intervals)} intervals, {len(self.jumps)} jumps>"
 
     def refine(self, digits: int, progress: Callable[[int, int], None] | None = None) -> list[Interval]:
-        """Every root in an interval at most ``10^−digits`` wide; `progress` is called after each with how many are
-        done, of how many.
+        """Intervals at most ``10^−digits`` wide that contain the roots; `progress` is called after each root with the
+        number of roots done and the total.
 
-        May be interrupted: the roots keep the digits reached.
+        It may be interrupted: the roots keep their current intervals.
         """
         result = []
         for i, root in enumerate(self.roots):
@@ -145,7 +145,7 @@ class ZeroSet(Immutable, Displayed):
         return result
 
     def certificate(self) -> dict[str, object]:
-        """A proof, as JSON data with exact strings, that these are all zeros (see `exactspline.roots.checker`)."""
+        """A proof, as JSON data with exact strings, that these are all zeros (see `exactspline.certificates`)."""
         return certificate(
             self.spline,
             self.isolations,
@@ -157,23 +157,25 @@ class ZeroSet(Immutable, Displayed):
 
 
 def _restored(spline: BSpline, periodic: bool, isolations: Any, roots: Any, jumps: Any, intervals: Any) -> ZeroSet:
-    """The unpickled zero set, its roots as far as they were refined."""
-    found = object.__new__(ZeroSet)
-    fill(found, spline=spline, periodic=periodic, isolations=isolations, roots=roots, jumps=jumps, intervals=intervals)
-    return found
+    """Unpickles a zero set, with the current intervals of its roots."""
+    restored = object.__new__(ZeroSet)
+    fill(
+        restored, spline=spline, periodic=periodic, isolations=isolations, roots=roots, jumps=jumps, intervals=intervals
+    )
+    return restored
 
 
-#: Multiplicity and sign at an end of a segment: (None, 0) where it vanishes.
+#: Multiplicity and sign at an end of a segment; (None, 0) if the segment vanishes.
 _End = tuple[int | None, int]
 NOTHING: _End = (None, 0)
 
 
-class _Found:
+class _Collected:
     """The roots and jumps of a spline, collected from left to right."""
 
     def __init__(self, spline: BSpline, periodic: bool, isolations: list[Isolation | None]) -> None:
         if len(isolations) != len(spline.polynomials) or not all(x is None or type(x) is Isolation for x in isolations):
-            raise ShapeError("isolations that are not those of the segments", remedy="exactspline.zeros finds them")
+            raise ShapeError("isolations that do not belong to the segments", remedy="exactspline.zeros finds them")
         self.spline, self.periodic, self.isolations = spline, periodic, isolations
         self.roots: list[Root] = []
         self.jumps: list[Jump] = []
@@ -193,7 +195,7 @@ class _Found:
             self.roots.append(Root(low, high, (zero.multiplicity, zero.multiplicity), zero.signs, zero, segment))
 
     def _judge(self, i: int, left: _End | None, right: _End | None) -> None:
-        """The root or jump at a knot; at an end of the domain one side is None."""
+        """Record the root or jump at a knot; at an end of the domain one side is None."""
         t = self.spline.mesh.breaks[i]
         if left is not None and right is not None:
             zero_sides = (left[0] != 0) + (right[0] != 0)
@@ -208,7 +210,7 @@ class _Found:
             self.roots.append(Root(t, t, multiplicities, (left and left[1], right and right[1])))
 
     def _limit(self, i: int, side: str) -> mpq:
-        """The value at the right end of a segment, its limit from the left, or at its left end."""
+        """The value at the right end of a segment (the limit from the left), or at its left end."""
         f = self.spline
         c = f._polynomials[i]
         return ratio(c[f.degree if side == "left" else 0], f.denominators[i]) if c else mpq(0)
@@ -223,9 +225,9 @@ def _at_right(isolation: Isolation | None) -> _End:
 
 
 def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
-    """All zeros of a spline on its domain, proved complete.
+    """All zeros of a spline on its domain, with proof of completeness.
 
-    With `periodic` the two ends of the domain count as one knot, judged like any other and reported at the start.
+    With `periodic` the two ends of the domain are treated as one knot like any other, reported at the start.
 
     >>> f = BSpline(1, [0, 0, 1, 2, 3, 3], [1, -1, 0, 0])
     >>> found = zeros(f)
@@ -239,7 +241,7 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
 
 
 def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bool) -> list[ZeroInterval]:
-    """The segments without isolation, adjacent ones merged."""
+    """The segments on which the spline vanishes, with adjacent ones merged."""
     breaks, count = f.mesh.breaks, len(isolations)
     if not any(isolations):
         return [ZeroInterval((f.mesh.domain,), (None, None))]
@@ -265,6 +267,6 @@ def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bo
 
 
 def jump_root(jump: Jump) -> Root:
-    """The knot of a jump as a root, with the signs on both sides."""
+    """The knot of a jump as a `Root`, with the signs on both sides."""
     t = jump.parameter
     return Root(t, t, (jump.left.multiplicity, jump.right.multiplicity), (jump.left.sign, jump.right.sign))

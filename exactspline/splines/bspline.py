@@ -35,10 +35,10 @@ from exactspline.polynomials.bernstein import (
     value,
 )
 from exactspline.splines import blossom, refinement
-from exactspline.splines.composition import composed
 from exactspline.splines.forms import Forms, Polynomials
 from exactspline.splines.given import MAX_DEGREE, checked_degree, checked_side, exact_points
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
+from exactspline.splines.refinement import composed
 
 
 class _Parts:

@@ -9,11 +9,11 @@ from exactspline.language.provenance import leaf
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
 from exactspline.polynomials.bernstein import rescaled
+from exactspline.splines.blossom import common_forms
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, mesh_of
-from exactspline.splines.spans import common_forms
 from exactspline.splines.tensor import TensorSpline, make
-from exactspline.splines.tensor_univariate import named
+from exactspline.splines.tensor_patches import named
 
 S = TypeVar("S", BSpline, TensorSpline)
 

@@ -205,7 +205,7 @@ def in_lowest_terms(value: SplineValue) -> SplineValue:
     C⁻¹ although their quotient is as continuous as it was. Anything but a quotient loses powers of u + v and keeps its
     continuity.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> in_lowest_terms(find("evolute")(example("circle"))).degree
     0
@@ -237,7 +237,7 @@ def primitive_part(value: SplineVector) -> Vector[BSpline]:
     It points the same way as the vector does in the first half of each segment (except at parameters where the vector
     vanishes).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> primitive_part(find("chen_riesenfeld_cohen_2007:normal")(example("rational_space_cubic"))).degree
     7
@@ -257,7 +257,7 @@ def primitive_part(value: SplineVector) -> Vector[BSpline]:
 def where_it_exists(value: Rational[BSpline]) -> Rational[BSpline]:
     """A quotient in lowest terms segment by segment, 0/1 on segments where its denominator vanishes identically.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> where_it_exists(find("torsion")(example("space_line")))(0)
     mpq(0,1)

@@ -1,12 +1,16 @@
-"""The concrete surface: degrees, knots, net, weights, and the operands ``p``, ``w`` that formulas use."""
+"""The concrete surface: degrees, knots, net, weights, and the operands ``p``, ``w`` that formulas use. The denominator
+keeps its sign: that is decided exactly, patch by patch.
+"""
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from enum import StrEnum
+from itertools import product
 from math import comb
 
-from exactspline.errors import ExactSplineError, ShapeError, shown
+from exactspline.errors import ExactSplineError, ShapeError, WeightError, shown
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import checked_order
 from exactspline.language.rational import Rational
@@ -14,17 +18,95 @@ from exactspline.language.surface_kind import BOTH, Surface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.immutable import Immutable
-from exactspline.numbers.intervals import Box
+from exactspline.numbers.intervals import UNIT, Box
+from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import on_one_mesh, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.nurbs_operations import mapped, same_quotients
-from exactspline.splines.surface_weight import check_weight
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_net import checked_degrees, checked_knots
 from exactspline.words import choice
+
+#: Boxes on one patch before the search stops.
+BOXES = 4000
+#: Halvings until the box of a zero is small enough to be reported.
+DEPTH = 16
+
+
+def check_weight(w: TensorSpline) -> None:
+    """Raise `WeightError` unless the denominator has one sign on its closed rectangle, one-sided limits at jumps too.
+
+    The error carries a box (a point where both ends of its sides agree) with a zero in it, or one that is too small to
+    be decided; either way it is the ``witness``.
+    """
+    sign = 0
+    for i, j in product(range(len(w.meshes[0])), range(len(w.meshes[1]))):
+        form = w.patch_form(i, j)
+        found = _sign_or_box(form)
+        if not isinstance(found, int):
+            box, certain = found
+            raise _zero(w.patch(i, j).part(box), certain)
+        if sign and found != sign:
+            place = w.patch(i, j)
+            raise WeightError(
+                f"the denominator w changes sign by a jump into the patch {place}",
+                where="weights",
+                remedy="w must keep its sign on the domain",
+                witness=place,
+            )
+        sign = found
+
+
+def _sign_or_box(form: PatchForm) -> int | tuple[Box, bool]:
+    """The sign on the closed square, or a box and whether it is certain that a zero is in it."""
+    sign = 0
+    todo = deque([Sized(UNIT, [form], 0)])
+    for _ in range(BOXES):
+        if not todo:
+            return sign
+        part = todo.popleft()
+        if place := zero_at_corners(part):
+            return place, True
+        sign = 1 if part.forms[0].corners[0] > 0 else -1
+        if part.forms[0].sign is None:
+            todo.extend(halved(part))
+    return todo[0].box, False
+
+
+def zero_at_corners(part: Sized) -> Box | None:
+    """A corner of a part that is a zero, or a small box between corners of both signs, in which there is one."""
+    while True:
+        for value, (x, y) in zip(part.forms[0].corners, product(*part.box), strict=True):
+            if value == 0:
+                return Box.point(x, y)
+        if not _crosses(part):
+            return None
+        if part.depth >= DEPTH:
+            return part.box
+        # a half has corners of both signs, or a zero among them
+        first, second = halved(part)
+        part = first if _crosses(first) or 0 in first.forms[0].corners else second
+
+
+def _crosses(part: Sized) -> bool:
+    """Whether the corners have both signs."""
+    corners = part.forms[0].corners
+    return min(corners) < 0 < max(corners)
+
+
+def _zero(box: Box, certain: bool) -> WeightError:
+    point = all(a == b for a, b in box)
+    where = f"at {box}" if point else f"where {box}"
+    problem = (
+        f"the denominator w has a zero {where}"
+        if certain
+        else f"the denominator w could not be shown to be without a zero {where}"
+    )
+    return WeightError(problem, where="weights", remedy="w must keep its sign on the domain", witness=box)
+
 
 #: Control points in rows along u.
 Net = tuple[tuple[Point, ...], ...]

@@ -30,20 +30,25 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, Mesh, clamped
-from exactspline.splines.tensor_direct import derived, lowered, true_degrees
-from exactspline.splines.tensor_lines import joined, lines
 from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
-from exactspline.splines.tensor_parts import Continuity, Degrees, TensorParts
-from exactspline.splines.tensor_univariate import (
+from exactspline.splines.tensor_patches import (
+    Continuity,
+    Degrees,
+    TensorParts,
     changed_one,
+    derived,
     exchanged,
+    joined,
     letters_of,
+    lines,
+    lowered,
     named,
     one_parameter,
     packed_segments,
     replaced,
     smooth,
     spread,
+    true_degrees,
 )
 
 #: The directions of parameters: those of two curves, and those of a surface.
@@ -169,7 +174,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         return self._sum(other, minus, DIFFERENCE)
 
     def _sum(self, other: object, operation: Callable[[Any, Any], Any], name: int) -> TensorSpline:
-        right = other if type(other) is TensorSpline else self.beside(other)
+        right = other if type(other) is TensorSpline else self.coerced(other)
         if right is None:
             refused: TensorSpline = NotImplemented
             return refused
@@ -494,7 +499,7 @@ BISECTOR_ROOM = 4
 def surface_pair(first: Curve[BSpline], second: Curve[BSpline]) -> Pair[TensorSpline]:
     """Two curves as the argument of formulas whose values are splines in both parameters.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> c = surface_pair(example("twisted_cubic"), example("rational_space_cubic"))
     >>> tuple((c.first.p[0] * c.second.w).degree)
     (3, 3)

@@ -13,7 +13,7 @@ from exactspline.polynomials import tensor_bernstein
 from exactspline.polynomials.bernstein import ONE, raiser
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.splines.tensor import TensorSpline, aligned, make
-from exactspline.splines.tensor_parts import Degrees
+from exactspline.splines.tensor_patches import Degrees
 
 CONTEXT = fmpz_mpoly_ctx.get(["z", "y"], Ordering.lex)
 
@@ -38,7 +38,7 @@ def in_lowest_terms(value: Rational[TensorSpline]) -> Rational[TensorSpline]:
     Each patch keeps a factor of its own, so that numerator and denominator are only C⁻¹ although their quotient is as
     continuous as it was.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> from exactspline.splines.tensor import surface_pair
     >>> pair = surface_pair(example("rational_space_cubic"), example("twisted_cubic"))

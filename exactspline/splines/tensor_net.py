@@ -12,7 +12,7 @@ from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.given import checked_degree, exact_points
 from exactspline.splines.knots import KnotVector, Mesh
-from exactspline.splines.tensor_parts import Degrees
+from exactspline.splines.tensor_patches import Degrees
 
 Net = list[list[mpq]]
 Points = tuple[tuple[mpq, ...], ...]

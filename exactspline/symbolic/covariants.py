@@ -99,10 +99,10 @@ def _true_degree(parts: list[Jet], known: tuple[int, int], parameter: Parameter)
     """The same for polynomials of a known common degree and weight."""
     (k, m), ring = known, parts[0].ring
     lowest: list[fmpq_mpoly] = []
-    j, images = -1, [_with_d(ring, jet.polynomial) for jet in parts]
+    j, images = -1, [with_degree(ring, jet.polynomial) for jet in parts]
     while images:
         lowest, j = images, j + 1
-        images = [image for p in lowest if (image := _lowered(ring, p, parameter))]
+        images = [image for p in lowest if (image := lowered(ring, p, parameter))]
     suspects = {*range(1, ring.order), *set.intersection(*[set(common_roots(p)) for p in lowest])}
     lower = [(d, _at(parts, k, m, {parameter: d})) for d in sorted(suspects)]
     special = tuple((d, n) for d, n in lower if n != k * d - 2 * m + j)
@@ -189,7 +189,7 @@ def _moving(ring: JetRing, parameter: Parameter) -> list[tuple[int, int]]:
             f"the degree theorem does not apply to the kind {ring.kind.name!r}", remedy="use the nominal degree"
         )
     dependent = [(n, orders, ring.symbols[name].parameters) for n, (name, orders) in enumerate(ring.variables)]
-    return [(n, orders[own.index(parameter)]) for n, orders, own in dependent if parameter in own]
+    return [(n, orders[parameters.index(parameter)]) for n, orders, parameters in dependent if parameter in parameters]
 
 
 def _beyond(ring: JetRing, degrees: Mapping[Parameter, int]) -> list[int]:
@@ -246,14 +246,14 @@ def degree_on_patch(jets: Sequence[Jet], degrees: Mapping[Parameter, int], param
     )
 
 
-def _with_d(ring: JetRing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+def with_degree(ring: JetRing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
     """The polynomial in the ring with the additional variable d."""
     context = fmpq_mpoly_ctx.get(["d", *ring.context.names()], Ordering.degrevlex)
     made: fmpq_mpoly = polynomial.project_to_context(context)
     return made
 
 
-def _lowered(ring: JetRing, polynomial: fmpq_mpoly, parameter: Parameter) -> fmpq_mpoly:
+def lowered(ring: JetRing, polynomial: fmpq_mpoly, parameter: Parameter) -> fmpq_mpoly:
     """The image under the derivation L, over the polynomials in d."""
     gens = polynomial.context().gens()
     d, total = gens[0], polynomial.context().constant(0)
@@ -276,7 +276,7 @@ def _at(
     images = [p for jet in jets if (p := _truncated(ring, jet.polynomial, degrees))]
     while images:
         j += 1
-        images = [image for p in images if (image := _lowered_at(ring, p, d, counted))]
+        images = [image for p in images if (image := lowered_at(ring, p, d, counted))]
     return k * d - 2 * m + j if j >= 0 else -1
 
 
@@ -286,7 +286,8 @@ def _truncated(ring: JetRing, polynomial: fmpq_mpoly, degrees: Mapping[Parameter
     return polynomial.subs(vanishing) if vanishing else polynomial
 
 
-def _lowered_at(ring: JetRing, polynomial: fmpq_mpoly, d: int, parameter: Parameter = Parameter.FIRST) -> fmpq_mpoly:
+def lowered_at(ring: JetRing, polynomial: fmpq_mpoly, d: int, parameter: Parameter = Parameter.FIRST) -> fmpq_mpoly:
+    """The image under the derivation L for one degree d."""
     total, used = ring.context.constant(0), polynomial.degrees()
     for n, i in _moving(ring, parameter):
         if i and used[n]:

@@ -294,8 +294,8 @@ def naming() -> tuple[Paper, ...]:
     papers.
     """
     source = _SPOKEN_OF.get()
-    own = (source, *source.uses) if source is not None and not source.default else ()
-    return tuple(dict.fromkeys((*own, *default_papers())))
+    sources = (source, *source.uses) if source is not None and not source.default else ()
+    return tuple(dict.fromkeys((*sources, *default_papers())))
 
 
 @contextmanager
@@ -337,8 +337,8 @@ class _Names:
                 with self._lock:
                     if i == len(self._known):
                         self._known.append(self._named(formula))
-            if (found := self._known[i]) is not None:
-                yield found
+            if (known := self._known[i]) is not None:
+                yield known
 
     def _named(self, formula: Formula) -> tuple[str, object] | None:
         """Its name and value; None if it has no value here. A formula of a user that raises an error is skipped, so

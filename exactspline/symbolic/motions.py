@@ -57,16 +57,16 @@ def _translated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]
 
 def _rotated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
     """Rotations by Cayley's parameters: all rotations except half turns, which are limits of these."""
-    rows = _rotation(len(p), k)
+    rows = rotation_rows(len(p), k)
     return Vector(*[_combination(row, p) for row in rows]), w
 
 
-def _rotation(n: int, k: Constants) -> list[list[Any]]:
+def rotation_rows(n: int, k: Constants) -> list[list[Any]]:
     """The rows of a rotation matrix: given by the tangent of half its angle in the plane, by a quaternion 1 + a i + b j
     + c k in space.
 
     >>> from exactspline.numbers.exact import mpq
-    >>> _rotation(2, {"turn1": mpq(1, 2)})
+    >>> rotation_rows(2, {"turn1": mpq(1, 2)})
     [[mpq(3,5), mpq(-4,5)], [mpq(4,5), mpq(3,5)]]
     """
     if n == 2:

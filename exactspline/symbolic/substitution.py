@@ -19,7 +19,7 @@ from exactspline.readings.jet import Jet
 def substitute(jet: Jet, curve: Curve[T] | Pair[T] | Surface[T]) -> T:
     """A jet polynomial on a concrete curve: its variables are replaced by the derivatives of p and w.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.jet import JetReading
     >>> jets, curve = JetReading(1).argument(CURVE, 2), example("rational_cubic")
@@ -84,11 +84,11 @@ class Substitution:
         unit = gcd(*numbers) * (1 if numbers[0] > 0 else -1)
         key = (*[e[i:] for e, _ in terms], tuple(numbers) if unit == 1 else tuple([c // unit for c in numbers]))
         if key not in self._known:
-            groups = [(e, list(own)) for e, own in groupby(terms, key=lambda term: term[0][i])]
+            groups = [(e, list(group)) for e, group in groupby(terms, key=lambda term: term[0][i])]
             lower = [*[e for e, _ in groups[1:]], 0]
             steps = []
-            for (e, own), next_lower in zip(groups, lower, strict=True):
-                constant, node = self._value(own, i + 1)
+            for (e, group), next_lower in zip(groups, lower, strict=True):
+                constant, node = self._value(group, i + 1)
                 steps.append(Step((constant // unit, node), e - next_lower))
             self._known[key] = len(self.nodes)
             self.nodes.append((i, steps))

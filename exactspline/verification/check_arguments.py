@@ -30,7 +30,7 @@ CONSTANTS = tuple(mpq(p, q) for p, q in ((37, 29), (-53, 41), (61, 17), (19, 67)
 def point_beside(curve: Nurbs) -> tuple[mpq, ...]:
     """A point beside the curve: the mean of its control points, moved by unequal fractions of their extent.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> point_beside(example("circle"))
     (mpq(1,3), mpq(4,11))
     """

@@ -245,7 +245,9 @@ def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, 
     """
     known = all_claims() if claims is None else tuple(claims)
     chosen = tuple(c for c in known if c.key == wanted or matches(c.id, wanted))
-    chosen = chosen or tuple(c for c in known if _stands(c.source, wanted) or _stands(c.place, wanted))
+    chosen = chosen or tuple(
+        c for c in known if any(stands_at(each, wanted) for each in (c.source, c.place, c.section))
+    )
     if len(wanted) >= SHORTEST:
         chosen = chosen or tuple(c for c in known if wanted.lower() in c.statement.lower())
     if not chosen:
@@ -254,7 +256,7 @@ def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, 
     return chosen
 
 
-def _stands(source: str, wanted: str) -> bool:
+def stands_at(source: str, wanted: str) -> bool:
     """Whether a place is the wanted one: the equation with this number, a remark, a figure, a section."""
     a, b = (" ".join(text.lower().replace("equation", "eq.").split()) for text in (source, wanted))
     if b.startswith("(") and b.endswith(")"):

@@ -56,13 +56,13 @@ def findings(claims: Iterable[Claim]) -> dict[tuple[str, str], Finding]:
         for name, own in made.theorems.items()
     }
     # without a theorem there is nothing for which the theory would be compiled
-    compiled = _compiled(made, chosen) if installed and any(chosen.values()) else {}
+    compiled = compiled_theorems(made, chosen) if installed and any(chosen.values()) else {}
     found: dict[tuple[str, str], list[Finding]] = {}
     for each in (each for own in chosen.values() for each in own):
         said = _finding(each, compiled, installed=installed)
         found.setdefault((each.claim.paper, each.claim.key), []).append(said)
     unstated = {(c.paper, c.key): [Finding(UNDECIDED, witness=NoTheorem(why_unstated(c)))] for c in claims}
-    return {key: _together(own) for key, own in (unstated | found).items()}
+    return {key: combined_findings(own) for key, own in (unstated | found).items()}
 
 
 def _finding(each: Stated, compiled: Axioms, *, installed: bool) -> Finding:
@@ -75,7 +75,7 @@ def _finding(each: Stated, compiled: Axioms, *, installed: bool) -> Finding:
     return Finding(UNDECIDED, witness=Fact.NOT_ACCEPTED if installed else Fact.COQ_NOT_INSTALLED)
 
 
-def _together(own: list[Finding]) -> Finding:
+def combined_findings(own: list[Finding]) -> Finding:
     """The least favourable finding of those on the dimensions of one claim: what is not decided comes first."""
 
     def rank(finding: Finding) -> int:
@@ -87,7 +87,7 @@ def _together(own: list[Finding]) -> Finding:
     return min(own, key=rank)
 
 
-def _compiled(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> Axioms:
+def compiled_theorems(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> Axioms:
     """The axioms of the accepted theorems, by name."""
     found: Axioms = {}
     with tempfile.TemporaryDirectory() as room:

@@ -52,7 +52,7 @@ def not_zero(f: BSpline) -> tuple[mpq, mpq]:
 def stated_factor(factor: str, c: Evaluated | Operands) -> StatedFactor:
     """A factor as it is stated, on splines also whether it is 1: powers of w are, where the curve is polynomial.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [str(stated_factor("w^-3", example(name))) for name in ("circle", "parabola")]
     ['w^-3', 'w^-3 = 1 (polynomial: w = 1)']
     """

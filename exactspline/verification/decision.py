@@ -244,7 +244,7 @@ class SquaresAddUp:
     find: Callable[[str], Formula] = find_anywhere
 
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
-        """The finding on an argument; that it is another sum says nothing of signs."""
+        """The finding on an argument; a different sum does not determine a sign."""
         value: Any = self.formula(c)
         total = value.constant(0)
         for square in self.squares:

@@ -244,7 +244,7 @@ def _bisector_row(title: str, names: tuple[str, str, str], polynomial: bool) -> 
     operands = DegreeReading().argument(lifted.kind, dimension, polynomial=polynomial)
     degrees = {}
     for d in WITNESSES:
-        handed = _bisected(lifted.kind, witness(dimension, d, polynomial=polynomial))
+        handed = bisected_pair(lifted.kind, witness(dimension, d, polynomial=polynomial))
         value = Rational(Vector(*[substitute(jet, handed) for jet in numerator]), substitute(denominator, handed))
         degrees[d] = max(n for _, n in lowest_terms(value))
     return GenericRow(
@@ -273,7 +273,7 @@ class _Fixed:
         return self.values[order]
 
 
-def _bisected(kind: Kind, curve: Nurbs) -> Any:
+def bisected_pair(kind: Kind, curve: Nurbs) -> Any:
     """A curve and its counterpart in a bisector: a point, or the derivatives of a second curve at one parameter; prime
     numbers avoid coincidences.
     """

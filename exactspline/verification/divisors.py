@@ -47,7 +47,7 @@ def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:
     try:
         evaluation(tree)
     except (FormulaError, ReachError):  # too long to be multiplied out: then nothing is known of its divisors
-        yield from map(print_text, _divided_by(tree))
+        yield from map(print_text, divided_by(tree))
         return
     for node, value in evaluation.denominators:
         factors = [p for p, _ in factored(value).powers]
@@ -56,7 +56,8 @@ def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:
             yield print_text(node)
 
 
-def _divided_by(tree: Node) -> Iterator[Node]:
+def divided_by(tree: Node) -> Iterator[Node]:
+    """What a tree divides by, numbers apart."""
     for node in nodes(tree):
         if node.op is Operation.OVER and node.args[1].op is not Operation.NUMBER:
             yield node.args[1]

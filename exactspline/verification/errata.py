@@ -97,10 +97,10 @@ def _joined(status: Status, sources: Iterable[Paper] | None) -> Iterator[Erratum
                 why = tuple(dict.fromkeys(claim.note for claim in fails if claim.note))
                 yield Erratum(source.name, error, title, refuted, _truth(own), why)
         if status == Status.PRINTED and not source.default:
-            yield from _unrecorded(claims)
+            yield from unrecorded(claims)
 
 
-def _unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
+def unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
     """Unrecorded failures: each statement is a separate error."""
     for claim in claims:
         if not claim.error and claim.expected != REFUTED and (found := _refuted(claim)):
@@ -213,7 +213,7 @@ def _shown(claim: Claim) -> tuple[str, ...]:
         )
     if isinstance(claim, Count) and source.package:
         return (
-            "from exactspline.papers import find; from exactspline.splines.examples import example",
+            "from exactspline.papers import find; from exactspline.interchange.examples import example",
             "from exactspline.verification.measure import measure",
             f'print(measure({found(claim.formula)}, example("{claim.example}")))',
         )

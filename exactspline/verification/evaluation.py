@@ -38,7 +38,7 @@ class Evaluation:
     """One curve with the values of formulas on it. It belongs to one run of the ledger: curves can be shared between
     threads, evaluations need not be.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> own = Evaluation(example("cusp"))
     >>> own.handed("plane") is own.handed("plane"), own.handed("plane") is own.curve
     (True, False)
@@ -88,7 +88,7 @@ class Evaluation:
         for each in assumed:
             if (kind, each) not in self._failing:
                 on_surface = isinstance(self.curve, NurbsSurface)
-                place = (_fails_on_surface if on_surface else _fails)(each, self._assumed_of(kind))
+                place = (fails_on_surface if on_surface else _fails)(each, self._assumed_of(kind))
                 self._failing[kind, each] = AssumptionFails(each, place) if place else None
             if failing := self._failing[kind, each]:
                 return failing
@@ -112,7 +112,7 @@ def _fails(each: Assumption, handed: object) -> Place | None:
     return zero_of(value)
 
 
-def _fails_on_surface(each: Assumption, handed: Evaluated) -> Place | None:
+def fails_on_surface(each: Assumption, handed: Evaluated) -> Place | None:
     """The same where the parameters are those of a surface; what could not be decided counts as a zero."""
     from exactspline.geometry.surface.signs import Sign, sign_on_patch  # most evaluations are of curves
 

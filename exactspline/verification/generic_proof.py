@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from functools import cache
 
 from exactspline.errors import ExactSplineError, FormulaError, ReachError, as_flag, as_integer
+from exactspline.interchange.examples import example, example_surface
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands, Pair
 from exactspline.language.choices import Parameter
@@ -21,7 +22,6 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.taylor_surface import DoubleTaylorReading
-from exactspline.splines.examples import example, example_surface
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.factorization import POLYNOMIAL, Factor, Named, factored, find_factor, jets_for, naming
 from exactspline.symbolic.reduction import Reduction, counted_in, reduce
@@ -127,16 +127,17 @@ def transposed(formula: Formula) -> Formula:
 
 def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
     """The reduction of a formula, made once; its degrees are counted in the first parameter or in the one named."""
-    found = _reduction(formula, dimension, polynomial, naming())
+    found = cached_reduction(formula, dimension, polynomial, naming())
     if isinstance(found, ExactSplineError):
         raise found
     return found if parameter is None else counted_in(found, formula, parameter)
 
 
 @cache
-def _reduction(
+def cached_reduction(
     formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]
 ) -> Reduction | ExactSplineError:
+    """The reduction of a formula, computed once."""
     try:
         return reduce(formula, dimension=dimension, polynomial=polynomial)
     except (FormulaError, ReachError) as error:  # of a formula that is too long this is known after long work only

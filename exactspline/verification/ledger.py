@@ -8,9 +8,9 @@ from functools import partial
 from time import perf_counter
 
 from exactspline.errors import ExactSplineError, as_instance
+from exactspline.interchange.examples import example, example_names
 from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.factorization import SharedJets, sharing, speaking_of

@@ -37,7 +37,7 @@ class Measure:
 def measure(formula: Formula, curve: Nurbs) -> Measure:
     """The degrees and the number of control points of a formula on a curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> measure(find("f2"), example("ellipse"))
     <Measure f2: degree 3d − 3, here 3, true degree 0, 16 control points>

@@ -5,9 +5,9 @@ from __future__ import annotations
 from functools import cache
 
 from exactspline.errors import ClaimError, ExactSplineError, nearest
+from exactspline.interchange.curve_files import curve_from_text
+from exactspline.interchange.examples import example, example_names, example_surface, example_surface_names
 from exactspline.papers import Paper
-from exactspline.splines.curve_files import curve_from_text
-from exactspline.splines.examples import example, example_names, example_surface, example_surface_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 

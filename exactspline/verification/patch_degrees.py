@@ -16,7 +16,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import Paper
 from exactspline.readings.degree import DegreeReading
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.tensor_parts import Degrees
+from exactspline.splines.tensor_patches import Degrees
 from exactspline.symbolic.covariants import degree_on_patch
 from exactspline.symbolic.reduction import Part
 from exactspline.symbolic.substitution import substitute
@@ -142,12 +142,12 @@ def _row(formula: Formula, degrees: tuple[int, int], polynomial: bool) -> PatchR
         part = reduction_of(formula, dimension, polynomial).main
     except (FormulaError, ReachError) as error:  # more terms than are multiplied out: the other formulas stand
         return PatchRow(formula.name, patches, (u, v), None, None, str(error))
-    attained = _measured(part, witness(dimension, degrees, polynomial=polynomial))
+    attained = measured_degrees(part, witness(dimension, degrees, polynomial=polynomial))
     true = [degree_of_reduced(part, degrees, parameter) for parameter in BOTH]
     return PatchRow(formula.name, patches, (u, v), _pair(*true), _pair(*attained))
 
 
-def _measured(part: Part, surface: Surface[TensorSpline]) -> tuple[int, int]:
+def measured_degrees(part: Part, surface: Surface[TensorSpline]) -> tuple[int, int]:
     """The true degrees of a reduced form on a surface: those of its factors add up."""
     factors = [(substitute(jet, surface), e) for jet, e in part.kept]
     core = [substitute(jet, surface) for jet in part.core]

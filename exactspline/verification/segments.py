@@ -104,7 +104,7 @@ def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> 
     explicit polynomials, everything else indeterminate with derivatives up to `order`.
 
     >>> from exactspline.language.kinds import kind_of
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> [segment] = on_segments(kind_of("plane with delta"), example("parabola"), 2)
     >>> str(segment.interval), segment.argument.p[0].d(2) * segment.argument.delta
     ('on [0, 1]', (0) / (1))

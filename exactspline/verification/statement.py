@@ -93,15 +93,15 @@ def sides(claim: Claim) -> tuple[Side, ...]:
     names = dict.fromkeys(claim.named)
     if not names:
         return ()
-    ranked = sorted(names, key=lambda name: -_size(name, claim))
-    first, last = _size(ranked[0], claim), _size(ranked[-1], claim)
+    ranked = sorted(names, key=lambda name: -degree_of_cubic(name, claim))
+    first, last = degree_of_cubic(ranked[0], claim), degree_of_cubic(ranked[-1], claim)
     roles = {ranked[0]: NAIVE, ranked[-1]: REDUCED} if first != last else {}
     return tuple(_side(name, roles.get(name, "formula"), claim) for name in ranked)
 
 
 def _side(name: str, role: str, claim: Claim) -> Side:
     formula = claim.find(name)
-    tree = telling_tree(formula, _dimension(formula, claim))
+    tree = telling_tree(formula, dimension_of(formula, claim))
     shown = symbol_text(formula.symbol) if formula.symbol else name
     degrees = [_degrees(name, claim, polynomial) for polynomial in (False, True)]
     return Side(
@@ -114,7 +114,7 @@ def _side(name: str, role: str, claim: Claim) -> Side:
     )
 
 
-def _dimension(formula: Formula, claim: Claim) -> int:
+def dimension_of(formula: Formula, claim: Claim) -> int:
     """The dimension in which a formula is read: the claim's, if there is such a formula, else its own."""
     own = formula.kind.dimensions
     return claim.dimensions[0] if claim.dimensions[0] in own else own[0]
@@ -136,7 +136,7 @@ def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> 
         return degree
     if formula.kind.adjoins_roots:
         return None
-    dimension, reading = _dimension(formula, claim), DegreeReading("d", parameter, counting)
+    dimension, reading = dimension_of(formula, claim), DegreeReading("d", parameter, counting)
     try:
         degree = formula(reading.argument(formula.kind, dimension, polynomial=polynomial)).degree
     except InapplicableError:
@@ -144,7 +144,8 @@ def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> 
     return degree
 
 
-def _size(name: str, claim: Claim) -> int:
+def degree_of_cubic(name: str, claim: Claim) -> int:
+    """The represented degree of a side on a curve of degree 3."""
     parameter = next(iter(claim.find(name).kind.counted), Parameter.FIRST)
     degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL, parameter)
     return 0 if degree is None else degree.at(dict.fromkeys(degree.names, 3))

@@ -18,7 +18,7 @@ def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> TooLong | No
     """The first formula whose value as it stands has too high a degree on a surface; None where there is none.
 
     >>> from exactspline.papers import find
-    >>> from exactspline.splines.examples import example_surface
+    >>> from exactspline.interchange.examples import example_surface
     >>> print(too_long([find("surfaces:E"), find("surfaces:brioschi")], example_surface("torus")))
     brioschi as it stands has degree 208 in u there, too much to be multiplied out
     """

@@ -31,10 +31,11 @@ class Sympy:
         if equality is None:
             return Finding(UNDECIDED, witness=Fact.NOT_OF_THIS_JUDGE)
         cases = [(n, polynomial) for polynomial in claim.of.worlds for n in claim.dimensions]
-        return worst([equality.decide(_argument(claim, n, polynomial)) for n, polynomial in cases])
+        return worst([equality.decide(argument_for(claim, n, polynomial)) for n, polynomial in cases])
 
 
-def _argument(claim: Claim, dimension: int, polynomial: bool) -> Any:
+def argument_for(claim: Claim, dimension: int, polynomial: bool) -> Any:
+    """The argument of a formula in this reading."""
     kind = kind_of(claim.curve)
     if kind.adjoins_roots:
         factor = claim.factor if isinstance(claim, Identity) else "1"

@@ -168,6 +168,8 @@ class Counter(StrEnum):
     CONTROL_POINTS = "control points"
     ROOTS = "roots"
     EXTREMA = "extrema"
+    ENDS = "extrema at the ends of one segment"
+    CUSPS = "cusps"
     NOMINAL_CONTINUITY = "nominal continuity"
     TRUE_CONTINUITY = "true continuity"
 

@@ -17,13 +17,13 @@ from exactspline.batch.families import Family
 from exactspline.batch.oracle import oracle
 from exactspline.batch.oracle_answers import Item, QuestionError, answer_data, number_data
 from exactspline.batch.oracle_questions import QUESTIONS
+from exactspline.certificates import check_certificate
 from exactspline.cli import app
 from exactspline.errors import ExactSplineError, OpenError
 from exactspline.geometry.analysis import QUESTIONS as QUESTIONS_ABOUT_CURVES
 from exactspline.geometry.balls import degrees, length
 from exactspline.geometry.extent import coordinate_range
 from exactspline.reals.ball import InBalls
-from exactspline.roots.checker import check_certificate
 
 SQUARE = xs.Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 1), (0, 1), (0, 0)], name="box")
 CURVES = ["cubic_s", "circle", "twisted_cubic", "cusp", "six_segment_cubic", "rational_space_cubic"]

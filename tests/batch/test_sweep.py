@@ -27,9 +27,9 @@ from exactspline.batch.summary import Summary
 from exactspline.batch.work import Work
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, ExactSplineError, FormulaError
+from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.files import read, read_in_pieces
 from exactspline.numbers.exact import mpq
-from exactspline.splines.curve_files import curve_data
 from exactspline.verification.ledger import audit
 from tests.support.interchange_seeds import SVG, truetype
 
@@ -284,7 +284,7 @@ def test_results_of_another_sweep_are_not_touched(tmp_path):
             record(place, sources, **how)
     foreign = tmp_path / "notes.txt"
     foreign.write_text("my notes, no line break")
-    with pytest.raises(ResultsError, match="not a result of a sweep"):
+    with pytest.raises(ResultsError, match="was not written by a sweep"):
         record(foreign)
     assert (place.read_bytes(), foreign.read_text()) == (before, "my notes, no line break")
 

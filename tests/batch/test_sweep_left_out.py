@@ -17,7 +17,7 @@ from exactspline.batch.recorded import Where, recorded
 from exactspline.batch.results import ResultsError
 from exactspline.batch.summary import Summary
 from exactspline.batch.work import Work
-from exactspline.splines.curve_files import curve_data
+from exactspline.interchange.curve_files import curve_data
 from tests.batch.test_sweep import run
 
 
@@ -64,7 +64,7 @@ def test_a_changed_field_in_a_finished_line_is_noticed(tmp_path, kind, field):
         pq.write_table(pa.Table.from_pylist(rows, schema=table.schema), part)
     done = run("six_segment_cubic", "cusp", "-o", place)
     assert isinstance(done.exception, ResultsError)
-    assert "as a sweep wrote it" in str(done.exception)
+    assert "as written by a sweep" in str(done.exception)
 
 
 def test_a_curve_that_changed_under_its_name_is_noticed(tmp_path):

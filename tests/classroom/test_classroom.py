@@ -19,10 +19,10 @@ from exactspline.classroom.reading import AnswerError, numbers, points, polynomi
 from exactspline.classroom.topics import TOPICS, TopicError, exercise, exercises
 from exactspline.cli import app
 from exactspline.display.exercises import html_page, latex_document, plain, text_lines
+from exactspline.interchange.curve_files import curve_data
+from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq, rational
 from exactspline.papers import find
-from exactspline.splines.curve_files import curve_data
-from exactspline.splines.examples import example
 from exactspline.splines.nurbs import Nurbs
 
 COUNT = 20

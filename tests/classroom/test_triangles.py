@@ -13,10 +13,10 @@ from exactspline.cli import app
 from exactspline.display.latex import mathematics
 from exactspline.display.triangles import html_page, sheets
 from exactspline.errors import DomainError, ExactSplineError, KnotError, ShapeError
+from exactspline.interchange.examples import example, example_names
 from exactspline.numbers.exact import mpq, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Direction
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 
 SMALL = st.integers(-9, 9)

@@ -10,8 +10,8 @@ from exactspline import Nurbs
 from exactspline.cli import app
 from exactspline.display.plot.depth import REMARK, knows_depth
 from exactspline.geometry.bisector.two_curves import curve_bisector
-from exactspline.splines.curve_files import curve_data, curve_from_text, read_curve, write_json
-from exactspline.splines.examples import example
+from exactspline.interchange.curve_files import curve_data, curve_from_text, read_curve, write_json
+from exactspline.interchange.examples import example
 from tests.support.bisector_oracle import FAMILIES
 from tests.support.command import run
 

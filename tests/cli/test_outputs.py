@@ -8,8 +8,8 @@ import sys
 import pytest
 
 from exactspline.geometry.derived import derive
-from exactspline.splines.curve_files import read_curve
-from exactspline.splines.examples import example
+from exactspline.interchange.curve_files import read_curve
+from exactspline.interchange.examples import example
 from tests.support.command import run
 
 CURVE = {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "control_points": [[0, 0], [1, 1], [2, 0]]}

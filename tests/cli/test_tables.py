@@ -16,7 +16,7 @@ from rich.cells import cell_len
 from exactspline.cli import app
 from exactspline.display.sheet import PIPE, Sheet, csv_of
 from exactspline.display.wrapping import hanging
-from exactspline.splines.examples import example_names
+from exactspline.interchange.examples import example_names
 
 WIDTHS = (60, 100)
 texts = st.text(alphabet="ab−′² ‖κ", min_size=0, max_size=90)

@@ -17,9 +17,9 @@ from exactspline.display.glossary import meaning, terms
 from exactspline.display.ledger import WORDS
 from exactspline.display.ledger_page import page
 from exactspline.display.numbers import Numbers, decimals
+from exactspline.interchange.curve_files import curve_data
+from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
-from exactspline.splines.curve_files import curve_data
-from exactspline.splines.examples import example
 from exactspline.verification.claims import select
 from exactspline.verification.evidence import Between
 from exactspline.verification.ledger import audit
@@ -198,7 +198,7 @@ def test_prove_answers_first():
     assert "REFUTED  C4.2b" in first
     assert "PROVED" not in first.split("\n\n")[0]
     whole = run("prove").stdout
-    assert re.match(r"\d+ statements of the paper refuted on \d+ rows; \d+ hold", whole)
+    assert re.match(r"\d+ statements of the paper refuted \(\d+ errors, \d+ rows\); \d+ hold", whole)
     assert "true: g1 = w⁸ g0" in whole
     assert len(whole.splitlines()) < 250
 
@@ -233,3 +233,22 @@ def test_code_is_broken_where_it_stays_code(width):
     names = {}
     exec("\n".join(parts), names)
     assert names["found"] == ["a long text that is broken too", 5, 5]
+
+
+@pytest.mark.parametrize("place", ["5.4", "§5.4", "C5.4", "C5.4a", "p. 15"])
+def test_errors_are_found_by_their_place(place):
+    told = run("errata", place, "-q").stdout
+    assert "λ is ζ divided by ‖γ′‖" in told
+    assert "1 error of the paper, 1 statement refuted" in told
+
+
+def test_where_nothing_is_wrong_it_is_said():
+    told = run("errata", "4.1")
+    assert told.exit_code != 0
+    assert "nothing at '4.1' is refuted" in str(told.exception)
+
+
+def test_prove_and_errata_count_alike():
+    head, end = run("prove", "-q").stdout.splitlines()[0], run("errata", "-q").stdout.splitlines()[-1]
+    statements, errors = re.match(r"(\d+) statements of the paper refuted \((\d+) errors", head).groups()
+    assert end == f"{errors} errors of the paper, {statements} statements refuted"

@@ -27,13 +27,13 @@ from exactspline.display.tables import (
 )
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.derived import derive
+from exactspline.interchange.examples import example, example_names
 from exactspline.language import Vector
 from exactspline.language.kinds import CURVE
 from exactspline.papers import all_formulas, find, papers
 from exactspline.readings.degree import Degree, DegreeReading, parse_degree
 from exactspline.readings.jet import JetReading
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.statement import latex_of, sides, statements

@@ -20,10 +20,10 @@ from exactspline.display.plot.canvas import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
 from exactspline.errors import DomainError, ExactSplineError, ShapeError
 from exactspline.geometry.constructions import construction
+from exactspline.interchange.examples import example, example_names
 from exactspline.language import Rational, Vector
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.control_points import greville_abscissae
-from exactspline.splines.examples import example, example_names
 
 ZIGZAG = BSpline(1, [0, 0, 1, 2, 2], [1, -1, 1])
 #: Jumps through zero at 1, vanishes on [2, 3], jumps off zero at 3.
@@ -317,8 +317,8 @@ def test_errors_say_what_would_be_right(tmp_path, monkeypatch):
 
 def test_importing_loads_no_matplotlib_and_drawing_no_pyplot():
     code = (
-        "import sys; from exactspline.display import plot; from exactspline.splines.examples import example; assert "
-        "'matplotlib' not in sys.modules;"
+        "import sys; from exactspline.display import plot; from exactspline.interchange.examples import example; "
+        "assert 'matplotlib' not in sys.modules;"
         "plot.plot_curve(example('circle')); assert 'matplotlib' in sys.modules; assert 'matplotlib.pyplot' not "
         "in sys.modules"
     )

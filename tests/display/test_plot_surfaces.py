@@ -17,11 +17,11 @@ from exactspline.display.plot.html import Scene, scenes_data, turning_page
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
 from exactspline.display.plot.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.interchange.examples import example
 from exactspline.language import Rational, Vector, cross, dot
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.examples import example
 from exactspline.splines.tensor import TensorSpline, surface_pair
 
 SADDLE = Vector(

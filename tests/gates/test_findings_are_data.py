@@ -13,11 +13,11 @@ from exactspline.display.evidence import worded, words
 from exactspline.display.evidence.general import FACTS
 from exactspline.display.ledger import found, row_data, witness
 from exactspline.errors import ExactSplineError
+from exactspline.interchange.examples import example, example_names
 from exactspline.numbers.exact import mpq
 from exactspline.papers import papers
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet
-from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence

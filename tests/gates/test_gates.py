@@ -33,9 +33,7 @@ BY_SENTENCES = {
     "display/triangles.py: _result_sheets": "the name of an algorithm",
     "display/triangles.py: scheme_data": "the name of an algorithm",
     "papers/__init__.py: find": "the name of a paper, written before that of its formula",
-    "roots/checker.py: _checked": "the name of a format, first in a certificate",
     "verification/coq/refutations.py: _Attempt.text": "a type of Coq",
-    "verification/minimality/checker.py: _checked": "the name of a format, first in a certificate",
 }
 SENTENCES = {
     "its beginning": "def f(row):\n    return row.computed.startswith('no zero')",
@@ -227,7 +225,7 @@ ROUNDED = {
     "programs/doubles.py: _carried_out": "the certified filter",
     "polynomials/doubles.py: ordinates": "a guess, certified afterwards",
     "verification/conditioning/search.py: search_witnesses": "chooses by a seed",
-    "verification/minimality/__init__.py: witness": "chooses by a seed",
+    "verification/minimality.py: witness": "chooses by a seed",
     "verification/patch_degrees.py: witness": "chooses by a seed",
 }
 ROUNDS = {
@@ -289,7 +287,7 @@ UNBOUNDED = {
     "splines/lowest_terms.py: _common": "integers",
     "splines/lowest_terms.py: _greatest_common_divisor": "integers",
     "splines/lowest_terms.py: primitive": "integers",
-    "splines/spans.py: common_forms": "integers",
+    "splines/blossom.py: common_forms": "integers",
     "splines/tensor_lowest_terms.py: in_lowest_terms": "integers",
     "verification/minimality/__init__.py: _bezout": "modulo a prime, in one variable",
 }

@@ -15,9 +15,9 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import Construction
 from exactspline.geometry.inspection import compare_approaches, inspect_curve, solved
 from exactspline.geometry.joints import Ends
+from exactspline.interchange.examples import example, example_names
 from exactspline.polynomials import isolation as isolation_module
 from exactspline.roots import zero_set as zero_set_module
-from exactspline.splines.examples import example, example_names
 
 
 def spline(segments, dimension, seed=1):

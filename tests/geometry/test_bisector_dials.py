@@ -18,8 +18,8 @@ from exactspline.geometry.bisector.components import Solutions, SpecialPairs
 from exactspline.geometry.bisector.special_pairs import special_pairs
 from exactspline.geometry.bisector.trimmed import trimmed_bisector
 from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.interchange.curve_files import curve_data, write_json
 from exactspline.polynomials.cost import Budget
-from exactspline.splines.curve_files import curve_data, write_json
 from tests.campaigns import bisectors as bisector_campaign
 from tests.campaigns.bisectors import curve, of_slice, said_of
 from tests.geometry.test_bisector_slices import U, curve_of, polynomial
@@ -141,8 +141,8 @@ def test_what_a_spent_bound_leaves_out_is_named_once():
     found = special_pairs(first, second, Budget(10**9, 0))
     assert found == SpecialPairs(
         left_out=(
-            "what is beside the surface on [0, 1] × [0, 1] and 8 rectangles more: the bound on the whole answer was "
-            "reached before",
+            "the parts other than the surface on [0, 1] × [0, 1] and 8 rectangles more: the bound on the whole answer "
+            "was reached before",
         )
     )
 

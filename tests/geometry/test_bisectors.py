@@ -13,9 +13,9 @@ from exactspline import Nurbs
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.bisector.point_and_curve import AXES, point_bisector
 from exactspline.geometry.bisector.two_curves import CURVE_FORMS, curve_bisector
+from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.examples import example, example_names
 from tests.support.bisector_oracle import mapped
 from tests.support.dials import factors, over_dials
 from tests.support.strategies import nurbs

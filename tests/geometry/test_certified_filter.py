@@ -20,7 +20,7 @@ from exactspline.programs.reading import Signature
 np = pytest.importorskip("numpy")
 
 from exactspline.geometry.filtered import filtered, programs  # noqa: E402  # needs numpy
-from exactspline.geometry.many_curves import _operands, features_in_parts, features_of_many  # noqa: E402
+from exactspline.geometry.many_curves import features_in_parts, features_of_many, scaled_operands  # noqa: E402
 from exactspline.polynomials.doubles import Rows, isolated, ordinates, values_at  # noqa: E402
 from exactspline.programs.doubles import in_doubles  # noqa: E402
 
@@ -149,7 +149,7 @@ def test_bounds_are_those_of_as_many_roundings_as_the_coefficients_went_through(
     numbers = np.random.default_rng(7)
     points, weights = numbers.uniform(0.5, 1, (400, 4, 2)), numbers.uniform(0.5, 1, (400, 4))
     with rounding("up"):
-        operands = _operands(points, weights)
+        operands = scaled_operands(points, weights)
         found = filtered(3, operands)
         assert found is not None
         rows = zip(operands[0][:, 1].tolist(), points[:, 1, 0].tolist(), weights[:, 1].tolist(), strict=True)
@@ -259,7 +259,7 @@ def test_what_is_no_batch_is_refused():
         features_of_many([[0, 1], [2, 3]])
     with pytest.raises(ShapeError):
         features_of_many(np.zeros((3, 4, 2)), np.ones((3, 3)))
-    with pytest.raises(ShapeError, match="no array"):
+    with pytest.raises(ShapeError, match="not an array"):
         features_of_many([[(0, 0), (1, 1)], [(0, 0)]])
     for numbers in (np.zeros((1, 2, 2), dtype=complex), [[("0", "1"), ("1", "2")]], np.zeros((1, 2, 2), dtype=bool)):
         with pytest.raises(NumberError, match="of the type"):

@@ -12,9 +12,9 @@ from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError, ReductionError
 from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.ruled_surfaces import same_surface
+from exactspline.interchange.examples import example
 from exactspline.language.parts import split
 from exactspline.papers import find
-from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import in_lowest_terms, lowest_terms, true_degree
 from exactspline.verification.generic_degree import symbolic_minimum
 

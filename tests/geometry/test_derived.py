@@ -8,8 +8,8 @@ from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.constructions import Absence
 from exactspline.geometry.curvature import curvature_function
 from exactspline.geometry.derived import derive
+from exactspline.interchange.examples import example
 from exactspline.papers import find
-from exactspline.splines.examples import example
 
 
 def test_circle_has_constant_curvature():

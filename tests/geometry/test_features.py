@@ -8,14 +8,14 @@ from click.testing import CliRunner
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
+from exactspline.certificates import check_certificate
 from exactspline.cli import app
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.values_along import curvature
 from exactspline.geometry.zero_forms import zero_form
-from exactspline.roots import checker
-from exactspline.splines.examples import example, example_names
+from exactspline.interchange.examples import example, example_names
 from tests.geometry.test_shared_curves import FILES, read_curve
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]
@@ -194,10 +194,10 @@ def test_certificates_are_written_and_checked(tmp_path):
     written = json.loads(file.read_text())
     assert {part["function"] for part in written} == {"zero_curvature", "critical_curvature"}
     for part in written:
-        checker.check_certificate(part["certificate"])
+        check_certificate(part["certificate"])
     written[1]["certificate"]["segments"][0]["coefficients"][0] = "12345"
     with pytest.raises(ValueError, match=r"."):
-        checker.check_certificate(written[1]["certificate"])
+        check_certificate(written[1]["certificate"])
 
 
 def test_a_picture_is_written(tmp_path):

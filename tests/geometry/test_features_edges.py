@@ -8,7 +8,7 @@ from gmpy2 import mpq
 from exactspline import Nurbs
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, inspect_curve
-from exactspline.splines.examples import example
+from exactspline.interchange.examples import example
 from exactspline.verification.claims import select
 from exactspline.verification.ledger import audit
 

@@ -46,7 +46,7 @@ def cause(curve):
 
 
 def left(words):
-    """How many curves of a family are left to exact arithmetic, by cause, and the numbers of those without one."""
+    """How many curves of a family are decided by exact arithmetic, by cause, and the numbers of those without one."""
     family = Family.parsed(words)
     curves = [family.curve(i) for i in range(family.count)]
     counted, unexplained = Counter(), []

@@ -16,12 +16,12 @@ from exactspline.errors import FormulaError, OpenError
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.bisector import cusps
 from exactspline.geometry.bisector.components import Cause, PairEquation, PlaneComponent, Solutions
-from exactspline.geometry.bisector.conditions import _cells as cells_between
-from exactspline.geometry.bisector.correspondence import _value, graph_intervals
+from exactspline.geometry.bisector.conditions import cells_between
+from exactspline.geometry.bisector.correspondence import graph_intervals, value_at
 from exactspline.geometry.bisector.lines import Path, along
 from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.single_pairs import zeros_of_vector
-from exactspline.geometry.bisector.special_pairs import _runs_on
+from exactspline.geometry.bisector.special_pairs import runs_on
 from exactspline.geometry.bisector.system import System, piece
 from exactspline.geometry.bisector.trimmed import PieceKind, trimmed_bisector
 from exactspline.geometry.constructions import Variant, all_constructions
@@ -37,6 +37,7 @@ from exactspline.geometry.surface.inspection import inspect_surface
 from exactspline.geometry.surface.joints import SurfaceJointKind
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.singular import SingularPoints
+from exactspline.interchange.examples import example
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.common_zeros import isolate
 from exactspline.polynomials.elimination import discriminant
@@ -45,7 +46,6 @@ from exactspline.polynomials.two_parameters import S, T
 from exactspline.questions.answers import CurvePiece
 from exactspline.reals.ball import InBalls
 from exactspline.reals.digits import Digits
-from exactspline.splines.examples import example
 from exactspline.splines.tensor import TensorSpline
 from tests.support.bisector_oracle import FAMILIES
 
@@ -215,9 +215,9 @@ def test_exchanging_the_curves_twice_changes_nothing():
 
 def test_values_of_polynomials_are_those_of_their_terms():
     x = mpq(-3, 7)
-    assert _value(fmpz_poly([]), x) == 0
-    assert _value(fmpz_poly([5]), x) == 5
-    assert _value(fmpz_poly([1, 2, 0, 4]), x) == 1 + 2 * x + 4 * x**3
+    assert value_at(fmpz_poly([]), x) == 0
+    assert value_at(fmpz_poly([5]), x) == 5
+    assert value_at(fmpz_poly([1, 2, 0, 4]), x) == 1 + 2 * x + 4 * x**3
 
 
 @pytest.mark.parametrize(("meet", "expected"), [(True, Solutions.SPACE), (False, Solutions.PLANE), (None, None)])
@@ -325,7 +325,7 @@ def test_a_polygon_runs_on_where_its_sides_have_one_direction(direction, speed):
     first = (1, 2, 3)
     points = [(0, 0, 0), first, tuple(a + speed * b for a, b in zip(first, direction, strict=True))]
     polygon = Nurbs(1, [0, 0, 1, 2, 2], points)
-    assert _runs_on(polygon, mpq(1)) is (direction in (first, (-1, -2, -3)))
+    assert runs_on(polygon, mpq(1)) is (direction in (first, (-1, -2, -3)))
 
 
 # ---- surfaces

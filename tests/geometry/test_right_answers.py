@@ -128,7 +128,7 @@ def run(*arguments):
 @pytest.mark.parametrize("scale", [mpq(10) ** 80, mpq(1, 10**80), mpq(1)], ids=["huge", "tiny", "as it is"])
 def test_digits_of_small_curvatures_are_their_own(scale):
     """An ellipse with the half axes 2s and s at irrational vertices: κ there is 2/s and 1/(4s), whatever s."""
-    from exactspline.splines.examples import example
+    from exactspline.interchange.examples import example
 
     skew = example("ellipse_skew")
     scaled = Nurbs(2, skew.knots, [(x * scale, y * scale) for x, y in skew.control_points], skew.weights)
@@ -177,7 +177,7 @@ def test_standing_still_across_the_seam():
 
 def test_the_sign_of_the_curvature_at_roots_of_other_forms():
     """Held against the value at a nearby parameter, and against the definition at knots."""
-    from exactspline.splines.examples import example, example_names
+    from exactspline.interchange.examples import example, example_names
 
     for name in example_names():
         curve = example(name)

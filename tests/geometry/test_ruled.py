@@ -9,10 +9,10 @@ from exactspline.display.evidence import worded
 from exactspline.errors import DomainError, ReductionError, ShapeError
 from exactspline.geometry.constructions import all_constructions
 from exactspline.geometry.ruled_surfaces import as_tensor_product, is_developable, point_at, ruled_surface, same_surface
+from exactspline.interchange.examples import example, example_names
 from exactspline.language import Rational, Vector, cross
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive_part
 from exactspline.verification.claims import all_claims
 from tests.support.strategies import splines_on_one_domain

@@ -18,7 +18,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import Absence
 from exactspline.geometry.derived import derive
 from exactspline.geometry.planarity import as_plane_curve, planar_pieces, plane_of
-from exactspline.splines.examples import example
+from exactspline.interchange.examples import example
 from exactspline.verification.claims import all_claims
 from exactspline.verification.ledger import audit
 from tests.support.answers import places

@@ -12,15 +12,15 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from exactspline import Nurbs
+from exactspline.certificates import check_certificate
 from exactspline.cli import app
 from exactspline.errors import DomainError, FormulaError, ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.kinds import JointKind
 from exactspline.geometry.values_along import curvature, torsion
+from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
-from exactspline.roots import checker
-from exactspline.splines.examples import example, example_names
 from tests.geometry.test_shared_curves import FILES, read_curve
 from tests.support.answers import pieces, places
 from tests.support.space_curves import MIRRORED, SCALED, TURNED, backwards, moved, power_curve
@@ -254,11 +254,11 @@ def test_certificates_of_all_that_was_solved(tmp_path):
     written = json.loads(file.read_text())
     assert [part["function"] for part in written] == ["zero_torsion", "space_critical_curvature", "zero_curvature"]
     for part in written:
-        checker.check_certificate(part["certificate"])
+        check_certificate(part["certificate"])
     coefficients = written[1]["certificate"]["segments"][0]["coefficients"]
     coefficients[0] = str(-int(coefficients[0]))
     with pytest.raises(ValueError, match=r"."):
-        checker.check_certificate(written[1]["certificate"])
+        check_certificate(written[1]["certificate"])
 
 
 def test_a_picture_of_a_space_curve_is_written(tmp_path):

@@ -14,6 +14,7 @@ from exactspline.geometry.surface.constant import constant_curvature, has_curvat
 from exactspline.geometry.surface.forms import SurfaceForms
 from exactspline.geometry.surface.joints import SurfaceJointKind
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
+from exactspline.interchange.surface_files import surface_data
 from exactspline.language.arguments import Operands
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import FORMS, SURFACE
@@ -22,7 +23,6 @@ from exactspline.papers import find
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.readings.jet import JetReading
 from exactspline.readings.taylor_surface import DoubleTaylorReading
-from exactspline.splines.surface_files import surface_data
 from exactspline.symbolic.covariants import degree_on_patch
 
 CURVED = ("ellipsoid", "torus", "cyclide", "rational_biquadratic", "monkey_saddle", "enneper")

@@ -13,8 +13,8 @@ from exactspline import NurbsSurface, analyse, example
 from exactspline.cli import app
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.joints import SurfaceJointKind
+from exactspline.interchange.surface_files import surface_data
 from exactspline.splines.surface import Along
-from exactspline.splines.surface_files import surface_data
 
 #: The dial: what coordinates are multiplied by and moved by.
 DIAL = {

@@ -14,11 +14,11 @@ from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisector import conditions as module
 from exactspline.geometry.bisector.trimmed import trimmed_bisector
+from exactspline.interchange.examples import example
 from exactspline.papers import find
 from exactspline.polynomials.elimination import discriminant, through
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.examples import example
 from tests.support.dials import factors, over_dials
 
 LINE = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])

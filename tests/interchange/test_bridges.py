@@ -13,10 +13,10 @@ from exactspline.interchange.bridges.fonttools import ContourPen, draw
 from exactspline.interchange.bridges.mpmath import to_mpmath
 from exactspline.interchange.bridges.sympy import to_sympy
 from exactspline.interchange.bridges.values import exact
+from exactspline.interchange.examples import example
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText, decimal, decimal_text, finite_double, square_root
 from exactspline.numbers.exact import from_float
-from exactspline.splines.examples import example
 from tests.support.interchange_seeds import ARC, CUBIC, SPACE, UNCLAMPED
 
 CURVES = [ARC, CUBIC, SPACE, UNCLAMPED]

@@ -13,11 +13,11 @@ from exactspline import Nurbs
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, NumberError, ShapeError, WeightError
 from exactspline.interchange import Limits, read, write
+from exactspline.interchange.examples import example, example_names, load
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.formats.own_json import schema
 from exactspline.interchange.limits import work
-from exactspline.splines.examples import example, example_names, load
 from tests.support.interchange_seeds import (
     ARC,
     BREP,

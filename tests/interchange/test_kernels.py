@@ -4,9 +4,9 @@ import pytest
 
 from exactspline import Nurbs, from_float
 from exactspline.interchange import read
+from exactspline.interchange.examples import example
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
-from exactspline.splines.examples import example
 from tests.interchange.test_shared_files import FOLDER, needs_files
 from tests.support.interchange_seeds import ARC, CUBIC, SPACE
 

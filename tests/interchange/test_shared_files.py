@@ -10,10 +10,10 @@ from gmpy2 import mpq
 
 from exactspline.errors import NumberError
 from exactspline.interchange import read
+from exactspline.interchange.curve_files import read_curve
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
 from exactspline.numbers.exact import from_float
-from exactspline.splines.curve_files import read_curve
 from tests.geometry.test_shared_curves import FILES, needs_curves
 
 FOLDER = Path(os.environ.get("EXACTSPLINE_FILES", Path(__file__).resolve().parents[3] / "shared" / "files"))

@@ -15,13 +15,13 @@ from exactspline.cli.commands import leaves
 from exactspline.cli.common import load_curve
 from exactspline.display.evidence import worded
 from exactspline.errors import CurveFileError, DomainError, ExactSplineError, KnotError, NumberError
+from exactspline.interchange.curve_files import curve_data, curve_from_text
+from exactspline.interchange.examples import example
 from exactspline.interchange.files import read
 from exactspline.interchange.formats import FORMATS
 from exactspline.language.formula import formula
 from exactspline.papers import named_papers
 from exactspline.readings.tree import trace
-from exactspline.splines.curve_files import curve_data, curve_from_text
-from exactspline.splines.examples import example
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.combined import combined
 

@@ -10,6 +10,7 @@ from gmpy2 import mpq
 
 from exactspline import prove, reduction
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.interchange.examples import example
 from exactspline.language.adjoined_root import Adjoined, framed, root_of
 from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT, kind_of
 from exactspline.language.vector import cross, det, dot, norm2
@@ -17,7 +18,6 @@ from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import SympyReading
-from exactspline.splines.examples import example
 from exactspline.verification.claims import all_claims
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.ledger import proved

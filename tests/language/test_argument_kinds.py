@@ -7,6 +7,7 @@ import pytest
 import sympy
 
 from exactspline.errors import FormulaError, InapplicableError
+from exactspline.interchange.examples import example
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import formula
 from exactspline.language.kinds import HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, INTERSECTION, common_kind, kind_of
@@ -18,7 +19,6 @@ from exactspline.readings.leading_terms import LeadingTermsReading, generic_true
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.readings.taylor import taylor
 from exactspline.readings.tree import trace
-from exactspline.splines.examples import example
 from exactspline.verification.check_arguments import CONSTANTS, argument
 from exactspline.verification.questions import prove
 

@@ -162,7 +162,9 @@ def test_nothing_but_formulas_passes(text):
     assert caught.value.remedy
 
 
-@pytest.mark.parametrize("name", ["ring", "mapped", "operands", "calls", "beside", "made", "p", "x", "__class__", "ρ"])
+@pytest.mark.parametrize(
+    "name", ["ring", "mapped", "operands", "calls", "additional", "made", "p", "x", "__class__", "ρ"]
+)
 def test_a_constant_opens_no_other_door(name):
     """Its name could be that of something inside."""
     with pytest.raises(FormulaError):

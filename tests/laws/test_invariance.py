@@ -11,7 +11,7 @@ from exactspline import BSpline, Nurbs
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.two_curves import curve_bisector
-from exactspline.splines.examples import example
+from exactspline.interchange.examples import example
 from tests.support.same_curves import CHANGES, from_rows, homogeneous
 from tests.support.strategies import nurbs
 

@@ -20,8 +20,8 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.point_and_curve import point_bisector
 from exactspline.geometry.bisector.trimmed import PieceKind, trimmed_bisector
 from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.interchange.examples import example
 from exactspline.reals.real import Real
-from exactspline.splines.examples import example
 from tests.geometry.test_bisector_pairs import assert_complete_on_a_grid, random_pair
 from tests.laws.test_invariance import assert_same, chain, rotated
 from tests.support.bisector_oracle import FAMILIES, dimension, planes, point_and_tangent, spans

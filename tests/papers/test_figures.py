@@ -18,7 +18,7 @@ from exactspline.display.figures.plane import figure_1
 from exactspline.display.plot.canvas import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
 from exactspline.geometry.analysis import analyse
-from exactspline.splines.examples import example
+from exactspline.interchange.examples import example
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import all_claims
 from tests.support.figures import figure

@@ -77,7 +77,7 @@ def test_what_the_bound_allows_is_done_within_it():
         start = time.process_time()
         with drawing_on(budget):
             greatest_common_divisor([p, q])
-        assert time.process_time() - start < (budget.total - budget.left) / 10**9
+        assert time.process_time() - start < (budget.total - budget.remaining) / 10**9
 
 
 def test_products_of_too_many_pairs_are_refused(monkeypatch):

@@ -11,11 +11,11 @@ from exactspline.polynomials.doubles import (  # noqa: E402  # needs numpy
     SPLIT,
     Isolated,
     Rows,
-    _most_changes,
-    _split,
     isolated,
+    most_changes,
     narrowed,
     ordinates,
+    split_in_two,
     values_at,
 )
 
@@ -77,12 +77,12 @@ def test_ordinates_are_the_coefficients_over_binomials():
     ],
 )
 def test_the_most_changes_that_certain_signs_allow(signs, most):
-    assert _most_changes(np.array([signs])).tolist() == [most]
+    assert most_changes(np.array([signs])).tolist() == [most]
 
 
 def test_halves_are_those_of_the_form():
     points = np.random.default_rng(3).uniform(-1, 1, (5, 5))
-    left, right = _split(Rows(points, np.full_like(points, SMALL)))
+    left, right = split_in_two(Rows(points, np.full_like(points, SMALL)))
     split = Fraction(SPLIT)
     for row in range(5):
         for k in range(9):

@@ -9,6 +9,7 @@ from exactspline.errors import FormulaError
 from exactspline.formulas.lifted import critical_curvature_lifted, tangent_lifted
 from exactspline.geometry.domain import part
 from exactspline.geometry.facts import TOGETHER
+from exactspline.interchange.examples import example
 from exactspline.language import Vector
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.formula import formula
@@ -21,7 +22,6 @@ from exactspline.programs import evaluated, program_for
 from exactspline.programs.given import operands_of
 from exactspline.programs.instructions import Instructions
 from exactspline.programs.program import program_of, values
-from exactspline.splines.examples import example
 from exactspline.splines.tensor import surface_pair
 from tests.support.sampled import sample
 from workshop.bench.inputs import curve as bench_curve

@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 from exactspline import Nurbs
 from exactspline.display.evidence import worded
+from exactspline.interchange.examples import example
 from exactspline.language.kinds import CURVE
 from exactspline.papers import find
 from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
-from exactspline.splines.examples import example
 from exactspline.symbolic.covariants import product_of, true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification.claims import all_claims

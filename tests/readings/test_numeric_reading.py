@@ -11,10 +11,10 @@ from exactspline.errors import DomainError
 from exactspline.geometry.bisector.point_and_curve import point_bisector
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.geometry.derived import derive
+from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from exactspline.readings.taylor import series_curve
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.examples import example, example_names
 from tests.support.numeric_reading import arithmetic, number, numeric_curve
 
 DIGITS = 80

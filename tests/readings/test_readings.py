@@ -10,6 +10,7 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError
+from exactspline.interchange.examples import example
 from exactspline.language import Rational, Vector
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE, DIMENSIONS, TABLE
@@ -24,7 +25,6 @@ from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
 from exactspline.readings.tree import TreeReading, evaluate, trace
-from exactspline.splines.examples import example
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.
 FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("curve", "plane", "space", "table")}

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.errors import FormulaError
+from exactspline.interchange.examples import example
 from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, SURFACE, kind_of
 from exactspline.language.vector import Vector, cross, det, dot, join, perp
 from exactspline.papers import find
@@ -24,11 +25,10 @@ from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
-from exactspline.readings.sympy_expression import FIRST, _Fractions, _quotient
+from exactspline.readings.sympy_expression import FIRST, Fractions, exact_quotient
 from exactspline.readings.taylor import Series, taylor
 from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.readings.tree import TreeReading, trace
-from exactspline.splines.examples import example
 from tests.support.numeric_reading import NumericSeries, arithmetic, numeric_curve
 
 T = BSpline.identity(0, 1)
@@ -273,7 +273,7 @@ def test_a_curve_of_numbers_is_known_to_as_many_terms(terms):
 
 def test_what_divides_is_never_ruled_out_and_what_does_not_mostly_is():
     x, y = (sympy.Function(name)(FIRST) for name in "xy")
-    fractions = _Fractions(x + y)
+    fractions = Fractions(x + y)
     a, b = fractions.ring.gens
     for base in (a + b, a - 2 * b, a * b + 1, a**2 + b):
         for factor in (a + 3, b - a, fractions.ring.one, a**2 * b - 5):
@@ -285,13 +285,13 @@ def test_what_divides_is_never_ruled_out_and_what_does_not_mostly_is():
 
 def test_quotients_of_sparse_polynomials_are_exact_or_none():
     x, y = (sympy.Function(name)(FIRST) for name in "xy")
-    a, b = _Fractions(x + y).ring.gens
+    a, b = Fractions(x + y).ring.gens
     for p in (a + b, a - 2 * b, 3 * a * b + 1, a**2 - b**3):
         for q in (a + 3, b - a, 2 * a**2 * b - 5 * b):
-            assert _quotient(p * q, p) == q
-            assert _quotient(p * q + 1, p) is None
-            assert _quotient(p, p * q) is None
-    assert _quotient(a**2 + b, 2 * a) is None
+            assert exact_quotient(p * q, p) == q
+            assert exact_quotient(p * q + 1, p) is None
+            assert exact_quotient(p, p * q) is None
+    assert exact_quotient(a**2 + b, 2 * a) is None
 
 
 @pytest.mark.parametrize("terms", [1, 2, 4])

@@ -12,8 +12,8 @@ from flint import fmpq_poly, fmpz_poly
 from gmpy2 import mpq, mpz
 
 from exactspline import BSpline
+from exactspline.certificates import check_certificate
 from exactspline.numbers.exact import to_fmpq
-from exactspline.roots.checker import check_certificate
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 

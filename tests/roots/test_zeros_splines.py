@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline
+from exactspline.certificates import check_certificate
 from exactspline.errors import ExactSplineError
-from exactspline.roots.checker import check_certificate
 from exactspline.roots.zero_set import zeros
 from tests.support.strategies import DOMAINS, TINY, splines
 

@@ -7,7 +7,7 @@ from gmpy2 import mpq
 
 from exactspline import Direction, Nurbs, read, write
 from exactspline.errors import CurveFileError, NumberError, ShapeError, WeightError
-from exactspline.splines.curve_files import curve_data, curve_from_text
+from exactspline.interchange.curve_files import curve_data, curve_from_text
 
 KNOTS = [0, 0, 0, 1, 1, 1]
 POINTS = [(0, 0), (5, 7), (1, 0)]

@@ -15,6 +15,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.derived import circle_centres, derive, evolute, focal_curve, torsion_function
 from exactspline.geometry.plane_features import inflections
+from exactspline.interchange.examples import example, example_names
 from exactspline.language import kinds
 from exactspline.language.arguments import Curve
 from exactspline.language.formula import formula
@@ -24,7 +25,6 @@ from exactspline.language.wronskians import logarithmic_numerator, osculating, w
 from exactspline.papers import find
 from exactspline.programs.given import operands_of
 from exactspline.programs.program import program_of
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import primitive, true_degree, without_factor
 from exactspline.splines.refinement import over

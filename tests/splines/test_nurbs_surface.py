@@ -32,7 +32,7 @@ from exactspline.errors import (
     ShapeError,
     WeightError,
 )
-from exactspline.splines.surface_files import looks_like_surface, surface_data
+from exactspline.interchange.surface_files import looks_like_surface, surface_data
 
 UNIT = [0, 0, 1, 1]
 SQUARE = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]]
@@ -187,7 +187,7 @@ def test_files_round_trip_and_fit_the_schema(name, tmp_path):
     assert (again, again.name, again.note, again.degree) == (surface, surface.name, surface.note, surface.degree)
     schema = json.loads(resources.files("exactspline.interchange").joinpath("surface.schema.json").read_text("utf-8"))
     jsonschema.validate(surface_data(surface), schema)
-    own = resources.files("exactspline.splines").joinpath("example_surfaces", f"{name}.json").read_text("utf-8")
+    own = resources.files("exactspline.interchange").joinpath("example_surfaces", f"{name}.json").read_text("utf-8")
     jsonschema.validate(json.loads(own), schema)
 
 

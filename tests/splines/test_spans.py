@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline, Nurbs, analyse, example, examples
 from exactspline.errors import KnotError, ShapeError
 from exactspline.numbers.exact import mpq
-from exactspline.splines import spans
+from exactspline.splines import blossom
 from exactspline.splines.common import splines_over, with_common_denominators
 from exactspline.splines.control_points import Direction
 from exactspline.splines.knots import KnotVector
@@ -40,15 +40,15 @@ def test_components_made_together_are_those_made_one_by_one(drawn):
 
 
 def test_matrices_are_made_for_what_is_met_again_and_forgotten_in_time(monkeypatch):
-    monkeypatch.setattr(spans, "_met", type(spans._met)())
-    monkeypatch.setattr(spans, "PATTERNS", 5)
+    monkeypatch.setattr(blossom, "_met", type(blossom._met)())
+    monkeypatch.setattr(blossom, "PATTERNS", 5)
     t, column = [mpq(k) for k in (0, 0, 0, 1, 1, 1)], [[mpq(k) for k in (1, 2, 5)]]
-    found = [spans.common_forms(t, 2, column, [2]) for _ in range(4)]
+    found = [blossom.common_forms(t, 2, column, [2]) for _ in range(4)]
     assert [each is None for each in found] == [True, True, False, False]
     for k in range(2, 40):  # every time another knot
-        assert spans.common_forms([*t[:3], *[mpq(1, k)], *t[3:]], 2, [[mpq(1)] * 4], [2, 3]) is None
-    assert len(spans._met) < 10
-    assert spans.common_forms(t, spans.MOST + 1, column, [2]) is None
+        assert blossom.common_forms([*t[:3], *[mpq(1, k)], *t[3:]], 2, [[mpq(1)] * 4], [2, 3]) is None
+    assert len(blossom._met) < 10
+    assert blossom.common_forms(t, blossom.MOST + 1, column, [2]) is None
 
 
 def test_knots_that_carry_one_degree_are_checked_for_another():

@@ -6,6 +6,7 @@ from gmpy2 import mpq
 
 from exactspline import BSpline
 from exactspline.errors import KnotError, ReductionError
+from exactspline.interchange.examples import example, load, load_surface
 from exactspline.language.kinds import TABLE
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
@@ -17,9 +18,8 @@ from exactspline.programs.compiled import needed
 from exactspline.programs.given import operands_of
 from exactspline.programs.instructions import Instruction
 from exactspline.reals.real import square_root
-from exactspline.splines.examples import example, load, load_surface
 from exactspline.splines.lowest_terms import primitive_part
-from exactspline.splines.surface_weight import DEPTH, _zero_at_corners
+from exactspline.splines.surface import DEPTH, zero_at_corners
 from exactspline.splines.tensor import lifted
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
 from exactspline.verification.curve_check import table_1_splines
@@ -119,14 +119,14 @@ def test_there_is_no_program_over_different_breakpoints():
 
 def test_bounds_grow_with_the_roundings():
     np = pytest.importorskip("numpy")
-    from exactspline.programs.doubles import ROUNDING, SLACK, UNDERFLOW, Known, _bounded
+    from exactspline.programs.doubles import ROUNDING, SLACK, UNDERFLOW, Known, bounded_by
 
     masses = np.array([[1.0, 4.0]])
     for roundings in (1, 8, 64):
-        told = _bounded(masses, masses, Known(roundings, 5, 0))
+        told = bounded_by(masses, masses, Known(roundings, 5, 0))
         assert told.values.tolist() == masses.tolist()
         assert told.errors.tolist() == (masses * (SLACK * roundings * ROUNDING)).tolist()
-    assert _bounded(masses, masses * 0, Known(1, 5, 3)).errors.tolist() == [[SLACK * 3 * UNDERFLOW] * 2]
+    assert bounded_by(masses, masses * 0, Known(1, 5, 3)).errors.tolist() == [[SLACK * 3 * UNDERFLOW] * 2]
 
 
 def test_a_root_times_nothing_is_nothing():
@@ -187,18 +187,18 @@ def test_a_zero_of_a_weight_lies_in_the_box_that_is_told():
     """Of −1 + 2x, of (2x − 1)(2y − 1) + ε with a corner at 0, and where no corner is negative none is told."""
     for net in ([[-1], [1]], [[1, 1], [-1, 1]], [[3, -1], [1, 1]], [[-1, -1], [-1, 2]]):
         form = PatchForm.of_net(net)
-        (a, b), (c, d) = found = _zero_at_corners(Sized(UNIT, [form], 0))
+        (a, b), (c, d) = found = zero_at_corners(Sized(UNIT, [form], 0))
         values = [form.value(x, y) for x in (a, b) for y in (c, d)]
         assert min(values) <= 0 <= max(values), net
         assert found == ((a, a), (c, c)) or (b - a) * (d - c) == mpq(1, 2**DEPTH)
     for net in ([[1, 2], [3, 4]], [[1, -1, 1], [1, -1, 1]]):
-        assert _zero_at_corners(Sized(UNIT, [PatchForm.of_net(net)], 0)) is None
+        assert zero_at_corners(Sized(UNIT, [PatchForm.of_net(net)], 0)) is None
     for corner in range(4):
         values = [5, 1, 2, 3]
         values[corner] = 0
         place = mpq(corner // 2), mpq(corner % 2)
         box = (mpq(1), mpq(2)), (mpq(3), mpq(5))
-        (x, _), (y, _) = _zero_at_corners(Sized(box, [PatchForm.of_net([values[:2], values[2:]])], 0))
+        (x, _), (y, _) = zero_at_corners(Sized(box, [PatchForm.of_net([values[:2], values[2:]])], 0))
         assert (x, y) == (box[0][int(place[0])], box[1][int(place[1])])
 
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline
 from exactspline.errors import KnotError, ReductionError
 from exactspline.splines.tensor import TensorSpline, lifted
-from exactspline.splines.tensor_lines import lines
+from exactspline.splines.tensor_patches import lines
 from tests.support import oracles
 from tests.support.laws import check_ring_axioms
 from tests.support.oracles import assert_surface, surface_rebuilt, transposed

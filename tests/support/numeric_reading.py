@@ -95,7 +95,7 @@ def numeric_curve(
 ) -> Curve[NumericSeries]:
     """The expansion of a curve at a parameter (at a knot the one on the given side) to this many terms and digits.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> circle = numeric_curve(example("circle"), "1/3", 4, 30)
     >>> str(find("curvature_squared")(circle).value), find("g0")(circle).value < circle.w.context.mpf(10) ** -29

@@ -7,8 +7,8 @@ from functools import cache
 import pytest
 
 from exactspline import Nurbs
+from exactspline.interchange.examples import example, example_names
 from exactspline.language.kinds import kind_of
-from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.claims import all_claims
 from exactspline.verification.evaluation import Evaluation

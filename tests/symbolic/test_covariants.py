@@ -141,7 +141,7 @@ def test_the_formula_behind_the_proof():
     """(∗) of docs/degree-theorem.md, on polynomials over ℚ: F[f](t) from the LⁿF at 1/t of the reversed curve."""
     from math import factorial
 
-    from exactspline.symbolic.covariants import _lowered_at
+    from exactspline.symbolic.covariants import lowered_at
 
     d, t = 4, mpq(3, 7)
     F = jets("D2", 2)[0]
@@ -169,7 +169,7 @@ def test_the_formula_behind_the_proof():
     image, total = F.polynomial, mpq(0)
     for n in range(m + 1):
         total += (-t) ** n / factorial(n) * value(image, x[::-1], w[::-1], 1 / t) if image else 0
-        image = _lowered_at(F.ring, image, d)
+        image = lowered_at(F.ring, image, d)
     assert value(F.polynomial, x, w, t) == (-1) ** m * t ** (k * d - 2 * m) * total
 
 

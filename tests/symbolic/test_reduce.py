@@ -6,6 +6,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.interchange.examples import example, example_names
 from exactspline.language import Vector, cross, det, dot, formula, norm2, perp
 from exactspline.language.kinds import CURVE
 from exactspline.language.parts import split
@@ -15,7 +16,6 @@ from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
 from exactspline.readings.jet import Jet, JetReading
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.symbolic.assumptions import ASSUMPTIONS
 from exactspline.symbolic.reduction import GENERATOR, reduce, reduction

@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline
+from exactspline.interchange.examples import example
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import CURVE, PAIR, SPACE
 from exactspline.language.ruled import ruled
@@ -14,7 +15,6 @@ from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.jet import JetReading
-from exactspline.splines.examples import example
 from exactspline.symbolic import covariants, factorization
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, product_of, true_degree
@@ -27,10 +27,10 @@ from exactspline.symbolic.factorization import (
     name_of_vector,
 )
 from exactspline.symbolic.motions import MAPS
-from exactspline.symbolic.motions import _rotation as rotation
+from exactspline.symbolic.motions import rotation_rows as rotation
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.symbolic.substitution import substitute
-from exactspline.verification.kinds.invariance import _image as image_of
+from exactspline.verification.kinds.invariance import image_of_point as image_of
 
 T = BSpline.identity(0, 1)
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=9)
@@ -203,24 +203,24 @@ def test_what_lowers_degrees_is_the_same_for_symbols_and_numbers(name):
     """L = Σ i (d − i + 1) f⁽ⁱ⁻¹⁾ ∂/∂f⁽ⁱ⁾."""
     n = 3 if name == "D1_D2_D3" else 2
     jet = find(name)(JetReading(order_of(find(name), n)).argument(CURVE, n))
-    symbolic = covariants._lowered(jet.ring, covariants._with_d(jet.ring, jet.polynomial), Parameter.FIRST)
-    again = covariants._lowered(jet.ring, symbolic, Parameter.FIRST)
+    symbolic = covariants.lowered(jet.ring, covariants.with_degree(jet.ring, jet.polynomial), Parameter.FIRST)
+    again = covariants.lowered(jet.ring, symbolic, Parameter.FIRST)
     gens = [jet.ring.context.gen(i) for i in range(len(jet.ring.gens))]
     for d in range(1, 9):
         at = lambda p, d=d: p.compose(jet.ring.context.constant(d), *gens, ctx=jet.ring.context)  # noqa: E731
-        once = covariants._lowered_at(jet.ring, jet.polynomial, d)
+        once = covariants.lowered_at(jet.ring, jet.polynomial, d)
         assert at(symbolic) == once
-        assert at(again) == covariants._lowered_at(jet.ring, once, d)
+        assert at(again) == covariants.lowered_at(jet.ring, once, d)
 
 
 def test_what_lowers_degrees_kills_covariants_and_lowers_one_derivative_at_a_time():
     c = JetReading(2).argument(CURVE, 2)
     x, y = c.p
     d = 7
-    assert covariants._lowered_at(x.ring, (x * y.d(1) - x.d(1) * y).polynomial, d) == 0
-    assert covariants._lowered_at(x.ring, (d * x * x.d(2) - (d - 1) * x.d(1) * x.d(1)).polynomial, d) == 0
-    assert covariants._lowered_at(x.ring, x.d(2).polynomial, d) == (2 * (d - 1) * x.d(1)).polynomial
-    assert covariants._lowered_at(x.ring, x.d(1).polynomial, d) == (d * x).polynomial
+    assert covariants.lowered_at(x.ring, (x * y.d(1) - x.d(1) * y).polynomial, d) == 0
+    assert covariants.lowered_at(x.ring, (d * x * x.d(2) - (d - 1) * x.d(1) * x.d(1)).polynomial, d) == 0
+    assert covariants.lowered_at(x.ring, x.d(2).polynomial, d) == (2 * (d - 1) * x.d(1)).polynomial
+    assert covariants.lowered_at(x.ring, x.d(1).polynomial, d) == (d * x).polynomial
 
 
 def test_factored_jets_are_equal_when_their_products_are():

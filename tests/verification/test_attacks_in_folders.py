@@ -18,8 +18,8 @@ from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
 from exactspline.display.sheet import Sheet, csv_of
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
+from exactspline.interchange.examples import example
 from exactspline.papers import find, load_paper, papers, resolve
-from exactspline.splines.examples import example
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import claims_of, select
 from exactspline.verification.combined import combined

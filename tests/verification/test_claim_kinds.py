@@ -8,16 +8,16 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
+from exactspline.interchange.examples import example
 from exactspline.papers import find
 from exactspline.readings.degree import DegreeReading, parse_degree
-from exactspline.splines.examples import example
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound
-from exactspline.verification.kinds.degree_proof import _held, lower_degrees
+from exactspline.verification.kinds.degree_proof import held_against, lower_degrees
 from exactspline.verification.ledger import audit, proved
-from exactspline.verification.statement import _dimension, _size, sides
+from exactspline.verification.statement import degree_of_cubic, dimension_of, sides
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 
 T = BSpline.identity(0, 1)
@@ -158,15 +158,15 @@ def test_what_is_rational_is_nothing_on_a_line():
 
 def test_sizes_are_degrees_at_three_and_sides_are_read_in_the_dimension_of_the_claim():
     one = claim("C42c-g2-g1")
-    assert _size("g2", one) == 9 * 3 - 6
-    assert _size("g1", one) == DegreeReading().of(find("g1"), 2).degree.at({"d": 3})
-    assert _dimension(find("g2"), one) == 2
-    assert _dimension(find("D1"), claim("C52a-torsion-torsion_reduced")) == 3
+    assert degree_of_cubic("g2", one) == 9 * 3 - 6
+    assert degree_of_cubic("g1", one) == DegreeReading().of(find("g1"), 2).degree.at({"d": 3})
+    assert dimension_of(find("g2"), one) == 2
+    assert dimension_of(find("D1"), claim("C52a-torsion-torsion_reduced")) == 3
     assert [side.role for side in sides(claim("C41a-f1-f2"))] == ["naive", "reduced"]
     assert [side.role for side in sides(claim("C41b-f0-f1-f2"))] == ["naive", "formula", "reduced"]
     assert [side.name for side in sides(claim("C41b-f0-f1-f2"))] == ["f0", "f1", "f2"]
     polynomial = replace(one, of="polynomial")
-    assert _size("g2", polynomial) == DegreeReading().of(find("g2"), 2, polynomial=True).degree.at({"d": 3})
+    assert degree_of_cubic("g2", polynomial) == DegreeReading().of(find("g2"), 2, polynomial=True).degree.at({"d": 3})
 
 
 def test_there_are_no_lower_degrees_of_nothing():
@@ -180,7 +180,7 @@ def test_an_exception_for_equal_degrees_says_nothing_about_unequal_ones(computed
     # at d1 = d2 = 1 the degree is lower than computed; at d1 = 1, d2 = 5 the first one is 7, not 6
     one = replace(claim("T7-degree"), claimed=claimed)
     assert one.least_d == 1
-    assert _held(one, DegreeFound(parse_degree(computed)), {1: 2}).verdict == verdict
+    assert held_against(one, DegreeFound(parse_degree(computed)), {1: 2}).verdict == verdict
 
 
 def test_checks_are_python_that_runs(capsys):

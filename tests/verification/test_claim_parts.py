@@ -9,6 +9,7 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs, zeros
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
 from exactspline.language.parts import split
@@ -18,7 +19,6 @@ from exactspline.papers import all_formulas, find
 from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
@@ -27,21 +27,21 @@ from exactspline.verification.check_arguments import beginning, with_hodograph
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.curve_check import extra_zero, table_1_splines
 from exactspline.verification.degree_tables import construction_table, formula_degrees
-from exactspline.verification.divisors import _divided_by, divisors
-from exactspline.verification.errata import _unrecorded, check
+from exactspline.verification.divisors import divided_by, divisors
+from exactspline.verification.errata import check, unrecorded
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import At, AtKnot, Between, Fact, Isolated
 from exactspline.verification.generic_proof import factor_of, factor_of_numerators
 from exactspline.verification.kinds import Contact, Count, DegreeClaim, Existence, IsoCurve, SquareClass
-from exactspline.verification.kinds.coefficients import Coefficients, _exists
-from exactspline.verification.kinds.condition import _place
+from exactspline.verification.kinds.coefficients import Coefficients, is_decided
+from exactspline.verification.kinds.condition import place_of_root
 from exactspline.verification.kinds.identity import Identity, Vanishing
-from exactspline.verification.kinds.invariance import _times, with_article
+from exactspline.verification.kinds.invariance import times_unit, with_article
 from exactspline.verification.kinds.zero_set import ZeroSet
 from exactspline.verification.ledger import Proofs, checked, proved, tasks
 from exactspline.verification.questions import proof_of
 from exactspline.verification.rows import row
-from exactspline.verification.statement import _size, sides, telling_tree
+from exactspline.verification.statement import degree_of_cubic, sides, telling_tree
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
 from exactspline.verification.vocabulary import ArgumentKind, Counter, Reason
 
@@ -113,9 +113,9 @@ def test_a_reading_that_does_not_apply_decides_nothing():
     def fails():
         raise FormulaError("no", remedy="none")
 
-    assert not _exists(fails)
-    assert not _exists(lambda: None)
-    assert _exists(lambda: 0)
+    assert not is_decided(fails)
+    assert not is_decided(lambda: None)
+    assert is_decided(lambda: 0)
 
 
 def test_coefficients_of_the_generic_polynomial_curve_are_computed():
@@ -297,9 +297,9 @@ def test_the_place_of_a_zero():
     t = BSpline.identity(0, 2)
     (at_end,) = zeros(t)
     (inside,) = zeros(t * t - 2)
-    assert _place(at_end) == AtKnot(mpq(0))
+    assert place_of_root(at_end) == AtKnot(mpq(0))
     low, high = inside.low, inside.high
-    assert _place(inside) == Isolated(low, high)
+    assert place_of_root(inside) == Isolated(low, high)
 
 
 def test_a_row_says_of_a_statement_that_it_must_read_so():
@@ -334,17 +334,17 @@ def test_what_fails_and_is_not_recorded_is_an_erratum_of_its_own():
     good = next(c for c in all_claims() if c.key == "C41a-f1-f2")
     wrong = replace(good, factor="w^2", status="ours", note="")
     recorded = replace(wrong, expected="REFUTED")
-    (told,) = _unrecorded([good, wrong, recorded])
+    (told,) = unrecorded([good, wrong, recorded])
     assert [each.key for each in told.statements] == [wrong.key]
     assert told.why == ()
-    (noted,) = _unrecorded([replace(wrong, note="a slip")])
+    (noted,) = unrecorded([replace(wrong, note="a slip")])
     assert noted.why == ("a slip",)
 
 
 def test_sides_are_naive_and_reduced_where_their_degrees_differ():
     for one in [c for c in all_claims() if isinstance(c, Identity) and c.curve == "plane"]:
         told = sides(one)
-        sizes = [_size(side.name, one) for side in told]
+        sizes = [degree_of_cubic(side.name, one) for side in told]
         assert sizes == sorted(sizes, reverse=True)
         roles = [side.role for side in told]
         if sizes[0] == sizes[-1]:
@@ -473,7 +473,7 @@ def test_numerators_as_they_come_differ_by_their_factor(left, right):
 def test_a_tree_tells_what_it_divides_by(name, found):
     """A quotient by a number is none."""
     tree = trace(find(name), find(name).kind.dimensions[-1], expand=True)
-    assert [print_text(node) for node in _divided_by(tree)] == found
+    assert [print_text(node) for node in divided_by(tree)] == found
 
 
 def test_a_claim_on_formulas_in_two_dimensions_divides_by_those_that_it_speaks_of():
@@ -490,9 +490,9 @@ def test_contact_is_verified_on_a_curve_that_is_not_special():
 
 
 def test_what_has_no_unit_has_no_weight():
-    assert _times([T], None, 2) == [T]
-    assert _times([T], T + 1, 0) == [T]
-    assert _times([T], T + 1, 2) == [T * (T + 1) * (T + 1)]
+    assert times_unit([T], None, 2) == [T]
+    assert times_unit([T], T + 1, 0) == [T]
+    assert times_unit([T], T + 1, 2) == [T * (T + 1) * (T + 1)]
 
 
 def test_numerators_that_differ_by_a_harmful_factor_are_not_one_zero_set(monkeypatch):

@@ -7,9 +7,9 @@ import sympy
 
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
+from exactspline.interchange.examples import example
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, equal_from, parse_degree
-from exactspline.splines.examples import example
 from exactspline.symbolic.factorization import find_factor, jets_for
 from exactspline.verification.claim_factor import factor_of_text
 from exactspline.verification.claims import all_claims, select

@@ -3,10 +3,10 @@
 import pytest
 
 from exactspline.errors import ClaimError
+from exactspline.interchange.examples import example
 from exactspline.language.formula import formula
 from exactspline.language.vector import det, dot, norm2
 from exactspline.papers import find, paper
-from exactspline.splines.examples import example
 from exactspline.verification.combined import combined
 from exactspline.verification.kinds import Contact, Invariance, SignClaim
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED

@@ -53,7 +53,9 @@ def test_what_is_not_multiplied_out_is_undecided_and_not_said_to_be_outside_of_t
     rows = {row.key: row for row in on("torus")}
     (long,) = (row for row in rows.values() if "brioschi" in worded(row.witness))
     assert (long.verdict, long.expected, long.as_recorded) == (UNDECIDED, (UNDECIDED,), True)
-    assert worded(long.witness).startswith("left to the proof for all: brioschi as it stands has degree 208 in u")
+    assert worded(long.witness).startswith(
+        "decided by the proof for all curves: brioschi as written has degree 208 in u"
+    )
     assert not any("brioschi" in worded(row.witness) for row in on("bicubic"))
 
 

@@ -17,10 +17,10 @@ from exactspline import BSpline
 from exactspline.cli import app
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.constructions import construction
+from exactspline.interchange.curve_files import curve_data
+from exactspline.interchange.examples import example
 from exactspline.polynomials.bernstein import ONE, bezier, from_bezier
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.curve_files import curve_data
-from exactspline.splines.examples import example
 from exactspline.verification.conditioning.compare import conditioning
 from exactspline.verification.conditioning.condition_number import WIDTH, condition_number, quotient
 from exactspline.verification.conditioning.double_precision import double_precision_root

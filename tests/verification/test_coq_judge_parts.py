@@ -21,10 +21,10 @@ def test_the_least_favourable_opinion_counts():
     unstated = Finding(UNDECIDED, witness=NoTheorem(FormulaError("no")))
     holds, fails = (Finding(verdict, Theorem("t")) for verdict in (PROVED, REFUTED))
     said = [holds, unstated, fails, refused, missing]
-    assert coq_judge._together(said) is refused
-    assert coq_judge._together(said[:3]) is unstated
-    assert coq_judge._together([holds, fails]) is holds
-    assert coq_judge._together([holds, missing]) is missing
+    assert coq_judge.combined_findings(said) is refused
+    assert coq_judge.combined_findings(said[:3]) is unstated
+    assert coq_judge.combined_findings([holds, fails]) is holds
+    assert coq_judge.combined_findings([holds, missing]) is missing
     assert [opinion(each) for each in said] == [
         "holds, no axioms",
         "not stated, no",
@@ -57,7 +57,7 @@ def test_what_coq_is_asked_to_compile(monkeypatch):
     monkeypatch.setattr(coq_judge, "_alone", lambda place, name, each: asked.append(each.name) or each.name == "c")
     monkeypatch.setattr(coq_judge, "assumptions", lambda place, name, names: dict.fromkeys(names, name))
     chosen = {"None": (), "Good": (Theorem("a"),), "Bad": (Theorem("b"), Theorem("c"))}
-    found = coq_judge._compiled(Made(), chosen)
+    found = coq_judge.compiled_theorems(Made(), chosen)
     assert asked == ["written", "Base", "Good", "Bad", "b", "c"]
     assert found == {"a": "Good", "c": "Bad_c"}
 
@@ -97,7 +97,7 @@ def test_opinions_of_the_kernel(monkeypatch):
             }
 
     monkeypatch.setattr(coq_judge, "library", Made)
-    monkeypatch.setattr(coq_judge, "_compiled", lambda made, chosen: {"a": (), "b": ("x",)})
+    monkeypatch.setattr(coq_judge, "compiled_theorems", lambda made, chosen: {"a": (), "b": ("x",)})
     monkeypatch.setattr(coq_judge.shutil, "which", lambda name: "/bin/coqc")
     found = coq_judge.findings([one, refuted, last])
     assert [opinion(found[c.paper, c.key]) for c in (one, refuted, last)] == [
@@ -106,7 +106,7 @@ def test_opinions_of_the_kernel(monkeypatch):
         "not accepted",
     ]
     assert [*coq_judge.findings([one])] == [(one.paper, one.key)]
-    monkeypatch.setattr(coq_judge, "_compiled", lambda made, chosen: pytest.fail("nothing is compiled"))
+    monkeypatch.setattr(coq_judge, "compiled_theorems", lambda made, chosen: pytest.fail("nothing is compiled"))
     monkeypatch.setattr(coq_judge.shutil, "which", lambda name: None)
     found = coq_judge.findings([one, last])
     assert [opinion(found[c.paper, c.key]) for c in (one, last)] == ["Coq is not installed", "not stated, no equality"]

@@ -98,4 +98,4 @@ def test_from_which_d_on_is_told_only_where_it_is_not_the_first(paper):
     assert "so from" not in worded(claim(paper, "special", "lowest terms", 4).prove()[1].computed)
     told = claim(paper, "special", "lowest terms", 6, claimed="max(2d − 2, 9)").prove()[1].computed
     assert told.start == 6
-    assert "(so from d = 6 on)" in worded(told)
+    assert "(for d ≥ 6)" in worded(told)

@@ -6,10 +6,10 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
+from exactspline.interchange.examples import example
 from exactspline.language.parts import split
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, parse_degree
-from exactspline.splines.examples import example
 from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.claims import all_claims
 from exactspline.verification.evaluation import Evaluation

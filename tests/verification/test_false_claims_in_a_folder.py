@@ -3,8 +3,8 @@
 from dataclasses import fields
 from enum import StrEnum
 
+from exactspline.interchange.examples import example
 from exactspline.papers import load_paper
-from exactspline.splines.examples import example
 from exactspline.verification.claims import claims_of
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.ledger import proved

@@ -6,13 +6,13 @@ import pytest
 
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
+from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, det
 from exactspline.papers import find, paper
 from exactspline.readings.leading_terms import generic_true_degree
-from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.combined import combined
@@ -222,7 +222,7 @@ def test_zero_sets_of_numerators_as_they_come_keep_what_cancels(also):
 def test_where_one_of_two_equal_surfaces_has_no_ruling_is_named():
     (claim,) = [c for c in select(["C6.2c"]) if c.kind == "same surface" and c.right == "point_bisector"]
     _, finding = claim.prove()
-    assert (finding.verdict, worded(finding.computed).startswith("one surface, but where ")) == (PROVED, True)
+    assert (finding.verdict, worded(finding.computed).startswith("one surface, except where ")) == (PROVED, True)
 
 
 # ---- almost all d, and sums of different degree

@@ -8,6 +8,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, analyse
 from exactspline.errors import ClaimError
+from exactspline.interchange.examples import example
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE
@@ -18,18 +19,17 @@ from exactspline.papers import find
 from exactspline.readings.degree import Degree
 from exactspline.readings.rational_jet import JetFraction, RationalJetReading
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.examples import example
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.claims import _stands, select
+from exactspline.verification.claims import select, stands_at
 from exactspline.verification.decision import Equation, Outcome, decide_identity
-from exactspline.verification.evaluation import Evaluation, _fails_on_surface
+from exactspline.verification.evaluation import Evaluation, fails_on_surface
 from exactspline.verification.evidence import ComponentDiffers, Components, Fact, HeldOn, OnPatch, OnWholePatch
 from exactspline.verification.kinds import condition
-from exactspline.verification.kinds.contact import _partial, _rank
-from exactspline.verification.kinds.count import _extrema
-from exactspline.verification.kinds.degree_proof import _true
-from exactspline.verification.kinds.invariance import MAPS, _image
+from exactspline.verification.kinds.contact import partial_derivative, rank_of
+from exactspline.verification.kinds.count import count_of_extrema
+from exactspline.verification.kinds.degree_proof import agreed_degree
+from exactspline.verification.kinds.invariance import MAPS, image_of_point
 from exactspline.verification.ledger import proved
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding, sampled
 from exactspline.verification.vocabulary import Reason
@@ -98,7 +98,7 @@ def test_a_derivative_by_a_variable_is_that_of_the_quotient():
     i = ring.index["x", (0,)]
     top, bottom = x * x * w + y, x + w * 3
     expected = x * w * 2 * bottom - top
-    found = _partial(part, i)
+    found = partial_derivative(part, i)
     square = JetFraction(ring, part.bottom**2, ring.context.constant(1))
     ratio = split(expected / (bottom * bottom))[0][0]
     assert (found - ratio * square).is_zero
@@ -110,7 +110,7 @@ def test_zeros_on_a_whole_segment_are_no_extrema():
     line = [s.control_points[-1], *[tuple(x + k for x in s.control_points[-1]) for k in (1, 2, 3)]]
     curve = Nurbs(3, [0] * 4 + [1] * 4 + [2] * 4, [*s.control_points, *line])
     for one, count in ((s, len(analyse(s).curvature_extrema)), (curve, None)):
-        assert _extrema(zeros(find("g2")(one)), Evaluation(one)) == count
+        assert count_of_extrema(zeros(find("g2")(one)), Evaluation(one)) == count
 
 
 @pytest.mark.parametrize("name", ["projective map", "inversion", "translation"])
@@ -119,13 +119,13 @@ def test_the_image_of_a_point_is_that_of_a_curve_that_stays_there(name):
     k = {constant: mpq(i * i + 2) for i, constant in enumerate(made.constants(2))}
     point = Vector(mpq(3), mpq(5))
     top, below = made.image(point, mpq(1), k)
-    assert [x * (1 if made.affine else below) for x in _image(point, made, k, mpq(1))] == list(top)
+    assert [x * (1 if made.affine else below) for x in image_of_point(point, made, k, mpq(1))] == list(top)
     assert made.affine or below != 1
 
 
 def test_a_form_that_vanishes_has_no_degree():
     nothing = Formula(lambda c: c.w - c.w, "nothing", CURVE, "0")
-    assert _true(nothing, 2, False, Parameter.FIRST) == (Degree.number(-1), {})
+    assert agreed_degree(nothing, 2, False, Parameter.FIRST) == (Degree.number(-1), {})
 
 
 def test_a_rational_form_that_does_not_exist_says_nothing():
@@ -143,7 +143,7 @@ def test_where_an_assumption_fails_on_a_surface():
 
     def fails(spline, everywhere):
         told = Assumption("a", "a", "a", "a", lambda _: spline, ("surface",), everywhere=everywhere)
-        return _fails_on_surface(told, None)
+        return fails_on_surface(told, None)
 
     assert [fails(net(1, 2, 2, 3), everywhere) for everywhere in (True, False)] == [None, None]
     assert [fails(net(1, 2, 2, -3), everywhere) for everywhere in (True, False)] == [OnPatch(1, 0), None]
@@ -155,7 +155,7 @@ def test_the_rank_of_a_matrix_of_quotients():
     one = w / w
 
     def rank(*rows):
-        return _rank([[split(entry * one)[0][0] for entry in row] for row in rows])
+        return rank_of([[split(entry * one)[0][0] for entry in row] for row in rows])
 
     assert rank((w, x), (w * w, x * w)) == 1
     assert rank((w, x), (w * w, x * w + y)) == 2
@@ -172,13 +172,13 @@ def test_what_was_tried_on_a_part_says_so():
 
 
 def test_a_place_is_not_one_with_more_digits():
-    assert [_stands(place, "theorem 1") for place in ("Theorem 12", "Theorem 1", "see theorem 1.", "Theorem")] == [
+    assert [stands_at(place, "theorem 1") for place in ("Theorem 12", "Theorem 1", "see theorem 1.", "Theorem")] == [
         False,
         True,
         True,
         False,
     ]
-    assert [_stands("§5, Equation (12)", wanted) for wanted in ("(12)", "(1)", "eq. (12)", "5")] == [
+    assert [stands_at("§5, Equation (12)", wanted) for wanted in ("(12)", "(1)", "eq. (12)", "5")] == [
         True,
         False,
         True,

@@ -9,11 +9,12 @@ import random
 import pytest
 
 from exactspline import BSpline, Nurbs
+from exactspline.certificates import check_certificate
+from exactspline.certificates.degrees import is_irreducible
 from exactspline.errors import ReductionError, ShapeError
 from exactspline.geometry.constructions import all_constructions
-from exactspline.splines.examples import example
-from exactspline.verification.minimality import _bezout, attained, certificate, witness
-from exactspline.verification.minimality.checker import _irreducible, check
+from exactspline.interchange.examples import example
+from exactspline.verification.minimality import attained, bezout_combination, certificate, witness
 
 
 @pytest.mark.parametrize("polynomial", [False, True], ids=["rational", "polynomial"])
@@ -25,7 +26,7 @@ def test_the_witness_attains_the_proved_degree(name, d, polynomial):
     if found.attained is None:
         assert d == 2  # planar: no torsion, no osculating spheres
     else:
-        assert check(json.loads(json.dumps(found.certificate))) == found.proved
+        assert check_certificate(json.loads(json.dumps(found.certificate))) == {"degree": found.proved}
 
 
 @pytest.mark.parametrize(
@@ -34,7 +35,7 @@ def test_the_witness_attains_the_proved_degree(name, d, polynomial):
 def test_certificates_on_curves_of_several_segments(name):
     for construction in ("evolute", "zero_curvature", "critical_curvature"):
         data = certificate(construction, example(name))
-        assert check(data) == max(segment["degree"] for segment in data["segments"])
+        assert check_certificate(data) == {"degree": max(segment["degree"] for segment in data["segments"])}
 
 
 def test_what_vanishes_has_no_certificate():
@@ -79,7 +80,7 @@ SPOILT = {
 @pytest.mark.parametrize("what", SPOILT)
 def test_a_wrong_certificate_is_caught(what):
     with pytest.raises(ValueError, match=r"\w"):
-        check(spoilt(SPOILT[what]))
+        check_certificate(spoilt(SPOILT[what]))
 
 
 def test_whitespace_and_underscores_do_not_change_a_number():
@@ -90,14 +91,14 @@ def test_whitespace_and_underscores_do_not_change_a_number():
 
     for change, flaw in ((blank, "not an integer"), (lambda s: s.pop("prime"), "not a certificate")):
         with pytest.raises(ValueError, match=flaw):
-            check(spoilt(change))
+            check_certificate(spoilt(change))
 
 
 def test_integers_of_any_length_are_read():
     """Before: "Exceeds the limit (4300 digits)", a refusal of our own certificates."""
-    from exactspline.verification.minimality.checker import _integer
+    from exactspline.certificates.numbers import integer
 
-    assert _integer("-1" + "0" * 9000) == -(10**9000)
+    assert integer("-1" + "0" * 9000) == -(10**9000)
 
 
 def test_a_degree_too_high_is_caught():
@@ -112,17 +113,17 @@ def test_a_degree_too_high_is_caught():
         from flint import fmpz_poly
 
         forms = [fmpz_poly([int(x) for x in f]) for f in (segment["forms"][0], segment["weight"])]
-        segment["prime"], segment["cofactors"] = _bezout(forms, [f.degree() for f in forms])
+        segment["prime"], segment["cofactors"] = bezout_combination(forms, [f.degree() for f in forms])
         segment["irreducible modulo"] = None
 
     with pytest.raises(ValueError, match="lower"):
-        check(spoilt(raised))
+        check_certificate(spoilt(raised))
 
 
 def test_a_common_factor_has_no_certificate():
     f, g = BSpline.bezier([1, 2, 5]).polynomials[0], BSpline.bezier([3, -1]).polynomials[0]
     with pytest.raises(ReductionError, match="common factor"):
-        _bezout([f * g, g * g], [3, 2])
+        bezout_combination([f * g, g * g], [3, 2])
 
 
 def test_rabin_test_against_flint():
@@ -133,7 +134,7 @@ def test_rabin_test_against_flint():
         for _ in range(40):
             form = [numbers.randint(0, p - 1) for _ in range(numbers.randint(2, 7))] + [1]
             factors = nmod_poly(form, p).factor()[1]
-            assert _irreducible(form, p) == ([e for _, e in factors] == [1])
+            assert is_irreducible(form, p) == ([e for _, e in factors] == [1])
 
 
 def test_witnesses_are_the_same_every_time():

@@ -3,8 +3,8 @@
 import pytest
 from flint import fmpz_poly, nmod_poly
 
-from exactspline.verification.minimality import _bezout
-from exactspline.verification.minimality.checker import _is_prime
+from exactspline.certificates.degrees import is_prime
+from exactspline.verification.minimality import bezout_combination
 
 
 @pytest.mark.parametrize(
@@ -13,7 +13,7 @@ from exactspline.verification.minimality.checker import _is_prime
 )
 def test_polynomials_without_common_factor_are_combined_to_one(forms):
     polynomials = [fmpz_poly(c) for c in forms]
-    p, cofactors = _bezout(polynomials, [len(c) - 1 for c in forms])
+    p, cofactors = bezout_combination(polynomials, [len(c) - 1 for c in forms])
     total = nmod_poly([], p)
     for c, a in zip(polynomials, cofactors, strict=True):
         total = total + nmod_poly([int(x) for x in a], p) * nmod_poly(c.coeffs(), p)
@@ -23,9 +23,9 @@ def test_polynomials_without_common_factor_are_combined_to_one(forms):
 
 def test_primes_are_told_from_all_others():
     primes = [n for n in range(2, 2000) if all(n % q for q in range(2, int(n**0.5) + 1))]
-    assert [n for n in range(-5, 2000) if _is_prime(n)] == primes
+    assert [n for n in range(-5, 2000) if is_prime(n)] == primes
     for n in (2**61 - 1, 10**18 + 9, 2**31 - 1, 1000003, 1000033):
-        assert _is_prime(n)
+        assert is_prime(n)
     for n in (561, 1105, 1729, 3215031751, 2**61 + 1, 1000003 * 1000033, 43 * 43, 318665857834031151167461):
-        assert not _is_prime(n)
-    assert not _is_prime(2**89 - 1)  # a prime, but beyond what the bases decide
+        assert not is_prime(n)
+    assert not is_prime(2**89 - 1)  # a prime, but beyond what the bases decide

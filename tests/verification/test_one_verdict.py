@@ -9,8 +9,8 @@ from click.testing import CliRunner
 from exactspline.cli import app
 from exactspline.display.ledger import row_data
 from exactspline.display.tables import Verdicts
+from exactspline.interchange.examples import example
 from exactspline.papers import load_paper, papers
-from exactspline.splines.examples import example
 from exactspline.tables import verdicts
 from exactspline.verification.claims import claims_in, claims_of, select
 from exactspline.verification.kinds import Identity

@@ -18,9 +18,9 @@ import exactspline
 from exactspline.cli import app
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
+from exactspline.interchange.examples import example
 from exactspline.papers import Table, load_paper, named_papers, paper, papers, resolve
 from exactspline.papers.new import write_new_paper
-from exactspline.splines.examples import example
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.evaluation import Evaluation

@@ -4,7 +4,7 @@ import pickle
 from concurrent.futures import ThreadPoolExecutor
 
 from exactspline.display.ledger import row_data
-from exactspline.splines.examples import example
+from exactspline.interchange.examples import example
 from exactspline.symbolic.assumptions import ASSUMPTIONS
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.evaluation import Evaluation

@@ -68,13 +68,13 @@ def test_one_formula_out_of_reach_ends_no_table(monkeypatch, error):
         raise error
 
     monkeypatch.setattr(generic_proof, "reduce", refuse)
-    generic_proof._reduction.cache_clear()
+    generic_proof.cached_reduction.cache_clear()
     try:
         row = degree_tables._degrees_of(find("f2"), False, Parameter.FIRST)
         assert (row.nominal, row.lowest) == ("3d − 3", error.problem)
         assert degree_tables._grading(find("evolute"), "minimal", 2, False) == "–"
     finally:
-        generic_proof._reduction.cache_clear()
+        generic_proof.cached_reduction.cache_clear()
 
 
 def test_verdicts_leave_out_whole_kinds():

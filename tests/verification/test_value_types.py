@@ -93,7 +93,7 @@ def test_types_are_of_functions_of_curves():
 
 def test_an_equation_of_plane_curves_cannot_be_cited_for_space_curves():
     wrong = claim("C55a-signed_curvature").prove()[1]
-    assert (wrong.verdict, str(wrong.computed)) == (REFUTED, "it speaks of 'framed plane'")
+    assert (wrong.verdict, str(wrong.computed)) == (REFUTED, "its arguments are of the kind 'framed plane'")
     assert verdict("C55a-curvature_in_space") == PROVED
     assert verdict("C55a-signed_curvature", curve="framed plane", assumes=()) == PROVED
     assert verdict("C55a-signed_curvature", formula="speed") == PROVED

@@ -10,13 +10,13 @@ from exactspline import BSpline, Nurbs
 from exactspline.display.errata import erratum_data
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, InapplicableError
+from exactspline.interchange.examples import example
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, SURFACE, kind_of
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.numbers.intervals import Interval
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.jet import JetReading
-from exactspline.splines.examples import example
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.covariants import degree_at
 from exactspline.symbolic.reduction import reduce, reduction
@@ -27,7 +27,7 @@ from exactspline.verification.curve_check import extra_zero, where_it_differs
 from exactspline.verification.degree_tables import (
     BISECTORS,
     WITNESSES,
-    _bisected,
+    bisected_pair,
     construction_table,
     formula_table,
     generic_table,
@@ -40,7 +40,7 @@ from exactspline.verification.generic_proof import table_1_degrees
 from exactspline.verification.ledger import Proofs, checked, proved
 from exactspline.verification.measure import measurable, measure
 from exactspline.verification.notation import degree_latex, factor_latex
-from exactspline.verification.patch_degrees import _measured
+from exactspline.verification.patch_degrees import measured_degrees
 from exactspline.verification.statement import sides
 from exactspline.verification.verdict import (
     CONTRADICTION,
@@ -230,11 +230,11 @@ def test_rows_of_degree_tables_are_measured():
 
 def test_what_a_curve_is_bisected_with_are_primes():
     curve = example("rational_cubic")
-    made = _bisected(PLANE_POINT, curve)
+    made = bisected_pair(PLANE_POINT, curve)
     assert [x(0) for x in made.point] == [2, 3]
     space = example("rational_space_cubic")
-    assert [x(0) for x in _bisected(POINT_IN_SPACE, space).point] == [2, 3, 5]
-    second = _bisected(PAIR, space).second
+    assert [x(0) for x in bisected_pair(POINT_IN_SPACE, space).point] == [2, 3, 5]
+    second = bisected_pair(PAIR, space).second
     told = [[x.d(i)(0) for i in range(2)] for x in (*second.p, second.w)]
     assert told == [[2, 3], [5, 7], [11, 13], [17, 19]]
 
@@ -369,7 +369,7 @@ def test_measured_degrees_of_a_product_add_up_with_exponents():
     x, y, z = c.p
 
     def measured(core, *kept):
-        return _measured(SimpleNamespace(core=core, kept=kept), patch)
+        return measured_degrees(SimpleNamespace(core=core, kept=kept), patch)
 
     zero = x - x
     assert measured((x, y, z)) == (1, 2)
@@ -384,6 +384,6 @@ def test_sympy_is_asked_about_polynomial_curves_where_the_claim_is():
     framed = next(c for c in all_claims() if c.kind == "identity" and kind_of(c.curve).adjoins_roots)
     (dimension,) = kind_of(framed.curve).dimensions
     weighted = replace(framed, factor="w^2")
-    assert sympy_judge._argument(weighted, dimension, True).polynomial
-    assert not sympy_judge._argument(weighted, dimension, False).polynomial
-    assert sympy_judge._argument(replace(framed, factor="1"), dimension, False).polynomial
+    assert sympy_judge.argument_for(weighted, dimension, True).polynomial
+    assert not sympy_judge.argument_for(weighted, dimension, False).polynomial
+    assert sympy_judge.argument_for(replace(framed, factor="1"), dimension, False).polynomial

@@ -6,12 +6,12 @@ import pytest
 
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.interchange.examples import example
 from exactspline.language.kinds import kind_of
 from exactspline.numbers.exact import to_fmpq
 from exactspline.papers import load_paper, paper
 from exactspline.papers.folder import Table
 from exactspline.readings.jet import JetReading
-from exactspline.splines.examples import example
 from exactspline.verification.claims import all_claims, claim_of, claims_of
 from exactspline.verification.ledger import proved
 from exactspline.verification.segments import on_segments

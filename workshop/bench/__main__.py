@@ -20,19 +20,19 @@ from workshop.printing import add_formats, ended, on_a_terminal, show
 
 
 def arguments(given: Sequence[str] | None) -> argparse.Namespace:
-    """What is asked for."""
+    """The parsed command line."""
     parser = argparse.ArgumentParser(
         prog="./run bench", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument(
-        "section", nargs="*", metavar="SECTION", help=f"{', '.join(table.SECTIONS)}; all if none is named"
+        "section", nargs="*", metavar="SECTION", help=f"{', '.join(table.SECTIONS)}; all sections if none is named"
     )
     parser.add_argument("--plot", metavar="FILE", default="", help="draw the ratios into an SVG or PNG file")
     parser.add_argument(
-        "--full", action="store_true", help="100,000 curves of a batch, all fonts of matplotlib: some 20 minutes"
+        "--full", action="store_true", help="batches of 100,000 curves, all fonts of matplotlib: about 20 minutes"
     )
     parser.add_argument(
-        "--limit", metavar="SECONDS", type=int, default=60, help="processor time of one heavy case (60)"
+        "--limit", metavar="SECONDS", type=int, default=60, help="limit on the processor time of one heavy case (60)"
     )
     parser.add_argument(
         "--curves", metavar="FOLDER", default="", help="curve files to inspect, instead of the example curves"
@@ -42,37 +42,37 @@ def arguments(given: Sequence[str] | None) -> argparse.Namespace:
 
 
 def main(given: Sequence[str] | None = None) -> int:
-    """Measure, print, draw; the exit status."""
+    """Measure, print and draw; returns the exit status."""
     options = arguments(given)
-    # remarks on dates in fonts do not concern outlines
+    # warnings about dates in fonts do not concern outlines
     logging.getLogger("fontTools").setLevel(logging.ERROR)
     sections = table.chosen_sections(options.section)
-    found = _watched(table.rows(sections, Options(options.limit, options.curves, options.full)), options.quiet)
-    show(options.format, "bench", [row.data() for row in found], table.sheet(found))
-    held = [row for row in found if row.met is not None]
+    rows = _watched(table.rows(sections, Options(options.limit, options.curves, options.full)), options.quiet)
+    show(options.format, "bench", [row.data() for row in rows], table.sheet(rows))
+    held = [row for row in rows if row.met is not None]
     if held and options.format is None:
         met = sum(bool(row.met) for row in held)
         console.lines(console.console(), f"{met} of {len(held)} targets met")
     if options.format is None and not options.quiet:
-        told = "ours / theirs: processor time of exactspline divided by that of the other"
-        console.lines(console.console(), told)
+        explanation = "ours / theirs: processor time of exactspline divided by that of the other"
+        console.lines(console.console(), explanation)
     if options.plot:
-        draw(found, options.plot)
+        draw(rows, options.plot)
     return int(any(row.met is False for row in held))
 
 
 def _watched(measured: Iterable[Row], quiet: bool) -> list[Row]:
-    """The rows; a terminal shows the case that was measured last."""
+    """The rows; on a terminal the case measured last is shown."""
     if not on_a_terminal(quiet):
         return list(measured)
     from rich.console import Console
 
-    found = []
+    rows = []
     with Console(stderr=True).status("measuring") as status:
         for row in measured:
-            found.append(row)
-            status.update(f"{len(found)} measured; {row.section}: {row.case}")
-    return found
+            rows.append(row)
+            status.update(f"{len(rows)} measured; {row.section}: {row.case}")
+    return rows
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
-"""Heavy cases, each in a separate process, so that its memory can be measured and that it can be ended when it takes
-too long.
+"""Heavy cases, each in a separate process, so that its memory can be measured and it can be stopped when it takes too
+long.
 
-``python -m workshop.bench.alone NAME COUNT LIMIT JOBS`` prints what a case took.
+``python -m workshop.bench.alone NAME COUNT LIMIT JOBS`` prints the time and memory of a case.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ PATIENCE = 4
 
 @dataclass(frozen=True)
 class Took:
-    """Processor seconds, and by how many MB the largest resident size grew (where the system reports it)."""
+    """Processor seconds, and the growth of the peak resident size in MB (where the system reports it)."""
 
     seconds: float | None = None
     megabytes: float | None = None
@@ -30,7 +30,7 @@ class Took:
 
 
 def run(name: str, count: int, limit: int, jobs: int = 1) -> Took:
-    """One case, ended after this many seconds of processor time."""
+    """Run one case, stopped after this many seconds of processor time."""
     numbers = map(str, (count, limit, jobs))
     command = [sys.executable, "-m", "workshop.bench.alone", name, *numbers]
     try:
@@ -41,15 +41,15 @@ def run(name: str, count: int, limit: int, jobs: int = 1) -> Took:
         return Took(note=f"more than {limit} s")
     if done.returncode:
         return Took(note=done.stderr.strip().splitlines()[-1])
-    told = json.loads(done.stdout)
-    return Took(told["seconds"], told["megabytes"])
+    measured = json.loads(done.stdout)
+    return Took(measured["seconds"], measured["megabytes"])
 
 
 def _inspect(count: int) -> Callable[[], object]:
     from exactspline.geometry.inspection import inspect_curve
     from workshop.bench.inputs import along
 
-    # formulas are traced once for a kind of curve, whatever its length
+    # formulas are traced once per kind of curve, whatever its length
     inspect_curve(along(1))
     c = along(count)
     return lambda: inspect_curve(c)
@@ -108,14 +108,14 @@ CASES: dict[str, Callable[[int], Callable[[], object]]] = {
 def peak() -> float | None:
     """The largest resident size of this process so far in MB, where the system reports it."""
     try:
-        found = re.search(r"VmHWM:\s*(\d+)", Path("/proc/self/status").read_text(encoding="ascii"))
+        match = re.search(r"VmHWM:\s*(\d+)", Path("/proc/self/status").read_text(encoding="ascii"))
     except OSError:
         return None
-    return int(found[1]) / 1024 if found else None
+    return int(match[1]) / 1024 if match else None
 
 
 def main() -> None:
-    """Run one case and print what it took."""
+    """Run one case and print its time and memory."""
     name, count, limit = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     call = CASES[name](count)
     try:
@@ -124,7 +124,7 @@ def main() -> None:
         so_far = int(process_time())
         resource.setrlimit(resource.RLIMIT_CPU, (so_far + limit, so_far + limit + 5))
     except (ImportError, ValueError):
-        pass  # then the wall clock ends it
+        pass  # then the limit on wall-clock time ends it
     before, start = peak(), process_time()
     call()
     seconds, after = process_time() - start, peak()

@@ -1,5 +1,5 @@
-"""Inflections and extrema of the curvature of 400 random plane curves, ours proved, and by Open CASCADE; many curves
-given as arrays; many segments; a bisector trimmed.
+"""Inflections and curvature extrema of 400 random plane curves, ours proved, and by Open CASCADE; many curves given as
+arrays; many segments; a trimmed bisector.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ Floats = tuple[int, list[float], list[tuple[float, ...]], list[float] | None]
 
 
 def feature_rows(options: Options) -> Iterator[Row]:
-    """All of it."""
+    """The rows of this section."""
     curves = [MIXED.curve(i) for i in range(MIXED.count)]
     yield from _one_by_one(curves)
     yield from _together(curves)
@@ -42,16 +42,16 @@ def feature_rows(options: Options) -> Iterator[Row]:
 
 
 def _together(curves: Sequence[Nurbs]) -> Iterator[Row]:
-    """The same curves all at once, through the filter."""
+    """The same curves all together, through the filter."""
     if not installed("numpy"):
         yield missing(FEATURES, TOGETHER, "numpy")
         return
     from exactspline.geometry.many_splines import features_of_curves
 
-    found = features_of_curves(_again(curves))
+    features = features_of_curves(_again(curves))
     timed: dict[str, Timed] = {OURS: (features_of_curves, lambda: _again(curves))}  # type: ignore[dict-item]  # as made
     took = best(timed)[OURS] / len(curves)
-    note = f"{_kinds(found.kind)}; {len(found.exact)} curves left to exact arithmetic"
+    note = f"{_kinds(features.kind)}; {len(features.exact)} curves decided by exact arithmetic"
     yield Row(FEATURES, TOGETHER, OURS, took, "ms", note=note)
 
 
@@ -61,7 +61,7 @@ def _kinds(kind: NDArray[numpy.str_]) -> str:
 
 
 def _batch(count: int, kind: str) -> Iterator[Row]:
-    """Cubic segments given as arrays, through the filter; Open CASCADE has them one by one."""
+    """Cubic segments given as arrays, through the filter; Open CASCADE gets them one by one."""
     case = f"inflections and extrema of a {kind}cubic segment of a batch, {count} curves"
     if not installed("numpy"):
         yield missing(FEATURES, case, "numpy")
@@ -78,11 +78,11 @@ def _batch(count: int, kind: str) -> Iterator[Row]:
         return points, numpy.array([each[3] or [1] * 4 for each in data], dtype=float) if kind else None
 
     given = arrays()
-    found = features_of_many(*given)
-    note = f"{_kinds(found.kind)}; {len(found.exact)} curves left to exact arithmetic"
+    features = features_of_many(*given)
+    note = f"{_kinds(features.kind)}; {len(features.exact)} curves decided by exact arithmetic"
     timed: dict[str, Timed] = {OURS: (lambda _: features_of_many(*given), lambda: None)}
     making: dict[str, Timed] = {OURS: (lambda _: arrays(), lambda: None)}
-    theirs = _beside_occ(data, timed, making)
+    theirs = _compared_with_occ(data, timed, making)
     took = {who: value / count for who, value in best(timed).items()}
     yield bounded(FEATURES, case, took[OURS], "ms", Fraction(1, 20), note)
     yield from _theirs(case, took, theirs, {OCC: Fraction(1)})
@@ -103,7 +103,7 @@ def _one_by_one(curves: Sequence[Nurbs]) -> Iterator[Row]:
     ours = _solved(_again(curves))
     timed: dict[str, Timed] = {OURS: (_solved, lambda: _again(curves))}
     making: dict[str, Timed] = {OURS: (lambda _: _again(curves), lambda: None)}
-    theirs = _beside_occ([_floats(c) for c in curves], timed, making)
+    theirs = _compared_with_occ([_floats(c) for c in curves], timed, making)
     took = {who: value / count for who, value in best(timed).items()}
     note = f"{ours[0]} inflections, {ours[1]} extrema"
     yield bounded(FEATURES, FOUND, took[OURS], "ms", Fraction(6, 10), note)
@@ -111,8 +111,10 @@ def _one_by_one(curves: Sequence[Nurbs]) -> Iterator[Row]:
     yield from compared(FEATURES, MADE, {who: value / count for who, value in best(making).items()}, {})
 
 
-def _beside_occ(data: Sequence[Floats], timed: dict[str, Timed], making: dict[str, Timed]) -> tuple[int, int] | None:
-    """Open CASCADE on the same curves, where it is installed; what it finds."""
+def _compared_with_occ(
+    data: Sequence[Floats], timed: dict[str, Timed], making: dict[str, Timed]
+) -> tuple[int, int] | None:
+    """Open CASCADE on the same curves, where it is installed, and what it finds."""
     if not installed(OCC):
         return None
     timed[OCC] = _solved_by_occ, lambda: [_in_occ(*each) for each in data]
@@ -144,10 +146,10 @@ def _in_occ(degree: int, knots: list[float], points: list[tuple[float, ...]], we
 
     distinct = list(dict.fromkeys(knots))
     poles = array(Array1_gp_Pnt2d, [gp_Pnt2d(*p) for p in points])
-    told = array(Array1_double, distinct), array(Array1_int, [knots.count(t) for t in distinct]), degree
+    knot_data = array(Array1_double, distinct), array(Array1_int, [knots.count(t) for t in distinct]), degree
     if weights is None:
-        return Geom2d_BSplineCurve(poles, *told)
-    return Geom2d_BSplineCurve(poles, array(Array1_double, weights), *told)
+        return Geom2d_BSplineCurve(poles, *knot_data)
+    return Geom2d_BSplineCurve(poles, array(Array1_double, weights), *knot_data)
 
 
 def _solved_by_occ(curves: Any) -> tuple[int, int]:
@@ -156,10 +158,10 @@ def _solved_by_occ(curves: Any) -> tuple[int, int]:
 
     bends = extrema = 0
     for c in curves:
-        found = GeomLProp_CurAndInf2d()
-        found.Perform(c)
-        for i in range(1, found.NbPoints() + 1):
-            if found.Type(i) == LProp_CIType.LProp_Inflection:
+        solver = GeomLProp_CurAndInf2d()
+        solver.Perform(c)
+        for i in range(1, solver.NbPoints() + 1):
+            if solver.Type(i) == LProp_CIType.LProp_Inflection:
                 bends += 1
             else:
                 extrema += 1
@@ -170,15 +172,15 @@ LINEAR = "linear"
 
 
 def linear_rows(options: Options) -> Iterator[Row]:
-    """Cases whose time must grow no faster than the number of segments, each in a separate process."""
+    """Cases whose time must not grow faster than the number of segments, each in a separate process."""
     for count in (100, 1_000, 10_000, 100_000):
         took = alone.run("inspect", count, options.limit)
         each = None if took.seconds is None else 1000 * took.seconds / count
-        told = f"inspection of a cubic spline of {count} segments, a segment"
-        yield bounded(LINEAR, told, each, "ms", Fraction(3, 10), took.note)
-    for name, told, most in (
+        case = f"inspection of a cubic spline of {count} segments, a segment"
+        yield bounded(LINEAR, case, each, "ms", Fraction(3, 10), took.note)
+    for name, case, most in (
         ("trim", "bisector of a point and a 500-segment plane cubic, trimmed", 10),
         ("trim rational", "bisector of a point and a rational curve of degree 5, 10 segments, trimmed", 5),
     ):
         took = alone.run(name, 0, options.limit)
-        yield bounded(LINEAR, told, took.seconds, "s", most, took.note)
+        yield bounded(LINEAR, case, took.seconds, "s", most, took.note)

@@ -1,5 +1,5 @@
-"""Forms of one segment and of many: ours compared with inline code over other polynomials; growth with degree, segments
-and bits.
+"""Forms of one segment and of many: our times compared with inline code over other polynomials; growth with degree,
+segments and bits.
 """
 
 from __future__ import annotations
@@ -32,7 +32,8 @@ FORMS, GROWTH = "forms", "growth"
 INLINE, SYMPY, ON_FLINT, FRACTION = "python-flint inline", "sympy", "sympy on FLINT", "Fraction"
 #: The inline versions, by the name of the formula.
 BY_HAND: dict[str, Callable[..., Any]] = {"f2": inline.f2, "g2": inline.g2, "vertices_lifted": inline.vertices}
-#: Ours at most twice python-flint inline; sympy at least ten times ours on one segment, thirty times from ten on.
+#: Our time at most twice that of python-flint inline; sympy at least ten times ours on one segment, thirty times with
+#: ten or more.
 TWICE, TENTH, THIRTIETH = Fraction(2), Fraction(1, 10), Fraction(1, 30)
 SEGMENTS = (1, 10)
 DEGREES, MANY, BITS = (2, 3, 5, 8, 12), (1, 10, 100, 1000), (10, 100, 1000, 10_000)
@@ -58,7 +59,7 @@ def growth_rows(options: Options) -> Iterator[Row]:
 
 
 def _afresh(formula: Formula, c: Nurbs) -> Timed:
-    """A formula on a curve that was just made, without any memoized values."""
+    """A formula on a newly constructed curve, without any memoized values."""
 
     def call(made: object) -> object:
         assert isinstance(made, Nurbs)
@@ -70,10 +71,10 @@ def _afresh(formula: Formula, c: Nurbs) -> Timed:
 def _form(
     options: Options, name: str, c: Nurbs, case: str, *, section: str = FORMS, with_peers: bool = False
 ) -> Iterator[Row]:
-    by_hand, own = BY_HAND[name], list(forms(c))
+    by_hand, segments = BY_HAND[name], list(forms(c))
 
     def flint(_: object) -> list[fmpz_poly]:
-        return [by_hand(*row, c.degree, inline.form_derivative) for row, _ in own]
+        return [by_hand(*row, c.degree, inline.form_derivative) for row, _ in segments]
 
     timed: dict[str, Timed] = {OURS: _afresh(find(name), c), INLINE: (flint, lambda: None)}
     if with_peers:
@@ -93,10 +94,10 @@ def _form(
     yield from compared(section, case, took, targets)
 
 
-#: How often we and sympy take turns, whose processes a machine may favour in one minute and not in the next.
+#: How often our runs alternate with sympy's, since the load of a machine changes from minute to minute.
 TURNS = 3
-#: sympy's own polynomials, and those that it delegates to FLINT, which is chosen when it is first imported; with the
-#: library's formulas, and with inline code.
+#: sympy's polynomials, and those that it delegates to FLINT (chosen when sympy is first imported); with the library's
+#: formulas, and with inline code.
 GROUNDS = {SYMPY: "gmpy", ON_FLINT: "flint", "sympy inline": "gmpy", "sympy on FLINT inline": "flint"}
 IN_SYMPY = """
 import json, sys
@@ -113,7 +114,7 @@ print(json.dumps(row.best({"sympy": (call, lambda: None)})["sympy"]))
 
 
 def _sympy(who: str, name: str, degree: int, segments: int) -> float:
-    """Milliseconds over sympy's polynomials, in a process of its own."""
+    """Milliseconds over sympy's polynomials, in a separate process."""
     how = "inline" if who.endswith("inline") else "formulas"
     done = subprocess.run(
         [sys.executable, "-c", IN_SYMPY, name, str(degree), str(segments), how],
@@ -137,7 +138,7 @@ def _torsion() -> Iterator[Row]:
     yield from compared(FORMS, "torsion, rational cubic, 1 segment", took, {INLINE: TWICE})
 
 
-#: Room for degree 11 in the first of two parameters that are packed into one polynomial.
+#: Packing stride: room for degree 11 in the first of two parameters packed into one polynomial.
 STRIDE = 12
 
 

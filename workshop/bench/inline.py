@@ -1,7 +1,9 @@
-"""The formulas of the benchmarks written by hand over bare polynomials, subexpressions shared: what a program without
-this library would compute. They run over anything with ``+ − *``, given the derivative of a polynomial of a degree.
+"""The formulas of the benchmarks written by hand over bare polynomials, subexpressions shared: as a program without
+this library would compute them. They run over anything with ``+ − *``, given the derivative of a polynomial of a
+degree.
 
-python-flint's polynomials are the forms of the library in ``z = v/u``, those of sympy and of `Fraction` powers of t.
+python-flint's polynomials hold the forms of the library in ``z = v/u``; those of sympy and of `Fraction` are in powers
+of t.
 """
 
 from __future__ import annotations
@@ -24,7 +26,7 @@ class Polynomial(Protocol):
 
 
 P = TypeVar("P", bound=Polynomial)
-#: The derivative of a polynomial by the parameter, given its degree.
+#: The derivative of a polynomial with respect to the parameter, given its degree.
 D = Callable[[P, int], P]
 
 

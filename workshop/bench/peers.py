@@ -41,11 +41,11 @@ class FractionPoly:
     def __mul__(self, other: FractionPoly | int) -> FractionPoly:
         if isinstance(other, int):
             return FractionPoly([other * a for a in self.coefficients])
-        found = [Fraction(0)] * (len(self.coefficients) + len(other.coefficients) - 1)
+        products = [Fraction(0)] * (len(self.coefficients) + len(other.coefficients) - 1)
         for i, a in enumerate(self.coefficients):
             for j, b in enumerate(other.coefficients):
-                found[i + j] += a * b
-        return FractionPoly(found)
+                products[i + j] += a * b
+        return FractionPoly(products)
 
     __rmul__ = __mul__
 
@@ -77,8 +77,8 @@ def sympy_polys(c: Nurbs) -> list[list[sympy.Poly]]:
 
 
 class SympyOperand(RingOperand):
-    """A polynomial of sympy as an operand, differentiated by one of its variables: the library's own formulas run over
-    it.
+    """A polynomial of sympy as an operand, differentiated by one of its variables: the library's formulas run
+    over it.
     """
 
     __slots__ = ("poly", "variable")
@@ -88,7 +88,7 @@ class SympyOperand(RingOperand):
         self.poly, self.variable = poly, variable
 
     def __add__(self, other: object) -> SympyOperand:
-        right = self.beside(other)
+        right = self.coerced(other)
         return NotImplemented if right is None else SympyOperand(self.poly + right.poly, self.variable)
 
     def __mul__(self, other: object) -> SympyOperand:

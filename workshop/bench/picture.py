@@ -37,7 +37,7 @@ MARKS = {
     "geomdl": ("<", PURPLE),
     "scipy": (">", SKY),
 }
-#: Up to this quotient of the largest and the smallest ratio an axis is short.
+#: Up to this quotient of the largest and the smallest ratio the axis gets more labels.
 SHORT = 500
 #: The growth cases that are drawn: the beginning of the case, and the name of its axis.
 DEGREES = "g2 by degree: "
@@ -48,7 +48,7 @@ def draw(rows: Sequence[Row], path: str) -> None:
     """Draw the rows into an SVG or PNG file. Raises `PlotError`."""
     compared = [row for row in rows if row.ratio and row.section != "growth" and not row.case.startswith("constr")]
     grown = {begin: [row for row in rows if row.case.startswith(begin)] for begin in AXES}
-    drawn = [begin for begin, own in grown.items() if own]
+    drawn = [begin for begin, group in grown.items() if group]
     cases = list(dict.fromkeys(row.case for row in compared))
     if not cases and not drawn:
         raise PlotError("there is no ratio to draw", remedy="measure a section with other libraries, or growth")
@@ -65,10 +65,10 @@ def draw(rows: Sequence[Row], path: str) -> None:
 
 def _ratios(axes: Axes, rows: Sequence[Row], cases: Sequence[str]) -> None:
     for who, (marker, colour) in MARKS.items():
-        own = [row for row in rows if row.peer == who and row.ratio]
-        if own:
-            times = [1 / row.ratio for row in own if row.ratio]
-            places = [-cases.index(row.case) for row in own]
+        measured = [row for row in rows if row.peer == who and row.ratio]
+        if measured:
+            times = [1 / row.ratio for row in measured if row.ratio]
+            places = [-cases.index(row.case) for row in measured]
             axes.plot(times, places, marker, color=colour, label=who, markersize=7)
     axes.axvline(1, color=GREY, linewidth=1)
     axes.set_xscale("log")
@@ -81,7 +81,7 @@ def _ratios(axes: Axes, rows: Sequence[Row], cases: Sequence[str]) -> None:
 
 
 def _label(axes: Axes, ratios: Sequence[float]) -> None:
-    """Plain numbers on the axis of ratios: powers of ten, on a short axis also twice and five times these."""
+    """Plain numbers on the axis of ratios: powers of ten, for a small range also twice and five times these."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
     steps = (1, 2, 5) if max(ratios) < SHORT * min(ratios) else (1,)
@@ -92,8 +92,8 @@ def _label(axes: Axes, ratios: Sequence[float]) -> None:
 
 def _growth(axes: Axes, rows: Sequence[Row], begin: str) -> None:
     for who, (marker, colour) in {OURS: ("o", BLUE), "python-flint inline": ("D", GREY)}.items():
-        own = [(int(row.case.removeprefix(begin)), row.value) for row in rows if row.peer == who and row.value]
-        sizes, times = [size for size, _ in own], [value for _, value in own]
+        measured = [(int(row.case.removeprefix(begin)), row.value) for row in rows if row.peer == who and row.value]
+        sizes, times = [size for size, _ in measured], [value for _, value in measured]
         axes.plot(sizes, times, marker=marker, color=colour, label=who, markersize=5)
     if begin != DEGREES:
         axes.set_xscale("log")

@@ -1,4 +1,4 @@
-"""All zeros on [0, 1] of polynomials that the library solves, to a given precision; ours proved, in intervals."""
+"""All zeros on [0, 1] of polynomials that the library solves, to a given precision; ours are proved intervals."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from workshop.bench.inputs import curve
 from workshop.bench.row import OURS, Options, Row, Timed, best, compared, installed, missing
 
 ROOTS = "roots"
-#: Above this degree sympy and the complex roots of python-flint take minutes.
+#: Above this degree sympy and python-flint's complex roots take minutes.
 MODERATE = 60
 
 
@@ -56,7 +56,7 @@ def root_rows(options: Options) -> Iterator[Row]:
 
 def _case(case: str, digits: int) -> Iterator[Row]:
     f = CASES[case]()
-    told = f"zeros of {case} (degree {f.degree}), {digits} digits"
+    name = f"zeros of {case} (degree {f.degree}), {digits} digits"
 
     def made() -> BSpline:
         return BSpline.from_forms(f.degree, f.mesh, f.continuity, f.forms)
@@ -73,9 +73,9 @@ def _case(case: str, digits: int) -> Iterator[Row]:
     took: dict[str, float] = best(timed)
     if f.degree <= MODERATE and digits <= 50:
         took["sympy"] = _sympy(case, digits)
-    yield from compared(ROOTS, told, took, {})
+    yield from compared(ROOTS, name, took, {})
     if "PARI" not in timed:
-        yield missing(ROOTS, told, "PARI")
+        yield missing(ROOTS, name, "PARI")
 
 
 def _pari(case: str, digits: int) -> Timed:
@@ -90,7 +90,7 @@ def _flint(case: str, digits: int) -> Callable[[object], object]:
 
     def call(_: object) -> object:
         with ctx.workdps(digits):
-            # python-flint's stubs leave the multiplicities out
+            # python-flint's stubs omit the multiplicities
             roots = [found[0] for found in cast(list[tuple[acb, int]], polynomial.complex_roots())]
             return [z for z in roots if z.imag == 0 and 0 <= z.real <= 1]
 
@@ -109,7 +109,7 @@ print(json.dumps(row.best({"sympy": (call, lambda: None)})["sympy"]))
 
 
 def _sympy(case: str, digits: int) -> float:
-    """Milliseconds of sympy's own polynomials, in a process of its own."""
+    """Milliseconds of sympy's polynomials, in a separate process."""
     done = subprocess.run(
         [sys.executable, "-c", IN_SYMPY, case, str(digits)],
         capture_output=True,

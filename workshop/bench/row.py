@@ -10,11 +10,11 @@ from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 from time import process_time
 
-#: Ours, in the column of peers.
+#: The name of this library in the column of peers.
 OURS = "exactspline"
-#: A round of the stopwatch lasts this many milliseconds at least, and the best of this many rounds counts.
+#: A timing round lasts at least this many milliseconds, and the best of this many rounds counts.
 ROUND, ROUNDS = 20, 5
-#: Peer → the distribution whose version is shown, and the module that it needs.
+#: Peer → the distribution whose version is shown, and the module that must be importable.
 PEERS = {
     OURS: ("exactspline", "exactspline"),
     "python-flint inline": ("python-flint", "flint"),
@@ -38,8 +38,8 @@ PEERS = {
 
 @dataclass(frozen=True)
 class Row:
-    """One measured value. `ratio` is ours divided by the peer's, `met` whether the target is reached; a peer that is
-    not installed, or takes too long, has no value and a note.
+    """One measured value. `ratio` is our value divided by the peer's, `met` whether the target is met; a peer that is
+    not installed, or takes too long, has a note instead of a value.
     """
 
     section: str
@@ -54,7 +54,7 @@ class Row:
 
     @property
     def version(self) -> str:
-        """The version of the peer, empty where it has none."""
+        """The version of the peer, empty where there is none."""
         return version_of(self.peer)
 
     def data(self) -> dict[str, object]:
@@ -68,7 +68,7 @@ Section = Callable[["Options"], Iterator[Row]]
 @dataclass(frozen=True)
 class Options:
     """How much is measured: processor seconds that a single case may take, a folder of curves, all fonts or a sample,
-    and how many curves the sample of each kind has.
+    and the size of the sample of curves of each kind.
     """
 
     limit: int = 60
@@ -106,25 +106,25 @@ Timed = tuple[Callable[[object], object], Callable[[], object]]
 
 
 def best(timed: Mapping[str, Timed]) -> dict[str, float]:
-    """The least processor time of a call of each, in milliseconds: in turns, so that the load of the machine affects
-    all alike, and without garbage collection.
+    """The smallest processor time of a call of each, in milliseconds: measured in turns, so that the load of the
+    machine affects all equally, and without garbage collection.
 
     >>> took = best({"a": (lambda x: sum(range(1000)), lambda: None), "b": (lambda x: sum(range(9000)), lambda: None)})
     >>> took["a"] < took["b"]
     True
     """
     counts = dict.fromkeys(timed, 1)
-    found: dict[str, float] = {}
+    fastest: dict[str, float] = {}
     for who, (call, prepare) in timed.items():
         while (took := _round(call, prepare, counts[who])) * 1000 < ROUND and counts[who] < 10_000:
             counts[who] *= 4 if took * 4000 < ROUND else 2
     for _ in range(ROUNDS):
         for who, (call, prepare) in timed.items():
             took = 1000 * _round(call, prepare, counts[who]) / counts[who]
-            found[who] = min(found.get(who, took), took)
-            if took > 1000 * ROUND and len(found) == len(timed):
-                return found
-    return found
+            fastest[who] = min(fastest.get(who, took), took)
+            if took > 1000 * ROUND and len(fastest) == len(timed):
+                return fastest
+    return fastest
 
 
 def _round(call: Callable[[object], object], prepare: Callable[[], object], count: int) -> float:
@@ -144,18 +144,20 @@ def _round(call: Callable[[object], object], prepare: Callable[[], object], coun
 def compared(
     section: str, case: str, took: Mapping[str, float], targets: Mapping[str, Fraction], unit: str = "ms"
 ) -> Iterator[Row]:
-    """The rows of one case: ours, and each peer with the ratio of ours to it and the target, the most it may be."""
+    """The rows of one case: ours, and one per peer with the ratio of our time to its time and the largest allowed
+    ratio.
+    """
     for who, value in took.items():
         ratio = None if who == OURS else took[OURS] / value
         limit = targets.get(who)
-        told = "" if limit is None else f"≤ {limit} of it" if limit >= 1 else f"≤ {limit}"
+        target = "" if limit is None else f"≤ {limit} of it" if limit >= 1 else f"≤ {limit}"
         met = None if limit is None or ratio is None else ratio <= limit
-        yield Row(section, case, who, value, unit, ratio, told, met)
+        yield Row(section, case, who, value, unit, ratio, target, met)
 
 
 def bounded(
     section: str, case: str, value: float | None, unit: str, most: Fraction | int, note: str = "", peer: str = OURS
 ) -> Row:
-    """A row whose value must not be above a target; none at all is above it."""
-    told = f"≤ {most if isinstance(most, int) or most.denominator == 1 else f'{most.numerator / most.denominator:g}'}"
-    return Row(section, case, peer, value, unit, None, f"{told} {unit}", value is not None and value <= most, note)
+    """A row whose value must not exceed a target; a missing value does not meet it."""
+    target = f"≤ {most if isinstance(most, int) or most.denominator == 1 else f'{most.numerator / most.denominator:g}'}"
+    return Row(section, case, peer, value, unit, None, f"{target} {unit}", value is not None and value <= most, note)

@@ -1,4 +1,4 @@
-"""Operations of all spline libraries: points, knot insertion, degree elevation; ours exactly."""
+"""Operations that all spline libraries offer: points, knot insertion, degree elevation; ours are exact."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PEERS = ("scipy", "geomdl", "pynurbs")
 
 
 def spline_rows(options: Options) -> Iterator[Row]:
-    """Points on a rational cubic of ten segments, and one more knot."""
+    """Points on a rational cubic of ten segments, and the insertion of one knot."""
     c = curve(3, 10)
     places = [Fraction(10 * i, POINTS) for i in range(POINTS)]
     ours: dict[str, Timed] = {
@@ -30,8 +30,8 @@ def spline_rows(options: Options) -> Iterator[Row]:
             lambda: Nurbs(c.degree, c.knots, c.control_points, c.weights),
         ),
     }
-    for number, (case, own) in enumerate(ours.items()):
-        timed, absent = {OURS: own}, []
+    for number, (case, our_case) in enumerate(ours.items()):
+        timed, absent = {OURS: our_case}, []
         for who in PEERS:
             if not installed(who):
                 absent.append(who)
@@ -64,8 +64,8 @@ def _with_scipy(c: Nurbs, places: list[Fraction]) -> Pair:
     made = BSpline(knots, net, c.degree)
 
     def points(_: object) -> object:
-        found = made(t)
-        return found[:, :-1] / found[:, -1:]
+        homogeneous = made(t)
+        return homogeneous[:, :-1] / homogeneous[:, -1:]
 
     columns = [numpy.concatenate([column, numpy.zeros(c.degree + 1)]) for column in net.T]
     return (points, lambda: None), (
@@ -78,11 +78,11 @@ def _with_geomdl(c: Nurbs, places: list[Fraction]) -> Pair:
     from geomdl import NURBS, operations
 
     def made() -> Any:
-        found = NURBS.Curve()
-        found.degree = c.degree
-        found.ctrlptsw = _homogeneous(c)
-        found.knotvector = [*map(float, c.knots)]
-        return found
+        curve = NURBS.Curve()
+        curve.degree = c.degree
+        curve.ctrlptsw = _homogeneous(c)
+        curve.knotvector = [*map(float, c.knots)]
+        return curve
 
     kept, t = made(), [float(x) / 10 for x in places]
     top = kept.knotvector[-1]
@@ -98,9 +98,9 @@ def _with_pynurbs(c: Nurbs, places: list[Fraction]) -> Pair:
 
     def made() -> Any:
         points = numpy.array([[Fraction(str(x)) for x in p] for p in c.control_points], dtype=object)
-        found = pynurbs.Curve(pynurbs.KnotVector(_full_knots(c)), list(points))
-        found.weights = [Fraction(str(w)) for w in c.weights]
-        return found
+        curve = pynurbs.Curve(pynurbs.KnotVector(_full_knots(c)), list(points))
+        curve.weights = [Fraction(str(w)) for w in c.weights]
+        return curve
 
     kept = made()
     return (lambda _: kept.eval(places), lambda: None), (lambda each: each.knot_insert([Fraction(1, 3)]), made)

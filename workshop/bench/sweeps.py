@@ -25,13 +25,13 @@ from workshop.bench.row import OURS, Options, Row, bounded, installed, missing
 SWEEP = "sweep"
 #: The fonts of a short run.
 SAMPLED = ("cmr10.ttf", "cmss10.ttf", "cmti10.ttf")
-#: Seconds between two looks at a file that grows.
+#: Seconds between two checks of a growing file.
 LOOK = 1 / 100
 
 
 @dataclass(frozen=True)
 class Swept:
-    """A sweep into a file: its lines, seconds by the clock since the first new one, and what the lines sum up to."""
+    """A sweep into a file: its lines, wall-clock seconds since the first new one, and the summary of the lines."""
 
     new: int
     seconds: float
@@ -78,7 +78,7 @@ def swept(corpus: Sequence[str], where: Where, place: Path) -> Swept:
 
 
 def differing(one: Path, other: Path) -> int:
-    """How many lines of two files differ, byte for byte but for the processor time, which ends every line."""
+    """How many lines of two files differ, byte for byte except for the processor time at the end of every line."""
     with open(one, "rb") as first, open(other, "rb") as second:
         return sum(_timeless(a) != _timeless(b) for a, b in zip_longest(first, second, fillvalue=b""))
 
@@ -88,11 +88,11 @@ def _timeless(line: bytes) -> bytes:
 
 
 def _counted(summary: Summary) -> str:
-    found = {name: 0 for name, _ in summary.found}
+    counts = {name: 0 for name, _ in summary.found}
     for (name, _), count in summary.found.items():
-        found[name] += count
-    told = [f"{summary.segments} segments", *(f"{count} {name}" for name, count in found.items())]
-    return ", ".join([*told, f"{summary.errors.total()} errors"])
+        counts[name] += count
+    parts = [f"{summary.segments} segments", *(f"{count} {name}" for name, count in counts.items())]
+    return ", ".join([*parts, f"{summary.errors.total()} errors"])
 
 
 def _killed(corpus: Sequence[str], what: str, one: Swept, folder: Path) -> Iterator[Row]:
@@ -115,50 +115,50 @@ def _killed(corpus: Sequence[str], what: str, one: Swept, folder: Path) -> Itera
 
 def killed_at(corpus: Sequence[str], place: Path, lines: int) -> tuple[int, float]:
     """Start the command that sweeps a corpus in two processes into a file, and kill it, with all its processes, when
-    there are this many lines: how many there were, and in how many seconds since the first.
+    there are this many lines; returns the number of lines, and the seconds since the first.
     """
     command = [sys.executable, "-m", "exactspline", "sweep", *corpus, "-o", str(place), "--jobs", "2", "-q"]
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
-    found, start = 0, monotonic()
+    written, start = 0, monotonic()
     while process.poll() is None and not place.exists():
         sleep(LOOK)
     if process.poll() is not None and not place.exists():
         raise BackendError(f"the sweep ended with status {process.returncode}", remedy="run it: " + " ".join(command))
     with open(place, "rb") as stream:
-        while process.poll() is None and found < lines:
+        while process.poll() is None and written < lines:
             if new := stream.read().count(b"\n"):
-                start, found = monotonic() if not found else start, found + new
+                start, written = monotonic() if not written else start, written + new
             sleep(LOOK)
         seconds = monotonic() - start
         _kill(process)
-        found += stream.read().count(b"\n")
-    return found, seconds
+        written += stream.read().count(b"\n")
+    return written, seconds
 
 
 def _kill(process: subprocess.Popen[bytes]) -> None:
-    """End a process, with those that it started where there are groups of processes."""
+    """End a process, together with those that it started where the system has process groups."""
     try:
         if hasattr(os, "killpg"):
             os.killpg(process.pid, signal.SIGKILL)
         else:
             process.kill()
     except ProcessLookupError:
-        pass  # it came to its end before
+        pass  # it had already ended
     process.wait()
 
 
 def _on(backend: str, corpus: Sequence[str], serial: Path) -> Iterator[Row]:
     """A sweep on a cluster of two workers: its rate, and the lines that differ from those of one process."""
-    told = f"lines on {backend}, 2 workers, that differ from those of one process"
+    case = f"lines on {backend}, 2 workers, that differ from those of one process"
     if not installed(backend):
-        yield missing(SWEEP, told, backend)
+        yield missing(SWEEP, case, backend)
         return
     place = serial.with_name(f"{backend}.jsonl")
     try:
-        own = swept(corpus, Where(backend, 2), place)
+        here = swept(corpus, Where(backend, 2), place)
     except BackendError as error:
-        yield Row(SWEEP, told, backend, None, "lines", note=str(error))
+        yield Row(SWEEP, case, backend, None, "lines", note=str(error))
         return
-    note = f"of {own.new}, {own.new / own.seconds:.0f} a second"
-    yield bounded(SWEEP, told, differing(serial, place), "lines", 0, note, backend)
+    note = f"of {here.new}, {here.new / here.seconds:.0f} a second"
+    yield bounded(SWEEP, case, differing(serial, place), "lines", 0, note, backend)
     place.unlink()

@@ -30,16 +30,16 @@ SECTIONS: dict[str, Section] = {
 
 
 def chosen_sections(names: Iterable[str]) -> tuple[str, ...]:
-    """The sections asked for, in the order of the table; all of them for none. Raises `FormulaError`."""
-    wanted = set(names)
-    for name in wanted:
+    """The requested sections, in the order of the table; all of them if none is named. Raises `FormulaError`."""
+    requested = set(names)
+    for name in requested:
         if name not in SECTIONS:
             raise FormulaError(f"there is no section of the benchmarks called {name!r}", remedy=nearest(name, SECTIONS))
-    return tuple(name for name in SECTIONS if not wanted or name in wanted)
+    return tuple(name for name in SECTIONS if not requested or name in requested)
 
 
 def rows(sections: Iterable[str], options: Options) -> Iterator[Row]:
-    """The rows of these sections, one by one as they are measured; a section that breaks off ends with the reason."""
+    """The rows of these sections, one by one as they are measured; a section that fails ends with the reason."""
     for name in sections:
         try:
             yield from SECTIONS[name](options)

@@ -14,16 +14,16 @@ from tempfile import TemporaryDirectory
 from exactspline.batch.corpus import Problem, items
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.inspection import inspect_curve
-from exactspline.splines.examples import example_names
+from exactspline.interchange.examples import example_names
 from exactspline.splines.nurbs import Nurbs
 from workshop.bench.row import OURS, Options, Row, best, bounded
 
 COMMANDS = "commands"
 #: The number of runs, of which the fastest counts.
 RUNS = 3
-#: The number of runs where a difference is asked for.
+#: The number of runs where a difference is measured.
 MANY = 9
-#: What `exactspline.cli.main` does before its process ends: the imports shall be alone in what is subtracted.
+#: What `exactspline.cli.main` does before its process ends: so that only the imports are subtracted.
 AT_THE_END = "import gc\ngc.freeze()\n"
 
 
@@ -36,7 +36,7 @@ def command_rows(options: Options) -> Iterator[Row]:
 
 @contextmanager
 def _keeping_bytecode(folder: str) -> Iterator[None]:
-    """While this lasts, processes keep the bytecode of what they import, as they do where nothing forbids it."""
+    """Within this context processes keep the bytecode of what they import, as they do by default."""
     kept = {name: os.environ.get(name) for name in ("PYTHONDONTWRITEBYTECODE", "PYTHONPYCACHEPREFIX")}
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ["PYTHONPYCACHEPREFIX"] = folder
@@ -61,12 +61,12 @@ def _command_rows() -> Iterator[Row]:
     above, note = whole - imports, f"{whole:.2f} s less {imports:.2f} s of {', '.join(packages)}"
     yield bounded(COMMANDS, "prove on one curve, above its imports", above, "s", Fraction(15, 100), note)
     nothing, _ = processor_time(["-c", "pass"])
-    for told, arguments in (
+    for command, arguments in (
         ("import exactspline", ["-c", "import exactspline"]),
         ("exactspline --help", ["-m", "exactspline", "--help"]),
     ):
         took, _ = processor_time(arguments)
-        yield Row(COMMANDS, f"{told}, above Python itself", OURS, took - nothing, "s")
+        yield Row(COMMANDS, f"{command}, above Python itself", OURS, took - nothing, "s")
 
 
 def processor_time(arguments: Sequence[str], runs: int = RUNS) -> tuple[float, str]:
@@ -83,12 +83,12 @@ def processor_time(arguments: Sequence[str], runs: int = RUNS) -> tuple[float, s
 
 
 def _of_children() -> float:
-    """The processor time of the child processes that have ended, as exactly as the system counts it."""
+    """The processor time of the child processes that have ended, as exactly as the system measures it."""
     try:
         from resource import RUSAGE_CHILDREN, getrusage
     except ImportError:
-        told = os.times()
-        return told.children_user + told.children_system
+        times = os.times()
+        return times.children_user + times.children_system
     used = getrusage(RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
@@ -108,8 +108,8 @@ print("\\nloaded", *[name for name in sys.modules if name.split(".")[0] in known
 
 
 def imported_by(arguments: Sequence[str]) -> list[str]:
-    """The modules of installed packages that a command loads, in their order; ours are left out, and those that no
-    statement can import.
+    """The modules of installed packages that a command loads, in their order, without ours and those that no statement
+    can import.
     """
     _, printed = processor_time(["-c", LOADED, *arguments], runs=1)
     names = printed.rsplit("loaded", 1)[-1].split()
@@ -120,7 +120,7 @@ def imported_by(arguments: Sequence[str]) -> list[str]:
 
 def _files(folder: str) -> Iterator[Row]:
     """All curves of a folder, or the examples, inspected in this process, each read again."""
-    told = f"all curves of {Path(folder).name or folder}" if folder else "all example curves"
+    case = f"all curves of {Path(folder).name or folder}" if folder else "all example curves"
     places = [folder] if folder else list(example_names())
     curves = [item.curve() for item in items(places) if not isinstance(item.given, Problem)]
 
@@ -133,4 +133,4 @@ def _files(folder: str) -> Iterator[Row]:
             inspect_curve(each)
 
     took = best({OURS: (inspected, fresh)})[OURS] / 1000
-    yield bounded(COMMANDS, f"{told} ({len(curves)}) inspected in one process", took, "s", Fraction(15, 100))
+    yield bounded(COMMANDS, f"{case} ({len(curves)}) inspected in one process", took, "s", Fraction(15, 100))

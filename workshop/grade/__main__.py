@@ -1,6 +1,6 @@
 """``./run grade``: libraries that compute with splines in doubles, compared with exact answers.
 
-Every answer is right, off, missed, invented, crashed or declined. Exit status: 0 graded; 2 bad input.
+Every answer is classified as right, off, missed, invented, crashed or declined. Exit status: 0 graded; 2 bad input.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ from workshop.printing import add_formats, ended, on_a_terminal, show
 
 
 def arguments(given: Sequence[str] | None) -> argparse.Namespace:
-    """What is asked for."""
+    """The parsed command line."""
     parser = argparse.ArgumentParser(
         prog="./run grade", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument(
-        "library", nargs="*", metavar="LIBRARY", help=f"{', '.join(LIBRARIES)}; all that are installed if none"
+        "library", nargs="*", metavar="LIBRARY", help=f"{', '.join(LIBRARIES)}; all installed ones if none is named"
     )
     parser.add_argument("--cases", metavar="N", type=int, default=0, help="the first N cases of each family; 0 for all")
     parser.add_argument("--cache", metavar="FILE", type=Path, help="keep exact answers with certificates (.jsonl.gz)")
@@ -46,7 +46,7 @@ def arguments(given: Sequence[str] | None) -> argparse.Namespace:
 
 
 def main(given: Sequence[str] | None = None) -> int:
-    """Grade, print, write the page; the exit status."""
+    """Grade, print and write the page; returns the exit status."""
     options = arguments(given)
     for name in options.library:
         if name not in LIBRARIES:
@@ -60,17 +60,17 @@ def main(given: Sequence[str] | None = None) -> int:
     if options.page:
         written = page(reports, defects, chosen, truths.uncertified)
         write_atomically(options.page, lambda stream: stream.write(written.encode()))
-    found = rows(reports, defects)
-    show(options.format, "grade", found, _sheet(found))
+    data = rows(reports, defects)
+    show(options.format, "grade", data, _sheet(data))
     return 0
 
 
-def _sheet(found: list[dict[str, Any]]) -> Sheet:
+def _sheet(data: list[dict[str, Any]]) -> Sheet:
     numbers = ("asked", *OUTCOMES)
     made = Sheet(
         "library", "version", "question", *numbers, "smallest example", numbers=numbers, prose=["smallest example"]
     )
-    for row in found:
+    for row in data:
         example = row["example"]
         shown = "" if example is None else f"{example['note']}: {_points(example)}"
         made.add_row(row["library"], row["version"], row["question"], *(row[name] for name in numbers), shown)

@@ -1,4 +1,6 @@
-"""Whether a library's answer is the exact one, as far as an answer in doubles can be (see `questions`)."""
+"""Whether a library's answer agrees with the exact one, within the tolerance for answers in doubles (see
+`questions`).
+"""
 
 from __future__ import annotations
 
@@ -19,18 +21,18 @@ from workshop.grade.recheck import at
 from workshop.grade.truth import bend, rows
 
 RIGHT, OFF, MISSED, INVENTED, CRASHED = "right", "off", "missed", "invented", "crashed"
-#: A library says itself that it has no answer, which is not wrong.
+#: A library reports that it has no answer, which is not wrong.
 DECLINED = "declined"
 OUTCOMES = (RIGHT, OFF, MISSED, INVENTED, CRASHED, DECLINED)
 WRONG = (OFF, MISSED, INVENTED, CRASHED)
-#: The distance within which parameters are one place, as a fraction of the domain; the fraction of its size below which
-#: a form counts as zero.
+#: The distance within which parameters count as one place, as a fraction of the domain; and the fraction of its size
+#: below which a form counts as zero.
 PLACE, ZERO = mpq(1, 1 << 16), mpq(1, 1 << 32)
 #: The largest distance of a parameter from a place where the form is below `ZERO`.
 NEAR = mpq(1, 1 << 8)
-#: Below which part of ‖γ′‖² over the domain γ′ × γ″ is that of a curve that counts as straight.
+#: A curve counts as straight when γ′ × γ″ is below this fraction of ‖γ′‖² divided by the length of the domain.
 STRAIGHT = mpq(1, 1 << 20)
-#: The factor of the tolerance for control points that take divisions.
+#: The factor of the tolerance for control points that require divisions.
 DIVIDED = 1 << 16
 #: The relative error allowed for a length.
 LENGTH = mpq(1, 10**6)
@@ -69,7 +71,7 @@ class _Size:
         return self.times * self.unit * self.ratio ** (order + 1) * self.speed**order
 
     def ulps(self, error: mpq, order: int = 0) -> float:
-        """An error in units in the last place of the largest that such a number can be expected to be."""
+        """An error in units in the last place of the largest expected value of such a number."""
         return double(error / (self.unit * self.speed**order))
 
 
@@ -82,18 +84,18 @@ def judged(case: Case, question: str, truth: Answer, reply: Reply) -> Verdict:
     try:
         return _JUDGES[QUESTIONS[question].judged](case, question, truth, reply["answer"])
     except (TypeError, ValueError, KeyError, IndexError, ExactSplineError) as error:
-        return Verdict(OFF, note=f"no answer of the kind asked for ({type(error).__name__})")
+        return Verdict(OFF, note=f"not an answer of the requested kind ({type(error).__name__})")
 
 
 def _middles(truth: Answer) -> list[mpq]:
     return [(mpq(low) + mpq(high)) / 2 for low, high in truth["numbers"]]
 
 
-def _errors(exact: Sequence[mpq], found: Sequence[float]) -> list[mpq] | None:
+def _errors(exact: Sequence[mpq], given: Sequence[float]) -> list[mpq] | None:
     """The absolute errors, None where a number is NaN or missing."""
-    values = [float(x) for x in found]
+    values = [float(x) for x in given]
     if len(values) != len(exact):
-        raise ValueError("a different count of numbers")
+        raise ValueError("a different number of numbers")
     if not all(map(isfinite, values)):
         return None
     return [abs(from_float(x) - y) for x, y in zip(values, exact, strict=True)]
@@ -134,7 +136,7 @@ def _quotient(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
         b = max([abs(x) for x in bend], default=mpq(0))
         triple = 6 * (dv * a * j + v * da * j + v * a * dj)
         allowed = triple / b**2 + 8 * largest * (dv * a + v * da) / b
-    # of an exact zero, the unit of 1
+    # for an exact zero, the unit of 1
     unit = from_float(ulp(double(largest or mpq(1))))
     worst = max(errors)
     return Verdict(RIGHT if worst <= allowed else OFF, double(worst / unit))
@@ -152,8 +154,8 @@ def _rows(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
         return Verdict(OFF, float("inf"), f"{len(answer)} control points instead of {len(exact)}")
     factor, worst, bad = 2 if question in ("insert", "split") else DIVIDED, mpq(0), False
     dimension = case.curve.dimension
-    for right, found in zip(exact, answer, strict=True):
-        errors = _errors(right, found)
+    for right, point in zip(exact, answer, strict=True):
+        errors = _errors(right, point)
         if errors is None:
             return _NAN
         # a weight is compared with the first, and counts as a coordinate of that size
@@ -170,10 +172,10 @@ def _as_functions(case: Case, size: _Size, answer: Any) -> Verdict:
     """A curve over other knots compared with the exact one: its control points differ, but it may be the same
     function.
     """
-    curve, found = case.curve, answer["rows"]
+    curve, rows = case.curve, answer["rows"]
     n = case.curve.dimension
-    weights = None if curve.polynomial else [float(row[n]) for row in found]
-    made = Nurbs.from_floats(curve.degree + 1, answer["knots"], [list(map(float, row[:n])) for row in found], weights)
+    weights = None if curve.polynomial else [float(row[n]) for row in rows]
+    made = Nurbs.from_floats(curve.degree + 1, answer["knots"], [list(map(float, row[:n])) for row in rows], weights)
     worst = mpq(0)
     for a, b in pairwise(curve.breakpoints):
         for k in range(2 * curve.degree + 3):
@@ -183,7 +185,9 @@ def _as_functions(case: Case, size: _Size, answer: Any) -> Verdict:
 
 
 def _over_knots(curve: Nurbs, knots: Sequence[float]) -> list[list[mpq]]:
-    """The control points over the knots that a library chose, where these are more: a representation like another."""
+    """The control points over the knots that a library chose, where there are more of them: an equally valid
+    representation.
+    """
     values = [from_float(float(t)) for t in knots]
     for t in curve.breakpoints[1:-1]:
         more = values.count(t) - list(curve.knots).count(t)
@@ -232,7 +236,7 @@ class _Place:
 
 
 class _Form:
-    """A form and its zeros, as the certificate has them."""
+    """A form and its zeros, as given by the certificate."""
 
     def __init__(self, certified: dict[str, object]) -> None:
         certificate: dict[str, Any] = certified  # data, as `exactspline.roots.certificate` writes it
@@ -250,25 +254,25 @@ class _Form:
         i = max(k for k, b in enumerate(self.breaks[:-1]) if b <= t or k == 0)
         a, b = self.breaks[i : i + 2]
         c = self.segments[i]
-        # its integers are Bézier points times binomials: at most 2ⁿ of them
+        # its integers are Bézier points times binomial coefficients, which are at most 2ⁿ
         return bool(abs(at(c, (t - a) / (b - a))) * (1 << len(c)) <= ZERO * max(map(abs, c)) * (1 << len(c)))
 
     def places(self, soft: Sequence[mpq]) -> list[_Place]:
-        """Zeros grouped into places; it must be named where the sign changes inside the domain."""
+        """Zeros grouped into places; a place must be named where the sign changes inside the domain."""
         groups: list[list[tuple[mpq, mpq, bool]]] = []
         for root in self.roots:
             if groups and root[0] - groups[-1][-1][1] <= PLACE * self.width:
                 groups[-1].append(root)
             else:
                 groups.append([root])
-        found = []
+        places = []
         for group in groups:
             low, high = group[0][0], group[-1][1]
             changes = sum(change for _, _, change in group) % 2 == 1
-            beside = [self.breaks[0], self.breaks[-1], *self.jumps]
-            spared = any(self._near(t, low, high) for t in beside) or any(self._near(t, low, high, NEAR) for t in soft)
-            found.append(_Place(low, high, changes and not spared))
-        return found
+            exempt = [self.breaks[0], self.breaks[-1], *self.jumps]
+            spared = any(self._near(t, low, high) for t in exempt) or any(self._near(t, low, high, NEAR) for t in soft)
+            places.append(_Place(low, high, changes and not spared))
+        return places
 
     def _near(self, t: mpq, low: mpq, high: mpq, reach: mpq = PLACE) -> bool:
         return bool(low - reach * self.width <= t <= high + reach * self.width)
@@ -293,8 +297,8 @@ class _Form:
 
 
 def _is_straight(curve: Nurbs) -> bool:
-    """Whether the direction of a polynomial plane curve turns by less than the tolerance: γ′ × γ″ times
-    the length of the domain is nowhere more than a part of ‖γ′‖².
+    """Whether the direction of a polynomial plane curve turns by less than the tolerance: γ′ × γ″ times the length of
+    the domain nowhere exceeds a fraction of ‖γ′‖².
     """
     if not curve.polynomial:
         return False
@@ -318,7 +322,7 @@ def _compared(truth: Answer, answer: Any, soft: list[mpq]) -> Verdict:
     """Lists of parameters against certificates of zero sets; those near a soft parameter may be named or not."""
     missed, invented = list[str](), list[str]()
     if len(answer) != len(truth["certificates"]):
-        raise ValueError("a different count of lists")
+        raise ValueError("a different number of lists")
     for certificate, parameters in zip(truth["certificates"], answer, strict=True):
         form = _Form(certificate)
         values = [float(t) for t in parameters]
@@ -334,7 +338,7 @@ def _compared(truth: Answer, answer: Any, soft: list[mpq]) -> Verdict:
     return Verdict(RIGHT)
 
 
-#: An answer of a library may be anything: anything else raises, and counts as off.
+#: An answer of a library may be anything: one of another type raises, and counts as off.
 _JUDGES: dict[Judged, Callable[[Case, str, Answer, Any], Verdict]] = {
     Judged.VECTOR: _vector,
     Judged.QUOTIENT: _quotient,

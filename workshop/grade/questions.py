@@ -18,7 +18,7 @@ class Judged(StrEnum):
     NUMBER = "number"
     AREA = "area"
     PLACES = "places"
-    #: Places at regular points: knots and singular points may be named or not, and all of a straight curve.
+    #: Places at regular points: knots and singular points may be named or not, and any point of a straight curve.
     REGULAR_PLACES = "regular places"
 
 
@@ -33,20 +33,20 @@ class Asked:
 
 
 def _at_places(name: str, entry: str, allowed: str, judged: Judged) -> Asked:
-    """A question of the registry, of which libraries give parameters: those at which a sign changes must be named."""
+    """A question of the registry whose answers are parameters: those at which a sign changes must be named."""
     return Asked(name, f"the parameters of {OF_CURVES[entry].meaning}", allowed, judged)
 
 
-#: The unit of errors, said once.
+#: The unit of errors.
 ULPS = (
     "16 (degree + 1) ulps of the largest coordinate of a control point, times the largest ratio of weights (once more "
-    "a derivative)"
+    "per derivative)"
 )
 PLACES = (
-    "every place at which the sign changes is named at least once within 2⁻¹⁶ of the domain; a place where it does not "
-    "change, an end of the domain, and whatever is within 2⁻⁸ of a singular point (where curvature is asked for, of a "
-    "knot too) may be named or not; a parameter is invented where the exact function is above 2⁻³² of its largest "
-    "Bézier point and no place is near; zeros nearer than 2⁻¹⁶ are one place"
+    "every place at which the sign changes is named at least once within 2⁻¹⁶ of the domain; a place where it does "
+    "not change, an end of the domain, and whatever is within 2⁻⁸ of a singular point (for questions about curvature, "
+    "also of a knot) may be named or not; a parameter is invented where the exact function is above 2⁻³² of its "
+    "largest Bézier point and no place is near; zeros nearer than 2⁻¹⁶ are one place"
 )
 STRAIGHT = "anything where γ′ × γ″, times the length of the domain, is nowhere above 2⁻²⁰ of ‖γ′‖²"
 QUESTIONS: dict[str, Asked] = {
@@ -60,14 +60,21 @@ QUESTIONS: dict[str, Asked] = {
             f"the square of degree / (shortest segment) times {ULPS}",
             Judged.VECTOR,
         ),
-        Asked("tangent", "the unit tangent there", "what the error allowed to γ′ makes of it", Judged.QUOTIENT),
+        Asked(
+            "tangent", "the unit tangent there", "the error that follows from the one allowed for γ′", Judged.QUOTIENT
+        ),
         Asked(
             "curvature",
             "the absolute curvature there",
-            "what the errors allowed to γ′ and γ″ make of it",
+            "the error that follows from those allowed for γ′ and γ″",
             Judged.QUOTIENT,
         ),
-        Asked("torsion", "the torsion there", "what the errors allowed to γ′, γ″ and γ‴ make of it", Judged.QUOTIENT),
+        Asked(
+            "torsion",
+            "the torsion there",
+            "the error that follows from those allowed for γ′, γ″ and γ‴",
+            Judged.QUOTIENT,
+        ),
         Asked("insert", "the control points with a knot there", f"twice {ULPS}", Judged.CONTROL_POINTS),
         Asked(
             "remove",
@@ -85,7 +92,7 @@ QUESTIONS: dict[str, Asked] = {
         Asked(
             "box",
             "the smallest and largest coordinates",
-            f"2¹⁶ times {ULPS}, and what the library says it adds",
+            f"2¹⁶ times {ULPS}, and the enlargement that the library documents",
             Judged.BOX,
         ),
         _at_places("turns", "turning_points", PLACES, Judged.PLACES),

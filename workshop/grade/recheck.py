@@ -1,9 +1,9 @@
-"""Checks exact answers without anything of exactspline but the checker of zero sets (and GMP's fractions): its own
-computation of every number.
+"""Checks exact answers with an independent computation of every number; of exactspline only the checker of zero sets is
+used (and GMP's fractions).
 
-The curve is evaluated by the recursion of Cox and de Boor on truncated Taylor series. Curves with other
-control points are compared with the given one at as many parameters as determine a rational function of their degree;
-the form behind a zero set, likewise, with what it must be a positive multiple of on every segment.
+The curve is evaluated by the recursion of Cox and de Boor on truncated Taylor series. Curves with other control points
+are compared with the given one at as many parameters as determine a rational function of their degree; likewise the
+form behind a zero set is compared with the function of which it must be a positive multiple on every segment.
 """
 
 from __future__ import annotations
@@ -13,23 +13,23 @@ from itertools import pairwise
 from math import factorial, isqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from exactspline.certificates import check_certificate
 from exactspline.numbers.exact import mpq
-from exactspline.roots.checker import check_certificate
 
 if TYPE_CHECKING:
     from workshop.grade.data import Answer, CurveData, ExactCurve
 
 #: Terms of a Taylor series: value and three derivatives.
 TERMS = 4
-#: Up to this degree zeros are counted a second way, by a Sturm sequence.
+#: Up to this degree zeros are also counted by a Sturm sequence.
 STURM = 6
-#: How many chords are compared with a length.
+#: The number of chords whose sum is compared with a length.
 CHORDS = 24
 Jet = list[list[mpq]]
 
 
 class Curve(NamedTuple):
-    """A curve in numbers, its control points homogeneous."""
+    """A curve as numbers, with homogeneous control points."""
 
     degree: int
     knots: list[mpq]
@@ -37,7 +37,7 @@ class Curve(NamedTuple):
     rational: bool
 
 
-#: The value of a form of a curve at a parameter.
+#: A function for the value of a form of a curve at a parameter.
 Form = Callable[[Curve, mpq], mpq]
 
 
@@ -46,8 +46,8 @@ def recheck(curve: CurveData, parameter: str, question: str, answer: Answer) -> 
 
     `curve` has degree, knots, rows of homogeneous control points, and whether it is rational; all numbers as text.
     """
-    own = Curve(curve["degree"], list(map(mpq, curve["knots"])), _numbers(curve["rows"]), curve["rational"])
-    _CHECKS[question](own, mpq(parameter), question, answer)
+    numbers = Curve(curve["degree"], list(map(mpq, curve["knots"])), _numbers(curve["rows"]), curve["rational"])
+    _CHECKS[question](numbers, mpq(parameter), question, answer)
 
 
 def _numbers(rows: list[list[str]]) -> list[list[mpq]]:
@@ -91,13 +91,13 @@ def _times_linear(share: list[mpq], p: list[mpq]) -> list[mpq]:
 def cartesian(curve: Curve, t: mpq, left: bool = False, terms: int = TERMS) -> Jet:
     """Value and derivatives of every coordinate."""
     *tops, w = jets(curve, t, left, terms)
-    found = []
+    coordinates = []
     for p in tops:
         series: list[mpq] = []
         for k in range(terms):
             series.append((p[k] - sum(w[i] * series[k - i] for i in range(1, k + 1))) / w[0])
-        found.append([c * factorial(k) for k, c in enumerate(series)])
-    return found
+        coordinates.append([c * factorial(k) for k, c in enumerate(series)])
+    return coordinates
 
 
 # ---- numbers
@@ -108,7 +108,7 @@ def _is(interval: list[str], value: mpq) -> bool:
 
 
 def _is_root(interval: list[str], square: mpq, sign: int = 1) -> bool:
-    """Whether ``± √square`` is in an interval, which is narrow enough to identify it."""
+    """Whether ``± √square`` is in an interval that is narrow enough to identify it."""
     low, high = sorted(sign * mpq(x) for x in interval)
     narrow = high - low <= mpq(1, 10**30) + abs(high) / 10**15
     return narrow and max(low, mpq(0)) ** 2 <= square <= high**2 and high >= 0
@@ -189,8 +189,10 @@ def _point(curve: Curve, t: mpq) -> list[mpq]:
 
 
 def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int) -> None:
-    """That the certificate is right, and that it is about a positive multiple of a form on every segment."""
-    certificate: dict[str, Any] = certified  # what it holds is what is checked
+    """Check that the certificate is right, and that its form is a positive multiple of the given form on every
+    segment.
+    """
+    certificate: dict[str, Any] = certified  # its contents are what is checked
     check_certificate(certified, sturm=certificate["degree"] <= STURM)
     breaks = list(map(mpq, certificate["breakpoints"]))
     _require(breaks == _domain(curve), "other breakpoints")
@@ -259,7 +261,7 @@ def _box(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
         slack = mpq(1, 10**9) * (1 + max(map(abs, values)))
         for interval, value in zip(answer["numbers"][2 * axis : 2 * axis + 2], (min(values), max(values)), strict=True):
             low, high = map(mpq, interval)
-            # the slope vanishes there: what an interval of the root leaves open is of second order
+            # the slope vanishes there: the uncertainty from the root's interval is of second order
             _require(low - slack <= value <= high + slack and high - low <= slack, "another box")
 
 
@@ -281,7 +283,7 @@ def _length(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
 
 
 def _distance(p: list[mpq], q: list[mpq]) -> mpq:
-    """Rounded down, to a part of 10¹²."""
+    """The distance, rounded down to a multiple of 10⁻¹²."""
     square = sum(((x - y) ** 2 for x, y in zip(p, q, strict=True)), start=mpq(0))
     return mpq(isqrt(int(square * 10**24)), 10**12)
 

@@ -17,9 +17,9 @@ SHORT = {"off": "off", "missed": "missed", "invented": "invented", "crashed": "c
 
 
 def rows(reports: Sequence[Report], defects: Sequence[Defect]) -> list[dict[str, object]]:
-    """A row for every library and question that it was asked."""
+    """One row per library and question."""
     examples = {(d.library, d.question): d for d in reversed(defects)}
-    found: list[dict[str, object]] = []
+    data: list[dict[str, object]] = []
     for report in reports:
         for question in QUESTIONS:
             asked = [one for one in report.judged if one.question == question]
@@ -27,7 +27,7 @@ def rows(reports: Sequence[Report], defects: Sequence[Defect]) -> list[dict[str,
                 continue
             counted = Counter(one.verdict.outcome for one in asked)
             defect = examples.get((report.library, question))
-            found.append(
+            data.append(
                 {
                     "key": f"{report.library}: {question}",
                     "library": report.library,
@@ -41,11 +41,11 @@ def rows(reports: Sequence[Report], defects: Sequence[Defect]) -> list[dict[str,
                     "example": None if defect is None else example_data(defect.example),
                 }
             )
-    return found
+    return data
 
 
 def example_data(one: Judged) -> dict[str, object]:
-    """An example as a curve file and the parameter, and what was found."""
+    """An example as a curve file and the parameter, and the answer of the library."""
     curve = one.case.curve
     return {
         "case": one.case.key,
@@ -66,13 +66,12 @@ def _ulps(ulps: float) -> str:
 
 HEAD = """# Libraries compared with exact answers
 
-Made by `./run grade --page docs/scoreboard.md`; do not edit. {cases} cases (version {version}: {families}),
-{questions} questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a certificate that
-the independent checker (`workshop/grade/recheck.py`, `exactspline/roots/checker.py`) accepted in this run;
-{uncertified} answers were left out because it did not. A library is asked only what it offers for the given curve,
-in its own calls (`workshop/grade/adapters`), and is judged by what the question allows a tolerance to do
-(below). A cell shows the right answers out of those asked, then the other outcomes; *declined* is a library that
-reports itself that it has no answer.
+Made by `./run grade --page docs/scoreboard.md`; do not edit. {cases} cases (version {version}: {families}), {questions}
+questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a certificate that the
+independent checker (`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run; {uncertified}
+answers were excluded because it did not. A library is asked only what it offers for the given curve, through its public
+functions (`workshop/grade/adapters`), and is judged with the tolerance of the question (below). A cell shows the right
+answers out of those asked, then the other outcomes; *declined* means that the library reports that it has no answer.
 """
 
 
@@ -121,7 +120,7 @@ def _scores(reports: Sequence[Report]) -> str:
 
 
 def _meanings() -> str:
-    lines = ["## What counts as the same answer", "", "| question | asked is | right is within |", "|---|---|---|"]
+    lines = ["## What counts as the same answer", "", "| question | meaning | tolerance |", "|---|---|---|"]
     lines += [f"| {q.name} | {q.meaning} | {q.allowed} |" for q in QUESTIONS.values()]
     return "\n".join([*lines, ""])
 
@@ -180,5 +179,5 @@ def _left_out(uncertified: Sequence[tuple[str, str, str]]) -> str:
 
 
 def wrong(report: Report) -> list[Judged]:
-    """The answers that are wrong."""
+    """The wrong answers."""
     return [one for one in report.judged if one.verdict.outcome in WRONG]

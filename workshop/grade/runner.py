@@ -1,4 +1,4 @@
-"""Grading: every library on every case, against exact answers that are certified, each library in its own process."""
+"""Grading: every library on every case, against certified exact answers, each library in a separate process."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from workshop.grade.questions import QUESTIONS
 from workshop.grade.recheck import recheck
 from workshop.grade.truth import inserted, truth
 
-#: Seconds that a library has for all questions about a case.
+#: The time limit, in seconds, for all questions to a library about a case.
 PATIENCE = 20
 #: The arc length is asked for only in every n-th case: it takes longer than all other questions.
 LENGTH_EVERY = 4
@@ -45,7 +45,7 @@ class Report:
     library: str
     version: str
     judged: list[Judged] = field(default_factory=list)
-    #: Questions left out because their exact answer could not be certified.
+    #: Questions excluded because their exact answer could not be certified.
     uncertified: int = 0
 
 
@@ -83,9 +83,9 @@ def curve_data(curve: Nurbs) -> CurveData:
 
 
 class Truths:
-    """Exact answers, kept in a file with their certificates; each is checked again whenever it is used.
+    """Exact answers, stored in a file with their certificates; each is checked again whenever it is used.
 
-    An answer that the checker does not accept is not used (`uncertified`).
+    An answer that the checker rejects is not used (`uncertified`).
     """
 
     def __init__(self, place: Path | None) -> None:
@@ -102,7 +102,7 @@ class Truths:
         curve = curve_data(case.curve)
         key = hashlib.sha256(json.dumps([VERSION, curve, text(case.parameter)]).encode()).hexdigest()
         answers = self.known.setdefault(key, {})
-        found = {}
+        certified = {}
         for question in questions:
             if question not in answers:
                 answers[question], self.grown = truth(case, question), True
@@ -111,13 +111,13 @@ class Truths:
                 continue
             try:
                 recheck(curve, text(case.parameter), question, answer)
-                found[question] = answer
+                certified[question] = answer
             except (ValueError, ArithmeticError) as error:
                 self.uncertified.append((case.key, question, str(error)))
-        return found
+        return certified
 
     def save(self) -> None:
-        """Keep what is known."""
+        """Write the answers to the file."""
         if self.place is None or not self.grown:
             return
         self.place.parent.mkdir(parents=True, exist_ok=True)
@@ -149,7 +149,7 @@ class Worker:
         return (self.process.stdout.readline() or None) if ready else None
 
     def ask(self, given: GivenData, questions: list[str]) -> dict[str, Reply]:
-        """The replies; where the process dies, it is asked again question by question."""
+        """The replies; where the process dies, the questions are asked again one by one."""
         assert self.process.stdin is not None
         try:
             self.process.stdin.write(json.dumps({"given": given, "questions": questions}) + "\n")
@@ -158,8 +158,8 @@ class Worker:
         except BrokenPipeError:
             line = None
         if line is not None:
-            found: dict[str, Reply] = json.loads(line)["answers"]
-            return found
+            replies: dict[str, Reply] = json.loads(line)["answers"]
+            return replies
         hung = self.process.poll() is None
         self.close()
         self._start()
@@ -177,7 +177,7 @@ class Worker:
 def grade(
     libraries: Iterable[str], cases: Iterable[Case], place: Path | None = None, tick: Callable[[], None] = lambda: None
 ) -> tuple[list[Report], Truths]:
-    """The reports of the libraries that are installed, and the exact answers that they were compared with."""
+    """The reports of the installed libraries, and the exact answers with which they were compared."""
     workers = []
     for library in libraries:
         try:

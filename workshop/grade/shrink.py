@@ -1,4 +1,4 @@
-"""The smallest integer example of a defect: found among the cases that show it, then simplified as long as it
+"""The smallest integer example of a defect: chosen among the cases that show it, then simplified as long as it
 persists.
 """
 
@@ -15,7 +15,7 @@ from exactspline.testing import Case
 from workshop.grade.judge import judged
 from workshop.grade.runner import Judged, Truths, Worker, request_data
 
-#: How many smaller curves are tried for one defect.
+#: The number of smaller curves tried for one defect.
 TRIES = 250
 
 
@@ -31,7 +31,7 @@ class Defect:
 
 
 def defects_of(library: str, wrong: Sequence[Judged], tries: int = TRIES) -> list[Defect]:
-    """The defects behind wrong answers, one for every question and kind of mistake."""
+    """The defects behind wrong answers, one per question and kind of mistake."""
     groups: dict[tuple[str, str], list[Judged]] = {}
     for one in wrong:
         groups.setdefault((one.question, one.verdict.outcome), []).append(one)
@@ -48,7 +48,7 @@ def defects_of(library: str, wrong: Sequence[Judged], tries: int = TRIES) -> lis
 
 
 def _size(one: Judged) -> tuple[bool, int, int]:
-    """Integers first, then few and short numbers."""
+    """The sorting key of examples: integers first, then few and short numbers."""
     curve = one.case.curve
     numbers = [*(x for p in curve.control_points for x in p), *curve.weights]
     whole = all(x.denominator == 1 for x in numbers)
@@ -56,30 +56,32 @@ def _size(one: Judged) -> tuple[bool, int, int]:
     return not whole, len(numbers), bits
 
 
-def _smallest(worker: Worker, truths: Truths, found: Judged, tries: int) -> Judged:
+def _smallest(worker: Worker, truths: Truths, example: Judged, tries: int) -> Judged:
     """The example made smaller, step by step, as long as the library makes the same mistake."""
-    left = tries
-    while left > 0:
-        for curve, parameter in islice(_smaller(found.case), left):
-            left -= 1
-            tried = _judged(worker, truths, found, curve, parameter)
-            if tried is not None and tried.verdict.outcome == found.verdict.outcome and _size(tried) < _size(found):
-                found = tried
+    remaining = tries
+    while remaining > 0:
+        for curve, parameter in islice(_smaller(example.case), remaining):
+            remaining -= 1
+            tried = _judged(worker, truths, example, curve, parameter)
+            if tried is not None and tried.verdict.outcome == example.verdict.outcome and _size(tried) < _size(example):
+                example = tried
                 break
         else:
             break
-    return found
+    return example
 
 
-def _judged(worker: Worker, truths: Truths, found: Judged, curve: Nurbs, parameter: mpq) -> Judged | None:
-    case = Case(found.case.key, found.case.family, curve, parameter, found.case.link, found.case.note)
-    answers = truths.of(case, [found.question])
-    if found.question not in answers:
+def _judged(worker: Worker, truths: Truths, example: Judged, curve: Nurbs, parameter: mpq) -> Judged | None:
+    case = Case(example.case.key, example.case.family, curve, parameter, example.case.link, example.case.note)
+    answers = truths.of(case, [example.question])
+    if example.question not in answers:
         return None
-    replies = worker.ask(request_data(case), [found.question])
-    if found.question not in replies:
+    replies = worker.ask(request_data(case), [example.question])
+    if example.question not in replies:
         return None
-    return Judged(case, found.question, judged(case, found.question, answers[found.question], replies[found.question]))
+    return Judged(
+        case, example.question, judged(case, example.question, answers[example.question], replies[example.question])
+    )
 
 
 def _smaller(case: Case) -> Iterator[tuple[Nurbs, mpq]]:

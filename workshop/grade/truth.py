@@ -1,7 +1,8 @@
-"""Exact answers to the questions that libraries are asked, each with the data for the independent checker to prove it.
+"""Exact answers to the questions that libraries are asked, each with the data with which the independent checker
+verifies it.
 
 Answers are data: exact numbers as text, roots as certificates (see `exactspline.roots.certificate`), so that they can
-be kept in a file and checked again by `workshop.grade.recheck`, which shares no arithmetic with this.
+be stored in a file and checked again by `workshop.grade.recheck`, which shares no arithmetic with this.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.testing import Case
 from workshop.grade.data import Answer, ExactCurve
 
-#: Digits behind the point of an interval.
+#: Digits after the decimal point of an interval.
 DIGITS = 30
 
 
@@ -59,8 +60,8 @@ def _tangent(case: Case) -> Answer:
 
 
 def _curvature(case: Case) -> Answer:
-    found = curvature(case.curve, case.parameter)
-    low, high = sorted(abs(t) for t in found.enclosure(DIGITS))
+    value = curvature(case.curve, case.parameter)
+    low, high = sorted(abs(t) for t in value.enclosure(DIGITS))
     return {"numbers": [[text(low), text(high)]]}
 
 
@@ -69,8 +70,8 @@ def _torsion(case: Case) -> Answer:
 
 
 def rows(curve: Nurbs, *, weighted: bool) -> list[list[mpq]]:
-    """Control points, where that is asked with their weights over the first weight: of rational curves and of all their
-    parts, as a part of one may have equal weights.
+    """Control points, with `weighted` followed by their weights divided by the first weight; this is used for rational
+    curves and all their parts, since a part of a rational curve may have equal weights.
     """
     if not weighted:
         return [list(point) for point in curve.control_points]
@@ -91,7 +92,7 @@ def _curves(case: Case, *curves: Nurbs) -> Answer:
 
 
 def inserted(case: Case) -> Nurbs | None:
-    """The curve with one more knot, where all its numbers are doubles: from it a library is to remove the knot."""
+    """The curve with one more knot, where all its numbers are doubles: the question is to remove the knot from it."""
     if case.parameter in case.curve.breakpoints:
         return None
     finer = case.curve.insert_knot(case.parameter)
@@ -105,20 +106,20 @@ def _remove(case: Case) -> Answer | None:
 
 def _box(case: Case) -> Answer:
     ranges = [coordinate_range(case.curve, axis) for axis in range(case.curve.dimension)]
-    found = _numbers([end for ends in ranges for end in ends])
-    return found | {"certificates": [_certificate(slope(case.curve, i)) for i in range(case.curve.dimension)]}
+    numbers = _numbers([end for ends in ranges for end in ends])
+    return numbers | {"certificates": [_certificate(slope(case.curve, i)) for i in range(case.curve.dimension)]}
 
 
 def _certificate(form: BSpline) -> dict[str, object]:
-    """The certificate of a form's zeros, each of them narrowed."""
-    found = zeros(form)
-    for root in found:
+    """The certificate of a form's zeros, each isolated in a narrow interval."""
+    zero_set = zeros(form)
+    for root in zero_set:
         root.refine(20)
-    return found.certificate()
+    return zero_set.certificate()
 
 
 def _places(*forms: BSpline) -> Answer | None:
-    """Zeros of several forms; None where one of them vanishes on a whole segment: no library is asked that."""
+    """Zeros of several forms; None where one of them vanishes on a whole segment: then the question is not asked."""
     certificates = [_certificate(form) for form in forms]
     return None if any(c["intervals"] for c in certificates) else {"certificates": certificates}
 
@@ -130,8 +131,8 @@ def bend(curve: Nurbs) -> BSpline:
         flat: BSpline = p[0].d() * p[1].d(2) - p[1].d() * p[0].d(2)
         return flat
     a, b, c = (tuple(f.d(order) for f in (*p, w)) for order in range(3))
-    found: BSpline = triple(Vector(*a), Vector(*b), Vector(*c))
-    return found
+    form: BSpline = triple(Vector(*a), Vector(*b), Vector(*c))
+    return form
 
 
 def _turns(case: Case) -> Answer | None:

@@ -17,18 +17,18 @@ from workshop.grade.data import Reply, Request
 
 
 def answers(library: Adapter, request: Request) -> dict[str, Reply]:
-    """The answers to the questions that the library takes."""
-    given, found = Given.of(request["given"]), dict[str, Reply]()
+    """The answers to the questions that the library accepts."""
+    given, replies = Given.of(request["given"]), dict[str, Reply]()
     for question in request["questions"]:
         if not library.can(question, given):
             continue
         try:
-            found[question] = {"answer": library.ask(question, given)}
+            replies[question] = {"answer": library.ask(question, given)}
         except (DeclinedError, NotImplementedError) as error:
-            found[question] = {"declined": f"{error}"[:300]}
+            replies[question] = {"declined": f"{error}"[:300]}
         except Exception as error:  # an exception of a library is its answer
-            found[question] = {"raised": f"{type(error).__name__}: {error}"[:300]}
-    return found
+            replies[question] = {"raised": f"{type(error).__name__}: {error}"[:300]}
+    return replies
 
 
 def main() -> None:

@@ -1,1 +1,1 @@
-"""Mutation: every formula and every engine changed on purpose, to see that somebody notices."""
+"""Mutation: every formula and every engine is changed on purpose, to check that a claim or a test detects it."""

@@ -1,9 +1,9 @@
 """``./run mutate``: the mutants of this seed, their verdicts as JSON lines, and a score.
 
-A run that was interrupted goes on where it stopped; what was changed since is judged anew. Survivors that are known and
-explained stand in ``survivors.toml``; any other is printed, and the exit code is 1. With ``--witnesses`` a sample of
-what was noticed in engines is judged again by the tests that noticed it, on record in ``witnesses.json``: the exit code
-is 1 below the target.
+An interrupted run continues where it stopped; functions changed since are judged again. Known survivors are explained
+in ``survivors.toml``; any other is printed, and the exit code is 1. With ``--witnesses`` a sample of the mutants of
+engines that were detected is judged again by the tests that detected them, as recorded in ``witnesses.json``: the exit
+code is 1 below the target.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from workshop.mutation.mutants import Mutant, drawn
 
 RESULTS = MAP.parent / "results.jsonl"
 PAGE = ROOT / "docs" / "mutation.md"
-#: Between these lines of the page stands the table.
+#: The lines of the page between which the table is written.
 BEGIN, END = "<!-- written by ./run mutate --record -->\n", "<!-- end -->\n"
 SURVIVORS = ROOT / "workshop" / "mutation" / "survivors.toml"
-#: Verdicts that are not failures: refuted, or no change at all. A run that did not end, or broke, says nothing.
+#: Verdicts that are not failures: refuted, or no change at all. A run that did not end, or failed, proves neither.
 HARMLESS = ("killed", "equivalent")
-#: How many of the mutants of engines that nobody explained must be noticed, in per cent.
+#: The target: how many of the unexplained mutants of engines must be detected, in per cent.
 TARGET = 95
 Known = dict[str, dict[str, Any]]
 
@@ -42,15 +42,15 @@ def read(path: Path) -> Known:
 
 
 def explained() -> dict[str, str]:
-    """The survivors that are known: name and explanation."""
+    """The known survivors: name and explanation."""
     if not SURVIVORS.is_file():
         return {}
-    found = tomllib.loads(SURVIVORS.read_text(encoding="utf-8")).get("survivor", [])
-    return {entry["mutant"]: entry["because"] for entry in found}
+    entries = tomllib.loads(SURVIVORS.read_text(encoding="utf-8")).get("survivor", [])
+    return {entry["mutant"]: entry["because"] for entry in entries}
 
 
 def arguments() -> argparse.Namespace:
-    """What is asked for."""
+    """The parsed command line."""
     parser = argparse.ArgumentParser(
         prog="./run mutate", description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
@@ -59,7 +59,9 @@ def arguments() -> argparse.Namespace:
         "--sample", type=int, default=0, help="this many mutants of each sort (0: all formulas, 500 engines)"
     )
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--minutes", type=float, default=40, help="stop after this many minutes; the next run goes on")
+    parser.add_argument(
+        "--minutes", type=float, default=40, help="stop after this many minutes; the next run continues"
+    )
     parser.add_argument(
         "--budget", type=float, default=30, help="this many seconds of tests for one mutant of an engine"
     )
@@ -71,15 +73,15 @@ def arguments() -> argparse.Namespace:
     parser.add_argument(
         "--again",
         default="",
-        help="only judge anew what has this verdict (survived, timeout, broken) and is not explained",
+        help="only judge again the mutants with this verdict (survived, timeout, broken) that are not explained",
     )
     parser.add_argument("--results", type=Path, default=RESULTS)
-    parser.add_argument("--witnesses", action="store_true", help="a sample of what was noticed, again")
-    parser.add_argument("--table", action="store_true", help="only print the table of what is judged so far")
+    parser.add_argument("--witnesses", action="store_true", help="judge again a sample of the detected mutants")
+    parser.add_argument("--table", action="store_true", help="only print the table of the verdicts so far")
     parser.add_argument(
         "--edited",
         action="store_true",
-        help="what was noticed in functions that have been edited since, by the tests on record for them",
+        help="judge again the mutants detected in functions that have been edited since, by the recorded tests",
     )
     parser.add_argument(
         "--record", action="store_true", help="write witnesses.json and the table of docs/mutation.md from the verdicts"
@@ -88,16 +90,16 @@ def arguments() -> argparse.Namespace:
 
 
 def main() -> int:
-    """Judge what is left to judge."""
+    """Judge the mutants without a verdict."""
     options = arguments()
     known, end = {} if options.witnesses else read(options.results), monotonic() + 60 * options.minutes
     options.once_more = {name for name, result in known.items() if result["verdict"] in options.again.split(",")}
     known = {name: result for name, result in known.items() if name not in options.once_more}
     options.results.parent.mkdir(parents=True, exist_ok=True)
 
-    def told(mutant: Mutant, result: dict[str, Any]) -> bool:
+    def write_verdict(mutant: Mutant, result: dict[str, Any]) -> bool:
         known[mutant.key] = {"key": mutant.key, "mutant": mutant.name, **result}
-        # of an edited function only the tests on record are run: others may notice what these do not
+        # for an edited function only the recorded tests are run: others may detect what these do not
         if not options.witnesses and not (options.edited and result["verdict"] != "killed"):
             with options.results.open("a", encoding="utf-8") as stream:
                 stream.write(json.dumps(known[mutant.key], ensure_ascii=False) + "\n")
@@ -109,43 +111,47 @@ def main() -> int:
         return table(known)
     chosen: list[Mutant] = []
     if options.only != "engines":
-        chosen += judge_formulas(options, known, told)
+        chosen += judge_formulas(options, known, write_verdict)
     if options.only != "formulas":
-        chosen += judge_engines(options, known, told)
+        chosen += judge_engines(options, known, write_verdict)
     return report(chosen, known, by_score=options.witnesses)
 
 
 def judge_formulas(
-    options: argparse.Namespace, known: Known, told: Callable[[Mutant, dict[str, Any]], bool]
+    options: argparse.Namespace, known: Known, write_verdict: Callable[[Mutant, dict[str, Any]], bool]
 ) -> list[Mutant]:
-    """Judge the mutants of formulas; all that were drawn."""
+    """Judge the mutants of formulas; returns all that were drawn."""
     from workshop.mutation import formulas
 
     chosen = _drawn(formulas.all_mutants(), options, 10**6)
     if todo := [m for m in chosen if m.key not in known]:
         for mutant, result in formulas.judged(todo, 300, options.jobs):
-            if not told(mutant, result):
+            if not write_verdict(mutant, result):
                 break
     return chosen
 
 
 def judge_engines(
-    options: argparse.Namespace, known: Known, told: Callable[[Mutant, dict[str, Any]], bool]
+    options: argparse.Namespace, known: Known, write_verdict: Callable[[Mutant, dict[str, Any]], bool]
 ) -> list[Mutant]:
-    """Judge the mutants of engines; all that were drawn."""
+    """Judge the mutants of engines; returns all that were drawn."""
     from workshop.mutation import engines
 
     everything = engines.all_mutants()
     if options.witnesses:
         witnesses = engines.Witnesses()
         chosen = _drawn([m for m in everything if m.key in witnesses.recorded], options, 60)
-        engines.judged(engines.Judge(chosen, witnesses, options.budget, options.jobs), told, witnesses.files(chosen))
+        engines.judged(
+            engines.Judge(chosen, witnesses, options.budget, options.jobs), write_verdict, witnesses.files(chosen)
+        )
         return chosen
     if options.edited:
         witnesses = engines.Witnesses()
         again = witnesses.of_edited(m for m in everything if m.key not in known)
         chosen = _drawn(again, options, 10**6)
-        engines.judged(engines.Judge(chosen, witnesses, options.budget, options.jobs), told, witnesses.files(chosen))
+        engines.judged(
+            engines.Judge(chosen, witnesses, options.budget, options.jobs), write_verdict, witnesses.files(chosen)
+        )
         return [m for m in chosen if known.get(m.key, {}).get("verdict") == "killed"]
     chosen = _drawn(everything, options, 500)
     todo = [m for m in chosen if m.key not in known]
@@ -161,38 +167,39 @@ def judge_engines(
 
     def learned(mutant: Mutant, result: dict[str, Any]) -> bool:
         tests.learn([(mutant, result)])
-        return told(mutant, result)
+        return write_verdict(mutant, result)
 
     engines.judged(engines.Judge(todo, tests, options.budget, options.jobs), learned, tests.files)
     return chosen
 
 
 def record(known: Known) -> int:
-    """Write what noticed what, for samples, and the table of the page."""
+    """Write which test detected which mutant, for samples, and the table of the page."""
     from workshop.mutation import engines
 
     everything = engines.all_mutants()
-    found = engines.recorded(everything, known)
-    engines.WITNESSES.write_text(json.dumps(found, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
-    print(f"{len(found)} mutants with the test that notices each in {engines.WITNESSES.relative_to(ROOT)}")
+    witnesses = engines.recorded(everything, known)
+    engines.WITNESSES.write_text(json.dumps(witnesses, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+    print(f"{len(witnesses)} mutants, each with a test that detects it, in {engines.WITNESSES.relative_to(ROOT)}")
     before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
     PAGE.write_text(before + BEGIN + "\n".join(rows(known)) + "\n" + END + rest.split(END)[1], encoding="utf-8")
     return 0
 
 
 def table(known: Known) -> int:
-    """What is judged of all functions as they stand now, room by room, whatever was drawn."""
+    """The verdicts on all functions as they are now, package by package, whatever was drawn."""
     print("\n".join(rows(known)))
     return 0
 
 
 def rows(known: Known) -> list[str]:
-    """The table of the page. What was noticed before the verdicts at hand is on record, and so is what is explained."""
+    """The table of the page. It includes mutants recorded as detected by earlier runs, and those that are explained."""
     from workshop.mutation import engines, formulas
 
     why, witnesses = explained(), engines.Witnesses().recorded
     rooms: dict[str, Counter[str]] = {}
-    # those that are judged first: an explanation that none of them has is counted once, though others may say the same
+    # the judged mutants first: an explanation that applies to none of them is counted once, though it may apply to
+    # several
     everything = sorted((*formulas.all_mutants(), *engines.all_mutants()), key=lambda m: m.key not in known)
     counted = set()
     for mutant in everything:
@@ -203,12 +210,12 @@ def rows(known: Known) -> list[str]:
         if verdict:
             depth = 3 if "/papers/" in mutant.file else 2
             rooms.setdefault("/".join(Path(mutant.file).parts[1:depth]), Counter())[verdict] += 1
-    told = ["| room | judged | noticed | equal | explained | open | score |", "|---|---|---|---|---|---|---|"]
+    lines = ["| room | judged | noticed | equal | explained | open | score |", "|---|---|---|---|---|---|---|"]
     for name, of in (("formulas", "papers/"), ("engines", "")):
         mine = {room: counts for room, counts in sorted(rooms.items()) if room.startswith("papers/") == bool(of)}
-        told += [_row(room, counts) for room, counts in mine.items()]
-        told.append(_row(f"**all {name}**", sum(mine.values(), Counter())))
-    return told
+        lines += [_row(room, counts) for room, counts in mine.items()]
+        lines.append(_row(f"**all {name}**", sum(mine.values(), Counter())))
+    return lines
 
 
 def _row(name: str, counts: Counter[str]) -> str:
@@ -232,7 +239,7 @@ def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> lis
 
 
 def report(chosen: list[Mutant], known: Known, *, by_score: bool) -> int:
-    """Print the score and the survivors that nobody explained."""
+    """Print the score and the unexplained survivors."""
     why = explained()
     judged = [m for m in chosen if m.key in known]
     scores = []
@@ -241,17 +248,19 @@ def report(chosen: list[Mutant], known: Known, *, by_score: bool) -> int:
         if not mine:
             continue
         counts = Counter(known[m.key]["verdict"] for m in mine)
-        told = sum(known[m.key]["verdict"] == "survived" and m.stable in why for m in mine)
-        real = len(mine) - counts["equivalent"] - told
+        accounted = sum(known[m.key]["verdict"] == "survived" and m.stable in why for m in mine)
+        real = len(mine) - counts["equivalent"] - accounted
         words = ", ".join(f"{n} {verdict}" for verdict, n in sorted(counts.items()))
         scores.append(100 * counts["killed"] / real if real else 100.0)
-        print(f"{sort}: {len(mine)} mutants: {words} ({told} of the survivors explained); score {scores[-1]:.1f} %")
-    left = [m for m in judged if known[m.key]["verdict"] not in HARMLESS and m.stable not in why]
-    for m in left:
+        print(
+            f"{sort}: {len(mine)} mutants: {words} ({accounted} of the survivors explained); score {scores[-1]:.1f} %"
+        )
+    unexplained = [m for m in judged if known[m.key]["verdict"] not in HARMLESS and m.stable not in why]
+    for m in unexplained:
         print(f"{known[m.key]['verdict']}: {m.name} ({known[m.key].get('by', '')})")
     if len(judged) < len(chosen):
-        print(f"{len(chosen) - len(judged)} mutants are left: run it again")
-    return int(min(scores, default=100) < TARGET if by_score else bool(left))
+        print(f"{len(chosen) - len(judged)} mutants remain: run it again")
+    return int(min(scores, default=100) < TARGET if by_score else bool(unexplained))
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
-"""Which tests execute which lines of the engines, and how long each takes: a plugin that writes ``coverage.json``.
+"""Which tests execute which lines of the engines, and how long each test takes: a plugin that writes ``coverage.json``.
 
-``python -m pytest -p workshop.mutation.coverage_map`` runs tests once under coverage, a context for each; of a part of
-the suite what is known of the rest is kept. Every test starts with empty caches and fixtures of its own, so that what
-it needs is not hidden by what ran before; a test that fails without any mutant is left out.
+``python -m pytest -p workshop.mutation.coverage_map`` runs tests once under coverage, with a context per test; when
+only a part of the suite is run, the map of the rest is kept. Every test starts with empty caches and fresh fixtures, so
+that earlier tests do not hide which lines it executes; a test that fails without any mutant is omitted.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from time import perf_counter
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
-#: Where the map is kept between runs.
+#: The file that stores the map between runs.
 MAP = ROOT / "workshop" / "mutation" / ".state" / "coverage.json"
 #: The packages whose mutants are judged by tests.
 ENGINE = (
@@ -35,9 +35,9 @@ ENGINE = (
     "geometry",
     "verification",
 )
-#: Caches that hold what was read from files, the same for every mutant.
+#: Caches of file contents, which are the same for every mutant.
 READ = ("papers", "_formulas", "all_formulas", "example", "example_names")
-#: The tests of a function by line, counted from its first.
+#: The tests of a function by line, counted from its first line.
 Lines = dict[str, list[str]]
 
 
@@ -55,12 +55,12 @@ def functions_of(path: Path) -> Iterator[tuple[str, ast.FunctionDef]]:
 
 
 def fingerprint(function: ast.FunctionDef) -> str:
-    """A function by what it says, wherever it stands."""
+    """A digest of a function's source, independent of its position."""
     return hashlib.sha256(ast.unparse(function).encode()).hexdigest()[:16]
 
 
 def meaning(function: ast.FunctionDef) -> str:
-    """The same by what it does: docstrings and annotations say nothing that runs."""
+    """A digest of a function's code, without docstrings and annotations."""
     return fingerprint(_Bare().visit(copy.deepcopy(function)))
 
 
@@ -82,14 +82,14 @@ class _Bare(ast.NodeTransformer):
 
 
 def caches() -> list[Any]:
-    """The caches of all functions of the project and its tests, without what was read from files."""
-    found = [o for o in gc.get_objects() if isinstance(o, _lru_cache_wrapper)]
+    """The caches of all functions of the project and its tests, except those of file contents."""
+    wrappers = [o for o in gc.get_objects() if isinstance(o, _lru_cache_wrapper)]
     ours = ("exactspline", "tests", "test_", "proofs")
-    return [c for c in found if str(c.__module__).startswith(ours) and c.__name__ not in READ]
+    return [c for c in wrappers if str(c.__module__).startswith(ours) and c.__name__ not in READ]
 
 
 class Mapper:
-    """Runs the tests, each in a context of its own."""
+    """Runs the tests, each in a separate coverage context."""
 
     def __init__(self) -> None:
         import coverage
@@ -99,11 +99,11 @@ class Mapper:
         self.seconds: dict[str, float] = {}
 
     def pytest_sessionstart(self) -> None:
-        """Measuring begins before the tests are collected."""
+        """Start measuring before the tests are collected."""
         self.measured.start()
 
     def pytest_runtestloop(self, session: Any) -> bool:
-        """Every test as if it were the only one."""
+        """Run every test as if it were the only one."""
         from _pytest.runner import runtestprotocol
 
         emptied = caches()
@@ -119,7 +119,7 @@ class Mapper:
         return True
 
     def pytest_sessionfinish(self) -> None:
-        """The map is written."""
+        """Write the map."""
         self.measured.stop()
         known = read_map() if MAP.is_file() else {"functions": {}, "seconds": {}}
         others = set(known["seconds"]) - set(self.seconds)
@@ -146,30 +146,30 @@ class Mapper:
         return lines
 
 
-def write_map(found: dict[str, Any]) -> None:
-    """Write a map: tests by number, and each set of tests once, as many lines have the same."""
-    number = {test: i for i, test in enumerate(found["seconds"])}
+def write_map(coverage: dict[str, Any]) -> None:
+    """Write a map: tests by number, and each set of tests once, since many lines share the same set."""
+    number = {test: i for i, test in enumerate(coverage["seconds"])}
     sets: dict[tuple[int, ...], int] = {}
     functions = {}
-    for name, entry in found["functions"].items():
+    for name, entry in coverage["functions"].items():
         lines = {k: tuple(number[test] for test in tests) for k, tests in entry["lines"].items()}
         functions[name] = {**entry, "lines": {k: sets.setdefault(tests, len(sets)) for k, tests in lines.items()}}
     MAP.parent.mkdir(exist_ok=True)
-    text = json.dumps({"seconds": found["seconds"], "sets": [*sets], "functions": functions}, ensure_ascii=False)
+    text = json.dumps({"seconds": coverage["seconds"], "sets": [*sets], "functions": functions}, ensure_ascii=False)
     MAP.write_text(text, encoding="utf-8")
 
 
 def read_map() -> dict[str, Any]:
     """The map with the names of tests in their places."""
-    found = json.loads(MAP.read_text(encoding="utf-8"))
-    tests = [*found["seconds"]]
-    sets = [[tests[i] for i in numbers] for numbers in found["sets"]]
-    for entry in found["functions"].values():
+    stored = json.loads(MAP.read_text(encoding="utf-8"))
+    tests = [*stored["seconds"]]
+    sets = [[tests[i] for i in numbers] for numbers in stored["sets"]]
+    for entry in stored["functions"].values():
         entry["lines"] = {k: sets[i] for k, i in entry["lines"].items()}
-    return {"seconds": found["seconds"], "functions": found["functions"]}
+    return {"seconds": stored["seconds"], "functions": stored["functions"]}
 
 
 def pytest_configure(config: Any) -> None:
-    """Register the mapper, unless tests are distributed (then nobody sees them all)."""
+    """Register the mapper, unless tests are distributed (then no process sees them all)."""
     if not os.environ.get("PYTEST_XDIST_WORKER"):
         config.pluginmanager.register(Mapper(), "coverage map")

@@ -1,4 +1,4 @@
-"""Work in forked processes: each starts from the state of this one, changes what it likes, and is gone."""
+"""Work in forked processes: each starts from the state of this one, may change anything, and ends."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from typing import Any, TypeVar
 
 Task = TypeVar("Task")
 Result = dict[str, Any]
-#: What a forked process may take: a mutant may never stop allocating.
+#: The memory limit of a forked process: a mutant may never stop allocating.
 MEMORY = 3 << 30
 
 
 def forked(
     tasks: Iterable[Task], work: Callable[[Task], Result], seconds: float, jobs: int
 ) -> Iterator[tuple[Task, Result]]:
-    """The result of `work` for every task, in the order in which they are done; ``{"verdict": "timeout"}`` where it
-    takes longer than this many seconds.
+    """The result of `work` for every task, in the order in which they finish; ``{"verdict": "timeout"}`` where it takes
+    longer than this many seconds.
     """
     waiting = iter(tasks)
     running: dict[int, tuple[Task, Any, float]] = {}
@@ -55,7 +55,7 @@ def forked(
 
 
 def _silent(done: int, status: int) -> Result:
-    """The result of a process that left none: it took too long, or it crashed."""
+    """The result of a process that returned none: it took too long, or it crashed."""
     if not done:
         return {"verdict": "timeout"}
     endless = os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGPROF
@@ -63,7 +63,7 @@ def _silent(done: int, status: int) -> Result:
 
 
 def end_after(seconds: float) -> None:
-    """Let this process die when it is not told otherwise in this many seconds of processor time."""
+    """End this process after this many seconds of processor time, unless the limit is changed before."""
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     signal.setitimer(signal.ITIMER_PROF, seconds)
 

@@ -1,7 +1,7 @@
-"""Mutants of formulas, judged by the ledger alone: the claims that name the formula, or one that calls it.
+"""Mutants of formulas, judged by the ledger alone, that is by the claims that name the formula, or one that calls it.
 
-What no claim refutes is compared with the original: equal in the jets and in naive degrees, for everything that calls
-it, means equivalent. Anything else has survived.
+A mutant that no claim refutes is compared with the original: if all formulas that call it are equal in the jets and in
+naive degrees, it is equivalent. Any other has survived.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from random import Random
 from typing import Any
 
 from exactspline.errors import FormulaError, InapplicableError
+from exactspline.interchange.examples import example
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Symbol
@@ -25,7 +26,6 @@ from exactspline.readings.degree import DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor_surface import DoubleSeries
-from exactspline.splines.examples import example
 from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.claims import claims_in
@@ -37,9 +37,10 @@ from exactspline.verification.vocabulary import Scope, Verdict
 from workshop.mutation.forked import Result, forked
 from workshop.mutation.mutants import Mutant, live, mutants
 
-#: What is checked beside the proof for all curves: polynomial ones first, whose splines stay small.
+#: The curves on which claims are checked in addition to the proof for all curves: polynomial ones first, whose splines
+#: stay small.
 CURVES = ("cubic_s", "twisted_cubic", "rational_cubic", "rational_space_cubic")
-#: This many derivatives of a surface are random numbers.
+#: The number of derivatives of a surface that get random values.
 TERMS = 6
 #: The place of a function: its module and its name.
 Place = tuple[str, str]
@@ -56,7 +57,7 @@ def all_mutants() -> list[Mutant]:
 
 
 def home(formula: Formula) -> Place:
-    """Where a formula stands."""
+    """The module and the name of a formula."""
     return formula.function.__module__, formula.function.__name__
 
 
@@ -64,10 +65,10 @@ def home(formula: Formula) -> Place:
 def reached(place: Place) -> frozenset[Place]:
     """A function and all those of papers that it calls, directly or not."""
     function = live(*place)
-    found, todo = {place}, list(_called(function))
+    places, todo = {place}, list(_called(function))
     for other in todo:
-        found |= reached(other)
-    return frozenset(found)
+        places |= reached(other)
+    return frozenset(places)
 
 
 def _called(function: Any) -> Iterator[Place]:
@@ -94,13 +95,15 @@ def calling(place: Place) -> list[Formula]:
 
 
 def spoken_of(claim: Claim) -> list[Formula]:
-    """The formulas that a claim names, in a factor and in what it assumes, too."""
+    """The formulas that a claim names, including those in a factor and in its assumptions."""
     factor = getattr(claim, "factor", "")
-    beside = [name for name, _ in factor_parts(factor) if name[0].isalpha() and name not in WEIGHTS] if factor else []
+    in_factor = (
+        [name for name, _ in factor_parts(factor) if name[0].isalpha() and name not in WEIGHTS] if factor else []
+    )
     known = claim.source_paper, *claim.source_paper.uses
     stated = [re.split(" [≠≢] ", each.name)[0] for each in claim.assumes]
     assumed = [name for name in stated if any(name in source.formulas for source in known)]
-    return [claim.find(name) for name in (*claim.named, *beside, *assumed)]
+    return [claim.find(name) for name in (*claim.named, *in_factor, *assumed)]
 
 
 @cache
@@ -109,13 +112,13 @@ def _reached_by(claim: Claim) -> frozenset[Place]:
 
 
 def speaking(places: Iterable[Place]) -> list[Claim]:
-    """The claims of all papers that speak of a formula that reaches one of these functions."""
-    wanted = frozenset(places)
-    return [claim for claim in claims_in(papers()) if wanted & _reached_by(claim)]
+    """The claims of all papers about a formula that reaches one of these functions."""
+    requested = frozenset(places)
+    return [claim for claim in claims_in(papers()) if requested & _reached_by(claim)]
 
 
 def quick(claim: Claim) -> Iterator[Row]:
-    """The claim on a few curves; a degree for all curves before, which is only counted."""
+    """The claim on a few curves; before that, a degree for all curves, which is only counted."""
     if claim.kind == "degree":
         yield proved(claim)
     for task in tasks([claim], list(own_curves(claim.source_paper).values()) or [example(name) for name in CURVES]):
@@ -123,14 +126,14 @@ def quick(claim: Claim) -> Iterator[Row]:
 
 
 def slow(claim: Claim) -> Iterator[Row]:
-    """The claim for all curves: where a mutant takes what cancels away, this may not end."""
+    """The claim for all curves: where a mutant removes a cancellation, this may not end."""
     if claim.kind != "degree":
         yield proved(claim)
 
 
 def wrong_at_a_point(claim: Claim) -> str:
-    """What an identity has against the formulas with random numbers for the derivatives of a surface at a point: of
-    products that are too large for polynomials this takes no time. Empty where it holds, or is about anything else.
+    """How an identity fails with random numbers for the derivatives of a surface at a point; this is fast even for
+    products that are too large for polynomials. Empty where the identity holds, or the claim is of another kind.
     """
     kind = kind_of(claim.curve)
     if not isinstance(claim, Identity) or {s.parameters for s in kind.symbols(kind.dimensions[0])} != {BOTH}:
@@ -147,15 +150,15 @@ def wrong_at_a_point(claim: Claim) -> str:
         left, right = (split(claim.find(name)(c))[0] for name in (claim.left, claim.right))
         top, bottom = factor_of_text(claim.factor, c, claim.find)
         wrong = any((x * bottom - y * top).value for x, y in zip(left, right, strict=True))
-    except FormulaError:  # it divides by what vanishes here
+    except FormulaError:  # a divisor vanishes here
         return ""
-    except Exception as error:  # the ledger would break off
+    except Exception as error:  # the ledger would fail
         return f"{claim.key}: {error!r}"[:200]
     return f"{claim.key} at a point" if wrong else ""
 
 
 def _extent(claim: Claim) -> int:
-    """How many functions its formulas reach: of a claim with few the numbers stay small."""
+    """How many functions its formulas reach: for a claim with few of them the numbers stay small."""
     return len(_reached_by(claim))
 
 
@@ -164,12 +167,12 @@ def _baseline(claim: Claim) -> Result:
     return {"verdict": "ok", "time": sum(r.seconds for r in found), "as_recorded": [r.as_recorded for r in found]}
 
 
-def _refuted(claim: Claim, rows: Callable[[Claim], Iterator[Row]]) -> str:
-    """What a claim has against the formulas as they are; empty when all is as recorded."""
+def refuted(claim: Claim, rows: Callable[[Claim], Iterator[Row]]) -> str:
+    """How a claim fails with the current formulas; empty when everything is as recorded."""
     try:
         wrong = next((row for row in rows(claim) if not row.as_recorded), None)
         return f"{claim.key} {wrong.curve or 'for all curves'}" if wrong else ""
-    except Exception as error:  # the ledger would break off
+    except Exception as error:  # the ledger would fail
         return f"{claim.key}: {error!r}"[:200]
 
 
@@ -192,11 +195,11 @@ def judged(chosen: list[Mutant], seconds: float, jobs: int) -> Iterator[tuple[Mu
         chosen_claims = sorted(mine, key=lambda c: (_extent(c), times[id(c)]))
         original = live(*place).__code__
         mutant.apply()
-        if told := next(filter(None, map(wrong_at_a_point, filter(sound.__contains__, chosen_claims))), ""):
-            return {"verdict": "killed", "by": told}
+        if refutation := next(filter(None, map(wrong_at_a_point, filter(sound.__contains__, chosen_claims))), ""):
+            return {"verdict": "killed", "by": refutation}
         for made in (quick, slow):
-            if told := next(filter(None, (_refuted(claim, made) for claim in chosen_claims)), ""):
-                return {"verdict": "killed", "by": told}
+            if refutation := next(filter(None, (refuted(claim, made) for claim in chosen_claims)), ""):
+                return {"verdict": "killed", "by": refutation}
         changed, live(*place).__code__ = live(*place).__code__, original
         before = list(_meanings(place))
         live(*place).__code__ = changed
@@ -206,34 +209,37 @@ def judged(chosen: list[Mutant], seconds: float, jobs: int) -> Iterator[tuple[Mu
 
 
 def _meanings(place: Place) -> Iterator[tuple[str, Any]]:
-    """The naive degrees of formulas, and what they are in the jets: of those nearest to a function only, where it has
-    no meaning of its own.
+    """The naive degrees of formulas, and their values in the jets; for a function that is not itself a formula, of the
+    formulas that call it most directly.
     """
     formulas = calling(place)
-    own = [formula for formula in formulas if home(formula) == place]
+    formulas_here = [formula for formula in formulas if home(formula) == place]
     for formula in formulas:
         for dimension in formula.kind.dimensions:
             for polynomial in () if formula.kind.adjoins_roots else (False, True):
-                yield formula.name, _degrees(formula, dimension, polynomial)
-            if formula in own or not own:
+                yield formula.name, degrees_counted(formula, dimension, polynomial)
+            if formula in formulas_here or not formulas_here:
                 c = RationalJetReading(order_of(formula, dimension)).argument(formula.kind, dimension)
-                yield formula.name, [_jet(part) for part in split(formula(c))[0]]
+                yield formula.name, [in_the_jets(part) for part in split(formula(c))[0]]
 
 
-def _degrees(formula: Formula, dimension: int, polynomial: bool) -> list[str]:
-    """Counted as Table 1 does, in each parameter; none where what depends on an argument has no degree."""
-    found = []
+def degrees_counted(formula: Formula, dimension: int, polynomial: bool) -> list[str]:
+    """The degrees counted as in Table 1, in each parameter; empty where a value depending on an argument has
+    no degree.
+    """
+    degrees = []
     symbols = formula.kind.symbols(dimension, polynomial=polynomial)
     for parameter in dict.fromkeys(each for symbol in symbols for each in symbol.parameters):
         try:
             c = DegreeReading(parameter=parameter).argument(formula.kind, dimension, polynomial=polynomial)
         except InapplicableError:
             return []
-        found.append(str(formula(c).degree))
-    return found
+        degrees.append(str(formula(c).degree))
+    return degrees
 
 
-def _jet(x: Any) -> Any:
+def in_the_jets(x: Any) -> Any:
+    """What two parts have alike exactly if they are one function of the derivatives, written alike."""
     if isinstance(x, Adjoined):
-        return [_jet(part) for part in (x.plain, x.rooted, x.square)]
+        return [in_the_jets(part) for part in (x.plain, x.rooted, x.square)]
     return str(x.top), str(x.bottom)

@@ -1,9 +1,9 @@
-"""Mutants of formulas, judged by Coq: each formula of which a theorem speaks is changed once in its definition (a sign,
-an index, a factor), and the theorem must not be accepted any more.
+"""Mutants of formulas, judged by Coq: each formula that occurs in a theorem is changed once in its definition (a sign,
+an index, a factor), and the theorem must be rejected.
 
-``python -m workshop.mutation.kernel`` judges all that are not in the record, ``workshop/mutation/kernel.json``, and
-adds them; without that file it begins anew. With names of formulas after it, it judges these and records nothing. It
-needs Coq's ``coqc``.
+``python -m workshop.mutation.kernel`` judges all formulas that are not in the record,
+``workshop/mutation/kernel.json``, and adds them; without that file it starts from the beginning. With names of formulas
+as arguments, it judges these without recording. It needs Coq's ``coqc``.
 """
 
 from __future__ import annotations
@@ -32,10 +32,10 @@ from exactspline.verification.kinds.identity import Identity
 from exactspline.verification.vocabulary import Verdict
 
 RECORD = Path(__file__).parent / "kernel.json"
-#: This many theorems may accept a change before it counts as unnoticed; this many changes are tried (twice what
-#: vanishes vanishes, too); this many seconds each of them has.
+#: How many theorems may accept a change before it counts as undetected; how many changes are tried (a doubled factor
+#: that vanishes still vanishes); and the time limit for each in seconds.
 THEOREMS, CHANGES, SECONDS = 4, 6, 120
-#: What is doubled.
+#: The factor of a doubled term.
 SCALED = (
     *(Operation.TIMES, Operation.DOT, Operation.NUMBER, Operation.OVER, Operation.LEAF, Operation.NAMED),
     *(Operation.GENERATOR, Operation.DIRECTRIX),
@@ -43,7 +43,7 @@ SCALED = (
 
 
 class Change(NamedTuple):
-    """What is changed: its kind, and the tree of the formula with it."""
+    """A change: its kind, and the tree of the formula with it."""
 
     kind: str
     tree: Node
@@ -95,11 +95,11 @@ def _with(tree: Node, place: Node, other: Node) -> Node:
 @cache
 def reached(formula: Formula) -> frozenset[Formula]:
     """A formula and all that it calls, directly or not."""
-    found = {formula}
+    formulas = {formula}
     for dimension in formula.kind.dimensions:
         for called in calls(body(formula, dimension)):
-            found |= reached(called)
-    return frozenset(found)
+            formulas |= reached(called)
+    return frozenset(formulas)
 
 
 def named_in(claim: Claim) -> list[Formula]:
@@ -132,35 +132,35 @@ class Bench:
         return subprocess.run(command, cwd=self.room, capture_output=True, timeout=SECONDS, check=False).returncode == 0
 
     def speaking(self, formula: Formula) -> list[Stated]:
-        """The theorems that reach a formula: those that name it first, and of these the short ones."""
-        own = [each for each in self.theorems if formula in self.extent[each.name]]
+        """The theorems that reach a formula: first those that name it, and among these the short ones."""
+        theorems = [each for each in self.theorems if formula in self.extent[each.name]]
 
         def rank(each: Stated) -> tuple[bool, bool, bool, int]:
             refuted = each.claim.expected == Verdict.REFUTED
             far = each.claim.paper != self.formulas.owner[formula].name
             return refuted, formula not in named_in(each.claim), far, len(each.text)
 
-        return sorted(own, key=rank)
+        return sorted(theorems, key=rank)
 
     def still_accepted(self, theorem: Stated, formula: Formula, instead: Node | None) -> bool:
-        """Whether a theorem is accepted with another tree instead of a formula's own."""
+        """Whether a theorem is accepted with another tree in place of that of a formula."""
         (self.room / "Tried.v").write_text(self._text(theorem, formula, instead), encoding="utf-8")
         return self.accepts("Tried.v")
 
     def control(self, theorem: Stated, formula: Formula) -> None:
-        """See that a theorem is accepted where formulas stand in modules, and nothing is changed: once a paper."""
+        """Check, once per paper, that a theorem is accepted when the formulas are in modules and nothing is changed."""
         controlled = theorem.claim.paper, self.formulas.owner[formula].name
         if controlled not in self.controlled:
             assert self.still_accepted(theorem, formula, None), theorem.name
             self.controlled.add(controlled)
 
     def _text(self, theorem: Stated, formula: Formula, instead: Node | None) -> str:
-        """The theorem after the formulas of all papers from that of the formula to its own, as modules."""
+        """The theorem, preceded by the formulas of all papers from the formula's to the theorem's, as modules."""
         changed = self.formulas.owner[formula]
-        own = next(paper for paper in papers() if paper.name == theorem.claim.paper)
+        paper_of_theorem = next(paper for paper in papers() if paper.name == theorem.claim.paper)
         modules = []
         for paper in self.formulas.papers:
-            if changed in _needs(paper) and paper in _needs(own):
+            if changed in _needs(paper) and paper in _needs(paper_of_theorem):
                 text = self.formulas.definitions(paper)
                 if paper is changed and instead is not None:
                     before = self.formulas.definition(formula, paper)
@@ -168,32 +168,32 @@ class Bench:
                     text = text.replace(before, self.formulas.definition(formula, paper, instead))
                 definitions = text[text.index("Section Formulas.") :]
                 modules.append(f"Module {paper.name}.\n{definitions}End {paper.name}.\n")
-        header = claims_header(own.name, theorem.text)
-        required = "".join(f"From {ROOT}.formulas Require {paper.name}.\n" for paper in _needs(own))
-        return "\n".join([header, required, *modules, f"Import {own.name}.", theorem.text])
+        header = claims_header(paper_of_theorem.name, theorem.text)
+        required = "".join(f"From {ROOT}.formulas Require {paper.name}.\n" for paper in _needs(paper_of_theorem))
+        return "\n".join([header, required, *modules, f"Import {paper_of_theorem.name}.", theorem.text])
 
 
 def _needs(paper: Paper) -> list[Paper]:
-    found = [paper]
+    papers_needed = [paper]
     for used in paper.uses:
-        found += [each for each in _needs(used) if each not in found]
-    return found
+        papers_needed += [each for each in _needs(used) if each not in papers_needed]
+    return papers_needed
 
 
 def judged(bench: Bench, formula: Formula) -> dict[str, Any]:
-    """The first change of a formula after which a theorem is not accepted any more, with that theorem, and the changes
-    that were tried before, which theorems accept.
+    """The first change of a formula after which a theorem is rejected, with that theorem, and the changes tried before,
+    which theorems accept.
     """
     theorems = bench.speaking(formula)[:THEOREMS]
     bench.control(theorems[0], formula)
-    found = list(changes(body(formula, formula.kind.dimensions[0])))
+    all_changes = list(changes(body(formula, formula.kind.dimensions[0])))
     accepted: list[str] = []
-    for change in Random(formula.name).sample(found, min(CHANGES, len(found))):
+    for change in Random(formula.name).sample(all_changes, min(CHANGES, len(all_changes))):
         try:
             refused = next((each for each in theorems if not bench.still_accepted(each, formula, change.tree)), None)
         except (FormulaError, subprocess.TimeoutExpired):
-            # a derivative of what depends on two parameters is none before one of them is named; what takes too long
-            # is not refused
+            # a derivative of something that depends on two parameters is meaningless before one of them is named; a
+            # theorem that takes too long does not count as rejected
             continue
         if refused is not None:
             return {"change": change.kind, "refused": refused.name} | ({"accepted": accepted} if accepted else {})
@@ -203,14 +203,14 @@ def judged(bench: Bench, formula: Formula) -> dict[str, Any]:
 
 def recorded() -> dict[str, Any]:
     """The record, by the names of formulas."""
-    found: dict[str, Any] = json.loads(RECORD.read_text(encoding="utf-8")) if RECORD.is_file() else {}
-    return found
+    record: dict[str, Any] = json.loads(RECORD.read_text(encoding="utf-8")) if RECORD.is_file() else {}
+    return record
 
 
 def spoken_of(bench_formulas: Formulas, theorems: Iterable[Stated]) -> dict[str, Formula]:
     """The formulas that theorems reach, by their names in Coq."""
-    found = frozenset[Formula]().union(*[reached(f) for each in theorems for f in named_in(each.claim)])
-    return {bench_formulas.named(f): f for f in bench_formulas.owner if f in found}
+    reached_formulas = frozenset[Formula]().union(*[reached(f) for each in theorems for f in named_in(each.claim)])
+    return {bench_formulas.named(f): f for f in bench_formulas.owner if f in reached_formulas}
 
 
 def main(names: list[str]) -> int:

@@ -24,7 +24,7 @@ from workshop.mutation.coverage_map import meaning
 
 ROOT = Path(__file__).resolve().parents[2]
 
-#: A change of a node: its kind, what it says, and the new node.
+#: A change of a node: its kind, its description, and the new node.
 Change = tuple[str, str, ast.expr]
 
 ARITHMETIC = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Mult}
@@ -40,7 +40,7 @@ COMPARISONS = {
     ast.In: ast.NotIn,
     ast.NotIn: ast.In,
 }
-#: Names of one shape: each may stand for the next.
+#: Names of one type: each may be replaced by the next.
 OPERANDS = [
     ("D1", "D2", "D3", "D21"),
     ("first", "second"),
@@ -70,34 +70,40 @@ class Mutant:
 
     @property
     def name(self) -> str:
-        """What the results call it."""
+        """The name used in the results."""
         return f"{self.file}:{self.function}:{self.line}:{self.column}: {self.says} [{self.kind}]"
 
     @cached_property
     def key(self) -> str:
-        """It alone, as long as its function says what it says, wherever that stands."""
+        """A key that identifies the mutant as long as the source of its function does not change, wherever the function
+        is.
+        """
         return f"{self.file}:{self.function}#{self.number}@{_meaning(self.file, self.function)}"
 
     @property
     def stable(self) -> str:
-        """The same without line and column, which change with every edit above it."""
+        """The name without line and column, which change with every edit above it."""
         return f"{self.file}:{self.function}: {self.says} [{self.kind}]"
 
     @property
     def module(self) -> str:
-        """The module it changes."""
+        """The module that it changes."""
         return self.file.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
 
-    def apply(self) -> None:
-        """Put it in the place of the live function; `ValueError` where that cannot be done."""
+    def code(self) -> CodeType:
+        """The changed function, compiled."""
         tree = copy.deepcopy(parsed(self.file))
         node = dict(functions(tree))[self.function]
         change = list(changes(node))[self.number]
         _Replaced(change[0], change[1][2]).visit(node)
         ast.fix_missing_locations(tree)
-        code = compile(tree, str(ROOT / self.file), "exec")
+        return _found(compile(tree, str(ROOT / self.file), "exec"), self.function.split("."))
+
+    def apply(self) -> None:
+        """Put it in the place of the live function; `ValueError` where that cannot be done."""
+        new = self.code()
         function = live(self.module, self.function)
-        old, new = function.__code__, _found(code, self.function.split("."))
+        old = function.__code__
         function.__code__ = new
         inner = dict(zip(_inner(old), _inner(new), strict=False))
         for made in made_inside():
@@ -149,12 +155,12 @@ def _found(code: CodeType, path: list[str]) -> CodeType:
 
 
 def _inner(code: CodeType) -> list[CodeType]:
-    """The code of the functions made inside, in order."""
+    """The code objects of the functions defined inside, in order."""
     return [c for c in code.co_consts if isinstance(c, CodeType)]
 
 
 def live(module: str, function: str) -> FunctionType:
-    """The function that runs, without what decorates it."""
+    """The live function, without its decorators."""
     value: Any = sys.modules.get(module) or import_module(module)
     for part in function.split("."):
         value = vars(value)[part]
@@ -162,28 +168,28 @@ def live(module: str, function: str) -> FunctionType:
         value = value.fget
     value = next((f for name in ("function", "compute", "__func__") if (f := getattr(value, name, None))), value)
     value = getattr(value, "func", None) or value
-    found = inspect.unwrap(value)
-    if not isinstance(found, FunctionType):
+    function_object = inspect.unwrap(value)
+    if not isinstance(function_object, FunctionType):
         raise ValueError(f"{module}:{function} is not a function")
-    return found
+    return function_object
 
 
 @cache
 def made_inside() -> list[FunctionType]:
-    """The functions that others have made before, as modules were imported."""
-    found = [f for f in gc.get_objects() if type(f) is FunctionType and "<locals>" in f.__qualname__]
-    return [f for f in found if str(f.__module__).startswith("exactspline")]
+    """The inner functions that were created when modules were imported."""
+    inner = [f for f in gc.get_objects() if type(f) is FunctionType and "<locals>" in f.__qualname__]
+    return [f for f in inner if str(f.__module__).startswith("exactspline")]
 
 
 def mutants(file: str) -> list[Mutant]:
     """Every mutant of a file."""
-    found = []
+    all_mutants = []
     for name, node in functions(parsed(file)):
         if node.name.startswith("_repr_") or node.name == "__repr__":
             continue
         for i, (old, (kind, says, _)) in enumerate(changes(node)):
-            found.append(Mutant(file, name, kind, old.lineno, old.col_offset, says, i))
-    return found
+            all_mutants.append(Mutant(file, name, kind, old.lineno, old.col_offset, says, i))
+    return all_mutants
 
 
 def changes(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, Change]]:
@@ -194,7 +200,7 @@ def changes(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, Change]]:
 
 
 def _expressions(function: ast.FunctionDef) -> Iterator[ast.expr]:
-    """The expressions of the body: no docstring, no annotation, nothing that is only said in an error."""
+    """The expressions of the body: without docstrings, annotations, and the arguments of errors."""
     todo: list[ast.AST] = list(reversed(function.body))
     while todo:
         node = todo.pop()
@@ -215,7 +221,7 @@ def _expressions(function: ast.FunctionDef) -> Iterator[ast.expr]:
 
 
 def _is_power(node: ast.AST) -> bool:
-    """Whether it is a power with a number for exponent, which is changed as such."""
+    """Whether it is a power with a constant exponent, which is changed as a whole."""
     return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and isinstance(node.right, ast.Constant)
 
 
@@ -327,9 +333,10 @@ _OF: dict[type, Callable[[Any], Iterator[tuple[str, ast.expr]]]] = {
 
 
 def drawn(all_mutants: list[Mutant], count: int, seed: int) -> list[Mutant]:
-    """This many mutants, as evenly as can be from every module, the same for the same seed.
+    """This many mutants, drawn as evenly as possible from every module, the same for the same seed.
 
-    What is drawn first stays when more are drawn, and when other functions are edited, so that a run can be continued.
+    Mutants already drawn stay the same when more are drawn, and when other functions are edited, so that a run can be
+    continued.
     """
     by_file: dict[str, list[Mutant]] = {}
     for mutant in sorted(all_mutants, key=lambda m: sha256(f"{seed} {m.key}".encode()).digest(), reverse=True):

@@ -90,7 +90,7 @@ function show({ answer, milliseconds }) {
   element("heading").replaceChildren("t = ", formula([answer.t]), ", between the knots ", formula([answer.span[0]]), " and ", formula([answer.span[1]]));
   element("triangle").replaceChildren(...table(answer));
   const weighted = "Entries are points times their weights, then the weight; divided by it the last one is the point ";
-  const plain = "An entry is 1 − s times the entry above in the column before, plus s times the one beside it. The point is ";
+  const plain = "An entry is 1 − s times the entry above it in the previous column, plus s times the entry to its left. The point is ";
   element("told").replaceChildren(answer.weighted ? weighted : plain, formula(answer.tip, 60));
   element("insert").disabled = !answer.inside || editor.curve.points.length >= MOST_POINTS;
   document.body.dataset.answered = `${Number(document.body.dataset.answered ?? 0) + 1}`;

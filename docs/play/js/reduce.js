@@ -20,7 +20,7 @@ function part(p) {
   const rows = [
     line("naive degree", p.naive),
     line("factors cancelled", p.cancelled),
-    line("what is left", p.reduced),
+    line("remaining factor", p.reduced),
     line("its degree", p.nominal),
     line("true degree", p.true),
     line("in lowest terms", p["lowest terms"]),

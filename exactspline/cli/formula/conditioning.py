@@ -154,7 +154,7 @@ def _form_data(f: Any) -> dict[str, object]:
 
 
 def _tally_data(t: Any) -> dict[str, object]:
-    from exactspline.splines.curve_files import curve_data
+    from exactspline.interchange.curve_files import curve_data
 
     counts = {
         key: getattr(t, key)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def curves(out: Output) -> None:
     """List the named example curves."""
     from exactspline.display.sheet import Sheet
-    from exactspline.splines.examples import example, example_names
+    from exactspline.interchange.examples import example, example_names
 
     found = [example(name) for name in example_names()]
     rows = [

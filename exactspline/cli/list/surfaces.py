@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def surfaces(out: Output) -> None:
     """List the named example surfaces."""
     from exactspline.display.sheet import Sheet
-    from exactspline.splines.examples import example_surface, example_surface_names
+    from exactspline.interchange.examples import example_surface, example_surface_names
 
     found = [example_surface(name) for name in example_surface_names()]
     rows = [

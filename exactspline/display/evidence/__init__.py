@@ -1,4 +1,4 @@
-"""What checks find, in words: one function for each type of evidence. Nothing reads what they write."""
+"""Evidence in words: one function per type of evidence. No code parses these words."""
 
 from __future__ import annotations
 

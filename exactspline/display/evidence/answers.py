@@ -1,4 +1,4 @@
-"""Words for answers to questions about formulas, and for what a proof assistant says."""
+"""Words for answers to questions about formulas, and for the results of a proof assistant."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Verdict
 
 
-def opinion(found: Finding) -> str:
-    """What the kernel of a proof assistant says of a claim."""
-    says = {Verdict.PROVED: "holds, ", Verdict.REFUTED: "fails, "}.get(found.verdict, "")
-    return says + worded(found.witness or found.computed)
+def opinion(item: Finding) -> str:
+    """The result of a proof assistant's kernel for a claim."""
+    says = {Verdict.PROVED: "holds, ", Verdict.REFUTED: "fails, "}.get(item.verdict, "")
+    return says + worded(item.witness or item.computed)
 
 
 def _equation(left: str, factor: str, right: str) -> str:
@@ -20,19 +20,19 @@ def _equation(left: str, factor: str, right: str) -> str:
 
 
 @words.register
-def _(found: Proof, numbers: Numbers = EXACT) -> str:
-    stated, where = _equation(found.left, found.factor, found.right), f"in R{found.dimension}"
-    if found.holds:
+def _(item: Proof, numbers: Numbers = EXACT) -> str:
+    stated, where = _equation(item.left, item.factor, item.right), f"in R{item.dimension}"
+    if item.holds:
         return f"{stated} for all curves {where}"
-    if found.verdict == Verdict.VACUOUS:
-        return f"{stated} says nothing {where}: {worded(found.finding.computed)}"
-    different = "they differ" if found.roots else "they are not parallel"
-    return f"not {stated} {where}: {different if found.quotient is None else f'the quotient is {found.quotient}'}"
+    if item.verdict == Verdict.VACUOUS:
+        return f"{stated} decides nothing {where}: {worded(item.finding.computed)}"
+    different = "they differ" if item.roots else "they are not parallel"
+    return f"not {stated} {where}: {different if item.quotient is None else f'the quotient is {item.quotient}'}"
 
 
 @words.register
-def _(found: Check, numbers: Numbers = EXACT) -> str:
-    stated = _equation(found.left, found.factor, found.right)
-    if found.vacuous:
-        return f"{stated} says nothing on this curve: both sides are 0 there, or the factor is 1/0"
-    return f"{stated} on this curve" if found.holds else f"not {stated} at the parameter {found.parameter}"
+def _(item: Check, numbers: Numbers = EXACT) -> str:
+    stated = _equation(item.left, item.factor, item.right)
+    if item.vacuous:
+        return f"{stated} does not apply to this curve: both sides are 0 there, or the factor is 1/0"
+    return f"{stated} on this curve" if item.holds else f"not {stated} at the parameter {item.parameter}"

@@ -1,4 +1,4 @@
-"""Words for evidence of any kind of claim: facts, places, what was tried."""
+"""Words for evidence of any kind of claim: facts, places, attempts."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ FACTS = {
     Fact.SINGULAR_CONTACT: (
         "as a function of the point at s̄ it is singular where the points meet: it defines no object there"
     ),
-    Fact.NO_COUNTEREXAMPLE: "no degrees are found for which it fails",
+    Fact.NO_COUNTEREXAMPLE: "no degrees were found for which it fails",
     Fact.DENOMINATOR_DIVIDES_OUT: "its denominator divides out on every curve",
     Fact.MADE_BY_ARITHMETIC: (
         "it is made of the operands by + − × ÷ and derivatives: a quotient of polynomials on every curve"
@@ -83,170 +83,170 @@ FACTS = {
 
 
 @words.register
-def _(found: Fact, numbers: Numbers = EXACT) -> str:
-    return FACTS[found]
+def _(item: Fact, numbers: Numbers = EXACT) -> str:
+    return FACTS[item]
 
 
 @words.register
-def _(found: Factor, numbers: Numbers = EXACT) -> str:
-    return numbers.within(str(found))
+def _(item: Factor, numbers: Numbers = EXACT) -> str:
+    return numbers.within(str(item))
 
 
 # ---- places
 
 
 @words.register
-def _(found: e.At, numbers: Numbers = EXACT) -> str:
-    return f"at the parameter {numbers(found.parameter)}{' (from the left)' if found.from_left else ''}"
+def _(item: e.At, numbers: Numbers = EXACT) -> str:
+    return f"at the parameter {numbers(item.parameter)}{' (from the left)' if item.from_left else ''}"
 
 
 @words.register
-def _(found: e.Between, numbers: Numbers = EXACT) -> str:
-    near = numbers.common(found.low, found.high)
+def _(item: e.Between, numbers: Numbers = EXACT) -> str:
+    near = numbers.common(item.low, item.high)
     if near:
         return f"near the parameter {near}"
-    return f"between the parameters {numbers(found.low)} and {numbers(found.high)}"
+    return f"between the parameters {numbers(item.low)} and {numbers(item.high)}"
 
 
 @words.register
-def _(found: e.OnAllOf, numbers: Numbers = EXACT) -> str:
-    return f"on all of [{numbers(found.low)}, {numbers(found.high)}]"
+def _(item: e.OnAllOf, numbers: Numbers = EXACT) -> str:
+    return f"on all of [{numbers(item.low)}, {numbers(item.high)}]"
 
 
 @words.register
-def _(found: e.On, numbers: Numbers = EXACT) -> str:
-    return f"on [{numbers(found.low)}, {numbers(found.high)}]"
+def _(item: e.On, numbers: Numbers = EXACT) -> str:
+    return f"on [{numbers(item.low)}, {numbers(item.high)}]"
 
 
 @words.register
-def _(found: e.AtBoth, numbers: Numbers = EXACT) -> str:
-    return f"at the parameters {numbers(found.s)} and {numbers(found.t)}"
+def _(item: e.AtBoth, numbers: Numbers = EXACT) -> str:
+    return f"at the parameters {numbers(item.s)} and {numbers(item.t)}"
 
 
 @words.register
-def _(found: e.OnPatch, numbers: Numbers = EXACT) -> str:
-    return f"{'perhaps ' if found.perhaps else ''}on patch {found.i}, {found.j}"
+def _(item: e.OnPatch, numbers: Numbers = EXACT) -> str:
+    return f"{'perhaps ' if item.perhaps else ''}on patch {item.i}, {item.j}"
 
 
 @words.register
-def _(found: e.OnWholePatch, numbers: Numbers = EXACT) -> str:
+def _(item: e.OnWholePatch, numbers: Numbers = EXACT) -> str:
     return "on a whole patch"
 
 
 @words.register
-def _(found: e.AtKnot, numbers: Numbers = EXACT) -> str:
-    return f"at the knot {numbers(found.parameter)}"
+def _(item: e.AtKnot, numbers: Numbers = EXACT) -> str:
+    return f"at the knot {numbers(item.parameter)}"
 
 
 @words.register
-def _(found: e.Isolated, numbers: Numbers = EXACT) -> str:
-    return f"between {numbers(found.low)} and {numbers(found.high)}"
+def _(item: e.Isolated, numbers: Numbers = EXACT) -> str:
+    return f"between {numbers(item.low)} and {numbers(item.high)}"
 
 
-# ---- what is free, and the part that was tried
+# ---- free arguments, and the part that was tried
 
 
 @words.register
-def _(found: e.Chosen, numbers: Numbers = EXACT) -> str:
-    point = [f"the point ({', '.join(map(numbers, found.point))})"] if found.point else []
-    constants = [f"{constant_text(name)} = {numbers(value)}" for name, value in found.constants]
+def _(item: e.Chosen, numbers: Numbers = EXACT) -> str:
+    point = [f"the point ({', '.join(map(numbers, item.point))})"] if item.point else []
+    constants = [f"{constant_text(name)} = {numbers(value)}" for name, value in item.constants]
     return f"with {', '.join([*point, *constants])}"
 
 
 @words.register
-def _(found: e.AnyOperands, numbers: Numbers = EXACT) -> str:
-    if found.second_curve:
+def _(item: e.AnyOperands, numbers: Numbers = EXACT) -> str:
+    if item.second_curve:
         return "with any second curve"
-    free = [*(["point"] if found.point else []), *map(constant_text, found.constants)]
+    free = [*(["point"] if item.point else []), *map(constant_text, item.constants)]
     return f"with any {', '.join(free)}"
 
 
 @words.register
-def _(found: e.UnderEvery, numbers: Numbers = EXACT) -> str:
-    return f"under every {found.group}"
+def _(item: e.UnderEvery, numbers: Numbers = EXACT) -> str:
+    return f"under every {item.group}"
 
 
 @words.register
-def _(found: e.ForDegrees, numbers: Numbers = EXACT) -> str:
-    return f"d = {found.first}…{found.last}"
+def _(item: e.ForDegrees, numbers: Numbers = EXACT) -> str:
+    return f"d = {item.first}…{item.last}"
 
 
 # ---- witnesses of any kind of claim
 
 
 @words.register
-def _(found: e.Stopped, numbers: Numbers = EXACT) -> str:
-    return numbers.within(str(found.error))
+def _(item: e.Stopped, numbers: Numbers = EXACT) -> str:
+    return numbers.within(str(item.error))
 
 
 @words.register
-def _(found: e.LeftToTheProof, numbers: Numbers = EXACT) -> str:
-    return f"left to the proof for all: {words(found.why, numbers)}"
+def _(item: e.LeftToTheProof, numbers: Numbers = EXACT) -> str:
+    return f"decided by the proof for all curves: {words(item.why, numbers)}"
 
 
 @words.register
-def _(found: e.TooLong, numbers: Numbers = EXACT) -> str:
-    degree = f"degree {found.degree} in {found.parameter}"
-    return f"{found.formula} as it stands has {degree} there, too much to be multiplied out"
+def _(item: e.TooLong, numbers: Numbers = EXACT) -> str:
+    degree = f"degree {item.degree} in {item.parameter}"
+    return f"{item.formula} as written has {degree} there, too high to be multiplied out"
 
 
 @words.register
-def _(found: e.HeldOn, numbers: Numbers = EXACT) -> str:
-    stopped = f": {numbers.within(found.error.problem)}" if found.error else ""
-    return f"it holds, but was tried on a part only: {words(found.part, numbers)}{stopped}"
+def _(item: e.HeldOn, numbers: Numbers = EXACT) -> str:
+    stopped = f": {numbers.within(item.error.problem)}" if item.error else ""
+    return f"it holds, but was tried on a part only: {words(item.part, numbers)}{stopped}"
 
 
 @words.register
-def _(found: e.OnExample, numbers: Numbers = EXACT) -> str:
-    what = "surface" if found.surface else "curve"
-    return f"on the example {what} {found.name}: {worded(found.witness, numbers)}"
+def _(item: e.OnExample, numbers: Numbers = EXACT) -> str:
+    what = "surface" if item.surface else "curve"
+    return f"on the example {what} {item.name}: {worded(item.witness, numbers)}"
 
 
 @words.register
-def _(found: e.OnPart, numbers: Numbers = EXACT) -> str:
-    return ", ".join(filter(None, (worded(found.witness, numbers), words(found.part, numbers))))
+def _(item: e.OnPart, numbers: Numbers = EXACT) -> str:
+    return ", ".join(filter(None, (worded(item.witness, numbers), words(item.part, numbers))))
 
 
 @words.register
-def _(found: e.FailsWithOthers, numbers: Numbers = EXACT) -> str:
-    place, operands, part = (words(each, numbers) for each in (found.place, found.operands, found.part))
+def _(item: e.FailsWithOthers, numbers: Numbers = EXACT) -> str:
+    place, operands, part = (words(each, numbers) for each in (item.place, item.operands, item.part))
     return f"it fails {place} {operands}, though not {part}"
 
 
 @words.register
-def _(found: e.Refutes, numbers: Numbers = EXACT) -> str:
-    return f"proved for all curves, but refuted: {worded(found.witness, numbers)}"
+def _(item: e.Refutes, numbers: Numbers = EXACT) -> str:
+    return f"proved for all curves, but refuted: {worded(item.witness, numbers)}"
 
 
 @words.register
-def _(found: e.JudgesDisagree, numbers: Numbers = EXACT) -> str:
-    witness = worded(found.witness, numbers)
-    return f"proved by {found.proved}, but refuted by {found.refuted}{f': {witness}' if witness else ''}"
+def _(item: e.JudgesDisagree, numbers: Numbers = EXACT) -> str:
+    witness = worded(item.witness, numbers)
+    return f"proved by {item.proved}, but refuted by {item.refuted}{f': {witness}' if witness else ''}"
 
 
 @words.register
-def _(found: e.AssumptionFails, numbers: Numbers = EXACT) -> str:
-    return f"{found.assumption.subject} vanishes {words(found.place, numbers)}"
+def _(item: e.AssumptionFails, numbers: Numbers = EXACT) -> str:
+    return f"{item.assumption.subject} vanishes {words(item.place, numbers)}"
 
 
 @words.register
-def _(found: e.Undefined, numbers: Numbers = EXACT) -> str:
-    return f"{found.formula} does not exist on all of this curve: 0/0"
+def _(item: e.Undefined, numbers: Numbers = EXACT) -> str:
+    return f"{item.formula} does not exist on all of this curve: 0/0"
 
 
 @words.register
-def _(found: e.UndefinedAt, numbers: Numbers = EXACT) -> str:
-    return f"it does not exist {words(found.where, numbers)}: 1/0"
+def _(item: e.UndefinedAt, numbers: Numbers = EXACT) -> str:
+    return f"it does not exist {words(item.where, numbers)}: 1/0"
 
 
 # ---- proof assistants
 
 
 @words.register
-def _(found: e.Theorem, numbers: Numbers = EXACT) -> str:
-    return f"axioms {', '.join(found.axioms)}" if found.axioms else "no axioms"
+def _(item: e.Theorem, numbers: Numbers = EXACT) -> str:
+    return f"axioms {', '.join(item.axioms)}" if item.axioms else "no axioms"
 
 
 @words.register
-def _(found: e.NoTheorem, numbers: Numbers = EXACT) -> str:
-    return f"not stated, {found.error.problem}"
+def _(item: e.NoTheorem, numbers: Numbers = EXACT) -> str:
+    return f"not stated, {item.error.problem}"

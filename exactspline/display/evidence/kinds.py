@@ -12,7 +12,7 @@ from exactspline.verification.evidence import Found
 from exactspline.verification.kinds.invariance import weight_text, with_article
 from exactspline.verification.vocabulary import Counter
 
-#: The terms that are written of a polynomial.
+#: The number of terms shown of a polynomial.
 TERMS = 3
 
 
@@ -29,102 +29,102 @@ _DIFFER = {e.Sides.SIDES: "the sides differ", e.Sides.ZERO: "it differs from 0",
 
 
 @words.register
-def _(found: e.Difference, numbers: Numbers = EXACT) -> str:
-    return f"{_DIFFER[found.of]} by {numbers(found.by)} {words(found.at, numbers)}"
+def _(item: e.Difference, numbers: Numbers = EXACT) -> str:
+    return f"{_DIFFER[item.of]} by {numbers(item.by)} {words(item.at, numbers)}"
 
 
 @words.register
-def _(found: e.StatedFactor, numbers: Numbers = EXACT) -> str:
-    stated = " ".join(name if exponent == 1 else f"{name}^{exponent}" for name, exponent in found.powers)
-    return f"{stated} = 1 (polynomial: w = 1)" if found.is_one else stated
+def _(item: e.StatedFactor, numbers: Numbers = EXACT) -> str:
+    stated = " ".join(name if exponent == 1 else f"{name}^{exponent}" for name, exponent in item.powers)
+    return f"{stated} = 1 (polynomial: w = 1)" if item.is_one else stated
 
 
 @words.register
-def _(found: e.Relating, numbers: Numbers = EXACT) -> str:
-    factor = "" if is_one(found.factor) else f"{words(found.factor, numbers)} · "
-    return f"{found.left} = {factor}{found.right}"
+def _(item: e.Relating, numbers: Numbers = EXACT) -> str:
+    factor = "" if is_one(item.factor) else f"{words(item.factor, numbers)} · "
+    return f"{item.left} = {factor}{item.right}"
 
 
 @words.register
-def _(found: e.ExactQuotient, numbers: Numbers = EXACT) -> str:
-    return f"the exact quotient is {words(found.quotient, numbers)}"
+def _(item: e.ExactQuotient, numbers: Numbers = EXACT) -> str:
+    return f"the exact quotient is {words(item.quotient, numbers)}"
 
 
 @words.register
-def _(found: e.Components, numbers: Numbers = EXACT) -> str:
-    return f"{found.left} components, and {found.right}"
+def _(item: e.Components, numbers: Numbers = EXACT) -> str:
+    return f"{item.left} components, and {item.right}"
 
 
 @words.register
-def _(found: e.ComponentDiffers, numbers: Numbers = EXACT) -> str:
-    return f"component {found.component} differs"
+def _(item: e.ComponentDiffers, numbers: Numbers = EXACT) -> str:
+    return f"component {item.component} differs"
 
 
 @words.register
-def _(found: e.ComponentNotZero, numbers: Numbers = EXACT) -> str:
-    return f"component {found.component} is not zero"
+def _(item: e.ComponentNotZero, numbers: Numbers = EXACT) -> str:
+    return f"component {item.component} is not zero"
 
 
 @words.register
-def _(found: e.Remainder, numbers: Numbers = EXACT) -> str:
-    return numbers.within(polynomial_text(found.polynomial, TERMS))
+def _(item: e.Remainder, numbers: Numbers = EXACT) -> str:
+    return numbers.within(polynomial_text(item.polynomial, TERMS))
 
 
 @words.register
-def _(found: e.NotItsDefinition, numbers: Numbers = EXACT) -> str:
-    return f"{found.formula} is not {found.definition}"
+def _(item: e.NotItsDefinition, numbers: Numbers = EXACT) -> str:
+    return f"{item.formula} is not {item.definition}"
 
 
 @words.register
-def _(found: e.RationalForm, numbers: Numbers = EXACT) -> str:
-    return f"{found.formula} is a quotient of polynomials in the curve, and is {found.definition}"
+def _(item: e.RationalForm, numbers: Numbers = EXACT) -> str:
+    return f"{item.formula} is a quotient of polynomials in the curve, and is {item.definition}"
 
 
 @words.register
-def _(found: e.RationalOfDegree, numbers: Numbers = EXACT) -> str:
-    return f"rational of degree {found.degree}"
+def _(item: e.RationalOfDegree, numbers: Numbers = EXACT) -> str:
+    return f"rational of degree {item.degree}"
 
 
 # ---- degrees and counts
 
 
 @words.register
-def _(found: e.DegreeFound, numbers: Numbers = EXACT) -> str:
-    parts = [str(found.degree)]
-    if found.as_written:
-        parts.append(", as it is written: it vanishes on every curve")
-    if found.grading:
-        parts.append(f" (k, m, j = {', '.join(map(str, found.grading))})")
-    if found.start > 1:
-        parts.append(f" (so from d = {found.start} on)")
-    for what, exceptions in (("lower", found.lower), ("0", found.zero)):
+def _(item: e.DegreeFound, numbers: Numbers = EXACT) -> str:
+    parts = [str(item.degree)]
+    if item.as_written:
+        parts.append(", as written: it vanishes on every curve")
+    if item.grading:
+        parts.append(f" (k, m, j = {', '.join(map(str, item.grading))})")
+    if item.start > 1:
+        parts.append(f"  (for d ≥ {item.start})")
+    for what, exceptions in (("lower", item.lower), ("0", item.zero)):
         if exceptions:
             parts.append(f" ({what} for d = {', '.join(map(str, exceptions))})")
     return "".join(parts)
 
 
 @words.register
-def _(found: e.DegreeHere, numbers: Numbers = EXACT) -> str:
-    return str(found.degree)
+def _(item: e.DegreeHere, numbers: Numbers = EXACT) -> str:
+    return str(item.degree)
 
 
 @words.register
-def _(found: e.ZeroHere, numbers: Numbers = EXACT) -> str:
+def _(item: e.ZeroHere, numbers: Numbers = EXACT) -> str:
     return "0"
 
 
 @words.register
-def _(found: e.WrongDegree, numbers: Numbers = EXACT) -> str:
-    wrong = f"{found.degree}, not {found.relation.bound(found.claimed)}"
-    if found.at is None:
+def _(item: e.WrongDegree, numbers: Numbers = EXACT) -> str:
+    wrong = f"{item.degree}, not {item.relation.bound(item.claimed)}"
+    if item.at is None:
         return wrong
-    where = " and ".join(f"{name} = {d}" for name, d in found.at)
+    where = " and ".join(f"{name} = {d}" for name, d in item.at)
     return f"at {where}: {wrong}" if where else f"for every d: {wrong}"
 
 
 @words.register
-def _(found: e.Counted, numbers: Numbers = EXACT) -> str:
-    return ", ".join(_count(n, what) for n, what in found.numbers)
+def _(item: e.Counted, numbers: Numbers = EXACT) -> str:
+    return ", ".join(_count(n, what) for n, what in item.numbers)
 
 
 def _count(n: int | None, what: Counter) -> str:
@@ -135,106 +135,106 @@ def _count(n: int | None, what: Counter) -> str:
 
 
 @words.register
-def _(found: e.OnlyForDegrees, numbers: Numbers = EXACT) -> str:
-    return f"none vanishes for {words(found.degrees, numbers)}"
+def _(item: e.OnlyForDegrees, numbers: Numbers = EXACT) -> str:
+    return f"none vanishes for {words(item.degrees, numbers)}"
 
 
 @words.register
-def _(found: e.ZeroForDegree, numbers: Numbers = EXACT) -> str:
-    if found.index is None:
-        return f"zero for degree {found.degree}"
-    return f"coefficient {found.index} of degree {found.degree}"
+def _(item: e.ZeroForDegree, numbers: Numbers = EXACT) -> str:
+    if item.index is None:
+        return f"zero for degree {item.degree}"
+    return f"coefficient {item.index} of degree {item.degree}"
 
 
 @words.register
-def _(found: e.CoefficientIsZero, numbers: Numbers = EXACT) -> str:
-    what = "it" if found.index is None else f"coefficient {found.index}"
-    return f"{what} is zero for every curve of degree {found.degree}"
+def _(item: e.CoefficientIsZero, numbers: Numbers = EXACT) -> str:
+    what = "it" if item.index is None else f"coefficient {item.index}"
+    return f"{what} is zero for every curve of degree {item.degree}"
 
 
 @words.register
-def _(found: e.ZeroCoefficient, numbers: Numbers = EXACT) -> str:
-    return f"coefficient {found.index} of {found.formula} is 0"
+def _(item: e.ZeroCoefficient, numbers: Numbers = EXACT) -> str:
+    return f"coefficient {item.index} of {item.formula} is 0"
 
 
 # ---- zeros, signs, squares
 
 
 @words.register
-def _(found: e.VanishesAlways, numbers: Numbers = EXACT) -> str:
-    return f"{found.formula} vanishes on every curve"
+def _(item: e.VanishesAlways, numbers: Numbers = EXACT) -> str:
+    return f"{item.formula} vanishes on every curve"
 
 
 @words.register
-def _(found: e.VanishesAlone, numbers: Numbers = EXACT) -> str:
-    return f"{found.formula} vanishes {words(found.place, numbers)}, {found.other} does not"
+def _(item: e.VanishesAlone, numbers: Numbers = EXACT) -> str:
+    return f"{item.formula} vanishes {words(item.place, numbers)}, {item.other} does not"
 
 
 @words.register
-def _(found: e.ZeroAt, numbers: Numbers = EXACT) -> str:
-    return f"zero {words(found.place, numbers)}"
+def _(item: e.ZeroAt, numbers: Numbers = EXACT) -> str:
+    return f"zero {words(item.place, numbers)}"
 
 
 @words.register
-def _(found: e.HasSign, numbers: Numbers = EXACT) -> str:
-    return str(found.sign)
+def _(item: e.HasSign, numbers: Numbers = EXACT) -> str:
+    return str(item.sign)
 
 
 @words.register
-def _(found: e.SumOfSquares, numbers: Numbers = EXACT) -> str:
-    return f"a sum of {found.squares} squares" if found.squares > 1 else "a square"
+def _(item: e.SumOfSquares, numbers: Numbers = EXACT) -> str:
+    return f"a sum of {item.squares} squares" if item.squares > 1 else "a square"
 
 
 @words.register
-def _(found: e.Quotients, numbers: Numbers = EXACT) -> str:
+def _(item: e.Quotients, numbers: Numbers = EXACT) -> str:
     quotients = [
-        f"{found.formula}/{name} = {'not proportional' if factor is None else words(factor, numbers)}"
-        for name, factor in found.by
+        f"{item.formula}/{name} = {'not proportional' if factor is None else words(factor, numbers)}"
+        for name, factor in item.by
     ]
     return ", ".join(quotients)
 
 
 @words.register
-def _(found: e.OddPowers, numbers: Numbers = EXACT) -> str:
-    return f"odd powers of {'·'.join(found.names)}"
+def _(item: e.OddPowers, numbers: Numbers = EXACT) -> str:
+    return f"odd powers of {'·'.join(item.names)}"
 
 
 @words.register
-def _(found: e.Squares, numbers: Numbers = EXACT) -> str:
-    zero = f", 0 on {found.zero}" if found.zero else ""
-    segments = f"{found.squares} of {found.segments} segments"
-    return f"{found.formula} is a square up to a constant on {segments}{zero}"
+def _(item: e.Squares, numbers: Numbers = EXACT) -> str:
+    zero = f", 0 on {item.zero}" if item.zero else ""
+    segments = f"{item.squares} of {item.segments} segments"
+    return f"{item.formula} is a square up to a constant on {segments}{zero}"
 
 
 @words.register
-def _(found: e.SquareOnSegment, numbers: Numbers = EXACT) -> str:
-    return f"on segment {found.segment} one is a square and the other is not"
+def _(item: e.SquareOnSegment, numbers: Numbers = EXACT) -> str:
+    return f"on segment {item.segment} one is a square and the other is not"
 
 
 # ---- surfaces
 
 
 @words.register
-def _(found: e.OneSurface, numbers: Numbers = EXACT) -> str:
-    return f"one surface, but where {' or '.join(found.but)} vanishes" if found.but else "one surface"
+def _(item: e.OneSurface, numbers: Numbers = EXACT) -> str:
+    return f"one surface, except where {' or '.join(item.but)} vanishes" if item.but else "one surface"
 
 
 @words.register
-def _(found: e.OneSurfaceBut, numbers: Numbers = EXACT) -> str:
-    return f"one surface, but {words(found.place, numbers)}, where the generator of {found.formula} vanishes"
+def _(item: e.OneSurfaceBut, numbers: Numbers = EXACT) -> str:
+    return f"one surface, except {words(item.place, numbers)}, where the generator of {item.formula} vanishes"
 
 
 @words.register
-def _(found: e.NoGenerator, numbers: Numbers = EXACT) -> str:
-    if found.formula is None:
+def _(item: e.NoGenerator, numbers: Numbers = EXACT) -> str:
+    if item.formula is None:
         return "no surface: the generator vanishes"
-    return f"no surface: the generator of {found.formula} vanishes on every curve"
+    return f"no surface: the generator of {item.formula} vanishes on every curve"
 
 
 @words.register
-def _(found: e.Rulings, numbers: Numbers = EXACT) -> str:
-    shift = "" if found.shift is None else f"{words(found.shift, numbers)} + "
-    scale = "" if found.scale.is_one else f"{words(found.scale, numbers)} "
+def _(item: e.Rulings, numbers: Numbers = EXACT) -> str:
+    shift = "" if item.shift is None else f"{words(item.shift, numbers)} + "
+    scale = "" if item.scale.is_one else f"{words(item.scale, numbers)} "
     return f"ζ = {shift}{scale}λ"
 
 
@@ -242,48 +242,48 @@ def _(found: e.Rulings, numbers: Numbers = EXACT) -> str:
 
 
 @words.register
-def _(found: e.ContactOrder, numbers: Numbers = EXACT) -> str:
-    return "none: it does not pass through the point" if found.order < 0 else found.relation.bound(found.order)
+def _(item: e.ContactOrder, numbers: Numbers = EXACT) -> str:
+    return "none: it does not pass through the point" if item.order < 0 else item.relation.bound(item.order)
 
 
 @words.register
-def _(found: e.AtLeast, numbers: Numbers = EXACT) -> str:
-    return f"at least {found.order}"
+def _(item: e.AtLeast, numbers: Numbers = EXACT) -> str:
+    return f"at least {item.order}"
 
 
 @words.register
-def _(found: e.Vanishes, numbers: Numbers = EXACT) -> str:
-    return f"0 {words(found.where, numbers)}"
+def _(item: e.Vanishes, numbers: Numbers = EXACT) -> str:
+    return f"0 {words(item.where, numbers)}"
 
 
 @words.register
-def _(found: e.DerivativeAt, numbers: Numbers = EXACT) -> str:
-    what = f"the derivative of order {found.order} by s̄" if found.order else "the value"
-    place = f" {words(found.place, numbers)}" if found.place else " on every curve" if found.is_zero else ""
-    return f"{what} is {'= 0' if found.is_zero else '≠ 0'} at s̄ = s{place}"
+def _(item: e.DerivativeAt, numbers: Numbers = EXACT) -> str:
+    what = f"the derivative of order {item.order} in s̄" if item.order else "the value"
+    place = f" {words(item.place, numbers)}" if item.place else " on every curve" if item.is_zero else ""
+    return f"{what} is {'= 0' if item.is_zero else '≠ 0'} at s̄ = s{place}"
 
 
 @words.register
-def _(found: e.Weight, numbers: Numbers = EXACT) -> str:
-    return weight_text(found.under, found.weight)
+def _(item: e.Weight, numbers: Numbers = EXACT) -> str:
+    return weight_text(item.under, item.weight)
 
 
 @words.register
-def _(found: e.UnderMap, numbers: Numbers = EXACT) -> str:
-    under = f"under {with_article(found.map)}"
-    if found.factor is None:
+def _(item: e.UnderMap, numbers: Numbers = EXACT) -> str:
+    under = f"under {with_article(item.map)}"
+    if item.factor is None:
         return f"{under} the sides are not proportional"
-    return f"{under} it is {words(found.factor, numbers)} times what is claimed"
+    return f"{under} it is {words(item.factor, numbers)} times what is claimed"
 
 
 @words.register
-def _(found: e.DifferUnder, numbers: Numbers = EXACT) -> str:
-    return f"under {with_article(found.map)} the sides differ {words(found.place, numbers)}"
+def _(item: e.DifferUnder, numbers: Numbers = EXACT) -> str:
+    return f"under {with_article(item.map)} the sides differ {words(item.place, numbers)}"
 
 
 @words.register
-def _(found: e.Conditions, numbers: Numbers = EXACT) -> str:
-    return ", ".join(f"{_middle(a)} against {_middle(b)}" for a, b in found.pairs)
+def _(item: e.Conditions, numbers: Numbers = EXACT) -> str:
+    return ", ".join(f"{_middle(a)} against {_middle(b)}" for a, b in item.pairs)
 
 
 def _middle(enclosure: e.Enclosure) -> str:
@@ -292,5 +292,5 @@ def _middle(enclosure: e.Enclosure) -> str:
 
 
 @words.register
-def _(found: e.NotBetter, numbers: Numbers = EXACT) -> str:
-    return f"not better at the zero {words(found.zero, numbers)}"
+def _(item: e.NotBetter, numbers: Numbers = EXACT) -> str:
+    return f"not better at the zero {words(item.zero, numbers)}"

@@ -1,4 +1,4 @@
-"""The figures of the paper, in its layout; every number in a caption is counted on the objects that are drawn."""
+"""The figures of the paper, in its layout; every number in a caption is counted on the drawn objects."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FIGURES: dict[int, Callable[[], Drawn]] = {1: figure_1, 2: figure_2, 3: figure_3
 
 @dataclass
 class Made:
-    """A figure that was written: its caption and the files."""
+    """A figure written to files: its caption and the files."""
 
     number: int
     caption: str
@@ -25,7 +25,7 @@ class Made:
 
 
 def folder(path: str | Path) -> Path:
-    """The folder with this path, created if necessary; `PlotError` where that is impossible."""
+    """The folder with this path, created if necessary; raises `PlotError` where that is impossible."""
     place = Path(path)
     try:
         place.mkdir(parents=True, exist_ok=True)
@@ -39,7 +39,7 @@ def folder(path: str | Path) -> Path:
 def make(number: int, folder: str | Path) -> Made:
     """Draw one figure and write it into a folder: as SVG and PNG, and its surfaces as an interactive page.
 
-    Raises `PlotError` for a number that is not a figure of the paper, without matplotlib, and where nothing can be
+    Raises `PlotError` for a number that is not a figure of the paper, without matplotlib, and where the files cannot be
     written.
     """
     if number not in FIGURES:

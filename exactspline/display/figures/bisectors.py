@@ -1,5 +1,5 @@
-"""Figures 4 to 6: bisectors of a point and a curve with an explicit directrix and directly, and the planar bisector
-inside both.
+"""Figures 4 to 6: bisectors of a point and a curve by the explicit directrix and by the direct approach, and the planar
+bisector in both.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from exactspline.display.plot.frames import three_ticks
 from exactspline.display.plot.html import Scene
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
+from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
 from exactspline.papers import find
-from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.values import RationalSurface
 
@@ -31,8 +31,8 @@ VIEW = (22, -60)
 
 
 class Shown(NamedTuple):
-    """A curve, a point, the heights between which their bisector is shown, and the bounds of the ruling parameter to
-    which the control nets belong: in the direct approach it is the height itself.
+    """A curve, a point, the heights between which their bisector is shown, and the bounds of the ruling parameter for
+    the control nets; in the direct approach this parameter is the height.
     """
 
     curve: str
@@ -56,11 +56,11 @@ def figure_5() -> Drawn:
 
 
 def _surfaces(shown: Shown) -> list[tuple[RationalSurface, SurfaceMesh]]:
-    """The surface by both approaches: the same part of it, cut at the same heights, with its two nets."""
+    """The surface by both approaches: the same part of it, cut at the same heights, with both nets."""
     argument = example(shown.curve).with_point(shown.point)
-    found = [find(formula)(argument) for formula in (EXPLICIT, DIRECT)]
+    surfaces = [find(formula)(argument) for formula in (EXPLICIT, DIRECT)]
     nets = (shown.explicit, shown.heights)
-    return [(s, ruled_mesh(s, net, heights=shown.heights)) for s, net in zip(found, nets, strict=True)]
+    return [(s, ruled_mesh(s, net, heights=shown.heights)) for s, net in zip(surfaces, nets, strict=True)]
 
 
 def _frame(figure: Figure, i: int, shown: Shown, mesh: SurfaceMesh, title: str, *, net: bool) -> Any:
@@ -73,7 +73,7 @@ def _frame(figure: Figure, i: int, shown: Shown, mesh: SurfaceMesh, title: str, 
 
 
 def _alike(frames: Sequence[Any]) -> None:
-    """One camera, one scale and the same few ticks in all frames, which contain all of each scene."""
+    """Give all frames one camera, one scale and the same few ticks, so that each contains its whole scene."""
     for axis in "xyz":
         bounds = [getattr(ax, f"get_{axis}lim")() for ax in frames]
         low, high = min(a for a, _ in bounds), max(b for _, b in bounds)
@@ -115,7 +115,7 @@ def _minus(text: str) -> str:
 
 
 def figure_6() -> Drawn:
-    """The planar bisector inside both surfaces of Figure 5."""
+    """The planar bisector in both surfaces of Figure 5."""
     plane = find("plane_bisector_polynomial")(example("ellipse").with_point(ELLIPSE.point[:2]))
     figure, scenes, frames = new_figure(PAGE, 5.6), [], []
     for i, (surface, mesh) in enumerate(_surfaces(ELLIPSE)):

@@ -1,4 +1,4 @@
-"""Figures 1 to 3: critical curvature by squaring and directly, and the evolute of an ellipse."""
+"""Figures 1 to 3: critical curvature by squaring and by the direct approach, and the evolute of an ellipse."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from exactspline.display.plot.html import Scene
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.zero_forms import zero_form
+from exactspline.interchange.examples import example
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.papers import find
@@ -18,7 +19,6 @@ from exactspline.polynomials.factorization import superscript
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineVector
@@ -35,7 +35,7 @@ SQUARING = "squaring"
 
 
 class Drawn(NamedTuple):
-    """A figure, its caption, and its interactive scenes (none for a picture in the plane)."""
+    """A figure, its caption, and its interactive scenes (none for plane figures)."""
 
     figure: Any
     caption: str
@@ -43,12 +43,12 @@ class Drawn(NamedTuple):
 
 
 def captioned(figure: Figure, number: int, caption: str, scenes: tuple[Scene, ...] = ()) -> Drawn:
-    """The figure and its caption, which is text of the page around it."""
+    """The figure and its caption, which is shown as text of the surrounding page."""
     return Drawn(figure, f"Fig. {number}. {caption}", scenes)
 
 
 def cost(value: BSpline | SplineVector) -> str:
-    """The cost of a representation, counted on it.
+    """The degree and number of control points of a representation.
 
     >>> cost(find("g2")(example("ellipse")))
     'degree 12, 52 control points'
@@ -57,7 +57,7 @@ def cost(value: BSpline | SplineVector) -> str:
 
 
 def figure_1() -> Drawn:
-    """Critical points of the curvature of a polynomial curve, by squaring and directly."""
+    """Critical points of the curvature of a polynomial curve, by squaring and by the direct approach."""
     curve = example("six_segment_cubic")
     figure = new_figure(9, 13)
     grid = figure.add_gridspec(3, 1, height_ratios=[2.2, 1, 1])
@@ -106,7 +106,7 @@ def figure_1() -> Drawn:
 
 
 def _crop(ax: Axes, curve: Nurbs) -> None:
-    """Show the control polygon and a margin around it: what is far away leaves the picture."""
+    """Show the control polygon and a margin around it; anything farther away is cropped."""
     sides = []
     for values in zip(*curve.control_points, strict=True):
         margin = (max(values) - min(values)) / 12

@@ -31,8 +31,8 @@ if TYPE_CHECKING:
 
 def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
     """Draw a curve, a function, a zero set, a derived curve, a surface, its analysis (in a figure of its own) or a
-    bisector into matplotlib's axes (None: those of a new
-    figure), which are returned. `how` as for the function of `exactspline.display.plot` that draws such things.
+    bisector into matplotlib's axes (None: those of a new figure), which are returned. `how` is passed to the function
+    of `exactspline.display.plot` for this type of object.
 
     >>> from exactspline import BSpline, example, zeros
     >>> f = BSpline.bezier([1, -1, 1])
@@ -74,6 +74,6 @@ def _way_to_draw(thing: object) -> tuple[Callable[..., Axes], object]:
     if isinstance(parts, Vector):
         return (plot_surface if any(isinstance(part, TensorSpline) for part in parts) else plot_quotient), thing
     raise ShapeError(
-        f"a {type(thing).__name__} has no picture of its own",
+        f"a {type(thing).__name__} cannot be drawn",
         remedy="draw a curve, a spline, a zero set, a vector or quotient of splines, or a ruled surface",
     )

@@ -1,4 +1,4 @@
-"""Pictures of whole bisectors: of two curves with the lines and planes beside the surface, of a point and a curve."""
+"""Pictures of whole bisectors: of two curves with surface, lines and planes; of a point and a curve."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ RULINGS, ALONG, SAMPLES = 64, 12, 200
 DIGITS = 20
 
 
-def plot_curve_bisector(found: CurveBisector, ax: Axes | None = None, *, box: Box | None = None) -> Axes:
+def plot_curve_bisector(bisector: CurveBisector, ax: Axes | None = None, *, box: Box | None = None) -> Axes:
     """The bisector of two curves: its surface, the lines along curves of pairs, and the lines and planes of single
     pairs, in a box around both curves.
 
@@ -61,19 +61,19 @@ def plot_curve_bisector(found: CurveBisector, ax: Axes | None = None, *, box: Bo
     Raises `PlotError` as `plot_mesh` does, except for a bisector without any part in the box.
     """
     ax = axes_for(ax, 3)
-    box = _box_of(found.curves) if box is None else box
-    for curve, label in zip(found.curves, ("curve of s", "curve of t"), strict=True):
+    box = _box_of(bisector.curves) if box is None else box
+    for curve, label in zip(bisector.curves, ("curve of s", "curve of t"), strict=True):
         plot_curve(curve, ax, control_polygon=False, knots=False, label=label)
-    for patch in found.patches:
+    for patch in bisector.patches:
         if max(patch.value.degree) == 0:
             mark_points(ax, [patch.value.point(*[a for a, _ in patch.sides])], "surface (one point)", SKY)
         else:
             _plot(ax, tensor_mesh(patch.value, box), "surface", SKY)
-    for line in found.lines:
+    for line in bisector.lines:
         label = f"lines of {_short(line)}"
         for rulings in _rulings(line):
             _plot(ax, lines_mesh(rulings, box), label, ORANGE)
-    for pair in found.pairs:
+    for pair in bisector.pairs:
         _plot_pair(ax, pair, box)
     show_box(ax, box)
     _legend_once(ax)
@@ -96,7 +96,7 @@ def _unit_around(point: Point) -> Box:
 
 
 def _plot(ax: Axes, mesh: SurfaceMesh, label: str, color: str) -> None:
-    """A surface, unless nothing of it is in the box."""
+    """Draw a surface, unless no part of it is in the box."""
     if mesh.faces:
         plot_mesh(mesh, ax, label=label, color=color, control_net=False)
 
@@ -143,19 +143,19 @@ def _turned(ruling: Ruling, before: Point | None) -> Ruling:
 
 def _rulings(line: LineComponent) -> list[list[Ruling | None]]:
     """The lines of a component, run by run."""
-    found = [_piece_rulings(one) for one in line.pieces]
+    runs = [_piece_rulings(one) for one in line.pieces]
     for branch in line.real.branches:
         run: list[Ruling | None] = []
         for s in _between(branch.low, branch.high):
             inside = [t for t in line.partners(s) if t not in line.sides[1]]
             run.append(_middle(line.line(s, inside[branch.index], DIGITS)) if branch.index < len(inside) else None)
-        found.append(run)
+        runs.append(run)
     if line.fixed is not None:
         own = 0 if line.correspondence is Correspondence.FIRST_FIXED else 1
         others = _between(*line.sides[1 - own])
         places = [(line.fixed, x) if own == 0 else (x, line.fixed) for x in others]
-        found.append([_middle(line.line(s, t, DIGITS)) for s, t in places])
-    return found
+        runs.append([_middle(line.line(s, t, DIGITS)) for s, t in places])
+    return runs
 
 
 def _piece_rulings(one: LinePiece) -> list[Ruling | None]:
@@ -173,7 +173,7 @@ def _between(low: Any, high: Any) -> list[mpq]:
 
 
 def _middle(flat: Any) -> Ruling | None:
-    """A line in balls as the line through their middles; None where a ball is not finite."""
+    """A line in balls as the line through their midpoints; None where a ball is not finite."""
     rows = [flat.point, flat.direction]
     if not all(x.is_finite() for row in rows for x in row):
         return None
@@ -209,16 +209,16 @@ def _plot_pair(ax: Axes, pair: SinglePair, box: Box) -> None:
 
 
 def _root(x: mpq) -> mpq:
-    """Roughly the square root: how far apart the rulings of a plane are drawn."""
+    """A rough square root, for the distance between the rulings of a plane."""
     return mpq(1 << (max(int(x).bit_length(), 1) // 2))
 
 
-def plot_point_bisector(found: PointBisector, curve: Nurbs, point: Sequence[Number], ax: Axes | None = None) -> Axes:
+def plot_point_bisector(bisector: PointBisector, curve: Nurbs, point: Sequence[Number], ax: Axes | None = None) -> Axes:
     """The ruled bisector of a point and a space curve, in a box around both."""
     ax, place = axes_for(ax, 3), tuple(map(rational, point))
     box = _box_of([curve], [place])
     plot_curve(curve, ax, control_polygon=False, knots=False)
-    for piece in found.pieces:
+    for piece in bisector.pieces:
         directrix, generator = piece.surface.directrix, piece.surface.generator
         assert isinstance(directrix, Rational)
         rulings: list[Ruling | None] = []
@@ -241,7 +241,7 @@ def plot_point_bisector(found: PointBisector, curve: Nurbs, point: Sequence[Numb
 
 
 def plot_trimmed_bisector(
-    found: TrimmedBisector, curve: Nurbs, point: Sequence[Number], ax: Axes | None = None
+    bisector: TrimmedBisector, curve: Nurbs, point: Sequence[Number], ax: Axes | None = None
 ) -> Axes:
     """The true bisector of a point and a plane curve: arcs, and the straight pieces of ends and corners.
 
@@ -255,7 +255,7 @@ def plot_trimmed_bisector(
     ax, place = axes_for(ax), tuple(map(rational, point))
     box = _box_of([curve], [place])
     plot_curve(curve, ax, control_polygon=False, knots=False)
-    for piece in found.pieces:
+    for piece in bisector.pieces:
         domain = piece.value.denominator.domain
         low, high = (parameter(t, domain) for t in (piece.low, piece.high))
         places = [low + (high - low) * mpq(k, SAMPLES) for k in range(SAMPLES + 1)]

@@ -1,6 +1,6 @@
-"""The basis of every picture: figures, axes, colours, files, and the only place where exact numbers become floats.
-There is no state, neither pyplot nor a display. Colours after Okabe and Ito (2008), which colour-blind readers can
-distinguish too.
+"""The basis of every picture: figures, axes, colours, files, and the only place where exact numbers become floats. It
+has no global state and needs neither pyplot nor a display. Colours after Okabe and Ito (2008), which colour-blind
+readers can distinguish too.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ if TYPE_CHECKING:
 
 BLACK, GREY, SILVER = "#000000", "#7A7A7A", "#C4C4C4"
 BLUE, SKY, GREEN, ORANGE, VERMILLION, PURPLE = "#0072B2", "#56B4E9", "#009E73", "#E69F00", "#D55E00", "#CC79A7"
-#: Markers and colours of the roots, panel by panel.
+#: Markers and colours of the roots, by panel.
 MARKS = (("D", GREEN), ("s", PURPLE), ("^", ORANGE), ("v", SKY))
 
-#: Samples per segment, and about how many a picture has in all when there are many segments.
+#: Samples per segment, and the approximate total when there are many segments.
 SAMPLES, ALL_SAMPLES = 128, 8192
-#: Beyond this, and below its reciprocal, matplotlib fails.
+#: The size beyond which (and below whose reciprocal) matplotlib fails.
 LARGEST = mpq(10) ** 100
 
-#: The width of a page in inches: in wider figures letters would be too small to be read there.
+#: The width of a page in inches: in wider figures the letters would be too small to read.
 PAGE = 9.2
-#: The room of an entry of a legend, in inches.
+#: The width of an entry of a legend, in inches.
 ENTRY = 1.9
 
 SUFFIXES = (".svg", ".png")
@@ -46,7 +46,7 @@ Run = list[Point]
 
 V = TypeVar("V")
 
-#: The largest figure, in inches: what matplotlib writes to a bitmap.
+#: The largest figure, in inches, that matplotlib writes to a bitmap.
 LARGEST_SIZE = 600
 
 
@@ -59,7 +59,7 @@ class PlotError(ExactSplineError):
 
 
 def new_figure(width: float = 7, height: float = 5) -> Figure:
-    """An empty ``matplotlib.figure.Figure`` of the given size in inches, without a window; `PlotError` without
+    """An empty ``matplotlib.figure.Figure`` of the given size in inches, without a window; raises `PlotError` without
     matplotlib.
     """
     for inches in (width, height):
@@ -70,7 +70,7 @@ def new_figure(width: float = 7, height: float = 5) -> Figure:
 
 
 def library(module: str) -> ModuleType:
-    """A module of matplotlib; `PlotError` where it is not installed."""
+    """A module of matplotlib; raises `PlotError` where it is not installed."""
     try:
         return import_module(module)
     except ImportError:
@@ -78,7 +78,7 @@ def library(module: str) -> ModuleType:
 
 
 def axes_for(ax: Axes | None, dimension: int = 2) -> Axes:
-    """The axes given, or those of a new figure; `PlotError` when they do not fit the dimension."""
+    """The axes given, or those of a new figure; raises `PlotError` when they do not fit the dimension."""
     if dimension not in (2, 3):
         raise PlotError(f"a curve in R{dimension}", remedy="curves in the plane and in space can be drawn")
     if ax is None:
@@ -93,8 +93,8 @@ def axes_for(ax: Axes | None, dimension: int = 2) -> Axes:
             where="ax",
             remedy="projection='3d' is for curves in space, and only for them",
         )
-    found: Axes = ax
-    return found
+    axes: Axes = ax
+    return axes
 
 
 def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: object) -> None:
@@ -107,7 +107,7 @@ def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: obje
 
 
 def legend_below(ax: Axes, columns: int = 3) -> None:
-    """A legend under the axes, where it hides nothing; in as many columns as there is room for, at most."""
+    """A legend under the axes, where it hides nothing; in at most `columns` columns, as far as there is room."""
     handles, labels = ax.get_legend_handles_labels()
     columns = min(columns, max(1, int(_width(ax) / ENTRY)))
     below = library("matplotlib.transforms").offset_copy(
@@ -118,7 +118,7 @@ def legend_below(ax: Axes, columns: int = 3) -> None:
 
 
 def _width(ax: Axes) -> float:
-    """The share of the width of the figure that axes have, in inches."""
+    """The width of the axes in inches."""
     place: Any = ax.get_subplotspec()
     share = len(place.colspan) / place.get_gridspec().ncols if place else 1.0
     figure: Any = ax.figure
@@ -134,7 +134,7 @@ def sampled(f: Callable[..., V], breaks: Sequence[mpq]) -> Iterator[list[tuple[m
 
 
 def parameter(t: Number | Root | Feature, domain: tuple[mpq, mpq]) -> mpq:
-    """An exact parameter: the number itself, or the middle of a root's interval, narrow beside the domain."""
+    """An exact parameter: the number itself, or the middle of a root's interval, narrow compared with the domain."""
     place: Any = getattr(t, "parameter", t)
     if hasattr(place, "refine"):
         low, high = place.refine(20 + int(1 / (domain[1] - domain[0])).bit_length() // 3)
@@ -149,7 +149,7 @@ def joined(points: Iterable[Point | None]) -> list[Run]:
 
 
 def polygons(knots: Sequence[mpq], degree: int, points: Sequence[Point | None]) -> list[Run]:
-    """Control points in runs that are drawn joined: not across a jump, nor where there is no point (None)."""
+    """Control points in runs that are drawn connected: interrupted at jumps and where there is no point (None)."""
     spread: list[Point | None] = []
     for i, point in enumerate(points):
         jump = i > 0 and knots[i] == knots[i + degree] and point != points[i - 1]
@@ -158,8 +158,8 @@ def polygons(knots: Sequence[mpq], degree: int, points: Sequence[Point | None]) 
 
 
 def draw_polygons(ax: Axes, runs: list[Run], count: int, bends: int = 1, color: str = SILVER, hidden: int = 0) -> None:
-    """Legs (by default light grey), straight in the data (hence bent by a scale that is not linear), and the visible
-    control points.
+    """Legs (by default light grey), straight in the data (hence curved on a nonlinear scale), and the visible control
+    points.
     """
     for run in runs:
         legs = [
@@ -182,13 +182,13 @@ def shown_name(curve: Nurbs) -> str:
 
 
 def settle(figure: Figure) -> None:
-    """Lay out a figure with axes in space: only what was drawn once knows how much room they take."""
+    """Lay out a figure with axes in space: the room that they take is only known after drawing once."""
     if any(ax.name == "3d" for ax in figure.axes):
         figure.draw_without_rendering()
 
 
 def in_words(figure: Figure) -> str:
-    """What a figure shows, from its titles, the names of its axes and its legends.
+    """A description of a figure, from its titles, the names of its axes and its legends.
 
     >>> figure = new_figure()
     >>> ax = figure.add_subplot(title="speed")
@@ -196,18 +196,18 @@ def in_words(figure: Figure) -> str:
     >>> in_words(figure)
     'A plot: speed, showing graph.'
     """
-    told = []
+    descriptions = []
     for ax in figure.axes:
         title = " ".join(ax.get_title().split()).replace("$", "")
         names = dict.fromkeys(name for name in ax.get_legend_handles_labels()[1] if not name.startswith("_"))
         shown = f"showing {', '.join(names)}" if names else ""
-        told.append(", ".join(filter(None, (title, shown))) or "a picture without words")
-    return f"{'A plot' if len(told) == 1 else 'Plots'}: {'; '.join(told)}."
+        descriptions.append(", ".join(filter(None, (title, shown))) or "a picture without words")
+    return f"{'A plot' if len(descriptions) == 1 else 'Plots'}: {'; '.join(descriptions)}."
 
 
 def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
     """Write a figure, or the one that axes belong to, as SVG or PNG by the suffix of the path; the file is written
-    whole or not at all.
+    completely or not at all.
 
     The same picture gives the same bytes. Raises `PlotError` for another suffix and where nothing can be written.
     """

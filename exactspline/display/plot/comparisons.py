@@ -41,13 +41,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-#: Colour and line of one form after the other.
+#: Colours and line styles of the forms, in order.
 LINES = ((BLACK, "-"), (VERMILLION, "--"), (BLUE, "-."), (GREEN, ":"), (PURPLE, (0, (5, 1, 1, 1, 1, 1))))
-#: Samples of every graph that is compared.
+#: Samples of every compared graph.
 SAMPLES = 400
 
 
-#: The marks in a picture of several curves: a question of the registry, the marker with size and colour.
+#: The marks in a picture of several curves: a question of the registry, and the marker with size and colour.
 _MARKED: tuple[tuple[str, str, int, str], ...] = (
     ("corners", "s", 11, VERMILLION),
     ("cusps", "X", 9, BLACK),
@@ -58,23 +58,25 @@ _MARKED: tuple[tuple[str, str, int, str], ...] = (
 
 
 def _places(curve: Nurbs, name: str) -> list[Root]:
-    """The single points that answer a question; one about a coordinate is asked of all of them."""
+    """The single points that answer a question; a question about a coordinate is asked for all coordinates."""
     entry, facts = QUESTIONS[name], analyse(curve)
     arguments = map(str, range(curve.dimension)) if entry.about.argument else ("",)
-    found = [each for argument in arguments for each in cast(Iterable[Feature | Joint], entry.answer(facts, argument))]
-    return [knot_root(each.parameter) if isinstance(each, Joint) else each.root for each in found]
+    answers = [
+        each for argument in arguments for each in cast(Iterable[Feature | Joint], entry.answer(facts, argument))
+    ]
+    return [knot_root(each.parameter) if isinstance(each, Joint) else each.root for each in answers]
 
 
 def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]], *, evolute: bool = False) -> Figure:
     """One picture: on the left the curve with the parameters of every panel, its corners and cusps marked, on the right
     each function with its control polygon.
 
-    A panel is ``(title, function, roots)``, roots as for `plot_function`. With `evolute` a plane curve is drawn with
-    its own. Degrees and numbers of control points in the titles are those of the objects. Returns the
+    A panel is ``(title, function, roots)``, roots as for `plot_function`. With `evolute` a plane curve is drawn
+    together with its evolute. Degrees and numbers of control points in the titles are those of the objects. Returns the
     ``matplotlib.figure.Figure``; raises what the functions above raise.
 
     >>> from exactspline.geometry.constructions import construction
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.roots.zero_set import zeros
     >>> f = construction("zero_curvature").on(example("cubic_s"), "paper")
     >>> [ax.get_title() for ax in inspect_figure(example("cubic_s"), [("zero curvature", f, zeros(f))]).axes]
@@ -105,9 +107,9 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
 
 def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
     """One picture of several curves, a drawing or a glyph, with the points that answer some questions: where it has
-    corners and cusps, where its curvature and where a coordinate is extremal, and where it changes the way it turns.
+    corners and cusps, where its curvature and where a coordinate is extremal, and its inflections.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax, = features_figure([example("cubic_s"), example("cusp")]).axes
     >>> [text.get_text() for text in ax.get_legend().get_texts()][-1]
     'inflections (1)'
@@ -119,9 +121,9 @@ def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
     for curve in curves:
         plot_curve(curve, ax, control_polygon=False, label="_curve")
     for name, marker, size, color in _MARKED:
-        found = [(curve, _places(curve, name)) for curve in curves]
-        label = f"{name.replace('_', ' ')} ({sum(len(places) for _, places in found)})"
-        for curve, places in found:
+        answers = [(curve, _places(curve, name)) for curve in curves]
+        label = f"{name.replace('_', ' ')} ({sum(len(places) for _, places in answers)})"
+        for curve, places in answers:
             plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
     seen = set()
     for line in ax.lines:
@@ -143,7 +145,7 @@ def plot_approaches(
     In this way their zeros and signs can be compared although their sizes differ by many powers of ten; the legend
     shows the cost of each.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_approaches(example("ellipse"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()][1]
     'squaring: degree 96, 388 control points'

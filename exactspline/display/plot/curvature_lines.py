@@ -1,4 +1,4 @@
-"""Lines of curvature for pictures: by steps along the principal directions, in floats, evenly spaced.
+"""Lines of curvature for pictures: traced in floats by steps along the principal directions, evenly spaced.
 
 Source: Jobard and Lefer, Creating evenly-spaced streamlines of arbitrary density, 1997.
 """
@@ -24,9 +24,10 @@ if TYPE_CHECKING:
 
     Floats = NDArray[numpy.float64]
 
-#: Distance between lines and length of a step, as fractions of the size of the surface; the most steps of a line.
+#: Distance between lines and length of a step, as fractions of the size of the surface; the largest number of steps of
+#: a line.
 APART, STEP, MOST = 1 / 26, 1 / 400, 1200
-#: Steps of the shortest line.
+#: The smallest number of steps of a line.
 LEAST = 12
 #: A line ends where it comes nearer to another one than this fraction of their distance.
 NEAR = 0.55
@@ -43,7 +44,7 @@ class Samples:
     vs: list[Floats]
     points: dict[Patch, Floats]
     signs: dict[Patch, Floats]
-    #: The rectangle's grid lines, points on it, and the two principal directions as doubled angles.
+    #: The grid lines of the rectangle, the points on it, and the two principal directions as doubled angles.
     grid: tuple[Floats, Floats]
     whole: Floats
     directions: tuple[Floats, Floats]
@@ -69,7 +70,7 @@ class Samples:
         rows, columns = surface.patches
 
         def assembled(which: Any) -> Any:
-            """What belongs to patches over the whole rectangle; of a common border the later patch's."""
+            """Arrays of the patches joined over the whole rectangle; on common borders the later patch's values."""
             lines = [
                 np.concatenate([which((i, j))[:, : None if j == columns - 1 else -1] for j in range(columns)], axis=1)
                 for i in range(rows)
@@ -87,12 +88,12 @@ class Samples:
         return points
 
     def _cell(self, u: float, v: float) -> tuple[int, int, float, float]:
-        """The cell of the grid that holds a point, and where in it."""
-        found: list[Any] = []
-        for t, own in ((u, self.grid[0]), (v, self.grid[1])):
-            i = min(max(int(own.searchsorted(t, side="right")) - 1, 0), len(own) - 2)
-            found.append((i, (t - own[i]) / (own[i + 1] - own[i])))
-        return found[0][0], found[1][0], found[0][1], found[1][1]
+        """The grid cell that contains a point, and the point's position in it."""
+        cell: list[Any] = []
+        for t, breaks in ((u, self.grid[0]), (v, self.grid[1])):
+            i = min(max(int(breaks.searchsorted(t, side="right")) - 1, 0), len(breaks) - 2)
+            cell.append((i, (t - breaks[i]) / (breaks[i + 1] - breaks[i])))
+        return cell[0][0], cell[1][0], cell[0][1], cell[1][1]
 
     def direction(self, family: int, u: float, v: float) -> tuple[float, float]:
         """A principal direction in the parameters, of length 1 or zero."""
@@ -105,7 +106,7 @@ class Samples:
         return cos(angle), sin(angle)
 
     def velocity(self, u: float, v: float, du: float, dv: float) -> float:
-        """About how far a step of the parameters goes on the surface."""
+        """The approximate length on the surface of a step of the parameters."""
         e = 1e-3
         (a, b), (c, d) = ((own[0], own[-1]) for own in self.grid)
         u, v = min(max(u, a), b - e * (b - a)), min(max(v, c), d - e * (d - c))
@@ -135,15 +136,15 @@ def _bernstein(np: Any, n: int, ts: Any) -> Any:
 
 def _quotients(np: Any, values: dict[tuple[int, int], list[Any]]) -> dict[tuple[int, int], Any]:
     """The derivatives of p/w to the second order, by Leibniz' rule."""
-    found: dict[tuple[int, int], Any] = {}
+    derivatives: dict[tuple[int, int], Any] = {}
     w = {key: own[-1] for key, own in values.items()}
     for i, j in _ORDERS:
         own = np.stack(values[i, j][:-1], axis=-1)
-        for (a, b), earlier in found.items():
+        for (a, b), earlier in derivatives.items():
             if a <= i and b <= j:
                 own = own - (comb(i, a) * comb(j, b) * w[i - a, j - b])[..., None] * earlier
-        found[i, j] = own / w[0, 0][..., None]
-    return found
+        derivatives[i, j] = own / w[0, 0][..., None]
+    return derivatives
 
 
 def _principal(np: Any, s: dict[tuple[int, int], Any]) -> tuple[Any, Any]:
@@ -160,7 +161,7 @@ def _principal(np: Any, s: dict[tuple[int, int], Any]) -> tuple[Any, Any]:
     gap = np.sqrt(np.maximum(mean * mean - gauss, 0))
     families = []
     for kappa in (mean + gap, mean - gap):
-        # (L − κE) du + (M − κF) dv = 0 = (M − κF) du + (N − κG) dv: the larger row tells the direction
+        # (L − κE) du + (M − κF) dv = 0 = (M − κF) du + (N − κG) dv: the larger row determines the direction
         first, second, third = ll - kappa * e, m - kappa * f, k - kappa * g
         by_first = np.abs(first) >= np.abs(third)
         du, dv = np.where(by_first, -second, -third), np.where(by_first, first, second)
@@ -194,7 +195,7 @@ def _family(samples: Samples, family: int) -> list[Floats]:
         key=lambda p: (p[0] - middle[0]) ** 2 / (us[-1] - us[0]) ** 2 + (p[1] - middle[1]) ** 2 / (vs[-1] - vs[0]) ** 2
     )
     near = _Neighbours(size * APART)
-    found = []
+    lines = []
     for seed in seeds:
         if near.distance(samples.lifted(np.array([seed]))[0]) < size * APART:
             continue
@@ -202,22 +203,22 @@ def _family(samples: Samples, family: int) -> list[Floats]:
         second, _ = ([], True) if closed else _half(samples, family, seed, -1.0, near, size)
         line = np.array([*second[::-1], seed, *first])
         if len(line) > LEAST:
-            found.append(line)
+            lines.append(line)
             near.add(samples.lifted(line))
-    return found
+    return lines
 
 
 def _half(
     samples: Samples, family: int, seed: tuple[float, float], sign: float, near: _Neighbours, size: float
 ) -> tuple[list[tuple[float, float]], bool]:
-    """A line from a seed to one side, till it leaves the rectangle or comes near another one, or back: then it is
-    closed.
+    """A line from a seed to one side, until it leaves the rectangle, comes near another line, or returns to the seed:
+    then it is closed.
     """
     (a, b), (c, d) = ((own[0], own[-1]) for own in samples.grid)
     u, v = seed
     du, dv = samples.direction(family, u, v)
     last = (du * sign, dv * sign)
-    found: list[tuple[float, float]] = []
+    points: list[tuple[float, float]] = []
     start = samples.lifted([seed])[0]
     for step in range(MOST):
         speed = samples.velocity(u, v, *last)
@@ -227,16 +228,16 @@ def _half(
         u, v = u + middle[0] * length, v + middle[1] * length
         if middle == (0.0, 0.0) or not (a <= u <= b and c <= v <= d):
             break
-        found.append((u, v))
+        points.append((u, v))
         point = samples.lifted([(u, v)])[0]
         if step > LEAST and sum((point - start) ** 2) < (size * STEP) ** 2:
-            return [*found, seed], True
+            return [*points, seed], True
         if step % 4 == 3 and near.distance(point) < size * APART * NEAR:
             break
         last = _turned(samples.direction(family, u, v), middle)
         if last == (0.0, 0.0):
             break
-    return found, False
+    return points, False
 
 
 def _turned(direction: tuple[float, float], last: tuple[float, float]) -> tuple[float, float]:
@@ -246,7 +247,7 @@ def _turned(direction: tuple[float, float], last: tuple[float, float]) -> tuple[
 
 
 class _Neighbours:
-    """Points in space, found by cells of one size."""
+    """Points in space, indexed by cells of one size."""
 
     def __init__(self, size: float) -> None:
         self.size = size
@@ -261,8 +262,8 @@ class _Neighbours:
             self.cells.setdefault(self._key(point), []).append(point)
 
     def distance(self, point: Any) -> float:
-        """The distance of the nearest point that is not farther than a cell; else infinite."""
+        """The distance to the nearest point, if that is within one cell; otherwise infinite."""
         i, j, k = self._key(point)
         cells = [(i + a, j + b, k + c) for a in (-1, 0, 1) for b in (-1, 0, 1) for c in (-1, 0, 1)]
-        own = [((point - other) ** 2).sum() for cell in cells for other in self.cells.get(cell, [])]
-        return float(min(own)) ** 0.5 if own else float("inf")
+        squares = [((point - other) ** 2).sum() for cell in cells for other in self.cells.get(cell, [])]
+        return float(min(squares)) ** 0.5 if squares else float("inf")

@@ -43,7 +43,7 @@ from exactspline.splines.nurbs import Nurbs
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: How far an evolute is shown outside the box around its curve, in lengths of the box's longer side.
+#: How far beyond the box around its curve an evolute is shown, in multiples of the box's longer side.
 REACH = mpq(1, 2)
 
 
@@ -63,7 +63,7 @@ def plot_curve(
     The polygon is interrupted where the curve has a knot of multiplicity degree + 1, and at a control point of weight 0
     (a direction, not a point).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_curve(example("circle"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['control polygon (9 points)', 'circle', 'knots']
@@ -101,10 +101,10 @@ def plot_features(
     size: float = 7,
     hollow: bool = False,
 ) -> Axes:
-    """Mark parameters on a curve: exact numbers, certified roots, or anything that carries one of them as its
-    `parameter`; `hollow` markers have their colour at the edge.
+    """Mark parameters on a curve: exact numbers, certified roots, or any object with one of them as its `parameter`;
+    `hollow` markers have their colour at the edge.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_features(example("circle"), ["1/2", 3], plot_curve(example("circle")), label="marked")
     >>> [float(x) for x in ax.lines[-1].get_xdata()]
     [0.6, 0.0]
@@ -131,10 +131,10 @@ def plot_features(
 
 
 def plot_evolute(curve: Nurbs, ax: Axes | None = None, *, label: str = "evolute", color: str = VERMILLION) -> Axes:
-    """The evolute of a plane curve, in the pieces in which it exists, none joined across a pole; the axes show the part
-    near the curve.
+    """The evolute of a plane curve, piece by piece where it exists, interrupted at poles; the axes show the part near
+    the curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_evolute(example("ellipse"))
     >>> float(max(x for line in ax.lines for x in line.get_xdata()))
     1.5
@@ -164,8 +164,8 @@ def plot_evolute(curve: Nurbs, ax: Axes | None = None, *, label: str = "evolute"
 
 
 def runs_between_poles(value: Rational[BSpline], box: Box) -> list[Run]:
-    """The points of a vector `Rational` inside a box, in runs that end at knots, at poles, and where the box is
-    left.
+    """The points of a vector `Rational` inside a box, in runs that end at knots, at poles, and where they leave the
+    box.
     """
     denominator = value.denominator
     poles = {parameter(t, denominator.domain) for t in zeros(denominator)}
@@ -179,15 +179,15 @@ def runs_between_poles(value: Rational[BSpline], box: Box) -> list[Run]:
 
 
 def _quotient(value: object) -> Rational[BSpline]:
-    """A vector of splines as a quotient; `ShapeError` for what is neither."""
+    """A vector of splines as a quotient; raises `ShapeError` for other values."""
     components, _ = split(cast(Any, value))
     if not isinstance(value, Rational | Vector) or not all(isinstance(x, BSpline) for x in components):
         raise ShapeError(
             f"{a_kind(value)}, where a vector or a quotient of splines is expected",
-            remedy="evaluate a formula on a curve, or take curve.gamma",
+            remedy="evaluate a formula on a curve, or use curve.gamma",
         )
-    found: Rational[BSpline] = value if isinstance(value, Rational) else value / components[0].constant(1)
-    return found
+    quotient: Rational[BSpline] = value if isinstance(value, Rational) else value / components[0].constant(1)
+    return quotient
 
 
 def plot_quotient(
@@ -203,9 +203,9 @@ def plot_quotient(
     """A derived curve in its computed representation, a vector of splines or a vector `Rational`, with the control
     polygon of that representation.
 
-    The curve ends at its poles; points and control points outside `box` (by default: far from most) are left out.
+    The curve ends at its poles; points and control points outside `box` (by default: far from most others) are omitted.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> ax = plot_quotient(find("evolute_reduced")(example("ellipse")))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]

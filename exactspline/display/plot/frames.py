@@ -12,8 +12,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.values import SplineVector
 
-#: The visible part: without a tenth of the points on either side, and a margin (in lengths of its longest side) around
-#: it.
+#: The visible part: the fraction of points omitted on either side, and the margin (in multiples of its longest side).
 OUTLIERS, AROUND = 10, mpq(1)
 
 Box = tuple[Point, Point]
@@ -31,19 +30,18 @@ def longer_side(box: Box) -> mpq:
 
 
 def grown(box: Box, by: mpq) -> Box:
-    """The box with a margin, a multiple of its longer side, all round."""
+    """The box with a margin on all sides, given as a multiple of its longer side."""
     margin = by * longer_side(box)
     return tuple(x - margin for x in box[0]), tuple(x + margin for x in box[1])
 
 
 def inside(point: Point, box: Box) -> bool:
-    """Whether a box holds a point."""
+    """Whether a box contains a point."""
     return all(low <= x <= high for low, x, high in zip(box[0], point, box[1], strict=True))
 
 
 def usual_box(points: Sequence[Point], poles: bool = True) -> Box:
-    """A box around the points with room to spare; with poles around most of them, so that those that are far away do
-    not matter.
+    """A box around the points with a margin; with `poles` around most of them, so that faraway points do not matter.
 
     Raises `PlotError` where there are no points.
     """
@@ -78,7 +76,7 @@ def three_ticks(low: mpq | float, high: mpq | float) -> list[mpq]:
 
 
 def kept(point: Point | None, box: Box) -> Point | None:
-    """A point if the box holds it."""
+    """The point if the box contains it, otherwise None."""
     return point if point is not None and inside(point, box) else None
 
 

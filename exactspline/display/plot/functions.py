@@ -36,10 +36,9 @@ from exactspline.splines.control_points import greville_abscissae
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: A control polygon this many times higher than its graph, or a graph this many times higher than its median, is not
-#: drawn with a linear scale.
+#: Ratio of the heights of control polygon and graph, or of graph and its median, above which the scale is not linear.
 POLYGON_ABOVE_GRAPH, GRAPH_ABOVE_MEDIAN = 10, 50
-#: The number of pieces of a leg of a control polygon where the scale bends it.
+#: The number of pieces of a leg of a control polygon on a nonlinear scale.
 BENDS = 64
 SCALES = ("linear", "symlog", "clip")
 
@@ -57,11 +56,11 @@ def plot_function(
 ) -> Axes:
     """The graph of a scalar spline with its control polygon over the Greville abscissae, the zero line, and the roots.
 
-    `roots` are parameters (as in `plot_features`) or a whole `ZeroSet`, whose jumps and intervals are marked too. Where
-    the function jumps, graph and polygon have a gap. `scale` is ``linear``, ``symlog`` (linear around zero, logarithmic
+    `roots` are parameters (as in `plot_features`) or a `ZeroSet`, whose jumps and intervals are marked too. Where the
+    function jumps, graph and polygon have a gap. `scale` is ``linear``, ``symlog`` (linear around zero, logarithmic
     outside) or ``clip`` (the graph fills the axes, the polygon may leave them); by default ``symlog`` where control
-    points or graph are of very different sizes, else ``linear``. Where all is beyond 1e100 or below 1e-100, values are
-    divided by a power of ten that the axis names.
+    points or graph are of very different sizes, else ``linear``. Where all values are beyond 1e100 or below 1e-100,
+    they are divided by a power of ten that is given at the axis.
 
     >>> ax = plot_function(BSpline(1, [0, 0, 1, 2, 2], [1, -1, 1]), roots=["1/2", "3/2"])
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
@@ -119,7 +118,7 @@ def _power(values: Iterable[mpq]) -> int:
 
 
 def _scale(ax: Axes, graph: Sequence[mpq], polygon: Sequence[mpq], scale: str | None) -> None:
-    """Set the scale of the value axis, chosen by the sizes of graph and control points where none is asked for."""
+    """Set the scale of the value axis; by default it is chosen by the sizes of graph and control points."""
     sizes = sorted(abs(y) for y in graph if y) or [mpq(1)]
     top, highest = sizes[-1], max([sizes[-1], *map(abs, polygon)])
     uneven = top > GRAPH_ABOVE_MEDIAN * sizes[len(sizes) // 2]
@@ -150,7 +149,7 @@ def draw_roots(
     color: str,
     name: str = "root",
 ) -> None:
-    """Roots on the zero line; of a `ZeroSet` also its jumps through zero, hollow, and its intervals, thick."""
+    """Roots on the zero line; for a `ZeroSet` also its jumps through zero (hollow) and its intervals (thick)."""
     single, jumps = marked(roots)
     for points, what, face, edge in (
         (single, name + "{}", color, "white"),
@@ -176,7 +175,7 @@ def draw_roots(
 
 
 def zero_intervals(roots: ZeroSet | Sequence[Root] | None) -> list[tuple[mpq, mpq]]:
-    """The intervals on which all is zero, cut at the seam."""
+    """The intervals on which the function vanishes, cut at the seam."""
     return [part for interval in getattr(roots, "intervals", []) for part in interval.parts]
 
 
@@ -187,11 +186,11 @@ def marked(roots: ZeroSet | Sequence[Root] | None) -> tuple[list[Root], list[Roo
 
 
 def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color: str = GREEN) -> Axes:
-    """Certified roots with their isolating intervals, one above the other: each interval a bar that holds one root and
-    no other, the root a dot.
+    """Certified roots with their isolating intervals, one above the other: each interval is a bar that contains exactly
+    one root, and the root is a dot.
 
-    What is drawn is the current interval: `Root.refine` makes it narrower. Intervals on which the function vanishes are
-    thick bars at the bottom.
+    The current interval is drawn: `Root.refine` makes it narrower. Intervals on which the function vanishes are thick
+    bars at the bottom.
 
     >>> from exactspline.roots.zero_set import zeros
     >>> ax = plot_roots(zeros(BSpline.bezier([1, "-1/2", "-2/3", 1], 0, 3)))
@@ -202,10 +201,11 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
     """
     check_options(color=color)
     ax = axes_for(ax)
-    found = [as_instance(root, Root, "a root", "give exactspline.zeros(f)") for root in as_items(roots, "roots")]
-    bars = [(root.low, root.high) for root in found]
+    certified = [as_instance(root, Root, "a root", "give exactspline.zeros(f)") for root in as_items(roots, "roots")]
+    bars = [(root.low, root.high) for root in certified]
     at = [
-        (low + high) / 2 if low == high else root.refine(20)[0] for root, (low, high) in zip(found, bars, strict=True)
+        (low + high) / 2 if low == high else root.refine(20)[0]
+        for root, (low, high) in zip(certified, bars, strict=True)
     ]
     for i, (low, high) in enumerate(bars):
         draw(
@@ -217,7 +217,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
             markersize=12,
             label="_interval" if i else "isolating interval",
         )
-        kind = f"{color}" if found[i].sign_change else "white"
+        kind = f"{color}" if certified[i].sign_change else "white"
         draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
     empty: list[float] = []
     ax.plot(empty, empty, "o", color=color, label="root (filled: the sign changes)")

@@ -1,4 +1,4 @@
-"""Interactive 3-D surfaces: a page of HTML with everything in it, for any browser, without a network.
+"""Interactive 3-D surfaces: a self-contained HTML page for any browser, without a network.
 
 The page is data and ``turning.js``, which draws it by WebGL; the pages of the site use the same two.
 """
@@ -20,13 +20,13 @@ from exactspline.display.plot.frames import Box, box_around, grown, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh
 from exactspline.numbers.exact import mpq
 
-#: Isolines along and across a surface, and the colour they have.
+#: The number of isolines along and across a surface, and their colour.
 ISOLINES, DARK = (7, 24), "#24556F"
 #: The margin around a scene, as a fraction of its longest side.
 ROOM = mpq(1, 20)
 #: Significant digits of the coordinates on a page.
 DIGITS = 5
-#: A point as it comes: exact, or from a grid of doubles.
+#: A point: exact, or from a grid of doubles.
 Place = Iterable[mpq | float]
 
 
@@ -84,11 +84,11 @@ class Scene:
         return grown(box_around([*self.mesh.indexed[0], *[p for run in runs for p in run]]), ROOM)
 
     def data(self, box: Box | None = None) -> SceneData:
-        """The scene as plain data, in a box (None: its own).
+        """The scene as plain data, in a box (None: the scene's box).
 
         >>> rows = [[(mpq(i), mpq(j), mpq(i * j)) for j in range(2)] for i in range(2)]
-        >>> told = Scene("a saddle", SurfaceMesh([rows], [], 0, 0)).data()
-        >>> told["surfaces"][0]["faces"], told["box"], told["ticks"][0]
+        >>> data = Scene("a saddle", SurfaceMesh([rows], [], 0, 0)).data()
+        >>> data["surfaces"][0]["faces"], data["box"], data["ticks"][0]
         ([[0, 1, 3, 2]], [[-0.05, -0.05, -0.05], [1.05, 1.05, 1.05]], [0, 0.5, 1])
         """
         points, faces = self.mesh.indexed
@@ -115,7 +115,7 @@ class Scene:
 
 
 def scenes_data(scenes: Sequence[Scene]) -> list[SceneData]:
-    """Scenes that stand side by side, in one box: they have one scale."""
+    """Scenes shown side by side, in one box, so that they have the same scale."""
     box = box_around([corner for scene in scenes for corner in scene.box])
     return [scene.data(box) for scene in scenes]
 
@@ -131,7 +131,7 @@ def line_of(label: str, color: str, width: float, runs: Iterable[Iterable[Place]
 
 
 def places_of(points: Iterable[Place]) -> list[list[float]]:
-    """Points in doubles of a few digits."""
+    """Points as doubles with a few digits."""
     return [[_rounded(x) for x in point] for point in points]
 
 
@@ -143,7 +143,7 @@ def _rounded(x: mpq | float) -> float:
 def turning_page(scenes: Sequence[Scene], title: str) -> str:
     """The page: the scenes side by side, rotated together with the mouse, a finger or the arrow keys.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> from exactspline.display.plot.meshes import ruled_mesh
     >>> mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))
@@ -155,7 +155,7 @@ def turning_page(scenes: Sequence[Scene], title: str) -> str:
 
 
 def page_of(scenes: Sequence[SceneData], title: str) -> str:
-    """The page of scenes that are data already."""
+    """The page of scenes given as data."""
     here = files("exactspline.display.plot")
     script, style = (here.joinpath(f"turning.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
     data = json.dumps(scenes, ensure_ascii=False).replace("<", "\\u003c")
@@ -182,5 +182,5 @@ turning(document.getElementById("scenes"), {data});
 
 
 def save_page(page: str, path: str | os.PathLike[str]) -> None:
-    """Write a page; the file is written whole or not at all. Raises `PlotError` where nothing can be written."""
+    """Write a page; the file is written completely or not at all. Raises `PlotError` where it cannot be written."""
     write_atomically(path, lambda stream: stream.write(page.encode()), PlotError)

@@ -1,4 +1,4 @@
-"""Surfaces as exact points: the grid that is shaded and the control net around it, whatever draws them."""
+"""Surfaces as exact points: the shaded grid and the control net around it, for any renderer."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.values import SplineSurface
 
-#: Samples along the curve, in all and at least this many per segment; samples along a ruling.
+#: Samples along the curve, in total and at least per segment; samples along a ruling.
 SAMPLES, LEAST, ALONG = 192, 12, 21
-#: Samples of a surface in two parameters in each direction, in all and at least this many per segment.
+#: Samples of a surface in two parameters in each direction, in total and at least per segment.
 GRID, LEAST_OF_GRID = 48, 8
-#: A pole is approached up to this fraction of the distance between samples.
+#: Sampling stops this close to a pole, as a fraction of the distance between samples.
 BESIDE = mpq(1, 8)
 
 
 @dataclass(frozen=True)
 class SurfaceMesh:
-    """Rows of points in patches (None where there is no point, or one far away), and a control net.
+    """Rows of points in patches (None where there is no point, or a faraway one), and a control net.
 
-    ``net`` are the polygons of the control points in runs drawn joined, ``points`` how many control points there are,
-    ``hidden`` how many of them are directions (weight 0) or far away.
+    ``net`` are the polygons of the control points in connected runs, ``points`` is the number of control points,
+    ``hidden`` the number of those that are directions (weight 0) or far away.
     """
 
     patches: list[list[list[Point | None]]]
@@ -70,7 +70,8 @@ class SurfaceMesh:
         return points, faces
 
     def isolines(self, along: int, across: int) -> list[Run]:
-        """This many lines along each patch (its edges among them) and across all patches together, where points are.
+        """This many lines along each patch (including its edges) and across all patches together, where there are
+        points.
 
         >>> rows = [[(mpq(i), mpq(j), mpq(0)) for j in range(5)] for i in range(9)]
         >>> lines = SurfaceMesh([rows], [], 0, 0).isolines(2, 3)
@@ -87,18 +88,18 @@ class SurfaceMesh:
         return [run for line in lines for run in joined(line) if len(run) > 1]
 
 
-def _spread(length: int, wanted: int) -> list[int]:
+def _spread(length: int, count: int) -> list[int]:
     """About this many indices of a list, both ends included."""
-    steps = max(1, min(wanted, length) - 1)
+    steps = max(1, min(count, length) - 1)
     return sorted({(length - 1) * k // steps for k in range(steps + 1)})
 
 
 def _two(given: Iterable[Number], what: str) -> tuple[mpq, mpq]:
     """Both ends of an interval, exactly."""
-    found = tuple(map(rational, as_items(given, what)))
-    if len(found) != 2:
-        raise ShapeError(f"{len(found)} numbers for {what}", where=what, remedy="give two, (low, high)")
-    return found
+    ends = tuple(map(rational, as_items(given, what)))
+    if len(ends) != 2:
+        raise ShapeError(f"{len(ends)} numbers for {what}", where=what, remedy="give two, (low, high)")
+    return ends
 
 
 def ruled_mesh(
@@ -108,13 +109,13 @@ def ruled_mesh(
     heights: tuple[Number, Number] | None = None,
 ) -> SurfaceMesh:
     """The part of a ruled surface (in the spline reading) between two ruling parameters, cut at its poles; its net
-    joins the polygons at both.
+    connects the polygons at both.
 
-    `box` is the part that is kept; by default it contains most of the points. Between two `heights` (third coordinates)
-    every ruling is cut there instead: the same part of the surface, whatever its parameters; a level ruling is left
-    out.
+    `box` is the visible part; by default it contains most of the points. Between two `heights` (third coordinates)
+    every ruling is cut there instead: the same part of the surface, whatever its parameters; horizontal rulings are
+    omitted.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))
     >>> mesh.points, mesh.hidden
@@ -128,7 +129,7 @@ def ruled_mesh(
         raise ShapeError(f"rulings from {low} to {high}", where="rulings", remedy="the first must be the smaller one")
     if not isinstance(surface, RuledSurface) or len(surface.directrix) != 3 or not _of_splines(surface.directrix):
         raise ShapeError(
-            "no ruled surface of splines in space", remedy="evaluate a formula of a ruled surface on a curve"
+            "expected a ruled surface of splines in space", remedy="evaluate a formula of a ruled surface on a curve"
         )
     components, denominator = split(surface)
     if denominator is not None and not all(denominator.polynomials):
@@ -173,7 +174,7 @@ def _of_splines(value: Any) -> bool:
 def _sampled_rows(
     row: Callable[[mpq, str], list[Point | None]], breaks: Sequence[mpq], poles: Iterable[mpq]
 ) -> list[list[list[Point | None]]]:
-    """The rows patch by patch, patches ending beside poles and where the surface jumps."""
+    """The rows patch by patch, where patches end near poles and where the surface jumps."""
     poles = set(poles)
     cuts = sorted({*breaks, *poles})
     steps = max(LEAST, SAMPLES // (len(breaks) - 1))
@@ -192,7 +193,7 @@ def _sampled_rows(
 
 
 def _net(value: Any, rulings: tuple[mpq, mpq], box: Box) -> tuple[list[Run], int, int]:
-    """The control polygons at the two rulings and the legs between them."""
+    """The control polygons at the two ruling parameters and the legs between them."""
     rows, knots, degree = homogeneous(value)
     edges: list[list[Point | None]] = [[], []]
     for *x, w in rows:
@@ -206,8 +207,7 @@ def _net(value: Any, rulings: tuple[mpq, mpq], box: Box) -> tuple[list[Run], int
 def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box | None = None) -> SurfaceMesh:
     """A surface in two parameters, a `Vector` of three `TensorSpline` or a quotient of such, with its control net.
 
-    Where its denominator vanishes it goes to infinity: points far from most of it are left out (or those outside
-    `box`).
+    Where its denominator vanishes it goes to infinity: points far from most of it (or outside `box`) are omitted.
 
     >>> from exactspline.splines.tensor import TensorSpline
     >>> nets = [[0, 0], [1, 1]], [[0, 1], [0, 1]], [[0, 0], [0, 1]]
@@ -221,7 +221,7 @@ def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box
     numerator, w = (surface.numerator, surface.denominator) if isinstance(surface, Rational) else (surface, None)
     if not isinstance(numerator, Vector) or len(numerator) != 3 or not isinstance(numerator[0], TensorSpline):
         raise ShapeError(
-            "no surface of splines in two parameters",
+            "expected a surface of splines in two parameters",
             remedy="give a vector of three TensorSplines, or a quotient of such",
         )
     meshes = numerator[0].meshes

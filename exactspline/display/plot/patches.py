@@ -1,19 +1,19 @@
-"""A surface coloured by the sign of its curvature, with parabolic curves, umbilics and lines of curvature; beside it
-the same in the plane of its parameters.
+"""A surface coloured by the sign of its curvature, with parabolic curves, umbilics and lines of curvature; and the same
+in the plane of its parameters.
 
-Regions, curves and points are those that were certified; colours between them and lines of curvature are drawn from
-floats.
+Regions, curves and points are certified; colours between them and lines of curvature are computed in floats.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
+from math import cos, pi, radians, sin
 from typing import TYPE_CHECKING, Any
 
 from exactspline.display.plot.canvas import BLACK, GREEN, GREY, PAGE, VERMILLION, draw, library, new_figure
 from exactspline.display.plot.curvature_lines import Samples, lines_of_curvature
 from exactspline.display.plot.surfaces import shaded
-from exactspline.display.plot.visibility import Visibility
 from exactspline.errors import as_instance
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.places import Place, enclosing
@@ -27,16 +27,18 @@ if TYPE_CHECKING:
 
 #: Colours of elliptic, hyperbolic and flat points.
 ELLIPTIC, HYPERBOLIC, FLAT = "#F3C46B", "#7FBFE6", "#D9D9D9"
-#: Rows and columns of faces, in all and at least this many per patch.
+#: Rows and columns of faces, in total and at least per patch.
 GRID, LEAST = 72, 6
-#: How much of the axes a surface fills, beside the norm of its extents, by which matplotlib scales.
+#: How much of the axes a surface fills, relative to the norm of its extents, by which matplotlib scales.
 FILLED = 0.93
-#: Points of an arc that is drawn.
+#: The number of points of a drawn arc.
 STEPS = 4
+#: The width of a surface in points, about, the sides of the polygon that is a dot, and the width of every edge.
+POINTS, SIDES_OF_DOT, EDGE = 230, 16, 0.2
 
 
-def surface_figure(found: SurfaceInspection) -> Figure:
-    """The picture of a surface that was inspected: in space, and its parameters.
+def surface_figure(inspection: SurfaceInspection) -> Figure:
+    """The picture of an inspected surface: in space, and in the plane of its parameters.
 
     >>> from exactspline import analyse, example
     >>> [ax.name for ax in surface_figure(analyse(example("biquadratic"))).axes]
@@ -44,24 +46,24 @@ def surface_figure(found: SurfaceInspection) -> Figure:
 
     Raises `PlotError` without matplotlib.
     """
-    remedy = "give what exactspline.inspect_surface returns"
-    found = as_instance(found, SurfaceInspection, "an inspection of a surface", remedy)
+    remedy = "give the result of exactspline.inspect_surface"
+    inspection = as_instance(inspection, SurfaceInspection, "an inspection of a surface", remedy)
     figure = new_figure(PAGE, 5)
     grid = figure.add_gridspec(1, 2, width_ratios=(1.35, 1))
     space, plane = figure.add_subplot(grid[0], projection="3d"), figure.add_subplot(grid[1])
-    samples = Samples.of(found.surface, GRID, LEAST)
-    lines = lines_of_curvature(samples) if has_lines(found) else ([], [])
-    _in_space(space, found, samples, lines)
-    _in_the_plane(plane, found, samples, lines)
-    figure.suptitle(found.surface.name.replace("_", " ") or "surface")
-    _legend(figure, found, bool(lines[0]))
+    samples = Samples.of(inspection.surface, GRID, LEAST)
+    lines = lines_of_curvature(samples) if has_lines(inspection) else ([], [])
+    _in_space(space, inspection, samples, lines)
+    _in_the_plane(plane, inspection, samples, lines)
+    figure.suptitle(inspection.surface.name.replace("_", " ") or "surface")
+    _legend(figure, inspection, bool(lines[0]))
     return figure
 
 
-def has_lines(found: SurfaceInspection) -> bool:
+def has_lines(inspection: SurfaceInspection) -> bool:
     """Whether lines of curvature are determined on some patch."""
     none = (PatchKind.PLANAR, PatchKind.CURVE, PatchKind.POINT)
-    return any(not one.umbilics.everywhere and one.kind not in none for one in found.patches)
+    return any(not one.umbilics.everywhere and one.kind not in none for one in inspection.patches)
 
 
 # ---- colours
@@ -78,11 +80,11 @@ def colour_of(one: PatchInspection, sign: float) -> str:
     return FLAT
 
 
-def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -> None:
-    """The shaded surface with what is on it."""
+def _in_space(ax: Any, inspection: SurfaceInspection, samples: Samples, lines: Any) -> None:
+    """The shaded surface with its curves and points."""
     np, to_rgb = library("numpy"), library("matplotlib.colors").to_rgb
     faces, shades = [], []
-    for one in found.patches:
+    for one in inspection.patches:
         points, signs = samples.points[one.patch], samples.signs[one.patch]
         for i in range(points.shape[0] - 1):
             for j in range(points.shape[1] - 1):
@@ -90,37 +92,75 @@ def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -
                 faces.append(corner)
                 middle = signs[i : i + 2, j : j + 2].mean()
                 shades.append(shaded(corner, to_rgb(colour_of(one, middle))))
-    collection = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection
-    ax.add_collection3d(
-        collection(faces, facecolors=shades, edgecolors=shades, linewidths=0.2, rasterized=True, zorder=1)
-    )
-    ax.computed_zorder = False
-    ax.set_proj_type("ortho")
-    seen = Visibility(samples.points.values(), ax.elev, ax.azim)
-    for family, color in zip(lines, (GREY, "white"), strict=True):
-        for line in family:
-            for run in seen.runs(samples.lifted(line)):
-                ax.plot(*run.T, color=color, linewidth=0.5, zorder=2)
-    surface = found.surface
-    for curve in parabolic_runs(found):
-        for run in seen.runs([[float(x) for x in surface(*p)] for p in curve]):
-            ax.plot(*run.T, color=BLACK, linewidth=1.6, zorder=3)
-    for places, color, marker in ((umbilic_spots(found), VERMILLION, "o"), (singular_spots(found), GREEN, "s")):
-        spots = [surface(*p) for p in places]
-        dots = [p for p in spots if seen.of([[float(x) for x in p]])[0]]
-        _dots(ax, dots, color, marker)
     lows, highs = (pick([p for face in faces for p in face], axis=0) for pick in (np.min, np.max))
+    paint = _Paint(ax, faces, float((highs - lows).max()) or 1.0)
+    surface = inspection.surface
+    marks = [
+        (paint.line(samples.lifted(line), 0.5), color)
+        for family, color in zip(lines, (GREY, "white"), strict=True)
+        for line in family
+    ]
+    marks += [(paint.line([surface(*p) for p in run], 1.6), BLACK) for run in parabolic_runs(inspection)]
+    marks += [(paint.spot(surface(*p), 6, SIDES_OF_DOT), VERMILLION) for p in umbilic_spots(inspection)]
+    marks += [(paint.spot(surface(*p), 6, 4), GREEN) for p in singular_spots(inspection)]
+    colors = [*shades, *[to_rgb(color) for polygons, color in marks for _ in polygons]]
+    collection = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection
+    every = [*faces, *[polygon for polygons, _ in marks for polygon in polygons]]
+    ax.add_collection3d(
+        collection(every, facecolors=colors, edgecolors=colors, linewidths=EDGE, rasterized=True, zorder=1)
+    )
+    ax.set_proj_type("ortho")
     # a surface that is a point has no extent: a box around it
     extent = np.maximum(highs - lows, (highs - lows).max() / 1000 or 1)
     for axis, low, length in zip("xyz", lows, extent, strict=True):
         getattr(ax, f"set_{axis}lim")(low, low + length)
-    ax.set_box_aspect(extent, zoom=FILLED * float(np.linalg.norm(extent)) / (seen.seen or 1))
+    ax.set_box_aspect(extent, zoom=FILLED * float(np.linalg.norm(extent)) / paint.seen)
     ax.set_axis_off()
 
 
-def _in_the_plane(ax: Axes, found: SurfaceInspection, samples: Samples, lines: Any) -> None:
+class _Paint:
+    """Lines and dots on a surface as small polygons that face the viewer and lie a little before it: matplotlib, which
+    orders polygons from back to front, then covers them where the surface covers them.
+    """
+
+    def __init__(self, ax: Any, faces: Any, size: float) -> None:
+        self.np: Any = library("numpy")
+        e, a = radians(ax.elev), radians(ax.azim)
+        self.view = self.np.array([cos(e) * cos(a), cos(e) * sin(a), sin(e)])
+        self.right = self.np.array([-sin(a), cos(a), 0.0])
+        self.up = self.np.cross(self.view, self.right)
+        corners = self.np.array(faces)
+        flat = corners.reshape(-1, 3) @ self.np.array([self.right, self.up]).T
+        #: The larger of the surface's width and height as it is seen.
+        self.seen = float((flat.max(axis=0) - flat.min(axis=0)).max()) or size
+        #: How far before the surface: as far as faces reach.
+        depths = corners @ self.view
+        self.lift = self.view * float((depths.max(axis=1) - depths.min(axis=1)).max())
+        #: The length of a point of the picture.
+        self.point = self.seen / POINTS
+
+    def line(self, points: Any, width: float) -> list[Any]:
+        """A line of a width in points."""
+        own = self.np.array([[float(x) for x in p] for p in points])
+        ribbon = []
+        for p, q in pairwise(own):
+            across = self.np.cross(q - p, self.view)
+            length = float(self.np.linalg.norm(across))
+            if length:
+                half = across / length * self.point * (width - EDGE) / 2
+                ribbon.append(self.np.array([p - half, p + half, q + half, q - half]) + self.lift)
+        return ribbon
+
+    def spot(self, place: Any, width: float, sides: int) -> list[Any]:
+        """A regular polygon around a point."""
+        turns = [2 * pi * (k + 0.5) / sides for k in range(sides)]
+        ring = self.np.array([cos(t) * self.right + sin(t) * self.up for t in turns]) * self.point * width / 2
+        return [self.np.array([float(x) for x in place]) + 2 * self.lift + ring]
+
+
+def _in_the_plane(ax: Axes, inspection: SurfaceInspection, samples: Samples, lines: Any) -> None:
     """The regions of the parameters."""
-    for one in found.patches:
+    for one in inspection.patches:
         us, vs, signs = samples.us[one.patch[0]], samples.vs[one.patch[1]], samples.signs[one.patch]
         if one.kind in (PatchKind.MIXED, PatchKind.UNDECIDED):
             largest = abs(signs).max() or 1.0
@@ -130,54 +170,54 @@ def _in_the_plane(ax: Axes, found: SurfaceInspection, samples: Samples, lines: A
     for family, color in zip(lines, (GREY, "white"), strict=True):
         for line in family:
             ax.plot(line[:, 0], line[:, 1], color=color, linewidth=0.5, zorder=2)
-    for k, mesh in enumerate(found.surface.meshes):
+    for k, mesh in enumerate(inspection.surface.meshes):
         for t in mesh.breaks[1:-1]:
             (ax.axvline if k == 0 else ax.axhline)(float(t), color="white", linewidth=0.8, linestyle=":", zorder=2.5)
-    for run in parabolic_runs(found):
+    for run in parabolic_runs(inspection):
         draw(ax, run, color=BLACK, linewidth=1.6, zorder=3)
-    _dots(ax, list(umbilic_spots(found)), VERMILLION, "o")
-    _dots(ax, list(singular_spots(found)), GREEN, "s")
-    (a, b), (c, d) = found.surface.domain
+    _dots(ax, list(umbilic_spots(inspection)), VERMILLION, "o")
+    _dots(ax, list(singular_spots(inspection)), GREEN, "s")
+    (a, b), (c, d) = inspection.surface.domain
     ax.set_xlim(float(a), float(b))
     ax.set_ylim(float(c), float(d))
     ax.set_xlabel("u")
     ax.set_ylabel("v")
 
 
-# ---- what was certified
+# ---- certified curves and points
 
 
-def parabolic_runs(found: SurfaceInspection) -> Iterator[list[Point]]:
+def parabolic_runs(inspection: SurfaceInspection) -> Iterator[list[Point]]:
     """All parabolic curves, in the parameters of the surface."""
-    yield from _curves(found)
-    yield from _lines(found)
+    yield from _curves(inspection)
+    yield from _lines(inspection)
 
 
-def _curves(found: SurfaceInspection) -> Iterator[list[Point]]:
+def _curves(inspection: SurfaceInspection) -> Iterator[list[Point]]:
     """The parabolic curves inside patches, arc by arc."""
-    for one in found.patches:
+    for one in inspection.patches:
         if one.curve is not None:
             for part in one.parabolic:
                 for arc in part.arcs:
                     yield [_placed(point, one) for point in one.curve.points(arc, STEPS)]
 
 
-def _lines(found: SurfaceInspection) -> Iterator[list[Point]]:
+def _lines(inspection: SurfaceInspection) -> Iterator[list[Point]]:
     """Parabolic isoparametric lines."""
-    for line in found.parabolic_lines:
+    for line in inspection.parabolic_lines:
         at = enclosing(line.value, 8).middle
         ts = [line.interval.at(mpq(k, GRID)) for k in range(GRID + 1)]
         yield [(t, at) if line.along is Along.U else (at, t) for t in ts]
 
 
-def umbilic_spots(found: SurfaceInspection) -> Iterator[Point]:
+def umbilic_spots(inspection: SurfaceInspection) -> Iterator[Point]:
     """The umbilics, in the parameters of the surface."""
-    return (_middle(umbilic.place) for umbilic in found.umbilics)
+    return (_middle(umbilic.place) for umbilic in inspection.umbilics)
 
 
-def singular_spots(found: SurfaceInspection) -> Iterator[Point]:
+def singular_spots(inspection: SurfaceInspection) -> Iterator[Point]:
     """The singular points, in the parameters of the surface."""
-    return map(_middle, found.singular_points)
+    return map(_middle, inspection.singular_points)
 
 
 def _middle(place: Place) -> Point:
@@ -194,10 +234,10 @@ def _dots(ax: Any, points: list[Any], color: str, marker: str) -> None:
         draw(ax, points, color=color, marker=marker, linestyle="", markersize=6, markeredgecolor="white", zorder=4)
 
 
-def _legend(figure: Figure, found: SurfaceInspection, lines: bool) -> None:
-    """What the colours and marks mean: those that occur."""
+def _legend(figure: Figure, inspection: SurfaceInspection, lines: bool) -> None:
+    """The meanings of the colours and marks that occur."""
     patch, line = library("matplotlib.patches").Patch, library("matplotlib.lines").Line2D
-    kinds = set(found.kinds)
+    kinds = set(inspection.kinds)
     shown = [
         (
             bool(kinds & {PatchKind.ELLIPTIC, PatchKind.ELLIPTIC_BUT, PatchKind.SPHERICAL, PatchKind.MIXED}),
@@ -208,14 +248,14 @@ def _legend(figure: Figure, found: SurfaceInspection, lines: bool) -> None:
         (bool(kinds & {PatchKind.PLANAR, PatchKind.DEVELOPABLE}), "K = 0", FLAT),
     ]
     handles: list[Any] = [patch(facecolor=color, label=label) for there, label, color in shown if there]
-    if next(_curves(found), None) or found.parabolic_lines:
+    if next(_curves(inspection), None) or inspection.parabolic_lines:
         handles.append(line([], [], color=BLACK, linewidth=1.6, label="parabolic curve"))
     if lines:
         handles.append(line([], [], color=GREY, linewidth=0.7, label="lines of curvature"))
-    if found.umbilics.points:
-        count = len(found.umbilics)
+    if inspection.umbilics.points:
+        count = len(inspection.umbilics)
         label = f"{count} umbilic{'s' if count > 1 else ''}"
         handles.append(line([], [], color=VERMILLION, marker="o", linestyle="", label=label))
-    if found.singular_points.points:
+    if inspection.singular_points.points:
         handles.append(line([], [], color=GREEN, marker="s", linestyle="", label="singular point"))
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False, fontsize="small")

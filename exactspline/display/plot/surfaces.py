@@ -96,7 +96,7 @@ def plot_mesh(
 
 
 def shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
-    """The colour of a face by its slope to the light, the same for both of its sides."""
+    """The colour of a face by its angle to the light, the same for both of its sides."""
     (px, py, pz), (qx, qy, qz), (rx, ry, rz), (sx, sy, sz) = corners
     ax, ay, az, bx, by, bz = rx - px, ry - py, rz - pz, sx - qx, sy - qy, sz - qz
     normal = (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
@@ -111,7 +111,7 @@ def _counted(mesh: SurfaceMesh) -> str:
 
 
 def _framed(ax: Any, points: Iterable[Point]) -> None:
-    """Equal scales on the three axes, and all points in sight."""
+    """Set equal scales on the three axes, with all points visible."""
     columns = [[float(x) for x in column] for column in zip(*points, strict=True)]
     ax.auto_scale_xyz(*columns)
     ax.set_aspect("equal")
@@ -147,9 +147,9 @@ def plot_ruled_surface(
     """The part of a ruled surface in the spline reading between two ruling parameters: shaded, with its control net.
 
     Where its denominator has a zero the surface goes to infinity: it is cut there, and points far from most of it are
-    not shown (nor those outside `box`, two opposite corners, where that is given).
+    not shown (or those outside `box`, given by two opposite corners).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
     >>> ax = plot_ruled_surface(find("tangent_developable_reduced")(example("rational_space_cubic")), (0, 1))
     >>> ax.name, ax.get_legend().get_texts()[-1].get_text()
@@ -200,28 +200,30 @@ def plot_bisector(
     """The bisector of a curve and a point (coordinates) or another curve, in the sense of §6: equal critical distances,
     untrimmed.
 
-    Of a plane curve and a point it is a curve, of a space curve and a point a ruled surface, of two space curves a
-    surface in two parameters. `formula` is the name of one of §6 for such arguments; by default the polynomial one.
+    For a plane curve and a point it is a curve, for a space curve and a point a ruled surface, for two space curves a
+    surface in two parameters. `formula` is the name of a formula of §6 for such arguments; by default the polynomial
+    one.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> ax = plot_bisector(example("ellipse"), ("1/2", "1/4"))
     >>> ax.get_legend().get_texts()[-1].get_text()
     'bisector: degree 7'
 
-    Raises `ShapeError` where dimensions do not fit, `FormulaError` for an unknown one, otherwise as `plot_mesh` and
-    `plot_quotient`.
+    Raises `ShapeError` where the dimensions do not match, `FormulaError` for an unknown formula, otherwise as
+    `plot_mesh` and `plot_quotient`.
     """
     check_options(control_net=control_net, box=box)
     kind, default, handed = _argument(curve_of(curve), other)
     ax = axes_for(ax, 2 if kind is PLANE_POINT else 3)
-    found = find(as_text(formula, "the name of a formula") or default)
-    if found.kind is not kind:
+    name = as_text(formula, "the name of a formula")
+    bisector = find(name or default)
+    if bisector.kind is not kind:
         raise FormulaError(
-            f"{found.name} is not a bisector of these",
+            f"{bisector.name} is not a bisector of these",
             where="formula",
-            remedy=f"its argument is of the kind {found.curve!r}, not {kind.name!r}",
+            remedy=f"its argument is of the kind {bisector.curve!r}, not {kind.name!r}",
         )
-    value = found(handed)
+    value = bisector(handed)
     if kind is PLANE_POINT:
         return plot_quotient(value, ax, label=f"bisector: degree {value.degree}", control_polygon=control_net, box=box)
     if kind is POINT_IN_SPACE:
@@ -241,7 +243,7 @@ def _argument(curve: Curve[BSpline], other: Any) -> tuple[Kind, str, Any]:
     point = tuple(map(rational, as_items(other, "the coordinates of a point")))
     if len(point) != curve.dimension or len(point) not in (2, 3):
         raise ShapeError(
-            f"a point of {len(point)} coordinates beside a curve in R{curve.dimension}",
+            f"a point of {len(point)} coordinates with a curve in R{curve.dimension}",
             remedy="both in the plane or both in space",
         )
     kind, default = (
@@ -251,7 +253,7 @@ def _argument(curve: Curve[BSpline], other: Any) -> tuple[Kind, str, Any]:
 
 
 def mark_points(ax: Axes, points: Iterable[Point], label: str, color: str = GREY) -> Axes:
-    """Single points, such as the one that a bisector belongs to."""
+    """Mark single points, such as the point of a bisector of a point and a curve."""
     draw(ax, points, "o", color=color, markersize=7, markeredgecolor=BLACK, label=label, zorder=7)
     legend_below(ax)
     return ax

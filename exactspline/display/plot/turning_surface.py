@@ -26,40 +26,40 @@ from exactspline.geometry.surface.inspection import PatchInspection, SurfaceInsp
 from exactspline.geometry.surface.signs import Point
 from exactspline.numbers.exact import from_float
 
-#: What the colours of faces say.
+#: The meanings of the colours of faces.
 LABELS = {ELLIPTIC: "K > 0", HYPERBOLIC: "K < 0", FLAT: "K = 0"}
 
 
-def inspected_scene(found: SurfaceInspection) -> SceneData:
-    """A surface that was inspected, as the data of a scene that turns.
+def inspected_scene(inspection: SurfaceInspection) -> SceneData:
+    """An inspected surface as the data of an interactive scene.
 
     >>> from exactspline import analyse, example
     >>> scene = inspected_scene(analyse(example("torus")))
     >>> [one["label"] for one in scene["surfaces"]], [one["label"] for one in scene["lines"]]
     (['K > 0', 'K < 0'], ['lines of curvature', 'lines of curvature', 'parabolic curve'])
 
-    Raises `PlotError` without matplotlib, whose arrays it samples with.
+    Raises `PlotError` without matplotlib, which brings the arrays used for sampling.
     """
-    samples = Samples.of(found.surface, GRID, LEAST)
-    surfaces = list(_surfaces(found, samples))
+    samples = Samples.of(inspection.surface, GRID, LEAST)
+    surfaces = list(_surfaces(inspection, samples))
     box = grown(box_around([tuple(from_float(float(x)) for x in p) for one in surfaces for p in one["points"]]), ROOM)
     return {
-        "title": found.surface.name.replace("_", " ") or "surface",
+        "title": inspection.surface.name.replace("_", " ") or "surface",
         "box": places_of(box),
         "ticks": places_of(three_ticks(*ends) for ends in zip(*box, strict=True)),
         "surfaces": surfaces,
-        "lines": list(_lines(found, samples)),
-        "dots": list(_dots(found)),
+        "lines": list(_lines(inspection, samples)),
+        "dots": list(_dots(inspection)),
     }
 
 
-def _surfaces(found: SurfaceInspection, samples: Samples) -> Iterator[SurfaceData]:
+def _surfaces(inspection: SurfaceInspection, samples: Samples) -> Iterator[SurfaceData]:
     """The faces of each colour, with the points that they need."""
     for colour, label in LABELS.items():
         points: list[list[float]] = []
         known: dict[tuple[int, int, int], int] = {}
         faces = []
-        for which, one in enumerate(found.patches):
+        for which, one in enumerate(inspection.patches):
             own = samples.points[one.patch]
             for i, j in _faces(one, samples, colour):
                 face = []
@@ -82,22 +82,22 @@ def _faces(one: PatchInspection, samples: Samples, colour: str) -> Iterator[tupl
                 yield i, j
 
 
-def _lines(found: SurfaceInspection, samples: Samples) -> Iterator[LineData]:
-    families = lines_of_curvature(samples) if has_lines(found) else ([], [])
-    # a page shows the colour of the last of one label
+def _lines(inspection: SurfaceInspection, samples: Samples) -> Iterator[LineData]:
+    families = lines_of_curvature(samples) if has_lines(inspection) else ([], [])
+    # a page uses one colour per label, the last one given
     for family, colour in zip(families[::-1], ("#ffffff", GREY), strict=True):
         if family:
             yield line_of("lines of curvature", colour, 1, [samples.lifted(line) for line in family])
-    if runs := list(parabolic_runs(found)):
-        yield line_of("parabolic curve", BLACK, 3, [_on(found, run) for run in runs])
+    if runs := list(parabolic_runs(inspection)):
+        yield line_of("parabolic curve", BLACK, 3, [_on(inspection, run) for run in runs])
 
 
-def _dots(found: SurfaceInspection) -> Iterator[DotData]:
+def _dots(inspection: SurfaceInspection) -> Iterator[DotData]:
     marked = (("umbilics", VERMILLION, umbilic_spots), ("singular points", GREEN, singular_spots))
     for label, colour, spots in marked:
-        if places := list(spots(found)):
-            yield dots_of(label, colour, 12, _on(found, places))
+        if places := list(spots(inspection)):
+            yield dots_of(label, colour, 12, _on(inspection, places))
 
 
-def _on(found: SurfaceInspection, parameters: Iterable[Point]) -> Sequence[Sequence[float]]:
-    return [[float(x) for x in found.surface(u, v)] for u, v in parameters]
+def _on(inspection: SurfaceInspection, parameters: Iterable[Point]) -> Sequence[Sequence[float]]:
+    return [[float(x) for x in inspection.surface(u, v)] for u, v in parameters]

@@ -1,4 +1,5 @@
-"""Quick certain answers before exact ones: where a family of forms is certainly negative somewhere, or nowhere.
+"""Fast certified answers ahead of the exact ones: for which parameters a family of forms certainly has a negative
+value, and for which it certainly has none.
 
 A family has one form in u for every local parameter z; it is given by rows, forms of degree n in z, one for each power
 of u, and judged by its sign against that of a form e.
@@ -15,8 +16,7 @@ from exactspline.numbers.intervals import UNIT, Box, Interval, joined
 from exactspline.polynomials.bernstein import ONE, halves, restrict
 from exactspline.polynomials.patch_forms import PatchForm
 
-#: An interval of the local parameter.
-#: Halvings of the parameter, and of both.
+#: An interval of the local parameter. How often the parameter is halved, and how often both are.
 DEPTH, DEPTH_OF_BOTH = 10, 10
 
 
@@ -29,7 +29,7 @@ def possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: int
     """
     samples = [form for rows in families for form in (rows[0], _total(rows))]
     todo = [(Interval(mpq(0), mpq(1)), 0, e, samples)]
-    found: list[Interval] = []
+    possible: list[Interval] = []
     while todo:
         interval, depth, below, forms = todo.pop()
         sign = _sign(below, n)
@@ -38,14 +38,14 @@ def possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: int
         if -sign in signs if sign else {1, -1} <= signs:
             continue
         if depth == DEPTH or (sign and not any(_has_sign(form, -sign) for form in forms)):
-            found.append(interval)
+            possible.append(interval)
             continue
         parts = [halves(form, n) for form in forms if not sign or _has_sign(form, -sign)]
         left, right = halves(below, n)
         first, second = interval.halves
         todo.append((second, depth + 1, right, [part for _, part in parts]))
         todo.append((first, depth + 1, left, [part for part, _ in parts]))
-    return joined(found)
+    return joined(possible)
 
 
 def _total(rows: Sequence[fmpz_poly]) -> fmpz_poly:
@@ -74,7 +74,7 @@ def holds_certainly(
 ) -> bool:
     """Whether a family has the sign of e, or is zero, all over a part: by coefficients on smaller and smaller boxes.
 
-    Its rows have the degree n of e, or one of their own.
+    Its rows have the degree n of e, or another degree.
     """
     sign = _sign(restrict((e, ONE), n, *interval)[0], n)
     return bool(sign) and keeps_sign(rows, n if degree is None else degree, interval, sign)

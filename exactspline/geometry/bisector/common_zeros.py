@@ -1,8 +1,8 @@
 """The common zeros of two polynomials in two parameters on a rectangle, each certified.
 
-Resultants give all parameters that a common zero can have; balls exclude the other pairs. A pair that is left
-is proved by interval Newton in Krawczyk's form: a box around it holds a common zero, and no other root of the
-resultants. A pair of rational parameters is decided by its values.
+Resultants give all parameters that a common zero can have; balls exclude the other pairs. A remaining pair is proved by
+the interval Newton method in Krawczyk's form: a box around it holds a common zero, and no other root of the resultants.
+A pair of rational parameters is decided by exact evaluation.
 
 Source: Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 1969.
 """
@@ -31,17 +31,17 @@ Place = tuple[Parameter, Parameter]
 REACH = 1000
 #: Primes modulo which a factor of a resultant is tried.
 PRIMES = ((1 << 61) - 1, (1 << 61) - 31, (1 << 62) - 57, (1 << 62) - 87)
-#: Nanoseconds for the square of the degree to find the roots of an image (measured: 700 to 2300).
+#: Nanoseconds, per square of the degree, to find the roots of an image (measured: 700 to 2300).
 ROOTS = 2000
-#: Nanoseconds for each term of the polynomials to exclude or to prove a pair of parameters.
+#: Nanoseconds, per term of the polynomials, to exclude or to prove a pair of parameters.
 PAIR = 3000
-#: Parts of a side by which roots just outside it are known too, and the radii of boxes that are tried.
+#: The fraction of a side within which roots just outside it are isolated too, and the radii of boxes that are tried.
 MARGIN, RADII = 16, (12, 24, 40, 80, 160)
 
 
 class CommonZeros(NamedTuple):
-    """Certified pairs, and pairs of which it could not be decided (the precision did not suffice, or the zero is a
-    multiple one); ``out_of_reach`` says that nothing was tried.
+    """Certified pairs, and pairs that could not be decided (the precision did not suffice, or the zero is multiple);
+    ``out_of_reach`` means that nothing was tried.
     """
 
     places: list[Place]
@@ -52,10 +52,10 @@ class CommonZeros(NamedTuple):
 def common_zeros(
     f: fmpz_mpoly, g: fmpz_mpoly, sides: Box, also: Sequence[fmpz_mpoly] = (), known: Sequence[Place] = ()
 ) -> CommonZeros:
-    """The common zeros of two coprime polynomials on a closed rectangle, except those at which one of the others is
-    certainly not zero.
+    """The common zeros of two coprime polynomials on a closed rectangle, except those at which one of the `others` is
+    certainly nonzero.
 
-    `known` are zeros that are proved already.
+    `known` are zeros that have already been proved.
 
     >>> from exactspline.polynomials.two_parameters import S, T
     >>> from exactspline.numbers.intervals import UNIT
@@ -77,12 +77,14 @@ def common_zeros(
 def _among(
     boxes: Sequence[Box], f: fmpz_mpoly, g: fmpz_mpoly, sides: Box, also: Sequence[fmpz_mpoly], known: Sequence[Place]
 ) -> CommonZeros:
-    """Those in some boxes that hold all of them. `ReachError` where that would take too long."""
+    """The common zeros in boxes that together contain all of them. Raises `ReachError` where that would take
+    too long.
+    """
     ranges = [side.grown(side.width / MARGIN) for side in hull(boxes)]
-    found = [_parameters(f, g, also, variable, ranges[variable]) for variable in (0, 1)]
-    known_roots = [_Known(roots, side) for (_, roots), side in zip(found, ranges, strict=True)]
+    roots_of_both = [_parameters(f, g, also, variable, ranges[variable]) for variable in (0, 1)]
+    known_roots = [_Known(roots, side) for (_, roots), side in zip(roots_of_both, ranges, strict=True)]
     cost = PAIR * sum(len(p) for p in (f, g, *also))
-    candidates = [kept for kept, _ in found]
+    candidates = [kept for kept, _ in roots_of_both]
     places, undecided = [], []
     for s in (x for x in candidates[0] if _inside(x, sides[0])):
         for t in (x for x in candidates[1] if _inside(x, sides[1])):
@@ -126,7 +128,7 @@ def _touches(t: Root, side: Interval) -> bool:
 def _parameters(
     f: fmpz_mpoly, g: fmpz_mpoly, also: Sequence[fmpz_mpoly], variable: int, side: Interval
 ) -> tuple[list[Root], list[Root]]:
-    """The real roots of the resultant on an interval: those at which all may vanish, and all."""
+    """The real roots of the resultant on an interval: those at which all polynomials may vanish, and all roots."""
     rows = [rows_of(p if variable == 0 else p.compose(T, S)) for p in (f, g)]
     kept: list[Root] = []
     every: list[Root] = []
@@ -140,7 +142,7 @@ def _parameters(
 
 def _certainly_apart(polynomials: Sequence[fmpz_mpoly], factor: fmpz_poly, variable: int) -> bool:
     """Whether the polynomials have no common zero at any root of an irreducible factor: their images modulo a prime at
-    a root have none, and the first of them keeps its degree.
+    a root have none, and the first image has the degree of its polynomial.
     """
     for prime in PRIMES:
         image = nmod_poly([int(x) % prime for x in factor.coeffs()], prime)

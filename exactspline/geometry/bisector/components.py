@@ -1,4 +1,6 @@
-"""The parts of a bisector beside its surface: lines along a curve of pairs, planes, single pairs, poles."""
+"""The parts of a bisector that do not belong to its surface: lines along a curve of pairs, planes, single
+pairs, poles.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,7 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.values import RationalSurface
 
-#: A longer equation is shown by its degree alone.
+#: Longer equations are shown by their degree only.
 SHORT = 40
 
 
@@ -124,8 +126,8 @@ class PairEquation:
 class LinePiece:
     """Lines as a ruled surface over [low, high] of one parameter: ``of`` is 0 when that is s, 1 when it is t.
 
-    The other parameter is a constant, a quotient of splines, or None where any value will do. Directrix and generator
-    are splines over the whole segment.
+    The other parameter is a constant, a quotient of splines, or None where it is arbitrary. Directrix and generator are
+    splines over the whole segment.
     """
 
     of: int
@@ -135,13 +137,13 @@ class LinePiece:
     surface: RationalSurface
 
     def pair(self, parameter: Number) -> tuple[Parameter | None, Parameter | None]:
-        """The two parameters that a parameter of the piece stands for."""
+        """The pair of parameters that belongs to a parameter of the piece."""
         u = self._inside(parameter)
         other = self.other.number(u) if isinstance(self.other, Rational) else self.other
         return (u, other) if self.of == 0 else (other, u)
 
     def __call__(self, parameter: Number, ruling: Number) -> tuple[mpq, ...]:
-        """A point; `ShapeError` outside the piece, `ZeroDivisionError` where the line is at infinity."""
+        """A point; raises `ShapeError` outside the piece, `ZeroDivisionError` where the line is at infinity."""
         return self.surface.at(rational(ruling)).point(self._inside(parameter))
 
     def _inside(self, parameter: Number) -> mpq:
@@ -162,8 +164,8 @@ class LinePiece:
 
 @dataclass(frozen=True)
 class Branch:
-    """A real branch of a curve of pairs: over the open interval (low, high) of s, the root number `index` (from 0,
-    upwards) of the equation among those with t inside the side; ``sample`` is a pair on it.
+    """A real branch of a curve of pairs: over the open interval (low, high) of s, the root of the equation with this
+    `index` (counted from 0 in increasing order) among those with t inside the side; ``sample`` is a pair on it.
     """
 
     low: Parameter
@@ -209,12 +211,12 @@ class LineComponent:
 
     @property
     def sides(self) -> Box:
-        """The patch it lies on."""
+        """The patch on which it lies."""
         return self.system.sides
 
     def partners(self, s: Number) -> list[Parameter]:
         """The parameters t of the pairs with a rational s, in order, also where the line is at infinity (see the poles
-        of the pieces); `ShapeError` where all pairs have lines.
+        of the pieces); raises `ShapeError` where all pairs have lines.
         """
         if self.equation is None:
             raise ShapeError("all pairs have lines", remedy="take any parameter")
@@ -277,7 +279,7 @@ class SinglePair:
 
     @property
     def sides(self) -> Box:
-        """The patch it lies on."""
+        """The patch on which it lies."""
         return self.system.sides
 
     @property
@@ -309,7 +311,7 @@ class SinglePair:
 class PoleCurve:
     """An irreducible factor of the surface's determinant: along its zeros on the rectangle the surface is at infinity.
 
-    ``certain`` says that it has zeros there: it takes both signs.
+    ``certain`` means that it certainly has zeros there, since it takes both signs.
     """
 
     equation: PairEquation

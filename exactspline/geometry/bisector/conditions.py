@@ -1,7 +1,7 @@
 """Where a point that moves along a bisector is nearer to no other point of the curve: one condition per segment.
 
-For B(s) = (x, y)/e that of a segment a/w of the curve (moved so that Q is the origin) is that the quotient
-``(e ‖a(u)‖² − 2 w (x, y)·a(u))/e`` is negative for no u. Boxes of coefficients decide most; what they leave is decided
+For B(s) = (x, y)/e that of a segment a/w of the curve (moved so that Q is the origin) is that the quotient ``(e ‖a(u)‖²
+− 2 w (x, y)·a(u))/e`` is negative for no u. Bernstein coefficients on boxes decide most cases; the rest are decided
 exactly: where members of such a family are non-negative can only change at a parameter at which one of them has a
 double zero or a zero at an end, or at which B is infinite.
 """
@@ -54,7 +54,7 @@ class _Family:
     rest: tuple[list[fmpz_poly], int] | None
 
     def certain(self, e: fmpz_poly, n: int, parts: list[Interval]) -> bool:
-        """Whether it holds certainly all over some parts."""
+        """Whether it certainly holds on all of the given parts."""
         if _of_one_sign(self.below, self.whole) or all(holds_certainly(self.rows, e, n, part) for part in parts):
             return True
         if self.rest is None:
@@ -63,15 +63,15 @@ class _Family:
         return all(holds_certainly(rows, e, n, part, degree) for part in parts)
 
     def of_certain_sign(self, n: int, parts: list[Interval]) -> bool:
-        """Whether it certainly has one sign on each of some parts, whatever that of e: the condition then changes where
-        e has a zero.
+        """Whether it certainly has one sign on each of the given parts, whatever the sign of e: the condition then
+        changes only at zeros of e.
         """
         rows, m = (self.rows, n) if self.rest is None else self.rest
         return all(keeps_sign(rows, m, part, 1) or keeps_sign(rows, m, part, -1) for part in parts)
 
 
 def _borders(parts: list[Interval], segment: tuple[mpq, mpq]) -> list[Parameter]:
-    """The ends of parts of a segment by the parameter of the curve, those of the segment left out."""
+    """The ends of parts of a segment as parameters of the curve, without those of the segment itself."""
     a, b = segment
     return [a + (b - a) * t for part in parts for t in part if 0 < t < 1]
 
@@ -100,23 +100,23 @@ class Conditions:
                 common = common.lcm(m)
             self.rows.append([form * (common // m) for form, m in forms])
 
-        #: Arcs off the true bisector mostly fail where the curve comes near Q, or on both sides of Q.
+        #: Arcs that are not on the true bisector mostly fail where the curve comes near Q, or on both sides of Q.
         starts = [Vector(*[x(t) / c.w(t) for x in c.p]) for t in c.w.breakpoints[:-1]]
         #: ``‖a‖²`` and a at the beginning of every segment.
         self.starts = [(norm2(x), *x) for x in starts]
 
     def _most_against(self, forms: list[fmpz_poly], n: int, t: mpq) -> int:
-        """The segment whose beginning is most against B(t), t the local parameter."""
+        """The segment whose start point most strongly violates the condition for B(t), t the local parameter."""
         x, y, e = (value((form, ONE), n, t) for form in forms)
         if not e:
             return 0
         x, y = 2 * x / e, 2 * y / e
-        return min(range(len(self.starts)), key=lambda j: self._left_at(j, x, y))
+        return min(range(len(self.starts)), key=lambda j: self._margin_at(j, x, y))
 
-    def _left_at(self, j: int, x: mpq, y: mpq) -> mpq:
+    def _margin_at(self, j: int, x: mpq, y: mpq) -> mpq:
         square, a, b = self.starts[j]
-        left: mpq = square - x * a - y * b
-        return left
+        margin: mpq = square - x * a - y * b
+        return margin
 
     def kept(
         self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq], own: int | None = None
@@ -125,7 +125,7 @@ class Conditions:
         split where B is infinite. `own` is the segment of the curve with the foot of B, at the same parameter.
 
         Parts of the segment on which one condition certainly fails are set aside first, and conditions that certainly
-        hold on the rest. At a border between both a condition fails, so that it is not part of the result.
+        hold on the rest. Where two such parts meet a condition fails, so that the point is not part of the result.
         """
         e, build = forms[2], self._builder(forms, n, own)
         asked = {self._most_against(forms, n, mpq(k, 8)) for k in (1, 3, 5, 7)}
@@ -144,9 +144,9 @@ class Conditions:
             if not family.certain(e, n, open_parts):
                 unclear[j] = family
         open_parts = possible_parts([family.rows for family in (first | unclear).values()], e, n)
-        found: list[tuple[Parameter, Parameter]] = [segment] if open_parts else []
+        intervals: list[tuple[Parameter, Parameter]] = [segment] if open_parts else []
         for family in unclear.values():
-            if not found:
+            if not intervals:
                 break
             if family.certain(e, n, open_parts):
                 continue
@@ -155,8 +155,8 @@ class Conditions:
             else:
                 candidates = [*_candidates(as_mpoly(family.whole, family.stride), segment)]
             holds = partial(self._holds, family.rows, e, n, segment)
-            found = _intersection(found, _cells(candidates, _roots(e, segment), segment, holds))
-        return _on_parts(found, open_parts, segment)
+            intervals = _intersection(intervals, cells_between(candidates, _roots(e, segment), segment, holds))
+        return _on_parts(intervals, open_parts, segment)
 
     def _builder(self, forms: list[fmpz_poly], n: int, own: int | None) -> Callable[[int], _Family]:
         """The maker of the family of a segment; `own` is the one with the foot of B."""
@@ -186,12 +186,12 @@ class Conditions:
 
 
 def _on_parts(
-    found: list[tuple[Parameter, Parameter]], parts: list[Interval], segment: tuple[mpq, mpq]
+    intervals: list[tuple[Parameter, Parameter]], parts: list[Interval], segment: tuple[mpq, mpq]
 ) -> list[tuple[Parameter, Parameter]]:
     """The intervals that are not in a part that was set aside; none is in both."""
     a, b = segment
     kept = []
-    for low, high in found:
+    for low, high in intervals:
         middle = (between(low, high) - a) / (b - a)
         if any(first <= middle <= last for first, last in parts):
             kept.append((low, high))
@@ -213,17 +213,17 @@ def _candidates(family: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
     if not family:
         return []
     factors = factorize_square_free(family).powers
-    found: list[Root] = []
+    candidates: list[Root] = []
     for p, multiplicity in factors:
         if p.degrees()[1] == 0:
-            found += _roots(_in_z(p), segment)
+            candidates += _roots(_in_z(p), segment)
         elif multiplicity % 2:
-            found += _boundary_parameters(p, segment)
+            candidates += _boundary_parameters(p, segment)
     odd = [p for p, multiplicity in factors if multiplicity % 2 and p.degrees()[1] > 0]
     for i, p in enumerate(odd):
         for other in odd[:i]:
-            found += _roots(resultant(_rows(p), _rows(other)), segment)
-    return found
+            candidates += _roots(resultant(_rows(p), _rows(other)), segment)
+    return candidates
 
 
 def _boundary_parameters(p: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
@@ -268,22 +268,22 @@ def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
     ]
 
 
-def _cells(
+def cells_between(
     candidates: list[Parameter], poles: list[Root], segment: tuple[mpq, mpq], holds: Callable[[mpq], bool]
 ) -> list[tuple[Parameter, Parameter]]:
     """The closed intervals between candidates on which the condition holds; neighbours are one, unless B is infinite
     between them.
     """
     a, b = segment
-    found: list[tuple[Parameter, Parameter]] = []
+    intervals: list[tuple[Parameter, Parameter]] = []
     ends: list[Parameter] = [a, *_distinct([*candidates, *poles]), b]
     for low, high in pairwise(ends):
         if holds(between(low, high)):
-            if found and found[-1][1] == low and not any(low == pole for pole in poles):
-                found[-1] = (found[-1][0], high)
+            if intervals and intervals[-1][1] == low and not any(low == pole for pole in poles):
+                intervals[-1] = (intervals[-1][0], high)
             else:
-                found.append((low, high))
-    return found
+                intervals.append((low, high))
+    return intervals
 
 
 def _distinct(roots: list[Parameter]) -> list[Parameter]:
@@ -298,11 +298,11 @@ def _intersection(
     one: list[tuple[Parameter, Parameter]], other: list[tuple[Parameter, Parameter]]
 ) -> list[tuple[Parameter, Parameter]]:
     """The common parts of two lists of intervals that are more than a point."""
-    found = []
+    common = []
     for a, b in one:
         for c, d in other:
             low: Parameter = a if c <= a else c
             high: Parameter = b if b <= d else d
             if low < high:
-                found.append((low, high))
-    return found
+                common.append((low, high))
+    return common

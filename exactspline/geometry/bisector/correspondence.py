@@ -1,4 +1,4 @@
-"""The real zeros of an irreducible equation G(s, t) = 0 on a rectangle: as the graph of a quotient, or in certified
+"""The real zeros of an irreducible equation G(s, t) = 0 on a rectangle: as the graph of a quotient, or as certified
 branches between the parameters at which their number can change.
 """
 
@@ -33,17 +33,17 @@ def graph_intervals(
     borders = [_less(top, bottom, y) for y in range_]
     hits = sorted({exactly(root) for border in borders for root in roots_in(border, low, high)}, key=_Ordered)
     cuts = _distinct([low, *roots_in(bottom, low, high), *hits, high])
-    found: list[tuple[Parameter, Parameter]] = []
+    intervals: list[tuple[Parameter, Parameter]] = []
     for a, b in pairwise(cuts):
         x = between(a, b)
-        y = _value(top, x) / _value(bottom, x)
+        y = value_at(top, x) / value_at(bottom, x)
         if range_[0] <= y <= range_[1]:
-            if found and found[-1][1] == a:
-                found[-1] = (found[-1][0], b)
+            if intervals and intervals[-1][1] == a:
+                intervals[-1] = (intervals[-1][0], b)
             else:
-                found.append((a, b))
-    single = [t for t in hits if not any(a <= t <= b for a, b in found)]
-    return sorted([*found, *((t, t) for t in single)], key=lambda pair: _Ordered(pair[0]))
+                intervals.append((a, b))
+    single = [t for t in hits if not any(a <= t <= b for a, b in intervals)]
+    return sorted([*intervals, *((t, t) for t in single)], key=lambda pair: _Ordered(pair[0]))
 
 
 class _Ordered:
@@ -57,25 +57,26 @@ class _Ordered:
 
 
 def _distinct(values: list[Parameter]) -> list[Parameter]:
-    found: list[Parameter] = []
+    distinct: list[Parameter] = []
     for value in sorted(map(exactly, values), key=_Ordered):
-        if not found or found[-1] != value:
-            found.append(value)
-    return found
+        if not distinct or distinct[-1] != value:
+            distinct.append(value)
+    return distinct
 
 
 def _less(top: fmpz_poly, bottom: fmpz_poly, y: mpq) -> fmpz_poly:
     return top * int(y.denominator) - bottom * int(y.numerator)
 
 
-def _value(p: fmpz_poly, x: mpq) -> mpq:
+def value_at(p: fmpz_poly, x: mpq) -> mpq:
+    """The value of an integer polynomial at a rational number."""
     n, m = max(p.degree(), 0), int(x.denominator)
-    found = substituted(p, n, fmpz_poly([m]), fmpz_poly([int(x.numerator)]))[0]
-    return mpq(int(found), m**n)
+    value = substituted(p, n, fmpz_poly([m]), fmpz_poly([int(x.numerator)]))[0]
+    return mpq(int(value), m**n)
 
 
 def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
-    """The real branches of an equation of degree 2 at least in both parameters, strictly inside the rectangle.
+    """The real branches of an equation of degree at least 2 in both parameters, strictly inside the rectangle.
 
     Between two parameters s at which the discriminant, the first coefficient or the value on a side of the rectangle
     vanishes, the number of roots inside does not change. `ReachError` where the discriminant would take too long.
@@ -88,28 +89,28 @@ def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
     own, other = sides
     critical = [discriminant(rows_of(g)), rows_of(g)[-1], *(at(g, 1, y) for y in other)]
     cuts = _distinct([*own, *(root for p in critical for root in roots_in(p, *own))])
-    found = []
+    branches_of_equation = []
     for low, high in pairwise(cuts):
         s = between(low, high)
         inside = [exactly(t) for t in roots_in(at(g, 0, s), *other)]
-        found += [Branch(low, high, k, (s, t)) for k, t in enumerate(inside)]
-    return found
+        branches_of_equation += [Branch(low, high, k, (s, t)) for k, t in enumerate(inside)]
+    return branches_of_equation
 
 
 def border_pairs(g: fmpz_mpoly, sides: Box) -> list[Place]:
     """The pairs of an equation on the border of a rectangle, each once."""
-    found: list[Place] = []
+    pairs: list[Place] = []
     for variable in (0, 1):
         for value in sides[variable]:
             for root in roots_in(at(g, variable, value), *sides[1 - variable]):
                 place = (value, exactly(root)) if variable == 0 else (exactly(root), value)
-                if not any(same_place(place, x) for x in found):
-                    found.append(place)
-    return found
+                if not any(same_place(place, x) for x in pairs):
+                    pairs.append(place)
+    return pairs
 
 
 def same_place(one: Place, other: Place) -> bool:
-    """Whether two pairs of parameters are one."""
+    """Whether two pairs of parameters are equal."""
     return bool(one[0] == other[0] and one[1] == other[1])
 
 
@@ -129,11 +130,11 @@ def nodes(g: fmpz_mpoly, sides: Box) -> tuple[list[Place], bool]:
     reduced = first / shared, second / shared
     if any(p.total_degree() == 0 for p in reduced):
         return [], True
-    found = common_zeros(*reduced, sides, [g])
+    zeros = common_zeros(*reduced, sides, [g])
     crossing = first.derivative(1) ** 2 - first.derivative(0) * second.derivative(1)
     places: list[Place] = []
-    complete = not found.undecided and not found.out_of_reach
-    for place in found.places:
+    complete = not zeros.undecided and not zeros.out_of_reach
+    for place in zeros.places:
         if _certainly_positive(crossing, place):
             continue
         verdict = vanish_together([g], *place)

@@ -1,6 +1,6 @@
 """Where a curve has no tangent (a cusp, or a segment that is one point) its normal plane imposes no condition.
 
-There are lines over the other curve, and planes where that runs through the point or has no tangent either.
+Over the other curve there are lines, and planes where it passes through the point or has no tangent either.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ WITHOUT_FIRST = Conditions.SECOND | Conditions.MIDDLE
 
 
 def standing(system: System) -> SpecialPairs:
-    """The pairs of two segments of which one at least is a point."""
+    """The exceptional pairs of two segments of which at least one is a point."""
     first, second = system.first, system.second
     if not first.stands_still:
         return standing(system.transposed()).transposed()
@@ -53,7 +53,7 @@ def standing(system: System) -> SpecialPairs:
 
 
 def _planes_over_a_point(system: System) -> tuple[PlaneComponent, ...]:
-    """Where the second curve runs through the single point of the first one, and at its cusps."""
+    """Where the second curve passes through the single point of the first, and at its cusps."""
     side = system.second.interval
     meetings, cusps = roots_in(in_one(greatest_common_divisor(system.chord), 1), *side), cusps_of(system.second)
     planes = [
@@ -74,12 +74,12 @@ def _plane_at(solutions: Solutions, cause: Cause, system: System, t: Root) -> Pl
 
 
 def over_cusps(system: System) -> SpecialPairs:
-    """Lines over the second curve at the cusps of the first, and the pairs at which it runs through one."""
-    found = SpecialPairs()
+    """Lines over the second curve at the cusps of the first, and the pairs at which it passes through one."""
+    pairs = SpecialPairs()
     for q in system.first.cusps:
         for s in roots_in(q, *system.first.interval):
-            found += _over_cusp(system, lifted(q, 0), exactly(s))
-    return found
+            pairs += _over_cusp(system, lifted(q, 0), exactly(s))
+    return pairs
 
 
 def _over_cusp(system: System, equation: fmpz_mpoly, s: Parameter) -> SpecialPairs:
@@ -125,7 +125,7 @@ def over_both_cusps(system: System) -> SpecialPairs:
     for s, t in product(*[map(exactly, cusps_of(own)) for own in (system.first, system.second)]):
         meet = vanish_together(list(system.chord), s, t)
         if meet is None:
-            left_out.append(f"whether the cusps at {shown((s, t))} are one point")
+            left_out.append(f"whether the cusps at {shown((s, t))} coincide")
             continue
         solutions = Solutions.SPACE if meet else Solutions.PLANE
         pairs.append(SinglePair(s, t, solutions, Cause.BOTH_CUSPS, system))

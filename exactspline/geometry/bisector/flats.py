@@ -85,7 +85,7 @@ def _sum(one: Any, other: Any) -> tuple[Any, ...]:
 
 
 def _size(x: Any) -> Any:
-    """The choice among several normals: any one that is not zero will do, so that a rounded size is enough."""
+    """The key for choosing among several normals: any nonzero one is right, so that a rounded size is enough."""
     return x.lower() if isinstance(x, arb) else x
 
 

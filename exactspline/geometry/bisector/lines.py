@@ -49,16 +49,16 @@ def constant(value: mpq) -> Quotient:
 
 
 def along(polynomials: Sequence[fmpz_mpoly], path: Path) -> list[fmpz_poly]:
-    """Polynomials in both parameters along a path, all times one power of its denominators."""
+    """Polynomials in both parameters along a path, all multiplied by one power of its denominators."""
     m, n = (max((int(p.degrees()[i]) for p in polynomials if p), default=0) for i in (0, 1))
-    found = []
+    values = []
     for p in polynomials:
         rows = [substituted(row, m, path.s[1], path.s[0]) for row in rows_of(p)]
         total = fmpz_poly([])
         for j, row in enumerate(rows):
             total += row * path.t[0] ** j * path.t[1] ** (n - j)
-        found.append(total)
-    return found
+        values.append(total)
+    return values
 
 
 def lines_along(system: System, path: Path, interval: Interval, conditions: Conditions = ALL) -> RationalSurface | None:
@@ -70,12 +70,12 @@ def lines_along(system: System, path: Path, interval: Interval, conditions: Cond
     *p, w = along([lifted(f, 0) for f in (*system.first.p, system.first.w)], path)
     *chord, weight = along([*system.chord, system.weight], path)
     a, b = (Vector(*along(list(v), path)) for v in (system.a, system.b))
-    found = _in_lowest_terms(_Entries(p, w, Vector(*chord), weight, a, b), conditions)
-    if found is None:
+    line = _in_lowest_terms(_Entries(p, w, Vector(*chord), weight, a, b), conditions)
+    if line is None:
         return None
-    *top, bottom = as_splines(found[0], *interval)
+    *top, bottom = as_splines(line[0], *interval)
     directrix = Rational(Vector(*top), bottom)
-    return RuledSurface(directrix, Rational(Vector(*as_splines(found[1], *interval)), directrix.product))
+    return RuledSurface(directrix, Rational(Vector(*as_splines(line[1], *interval)), directrix.product))
 
 
 def lines_over_root(system: System, s: Root, conditions: Conditions = ALL) -> RootLines | None:
@@ -93,23 +93,23 @@ def lines_over_root(system: System, s: Root, conditions: Conditions = ALL) -> Ro
             system.b,
         )
     )
-    found = _in_lowest_terms(_Entries(p, w, Vector(*chord), weight, Vector(*a), Vector(*b)), conditions)
-    if found is None:
+    line = _in_lowest_terms(_Entries(p, w, Vector(*chord), weight, Vector(*a), Vector(*b)), conditions)
+    if line is None:
         return None
-    directrix, generator = (_splines(part, system.second.interval) for part in found)
+    directrix, generator = (_splines(part, system.second.interval) for part in line)
     return RootLines.over(s, system.second.interval, directrix, generator)
 
 
 def _splines(polynomials: Sequence[OverRoot], interval: Interval) -> tuple[tuple[BSpline, ...], ...]:
-    """For each polynomial its coefficients of the powers of the root, all of one degree."""
+    """For each polynomial, the coefficients of the powers of the root, all of one degree."""
     rows = by_powers(polynomials)
-    found = iter(as_splines([p for row in rows for p in row], *interval))
-    return tuple(tuple(islice(found, len(row))) for row in rows)
+    splines = iter(as_splines([p for row in rows for p in row], *interval))
+    return tuple(tuple(islice(splines, len(row))) for row in rows)
 
 
 @dataclass(frozen=True)
 class _Entries(Generic[P]):
-    """The entries of the system where one parameter is left: foot, chord with its weight, tangents."""
+    """The entries of the system as functions of one parameter: foot, chord with its weight, tangents."""
 
     p: list[P]
     w: P
@@ -119,7 +119,7 @@ class _Entries(Generic[P]):
     b: Vector[P]
 
     def planes(self, conditions: Conditions) -> list[tuple[Vector[P], P]]:
-        """Normals and heights of the planes that are asked for."""
+        """Normals and offsets of the requested planes."""
         e, nothing = self.chord, self.w - self.w
         rows = []
         if Conditions.FIRST in conditions:

@@ -14,13 +14,13 @@ from exactspline.polynomials.two_parameters import rows_of
 ZERO = fmpq_poly([])
 #: Primes modulo which polynomials are tried.
 PRIMES = tuple((1 << 61) - k for k in (1, 31, 45, 229, 259, 283, 339, 391, 403, 465))
-#: Nanoseconds for a bit of the numbers with which Euclid's algorithm begins, times powers of the degrees (measured:
-#: 3 to 15).
+#: Nanoseconds, per bit of the numbers with which Euclid's algorithm begins and times powers of the degrees (measured: 3
+#: to 15).
 EUCLID = 20
 
 
 class OverRoot:
-    """A polynomial in t with coefficients in ``Q[s]/(minimal)``, constant term first, none of them zero at the end.
+    """A polynomial in t with coefficients in ``Q[s]/(minimal)``, constant term first, without trailing zeros.
 
     >>> modulus = fmpq_poly([-2, 0, 1])
     >>> product = OverRoot([fmpq_poly([0, 1]), 1], modulus) * OverRoot([fmpq_poly([0, 1]), 1], modulus)
@@ -31,10 +31,10 @@ class OverRoot:
     __slots__ = ("coefficients", "modulus")
 
     def __init__(self, coefficients: Sequence[fmpq_poly | int], modulus: fmpq_poly) -> None:
-        found = [fmpq_poly([x]) if isinstance(x, int) else x % modulus for x in coefficients]
-        while found and not found[-1]:
-            found.pop()
-        self.coefficients, self.modulus = tuple(found), modulus
+        reduced = [fmpq_poly([x]) if isinstance(x, int) else x % modulus for x in coefficients]
+        while reduced and not reduced[-1]:
+            reduced.pop()
+        self.coefficients, self.modulus = tuple(reduced), modulus
 
     @classmethod
     def of(cls, p: fmpz_mpoly, modulus: fmpq_poly) -> OverRoot:
@@ -62,11 +62,11 @@ class OverRoot:
     def __mul__(self, other: OverRoot | int) -> OverRoot:
         if isinstance(other, int):
             return OverRoot([a * other for a in self.coefficients], self.modulus)
-        found = [ZERO] * max(0, len(self.coefficients) + len(other.coefficients) - 1)
+        products = [ZERO] * max(0, len(self.coefficients) + len(other.coefficients) - 1)
         for i, a in enumerate(self.coefficients):
             for j, b in enumerate(other.coefficients):
-                found[i + j] += a * b
-        return OverRoot(found, self.modulus)
+                products[i + j] += a * b
+        return OverRoot(products, self.modulus)
 
     def __divmod__(self, other: OverRoot) -> tuple[OverRoot, OverRoot]:
         """Quotient and remainder as polynomials in t."""
@@ -101,7 +101,9 @@ class OverRoot:
 
 
 def _cost(p: OverRoot, q: OverRoot, common: int) -> int:
-    """An estimate in nanoseconds of Euclid's algorithm, whose numbers grow down to the common degree."""
+    """An estimate of the time of Euclid's algorithm in nanoseconds; its numbers grow until the common degree is
+    reached.
+    """
     k, n = p.modulus.degree(), max(p.degree, q.degree)
     bits = max(max(c.numer().height_bits(), int(c.denom()).bit_length()) for f in (p, q) for c in f.coefficients if c)
     return EUCLID * n**2 * (n - common + 1) ** 2 * k**3 * bits
@@ -109,7 +111,7 @@ def _cost(p: OverRoot, q: OverRoot, common: int) -> int:
 
 def _most(p: OverRoot, q: OverRoot) -> int:
     """A bound on the degree of a common divisor: that of the images at a simple root of the modulus modulo a prime,
-    where one of them keeps its degree.
+    where one of them has the same degree as its image.
     """
     for prime in PRIMES:
         modulus = nmod_poly(p.modulus.numer(), prime)
@@ -136,20 +138,20 @@ def _image(p: OverRoot, root: int, prime: int) -> nmod_poly | None:
 
 
 def _inverse(x: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
-    """1/x: the modulus is irreducible."""
+    """1/x; it exists because the modulus is irreducible."""
     divisor, inverse, _ = x.xgcd(modulus)
     return inverse / divisor[0]
 
 
 def by_powers(polynomials: Sequence[OverRoot]) -> list[list[fmpz_poly]]:
-    """Each as polynomials in t with whole coefficients, one for each power of s below the degree of the modulus, all
-    times one positive number that leaves no common factor.
+    """Each as polynomials in t with integer coefficients, one for each power of s below the degree of the modulus, all
+    multiplied by one positive number such that no common factor remains.
     """
     powers = range(polynomials[0].modulus.degree())
-    found = [[fmpq_poly([c[k] for c in p.coefficients]) for k in powers] for p in polynomials]
+    rows = [[fmpq_poly([c[k] for c in p.coefficients]) for k in powers] for p in polynomials]
     bottom = 1
-    for p in (p for row in found for p in row):
+    for p in (p for row in rows for p in row):
         bottom = lcm(bottom, int(p.denom()))
-    whole = [[(p * bottom).numer() for p in row] for row in found]
+    whole = [[(p * bottom).numer() for p in row] for row in rows]
     shared = gcd(*[int(p.content()) for row in whole for p in row]) or 1
     return [[p // shared for p in row] for row in whole]

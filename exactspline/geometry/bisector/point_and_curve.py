@@ -40,7 +40,7 @@ class PointVariant(StrEnum):
     DIRECT = "direct"
 
 
-#: Formulas by variant; those of the direct approach are named by the component that is moved.
+#: Formulas by variant; those of the direct approach are named after the component that is moved.
 POINT_FORMS = {PointVariant.NAIVE: "point_bisector", PointVariant.EXPLICIT: "point_bisector_polynomial"}
 AXES = "xyz"
 
@@ -77,11 +77,11 @@ def point_bisector(
     """The bisector of a point and a space curve.
 
     `variant` is ``naive`` (31), ``explicit`` (34) or ``direct``: the 2×2 system with a component moved that is solvable
-    on the whole piece. Which one is decided exactly: a component may be moved where its determinant, the same component
-    of ``D1 × (p − wQ)``, has no zero; the curve is split so that the pieces cover all but the singular parameters, at
-    which none can be moved.
+    on the whole piece. The choice is decided exactly: a component may be moved where its determinant, the same
+    component of ``D1 × (p − wQ)``, has no zero; the curve is split so that the pieces cover all but the singular
+    parameters, at which none can be moved.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> found = point_bisector(example("ellipse_in_space"), (1, 1, 2))
     >>> [(piece.moved, str(piece.interval)) for piece in found.pieces][:2]
     [('x', '[0, 1/2]'), ('y', '[1/2, 3/2]')]
@@ -105,7 +105,7 @@ def point_bisector(
             "there is no bisector surface: " + missing[0][1], remedy="choose another point, or another curve"
         )
     parts = [
-        found for a, b in good for found in (_cover(generator, a, b) if chosen is PointVariant.DIRECT else [(a, b, -1)])
+        part for a, b in good for part in (_cover(generator, a, b) if chosen is PointVariant.DIRECT else [(a, b, -1)])
     ]
     pieces = [
         RuledPiece(
@@ -119,7 +119,9 @@ def point_bisector(
 
 
 def refuse_point(curve: Nurbs) -> None:
-    """Of a curve that is one point there is a bisector, but a plane (a line), which is not a surface over the curve."""
+    """The bisector of two points is a plane (in R2 a line), not a surface over the curve: raises `ShapeError` for a
+    curve that is one point.
+    """
     if all(x.is_zero for x in find("D1")(curve)):
         where = ", ".join(map(short_text, curve(curve.domain[0])))
         raise ShapeError(
@@ -129,8 +131,8 @@ def refuse_point(curve: Nurbs) -> None:
 
 
 def _singular(generator: Vector[BSpline], segments: list[Interval]) -> tuple[Root, ...]:
-    """Where the generator vanishes on some of the segments, at a knot also from one side only: there the surface of
-    that side has a pole.
+    """Where the generator vanishes on some of the segments, at a knot also where it does so from one side only: the
+    surface of that side has a pole there.
     """
     roots = [root for a, b in segments for root in zeros(common_factor(Vector(*[x.restrict(a, b) for x in generator])))]
     return tuple(root for i, root in enumerate(roots) if i == 0 or roots[i - 1] != root)
@@ -148,8 +150,8 @@ def _merged(parts: list[tuple[mpq, mpq, int]]) -> list[tuple[mpq, mpq, int]]:
 
 
 def exact_point(curve: Curve[BSpline], point: Iterable[Number], dimension: int) -> tuple[mpq, ...]:
-    """The exact coordinates of a point beside a curve of that dimension; `ShapeError` when the numbers of coordinates
-    are wrong.
+    """The exact coordinates of a point in the space of a curve of that dimension; raises `ShapeError` when a number of
+    coordinates is wrong.
     """
     coordinates = tuple(rational(x) for x in as_items(point, "the coordinates of a point"))
     if curve.dimension != dimension:
@@ -166,8 +168,8 @@ def _cut(c: Curve[BSpline], a: mpq, b: mpq) -> Curve[BSpline]:
 
 
 def _cover(generator: Any, a: mpq, b: mpq) -> list[tuple[mpq, mpq, int]]:
-    """Intervals that cover one segment, each with a component of the generator that has no zero on it but the common
-    ones of all three.
+    """Intervals that cover one segment, each with a component of the generator that has no zeros on it except those
+    common to all three.
     """
     parts = [x.restrict(a, b) for x in generator]
     common = common_factor(Vector(*parts))
@@ -191,7 +193,7 @@ def _cover(generator: Any, a: mpq, b: mpq) -> list[tuple[mpq, mpq, int]]:
 
 
 def _divided(f: BSpline, common: BSpline) -> BSpline:
-    """A spline of one segment without a common factor."""
+    """A spline of one segment divided by a common factor."""
     return BSpline.from_forms(
         f.degree - common.degree, f.mesh, (), [(f.polynomials[0] // common.polynomials[0], f.denominators[0])]
     )

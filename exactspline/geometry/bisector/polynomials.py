@@ -1,4 +1,4 @@
-"""Values of polynomials at exact parameters: in balls, and whether several vanish together."""
+"""Values of polynomials at exact parameters: in ball arithmetic, and whether several vanish together."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from exactspline.roots.root import Root
 Three = list[fmpz_poly]
 ThreeOfTwo = list[fmpz_mpoly]
 
-#: Nanoseconds for a product of balls, and for each bit of them.
+#: Nanoseconds per product of balls, and per bit of their precision.
 BALL, BALL_BITS = 300, 4
-#: Evaluations of a polynomial to refine a root of it to the precision of the balls.
+#: How many evaluations of a polynomial it takes to refine one of its roots to the precision of the balls.
 REFINED = 4
-#: Bits of precision with which it is first asked whether a polynomial vanishes at two irrational numbers, and bits with
-#: which it is not asked any more.
+#: The first and the largest precision (bits) at which it is decided whether a polynomial vanishes at two irrational
+#: numbers.
 SHORTEST, LONGEST = 512, 1 << 19
 
 
@@ -48,10 +48,10 @@ E = TypeVar("E", bound=Euclidean)
 
 def common_divisor(polynomials: Iterable[E]) -> E:
     """The greatest common divisor of polynomials in one parameter; `ReachError` where that would take too long."""
-    found = list(polynomials)
-    if isinstance(found[0], fmpz_poly):
-        return greatest_common_divisor(found)  # type: ignore[type-var]  # all of them are of one type
-    return reduce(lambda p, q: p.gcd(q), found)
+    given = list(polynomials)
+    if isinstance(given[0], fmpz_poly):
+        return greatest_common_divisor(given)  # type: ignore[type-var]  # all of them are of one type
+    return reduce(lambda p, q: p.gcd(q), given)
 
 
 # ---- two parameters
@@ -83,7 +83,7 @@ def vanish_together(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Paramete
         verdicts = [_vanishes(p, s, t) for p in polynomials if p]
         return False if False in verdicts else None if None in verdicts else True
     variable, value, other = (0, s, t) if not isinstance(s, Root) else (1, t, s)
-    assert not isinstance(value, Root)  # two roots are done
+    assert not isinstance(value, Root)  # two roots have been handled above
     parts = [q for p in polynomials if (q := at(p, variable, rational(value)))]
     if not parts:
         return True
@@ -96,7 +96,7 @@ def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool | None:
     """Whether a polynomial vanishes at two irrational parameters; None beyond the longest precision.
 
     A value that is not zero is at least ``2^−bits`` by Liouville's inequality: balls of growing precision show either
-    that it is not zero, or that it is smaller than that.
+    that it is nonzero, or that it is smaller than this bound.
     """
     try:
         first, second = fmpz_poly(s.minimal_polynomial()), fmpz_poly(t.minimal_polynomial())

@@ -52,8 +52,8 @@ class RootLines:
         return max(self.directrix[0][0].degree, self.generator[0][0].degree)
 
     def line(self, parameter: Number, digits: int = 20) -> Flat[arb]:
-        """A point and the direction of a line, in balls that are not finite where it is at infinity; `ShapeError`
-        outside the segment.
+        """A point and the direction of a line, in balls that are not finite where it is at infinity; raises
+        `ShapeError` outside the segment.
         """
         u = rational(parameter)
         if not self.interval[0] <= u <= self.interval[1]:

@@ -25,16 +25,18 @@ Found = tuple[list[Place], tuple[str, ...]]
 
 
 def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: Box) -> Found:
-    """The pairs at which all components (and f) vanish, proved one component after the other; and what is left out."""
+    """The pairs at which all components (and f) vanish, proved one component after the other; and what could not be
+    decided.
+    """
     polynomials = [p for p in ([f] if f is not None else []) + components if p]
     if any(p.total_degree() == 0 for p in polynomials) or not possible_boxes(polynomials, sides):
         return [], ()
     square = _coprime(f, components)
     if square is None:
         return [], (f"pairs on {sides.shortly}: no two coprime conditions",)
-    found = common_zeros(*square, sides, polynomials)
-    places, left_out = [], _undecided(found, sides)
-    for place in found.places:
+    zeros = common_zeros(*square, sides, polynomials)
+    places, left_out = [], _undecided(zeros, sides)
+    for place in zeros.places:
         verdict = vanish_together(polynomials, *place)
         if verdict:
             places.append(place)
@@ -61,10 +63,10 @@ def _combined(components: Sequence[fmpz_mpoly], u: tuple[int, ...]) -> fmpz_mpol
     return total
 
 
-def _undecided(found: CommonZeros, sides: Box) -> list[str]:
-    if found.out_of_reach:
+def _undecided(zeros: CommonZeros, sides: Box) -> list[str]:
+    if zeros.out_of_reach:
         return [f"single pairs on {sides.shortly}: the elimination is out of reach"]
-    return [f"whether the system is singular at {shown(place)}" for place in found.undecided]
+    return [f"whether the system is singular at {shown(place)}" for place in zeros.undecided]
 
 
 def shown(place: Sequence[Parameter]) -> str:
@@ -73,13 +75,15 @@ def shown(place: Sequence[Parameter]) -> str:
 
 
 def crossings(system: System) -> Found:
-    """The pairs at which the curves meet, beside the curves of pairs along which they overlap; and what is left out."""
+    """The isolated pairs at which the curves meet, without the curves of pairs along which they overlap; and what could
+    not be decided.
+    """
     shared = greatest_common_divisor(system.chord)
     return zeros_of_vector(None, [f / shared for f in system.chord], system.sides) if shared else ([], ())
 
 
 def touching(system: System, meetings: list[Place]) -> SpecialPairs:
-    """The common points with a common tangent, but those at cusps: their normal plane."""
+    """The common points with a common tangent, except those at cusps; their solutions are the normal plane."""
     pairs, left_out = [], []
     for place in meetings:
         if at_cusp(system, place):
@@ -93,9 +97,9 @@ def touching(system: System, meetings: list[Place]) -> SpecialPairs:
 
 
 def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> SpecialPairs:
-    """The single pairs of a patch but those at cusps, `factors` being the equations whose pairs have lines."""
-    found = touching(system, meetings)
-    planes = [pair.place for pair in found.pairs]
+    """The single pairs of a patch except those at cusps; `factors` are the equations whose pairs have lines."""
+    tangencies = touching(system, meetings)
+    planes = [pair.place for pair in tangencies.pairs]
     others, left_out = _dependent(system, [*factors, *system.cusps], meetings)
     lines = [(x, Cause.DEPENDENT) for x in others]
     # where the curves meet all minors vanish, and with them their common factor if that is one of them
@@ -106,7 +110,7 @@ def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) ->
         for place, cause in lines
         if not at_cusp(system, place) and not any(_lies_on(g, place) for g in factors)
     ]
-    return found + SpecialPairs(pairs=tuple(pairs), left_out=left_out)
+    return tangencies + SpecialPairs(pairs=tuple(pairs), left_out=left_out)
 
 
 def _among(place: Place, places: list[Place]) -> bool:
@@ -114,19 +118,21 @@ def _among(place: Place, places: list[Place]) -> bool:
 
 
 def at_cusp(system: System, place: Place) -> bool:
-    """Whether a curve has no tangent at a pair: its solutions are then those of fewer conditions, and listed there."""
+    """Whether a curve has no tangent at a pair: its solutions then satisfy fewer conditions, and are listed with the
+    cusps.
+    """
     return any(_lies_on(q, place) for q in system.cusps)
 
 
 def _lies_on(g: fmpz_mpoly, place: Place) -> bool:
-    """Whether a pair is one of a curve of pairs, which has its line already; where that is not decided, it is listed
-    once more.
+    """Whether a pair lies on a curve of pairs, and so has its line already; where that is not decided, it is listed
+    again.
     """
     return bool(vanish_together([g], *place))
 
 
 def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> Found:
-    """The pairs with a line of solutions at which the curves do not meet; and what is left out.
+    """The pairs with a line of solutions at which the curves do not meet; and what could not be decided.
 
     Where the determinant vanishes, the numerators are a multiple of the normal n of the three planes' normals: they
     vanish when their product with one vector u does, and u·n does not.
@@ -140,12 +146,12 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
         combined = _combined(numerators, u)
         if not combined or greatest_common_divisor([determinant, combined]).total_degree() > 0:
             continue
-        found = common_zeros(determinant, combined, system.sides, numerators, meetings)
+        zeros = common_zeros(determinant, combined, system.sides, numerators, meetings)
         # a pair on an equation has its line already
-        known = [place for place in found.undecided if any(_lies_on(g, place) for g in factors)]
-        found = found._replace(undecided=[place for place in found.undecided if not _among(place, known)])
-        places, left_out = [], _undecided(found, system.sides)
-        for place in found.places:
+        known = [place for place in zeros.undecided if any(_lies_on(g, place) for g in factors)]
+        zeros = zeros._replace(undecided=[place for place in zeros.undecided if not _among(place, known)])
+        places, left_out = [], _undecided(zeros, system.sides)
+        for place in zeros.places:
             if _among(place, meetings) or any(_lies_on(g, place) for g in factors):
                 continue
             rank = _has_rank_2(system, place)

@@ -1,4 +1,4 @@
-"""The pairs of parameters of two curves whose planes have more than a point in common, patch by patch and complete.
+"""The pairs of parameters of two curves whose planes have more than one point in common, patch by patch and completely.
 
 The reasoning is in ``docs/bisectors.md``: on one patch the minors of the system vanish together along the zeros of
 their greatest common divisor and at finitely many pairs besides; a plane of solutions needs a common point with a
@@ -49,8 +49,8 @@ from exactspline.splines.nurbs import Nurbs
 
 
 def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> SpecialPairs:
-    """All pairs of two space curves that have lines, planes or all of space for their solutions, and the poles; of them
-    what a budget of work suffices for, the rest named in ``left_out``.
+    """All pairs of two space curves whose solutions are lines, planes or all of space, and the poles. What exceeds the
+    budget of work is named in ``left_out``.
 
     >>> from exactspline import Nurbs
     >>> low, high = (Nurbs(1, [0, 0, 1, 1], [(0, 0, z), (2, 0, z)]) for z in (0, 1))
@@ -58,7 +58,7 @@ def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> 
     ['s - t']
     """
     one, other = (cache(partial(piece, c)) for c in (first, second))
-    found, not_tried = SpecialPairs(), list[str]()
+    pairs, not_tried = SpecialPairs(), list[str]()
 
     def of_segments(i: int, j: int) -> SpecialPairs:
         return _of_system(System(one(i), other(j)))
@@ -70,25 +70,26 @@ def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> 
             if paid.spent:
                 not_tried.append(where)
             else:
-                everything = f"what is beside the surface on {where}"
-                found += _in_reach(everything, partial(of_segments, i, j))
+                everything = f"the parts other than the surface on {where}"
+                pairs += _in_reach(everything, partial(of_segments, i, j))
     if not_tried:
         more = f" and {counted(len(not_tried) - 1, 'rectangle')} more" if len(not_tried) > 1 else ""
-        name = f"what is beside the surface on {not_tried[0]}{more}: the bound on the whole answer was reached before"
-        found += SpecialPairs(left_out=(name,))
-    return _without_repetition(found, first, second)
+        parts = f"the parts other than the surface on {not_tried[0]}{more}"
+        name = f"{parts}: the bound on the whole answer was reached before"
+        pairs += SpecialPairs(left_out=(name,))
+    return _without_repetition(pairs, first, second)
 
 
 def _of_system(system: System) -> SpecialPairs:
     if system.first.stands_still or system.second.stands_still:
         return standing(system)
-    found = over_cusps(system) + over_cusps(system.transposed()).transposed() + over_both_cusps(system)
-    others = f"lines, planes and poles on {system.sides.shortly} but those at cusps"
-    return found + _in_reach(others, lambda: _with_tangents(system))
+    pairs = over_cusps(system) + over_cusps(system.transposed()).transposed() + over_both_cusps(system)
+    others = f"lines, planes and poles on {system.sides.shortly} except those at cusps"
+    return pairs + _in_reach(others, lambda: _with_tangents(system))
 
 
 def _in_reach(what: str, compute: Callable[[], SpecialPairs]) -> SpecialPairs:
-    """What is computed or, where that would take too long, its name among what is left out."""
+    """The computed pairs or, where that would take too long, the name of this part in ``left_out``."""
     try:
         return compute()
     except ReachError as error:
@@ -96,17 +97,17 @@ def _in_reach(what: str, compute: Callable[[], SpecialPairs]) -> SpecialPairs:
 
 
 def _with_tangents(system: System) -> SpecialPairs:
-    """Those of the system in which zeros of the tangents are divided out."""
+    """The special pairs of the system in which zeros of the tangents are divided out."""
     factor = system.factor
-    found = SpecialPairs() if factor else _everywhere(system)
-    # where all minors vanish everywhere, only where the curves overlap is there more
+    pairs = SpecialPairs() if factor else _everywhere(system)
+    # where all minors vanish everywhere, there is more only where the curves overlap
     factors = irreducible_factors(factor if factor else greatest_common_divisor(system.chord))
     for g in factors:
         if possible_boxes([g], system.sides):
-            found += _in_reach(_pairs_of(g, system.sides), partial(_along, system, g))
+            pairs += _in_reach(_pairs_of(g, system.sides), partial(_along, system, g))
     where = system.sides.shortly
-    found += _in_reach(f"single pairs on {where}", lambda: _single(system, factors))
-    return found + _in_reach(f"poles on {where}", lambda: _poles(system)) if factor else found
+    pairs += _in_reach(f"single pairs on {where}", lambda: _single(system, factors))
+    return pairs + _in_reach(f"poles on {where}", lambda: _poles(system)) if factor else pairs
 
 
 def _pairs_of(g: fmpz_mpoly, sides: Box) -> str:
@@ -114,14 +115,16 @@ def _pairs_of(g: fmpz_mpoly, sides: Box) -> str:
 
 
 def _single(system: System, factors: list[fmpz_mpoly]) -> SpecialPairs:
-    """The single pairs but those at cusps."""
+    """The single pairs except those at cusps."""
     meetings, left_out = crossings(system)
-    found = singles(system, factors, meetings) if system.factor else touching(system, meetings)
-    return found + SpecialPairs(left_out=left_out)
+    pairs = singles(system, factors, meetings) if system.factor else touching(system, meetings)
+    return pairs + SpecialPairs(left_out=left_out)
 
 
 def _everywhere(system: System) -> SpecialPairs:
-    """Every pair is singular: two arcs of one circle have its axis in common, parts of one line nothing."""
+    """Every pair is singular: for two arcs of one circle the planes share its axis, for parts of one line they share
+    nothing.
+    """
     (a, b), side = system.sides
     inner = mpq((2 * a + b) / 3)
     surface = lines_along(system, Path(constant(inner), (PARAMETER, ONE)), side)
@@ -170,12 +173,12 @@ def _along_rational(system: System, g: fmpz_mpoly) -> SpecialPairs:
         for x in narrow
         if kind and not at_cusp(system, x) and _has(system, x, kind)
     ]
-    found = SpecialPairs(pairs=tuple(singular))
+    pairs = SpecialPairs(pairs=tuple(singular))
     if kind == Solutions.PLANE and wide:
-        found += SpecialPairs(planes=(PlaneComponent(kind, Cause.OVERLAP, system.sides, equation, wide),))
+        pairs += SpecialPairs(planes=(PlaneComponent(kind, Cause.OVERLAP, system.sides, equation, wide),))
     if kind == Solutions.LINE and wide:
-        found += SpecialPairs((_graph(system, equation, wide),))
-    return found
+        pairs += SpecialPairs((_graph(system, equation, wide),))
+    return pairs
 
 
 def _cause(kind: Solutions) -> Cause:
@@ -207,19 +210,19 @@ def _graph(system: System, equation: PairEquation, intervals: tuple[tuple[Parame
 
 def _along_fixed(system: System, g: fmpz_mpoly) -> SpecialPairs:
     """An equation in s alone."""
-    found, equation = SpecialPairs(), PairEquation.of(g)
+    pairs, equation = SpecialPairs(), PairEquation.of(g)
     if _kind(system, g) == Solutions.LINE:
         for root in roots_in(in_one(g, 0), *system.first.interval):
-            found += lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL)
-    return found
+            pairs += lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL)
+    return pairs
 
 
 def _along_algebraic(system: System, g: fmpz_mpoly) -> SpecialPairs:
-    """An equation of degree 2 at least in both parameters."""
+    """An equation of degree at least 2 in both parameters."""
     kind, sides, equation = _kind(system, g), system.sides, PairEquation.of(g)
     if kind is None:
         return SpecialPairs()
-    # the branches are nearly all of the zeros: they draw from the bound on the whole answer first
+    # nearly all zeros are on branches: these draw on the budget of the whole answer first
     found_branches, borders = branches(g, sides), border_pairs(g, sides)
     try:
         singular, complete = nodes(g, sides)
@@ -227,13 +230,13 @@ def _along_algebraic(system: System, g: fmpz_mpoly) -> SpecialPairs:
         singular, complete = [], False
     real = RealZeros(tuple(found_branches), tuple(borders), tuple(singular))
     where = f"{equation.short_text} on {sides.shortly}"
-    found = SpecialPairs(left_out=() if complete else (f"isolated real pairs of {where}, if there are any",))
+    pairs = SpecialPairs(left_out=() if complete else (f"isolated real pairs of {where}, if there are any",))
     if not real:
-        return found
+        return pairs
     if kind == Solutions.PLANE:
-        return found + SpecialPairs(planes=(PlaneComponent(kind, Cause.OVERLAP, sides, equation, real=real),))
-    own = LineComponent(Correspondence.ALGEBRAIC, Cause.DEPENDENT, system, equation, real=real)
-    return found + SpecialPairs((own,))
+        return pairs + SpecialPairs(planes=(PlaneComponent(kind, Cause.OVERLAP, sides, equation, real=real),))
+    component = LineComponent(Correspondence.ALGEBRAIC, Cause.DEPENDENT, system, equation, real=real)
+    return pairs + SpecialPairs((component,))
 
 
 # ---- poles
@@ -242,12 +245,12 @@ def _along_algebraic(system: System, g: fmpz_mpoly) -> SpecialPairs:
 def _poles(system: System) -> SpecialPairs:
     """The factors of the determinant in lowest terms that have zeros on the rectangle."""
     determinant = system.determinant / system.factor
-    found = []
+    poles = []
     for g in irreducible_factors(determinant) if determinant else []:
         boxes = possible_boxes([g], system.sides)
         if boxes:
-            found.append(PoleCurve(PairEquation.of(g), system.sides, _changes_sign(g, [system.sides, *boxes])))
-    return SpecialPairs(poles=tuple(found))
+            poles.append(PoleCurve(PairEquation.of(g), system.sides, _changes_sign(g, [system.sides, *boxes])))
+    return SpecialPairs(poles=tuple(poles))
 
 
 def _changes_sign(g: fmpz_mpoly, boxes: list[Box]) -> bool:
@@ -265,15 +268,15 @@ def _changes_sign(g: fmpz_mpoly, boxes: list[Box]) -> bool:
 # ---- neighbours
 
 
-def _without_repetition(found: SpecialPairs, first: Nurbs, second: Nurbs) -> SpecialPairs:
-    """Each single pair, and the lines at each cusp, once where the curves continue smoothly to the next patch; no
-    single pair where a curve of pairs of the next patch ends.
+def _without_repetition(special: SpecialPairs, first: Nurbs, second: Nurbs) -> SpecialPairs:
+    """Each single pair, and the lines at each cusp, once where the curves continue smoothly to the next patch; a single
+    pair is dropped where a curve of pairs of the next patch ends.
     """
     curves = first, second
 
     def shared(pair: SinglePair) -> bool:
         return any(
-            own == side[0] and _runs_on(curve, side[0])
+            own == side[0] and runs_on(curve, side[0])
             for own, side, curve in zip(pair.place, pair.sides, curves, strict=True)
         )
 
@@ -282,7 +285,7 @@ def _without_repetition(found: SpecialPairs, first: Nurbs, second: Nurbs) -> Spe
             line.sides != pair.sides
             and all(_reaches(*each) for each in zip(pair.place, pair.sides, line.sides, curves, strict=True))
             and _lies_on(line, *pair.place)
-            for line in found.lines
+            for line in special.lines
         )
 
     def shared_line(line: LineComponent) -> bool:
@@ -290,35 +293,37 @@ def _without_repetition(found: SpecialPairs, first: Nurbs, second: Nurbs) -> Spe
         if fixed is None or not line.pieces:
             return False
         start, curve = line.sides[fixed][0], curves[fixed]
-        return bool(line.pieces[0].other == start and _runs_on(curve, start))
+        return bool(line.pieces[0].other == start and runs_on(curve, start))
 
     return replace(
-        found,
-        lines=tuple(line for line in found.lines if not shared_line(line)),
-        pairs=tuple(pair for pair in found.pairs if not shared(pair) and not on_line(pair)),
+        special,
+        lines=tuple(line for line in special.lines if not shared_line(line)),
+        pairs=tuple(pair for pair in special.pairs if not shared(pair) and not on_line(pair)),
     )
 
 
 def _reaches(t: Parameter, own: Interval, other: Interval, curve: Nurbs) -> bool:
-    """Whether a parameter of one segment is one of another with the same tangent."""
-    return own == other or (not isinstance(t, Root) and t in own and t in other and _runs_on(curve, t))
+    """Whether a parameter of one segment also belongs to another one with the same tangent."""
+    return own == other or (not isinstance(t, Root) and t in own and t in other and runs_on(curve, t))
 
 
 def _lies_on(line: LineComponent, s: Parameter, t: Parameter) -> bool:
-    """Whether a component has a pair of its rectangle."""
+    """Whether a component contains a pair of its rectangle."""
     if line.equation is not None and not vanish_together([line.equation.polynomial], s, t):
         return False
     return not line.pieces or any(one.low <= (s, t)[one.of] <= one.high for one in line.pieces)
 
 
-def _runs_on(curve: Nurbs, t: mpq) -> bool:
-    """Whether a segment ends where another one begins, with the same point and tangent (or with γ′ = 0 on both)."""
+def runs_on(curve: Nurbs, t: mpq) -> bool:
+    """Whether a segment ends where another one begins, with the same point and tangent direction (or with γ′ = 0 on
+    both sides).
+    """
     if t == curve.domain[0] or curve(t, Side.LEFT) != curve(t, Side.RIGHT):
         return False
     i = curve.breakpoints.index(t)
     try:
         before, behind = piece(curve, i - 1), piece(curve, i)
-    except ReachError:  # what is there is left out, and nothing of it can be listed twice
+    except ReachError:  # the special pairs there are in `left_out`, so that none can be listed twice
         return False
     stops = [one.stands_still or t in cusps_of(one) for one in (before, behind)]
     if any(stops):

@@ -54,7 +54,7 @@ def _piece(interval: Interval, parts: list[list[list[int]]]) -> Piece:
 def piece(curve: Nurbs, i: int) -> Piece:
     """Segment i of a curve.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> piece(example("twisted_cubic"), 0).tangent
     [1, 2*x, 3*x^2]
     """
@@ -130,7 +130,7 @@ class System:
     @cached_property
     def factor(self) -> fmpz_mpoly:
         """The common factor of determinant and numerators: along its zeros the system is singular, and the minors do
-        not say that it has no solution. Zero where all of them vanish.
+        not exclude solutions. Zero where all of them vanish.
         """
         return greatest_common_divisor([self.determinant, *self.numerators])
 
@@ -150,5 +150,5 @@ def divides(factor: fmpz_mpoly, v: Vector[fmpz_mpoly]) -> bool:
 
 def irreducible_factors(p: fmpz_mpoly) -> list[fmpz_mpoly]:
     """The irreducible factors that depend on a parameter, each once, their first coefficient positive."""
-    found = [q for q in factorize(p).bases if q.total_degree() > 0]
-    return sorted((q if q.leading_coefficient() > 0 else -q for q in found), key=str)
+    factors = [q for q in factorize(p).bases if q.total_degree() > 0]
+    return sorted((q if q.leading_coefficient() > 0 else -q for q in factors), key=str)

@@ -1,10 +1,9 @@
 """The true bisector of a point and a plane curve: the points as far from the point as from the *whole* curve (Farouki
 and Johnstone 1994).
 
-A point B is on it when the circle around B through the point Q has no point of the curve inside:
-``‖γ(u) − Q‖² − 2 (B − Q)·(γ(u) − Q) ≥ 0`` for all u. For the untrimmed bisector B(s), and for the line of points as far
-from Q as from a corner of the curve, that is a family of polynomials in u (see
-`exactspline.geometry.bisector.conditions`).
+A point B is on it when no point of the curve is inside the circle around B through Q: ``‖γ(u) − Q‖² − 2 (B − Q)·(γ(u) −
+Q) ≥ 0`` for all u. For the untrimmed bisector B(s), and for the line of points as far from Q as from a corner of the
+curve, that is a family of polynomials in u (see `exactspline.geometry.bisector.conditions`).
 """
 
 from __future__ import annotations
@@ -42,7 +41,7 @@ from exactspline.splines.nurbs import Nurbs
 
 
 class PieceKind(StrEnum):
-    """The kind of feet of a piece."""
+    """Where the feet of a piece lie."""
 
     ARC = "arc"
     END_POINT = "end point"
@@ -51,7 +50,7 @@ class PieceKind(StrEnum):
 
 @dataclass(frozen=True)
 class TrimmedPiece:
-    """A piece of the true bisector over [low, high] of its own parameter.
+    """A piece of the true bisector over [low, high] of its parameter.
 
     ``kind`` is ``arc`` (its parameter is that of the curve, B has its foot at γ(s)), ``end point`` or ``corner`` (a
     piece of a straight line: its foot is the point of the curve at ``foot``; its parameter runs over [−1, 1], the
@@ -68,8 +67,8 @@ class TrimmedPiece:
         return f"<TrimmedPiece: {self.kind}>"
 
     def __call__(self, t: Number) -> tuple[mpq, ...]:
-        """The point at a parameter of the piece; `ShapeError` outside it, `ZeroDivisionError` at an end that is
-        infinite.
+        """The point at a parameter of the piece; raises `ShapeError` outside it, `ZeroDivisionError` at an end at
+        infinity.
         """
         t = rational(t)
         if not self.low <= t <= self.high:
@@ -116,7 +115,7 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
     >>> [(str(piece.kind), piece.foot) for piece in trimmed_bisector(line, (0, 2)).pieces]
     [('arc', None), ('end point', mpq(0,1)), ('end point', mpq(1,1))]
 
-    The work on the whole answer is bounded like that on the bisector of two curves.
+    The work on the whole answer is bounded as for the bisector of two curves.
 
     Raises `ShapeError` for a curve that is not in the plane or not in one piece, and for a point on the curve.
     """
@@ -132,7 +131,7 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
 
 
 def _trimmed(curve: Nurbs, c: Curve[BSpline], q: tuple[mpq, ...]) -> TrimmedBisector:
-    """The pieces of a curve, c being the same around Q."""
+    """The pieces of a curve; c is the curve with Q moved to the origin."""
     conditions = Conditions(c)
     pieces, missing, left_out = list[TrimmedPiece](), list[str](), list[str]()
     for i, (a, b) in enumerate(pairwise(curve.breakpoints)):
@@ -177,7 +176,7 @@ def _arc(c: Curve[BSpline], i: int) -> tuple[tuple[list[fmpz_poly], int], Ration
     """The untrimmed bisector of segment i around the origin, in lowest terms: its integer forms, their degree, and the
     quotient.
 
-    The reason instead where there is none, or only a point; where that point is on the true bisector, neighbouring
+    Where there is none, or only a point, the reason as text; where that point is on the true bisector, neighbouring
     pieces end there.
     """
     a, b = c.w.breakpoints[i : i + 2]
@@ -194,23 +193,23 @@ def _arc(c: Curve[BSpline], i: int) -> tuple[tuple[list[fmpz_poly], int], Ration
 
 def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
     """The ends of an open curve, its corners and its singular points, by their parameters, each point once; irrational
-    ones are named as missing.
+    ones are added to `missing`.
     """
     a, b = curve.domain
     has_ends = (
         not curve.closed or find("D1")(curve).is_zero
     )  # a curve that is a single point is closed, and consists of ends
-    found = [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)] if has_ends else []
-    found += [(PieceKind.CORNER, joint.parameter) for joint in analyse(curve).joints if joint.kind is JointKind.CORNER]
+    ends = [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)] if has_ends else []
+    ends += [(PieceKind.CORNER, joint.parameter) for joint in analyse(curve).joints if joint.kind is JointKind.CORNER]
     for feature in analyse(curve).singular_points:
         if feature.root.exact is None:
             missing.append(
                 f"the line that belongs to the singular point at {feature.root!r}: its coordinates are irrational"
             )
         elif feature.kind is not FeatureKind.SINGULAR_END:
-            found.append((PieceKind.CORNER, feature.root.exact))
+            ends.append((PieceKind.CORNER, feature.root.exact))
     points: dict[Any, tuple[PieceKind, mpq]] = {}
-    for kind, t in found:
+    for kind, t in ends:
         points.setdefault(curve(t), (kind, t))
     return list(points.values())
 

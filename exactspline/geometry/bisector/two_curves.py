@@ -1,5 +1,5 @@
 """The bisector of two space curves, before any trimming: a surface over the pairs of parameters that have one point,
-and beside it the lines and planes of the pairs that have more (`exactspline.geometry.bisector.special_pairs`).
+and the lines and planes of the pairs that have more (`exactspline.geometry.bisector.special_pairs`).
 
 Parameters and coordinates are unitless exact numbers. "Bisector" means equal *critical* distances.
 """
@@ -60,9 +60,9 @@ CURVE_FORMS = {
 
 
 class CurveBisector(Inspected, Bisector):
-    """The bisector of two space curves: the surface in patches, the rectangles on which no pair in general position has
-    one point (`missing`), each with the reason, and, computed when first asked for, all pairs that have more than a
-    point. Its questions are entries of the registry (`exactspline.geometry.registry`).
+    """The bisector of two space curves: the surface in patches, the rectangles on which a general pair does not have
+    exactly one point (`missing`), each with the reason, and, computed when first needed, all pairs that have more than
+    a point. Its questions are entries of the registry (`exactspline.geometry.registry`).
 
     Together ``patches``, ``lines``, ``planes`` and ``pairs`` are all points with two equal critical distances, except
     for the cases named in ``left_out``; along ``poles`` the surface is at infinity. ``unreduced`` names the patches
@@ -121,7 +121,7 @@ class CurveBisector(Inspected, Bisector):
 
     @question(Of.PAIR, answered=Answered.SOLUTIONS)
     def pairs(self) -> tuple[SinglePair, ...]:
-        """The single pairs with a line, a plane or all of space for their solutions.
+        """The single pairs whose solutions are a line, a plane or all of space.
 
         >>> from exactspline import bisector, example
         >>> len(bisector(example("rational_space_cubic"), example("twisted_cubic")).pairs)
@@ -145,7 +145,9 @@ class CurveBisector(Inspected, Bisector):
         return self.unreduced + self.special.left_out
 
     def __call__(self, s: Number, t: Number) -> tuple[mpq, ...]:
-        """The point for two parameters; `ZeroDivisionError` at a pole, `ShapeError` where there is no surface."""
+        """The point for two parameters; raises `ZeroDivisionError` at a pole, `ShapeError` where there is no
+        surface.
+        """
         u, v = rational(s), rational(t)
         for patch in self.patches:
             if all(a <= x <= b for x, (a, b) in zip((u, v), patch.sides, strict=True)):
@@ -164,13 +166,13 @@ def curve_bisector(
     `variant` is ``naive`` (22), ``levelled`` (26), ``paper`` (27), ``symmetric`` (27 for both curves) or ``minimal``
     (that in lowest terms).
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> found = curve_bisector(example("rational_space_cubic"), example("twisted_cubic"))
     >>> found.patches[0].value.degree, len(found.pairs), found.left_out
     (Degrees(s=10, t=8), 3, ())
 
-    All of the answer, with what is computed when first asked for, is bounded to about ten seconds (somewhat more for
-    many pairs of segments); what that leaves out is named in ``left_out``.
+    The work on the whole answer, including what is computed when first needed, is limited to about ten seconds
+    (somewhat more for many pairs of segments); what exceeds this is named in ``left_out``.
 
     Raises `ShapeError` for curves that are not in space, `FormulaError` for an unknown variant.
     """
@@ -188,24 +190,24 @@ def curve_bisector(
 def _surface(
     first: Nurbs, second: Nurbs, variant: SurfaceVariant
 ) -> tuple[tuple[BisectorPatch, ...], tuple[tuple[Box, str], ...], tuple[str, ...]]:
-    """The patches, where there is no surface, and the patches that are not in lowest terms."""
+    """The patches, the rectangles without a surface, and the patches that are not in lowest terms."""
     pair = surface_pair(first, second)
     determinant = find("bisector_determinant_symmetric")(pair)
     missing: list[tuple[Box, str]] = []
-    found: list[Box] = []
+    rectangles: list[Box] = []
     d1, other = find("D1")(pair.first), find("D1")(pair.second)
     parallel = cross(d1, other)
     sides = [list(starmap(Interval, pairwise(mesh.breaks))) for mesh in determinant.meshes]
     for at, rectangle in enumerate(starmap(Box, product(*sides))):
         if determinant.polynomials[at]:
-            found.append(rectangle)
+            rectangles.append(rectangle)
         else:
             still = any(is_zero_on(v, at) for v in (d1, other))
             missing.append((rectangle, STILL if still else PARALLEL if is_zero_on(parallel, at) else COPLANAR))
     parts: list[Any] = (
         [(pair.first.w.domain, pair)]
         if not missing
-        else [(r, surface_pair(part(first, *r[0]), part(second, *r[1]))) for r in found]
+        else [(r, surface_pair(part(first, *r[0]), part(second, *r[1]))) for r in rectangles]
     )
     patches, unreduced = [], []
     for sides, part_pair in parts:

@@ -1,4 +1,6 @@
-"""Zeros on the four edges of a patch: of polynomials in one parameter, so that they are found without any doubt."""
+"""Zeros on the four edges of a patch: these are zeros of polynomials in one parameter, so that they are found with
+certainty.
+"""
 
 from __future__ import annotations
 

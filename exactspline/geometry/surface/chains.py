@@ -1,7 +1,8 @@
-"""Parabolic curves across patches: parts on neighbouring patches that end at one point of their common border are one.
+"""Parabolic curves across patches: parts on neighbouring patches that end at one point of their common border are
+joined.
 
 Where patches meet with continuous curvature the zeros of K on the border are the same for both, as roots of two
-polynomials; whether two of these are one number is decided exactly. The ends of a closed surface are one border.
+polynomials; whether two of these roots are equal is decided exactly. The two ends of a closed surface are one border.
 """
 
 from __future__ import annotations
@@ -77,7 +78,9 @@ class ParabolicCurve:
 def chained(
     pieces: Sequence[Piece], domain: Box, closed: Sequence[Along], undecided: Sequence[Box] = ()
 ) -> tuple[ParabolicCurve, ...]:
-    """The pieces, those that meet on borders of patches as one; one that ends in an `undecided` box may go on there."""
+    """The pieces, joined where they meet on borders of patches; one that ends in an `undecided` box may
+    continue there.
+    """
     spots: dict[Spot, Counter[int]] = {}
     borders = [() if line in closed else side for side, line in zip(domain, Along, strict=True)]
     for k, piece in enumerate(pieces):
@@ -109,7 +112,7 @@ def _shape(
     unclear: Set[Spot],
     borders: Sequence[tuple[mpq, ...]],
 ) -> Shape:
-    """What pieces are together, by the numbers of arcs that meet at their points on borders."""
+    """The shape that pieces form together, by the numbers of arcs that meet at their points on borders."""
     own = set(members)
     if any(pieces[k].part.shape is Shape.OPEN for k in own) or any(own & spots[spot].keys() for spot in unclear):
         return Shape.OPEN

@@ -15,12 +15,13 @@ from exactspline.polynomials.two_parameters import CONTEXT, as_form, as_polynomi
 
 def common_factor(forms: Sequence[PatchForm]) -> PatchForm | None:
     """The greatest common divisor of forms that are not zero; None where it is a constant."""
-    found = greatest_common_divisor(as_polynomial(f) for f in forms)
-    return as_form(found) if found.total_degree() > 0 else None
+    divisor = greatest_common_divisor(as_polynomial(f) for f in forms)
+    return as_form(divisor) if divisor.total_degree() > 0 else None
 
 
 def line_factor(form: PatchForm, direction: int) -> fmpz_poly:
-    """The greatest factor of a form in x (direction 0) or y alone: where it vanishes so does the form, on a whole line.
+    """The greatest factor of a form that depends on x (direction 0) or y alone: where it vanishes, the form vanishes on
+    a whole line.
 
     >>> line_factor(PatchForm.of_net([[1, -1], [-2, 2]]), 0)  # (1 − 3x)(1 − 2y)
     3*x + (-1)
@@ -50,7 +51,8 @@ def divided(form: PatchForm, factor: PatchForm) -> PatchForm:
 
 
 def without_powers(form: PatchForm, factor: PatchForm, *, even: bool = False) -> PatchForm:
-    """A form divided by a factor as often as it goes; with `even` by its square, so that signs stay.
+    """A form divided by a factor as often as possible; with `even`, by the square of the factor, so that signs are
+    preserved.
 
     >>> square = PatchForm.of_net([[4, -4, 4]])  # 4 (1 − 2y)²
     >>> without_powers(square, PatchForm.of_net([[1, -1]])).degree
@@ -73,7 +75,7 @@ def square_free(form: PatchForm) -> PatchForm:
 
 
 def odd_part(form: PatchForm) -> PatchForm:
-    """The form without squares of factors: of its sign wherever it is not zero.
+    """The form without squares of factors; it has the sign of the form wherever that is nonzero.
 
     >>> odd_part(PatchForm.of_net([[-1, 1, -1]])).degree  # −(1 − 2y)²
     (0, 0)

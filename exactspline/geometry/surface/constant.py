@@ -8,7 +8,7 @@ from itertools import count, islice, product
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, sides_of
 from exactspline.numbers.exact import mpq
 
-#: At how many points K is compared first, and the denominator of the first ones.
+#: The number of points at which K is compared first, and the denominator of their coordinates.
 POINTS, FIRST = 4, 7
 
 
@@ -21,10 +21,10 @@ def constant_curvature(forms: SurfaceForms, patch: Patch) -> mpq | None:
     mpq(1,1)
     >>> constant_curvature(SurfaceForms(example("torus")), (0, 0))
     """
-    found = set(islice(_values(forms, patch), POINTS))
-    if len(found) != 1:
+    values = set(islice(_values(forms, patch), POINTS))
+    if len(values) != 1:
         return None
-    value = found.pop()
+    value = values.pop()
     return value if has_curvature(forms, patch, value) else None
 
 
@@ -40,7 +40,7 @@ def has_curvature(forms: SurfaceForms, patch: Patch, value: mpq) -> bool:
 
 
 def _values(forms: SurfaceForms, patch: Patch) -> Iterator[mpq]:
-    """K at some points inside a patch that have a tangent plane; at none only where no point has one."""
+    """K at some points inside a patch with a tangent plane; there are none only where no point has a tangent plane."""
     if forms.area.patch_form(*patch).is_zero:
         return
     sides = sides_of(forms.surface, patch)
@@ -51,7 +51,7 @@ def _values(forms: SurfaceForms, patch: Patch) -> Iterator[mpq]:
 
 
 def _places() -> Iterator[tuple[mpq, mpq]]:
-    """Points of the unit square: the zeros of no polynomial are all of them."""
+    """Points of the unit square, such that no nonzero polynomial vanishes at all of them."""
     for n in count(FIRST):
         for i, j in product(range(1, n), repeat=2):
             yield mpq(i, n), mpq(j, n)

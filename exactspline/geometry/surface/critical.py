@@ -1,4 +1,4 @@
-"""Singular points of the zeros of a form: where both its derivatives vanish with it, certified, each in a cell."""
+"""Singular points of the zero curve of a form, where both its derivatives vanish with it; certified, each in a cell."""
 
 from __future__ import annotations
 
@@ -25,9 +25,7 @@ class Crossing(StrEnum):
 
 
 class Cell(NamedTuple):
-    """A box with one singular point, and what the zeros in it are: that point alone, or two branches through it and
-    nothing else.
-    """
+    """A box with one singular point, and what the zeros in it are: only that point, or two branches through it."""
 
     box: Box
     crossing: Crossing
@@ -35,10 +33,10 @@ class Cell(NamedTuple):
 
 
 def singular_cells(form: PatchForm, known: Sequence[Zero] = ()) -> list[Cell]:
-    """Singular points inside the unit square, each in a cell: those that are certain, not always all.
+    """Singular points inside the unit square, each in a cell: those that are certified, not necessarily all.
 
-    A critical point is one of the zeros where it is a rational point and the form vanishes there, or where it is one of
-    the points that are `known` to be singular. At any other one the subdivision of `ZeroCurve` comes to no end.
+    A critical point is shown to be a zero where it is rational and the form vanishes there, or where it is one of the
+    points `known` to be singular. At any other one the subdivision of `ZeroCurve` does not end.
 
     >>> cells = singular_cells(PatchForm.of_net([[0, 2, 0], [-2, 0, -2], [0, 2, 0]]))
     >>> [cell.crossing.value for cell in cells]
@@ -50,19 +48,19 @@ def singular_cells(form: PatchForm, known: Sequence[Zero] = ()) -> list[Cell]:
     if any(f.sign is not None for f in slopes):
         return []
     degree = (max(f.degree[0] for f in slopes), max(f.degree[1] for f in slopes))
-    found = isolate(slopes[0].elevated(degree), slopes[1].elevated(degree), [form])
-    singular = [zero for zero in found.zeros if _vanishes(form, zero, known) and zero.refine(16).is_inside(UNIT)]
+    critical = isolate(slopes[0].elevated(degree), slopes[1].elevated(degree), [form])
+    singular = [zero for zero in critical.zeros if _vanishes(form, zero, known) and zero.refine(16).is_inside(UNIT)]
     while singular:
         cells, failed = _best_cells(form, singular)
         if not failed:
             return cells
-        # one point without a cell takes none from the others
+        # a point without a cell does not take the cells of the others away
         singular = [zero for zero in singular if not any(zero is other for other in failed)]
     return []
 
 
 def _best_cells(form: PatchForm, singular: Sequence[Zero]) -> tuple[list[Cell], list[Zero]]:
-    """Cells of the size for which most points have one, and the points that have none."""
+    """Cells of the size for which most points have a cell, and the points that have none."""
     best: tuple[list[Cell], list[Zero]] | None = None
     for bits in CELL_BITS:
         tried = _cells(form, singular, bits)
@@ -90,20 +88,20 @@ def _vanishes(form: PatchForm, zero: Zero, known: Sequence[Zero]) -> bool:
 
 
 def _cells(form: PatchForm, singular: Sequence[Zero], bits: int) -> tuple[list[Cell], list[Zero]]:
-    """Cells of about this many bits around the singular points, and the points for which these do not do."""
+    """Cells of about this many bits around the singular points, and the points for which this size does not suffice."""
     margin = mpq(1, 1 << bits)
     sides: list[list[Interval]] = []
     for k in (0, 1):
         sides.append(joined(zero.refine(2 * bits)[k].grown(margin) for zero in singular))
-    found: dict[Box, list[tuple[Zero, Crossing | None]]] = {}
+    by_box: dict[Box, list[tuple[Zero, Crossing | None]]] = {}
     for zero in singular:
         at = zero.box
         first, second = (next(side for side in own if side.contains(at[k])) for k, own in enumerate(sides))
         box = Box(first, second)
         crossing = _kind(form, box) if zero.region.contains(box) and box.is_inside(UNIT) else None
-        found.setdefault(box, []).append((zero, crossing))
+        by_box.setdefault(box, []).append((zero, crossing))
     cells, failed = list[Cell](), list[Zero]()
-    for box, members in found.items():
+    for box, members in by_box.items():
         (zero, crossing), *others = members
         if crossing is None or others:
             failed += [member for member, _ in members]
@@ -113,11 +111,11 @@ def _cells(form: PatchForm, singular: Sequence[Zero], bits: int) -> tuple[list[C
 
 
 def _kind(form: PatchForm, box: Box) -> Crossing | None:
-    """What the zeros in a cell are whose only critical point is one of them.
+    """What the zeros in a cell are, when its only critical point is one of them.
 
-    Where the Hessian is definite all over the cell the form is convex or concave: no other zero. Where it is indefinite
-    four half branches leave the point; none can come back, since a loop would be around another critical point, so that
-    four zeros on the border are their ends, and nothing else is in the cell.
+    Where the Hessian is definite on the whole cell the form is convex or concave, and has no other zero. Where it is
+    indefinite four half branches leave the point; none can come back, since a loop would be around another critical
+    point, so that four zeros on the border are their ends, and nothing else is in the cell.
     """
     own = form.part(box)
     second = {(i, j): own.derivative(i).derivative(j) for i, j in ((0, 0), (0, 1), (1, 1))}

@@ -1,4 +1,4 @@
-"""What is degenerate in a net: edges without tangent planes (poles), patches that are curves or points."""
+"""Degenerate control nets: edges without tangent planes (poles), patches that are curves or points."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from exactspline.splines.tensor import TensorSpline
 
 
 class Gap(StrEnum):
-    """What becomes of the difference of the principal curvatures on the way to a pole, but for single directions."""
+    """The limit of the difference of the principal curvatures towards a pole, except in single directions."""
 
     #: It vanishes: an umbilic, where the surface is smooth there.
     NONE = "umbilic in the limit"
@@ -25,8 +25,8 @@ class Gap(StrEnum):
 @dataclass(frozen=True)
 class Pole:
     """An isoparametric line along which a surface has no tangent plane: ``along`` runs over the `interval`, the other
-    parameter is `value`. `point` is where all of it lies, None where it is a curve; `gap` tells of the principal
-    curvatures beside it.
+    parameter is `value`. `point` is its image where that is a single point, None where it is a curve; `gap` describes
+    the principal curvatures near it.
     """
 
     along: Along
@@ -51,7 +51,9 @@ def pole_at(forms: SurfaceForms, patch: Patch, edge: Edge) -> Pole:
 
 
 def _gap(forms: SurfaceForms, patch: Patch, edge: Edge) -> Gap:
-    """The square of the difference is umbilicity over the third power of ``EG − F²``: by the orders of their zeros."""
+    """The square of the difference is umbilicity over the third power of ``EG − F²``: compared by the orders of their
+    zeros.
+    """
     own, area = on_patch(forms.umbilicity, patch), on_patch(forms.area, patch)
     if own is None or area is None:
         return Gap.NONE
@@ -61,7 +63,7 @@ def _gap(forms: SurfaceForms, patch: Patch, edge: Edge) -> Gap:
 
 
 def _point_of(surface: NurbsSurface, patch: Patch, edge: Edge) -> tuple[mpq, ...] | None:
-    """The one point that an edge of a patch is; None where it is more."""
+    """The point to which an edge of a patch is contracted; None where the edge is a curve."""
     nets = [edge_points(f, patch, edge) for f in (*surface.p, surface.w)]
     *p, w = [[mpq(x) for x in net] for net in nets]
     if surface.polynomial:

@@ -1,4 +1,4 @@
-"""The forms of a surface whose signs and zeros are asked for, from the formulas of `exactspline.formulas.surfaces`.
+"""The forms of a surface whose signs and zeros are computed, from the formulas of `exactspline.formulas.surfaces`.
 
 Each is evaluated on the given surface and brought to its lowest degree; on a patch it is then a `PatchForm`, without
 the factors that vanish on a border of the patch, which poles bring with them.
@@ -25,7 +25,9 @@ Patch = tuple[int, int]
 
 
 class Reduced(NamedTuple):
-    """A form on a patch: as it is, without factors that vanish on borders, and how often each of these divided it."""
+    """A form on a patch: the form itself, the form without factors that vanish on borders, and how often each of these
+    divides it.
+    """
 
     whole: PatchForm
     form: PatchForm
@@ -56,15 +58,15 @@ class SurfaceForms:
 
     def scalar(self, name: str) -> TensorSpline:
         """The value of a formula, at its lowest degree."""
-        found = self._argument.calls(formula(name))
-        assert isinstance(found, TensorSpline)
-        return lowest(found)
+        value = self._argument.calls(formula(name))
+        assert isinstance(value, TensorSpline)
+        return lowest(value)
 
     def vector(self, name: str) -> Vector[TensorSpline]:
         """The value of a formula that is a vector."""
-        found = self._argument.calls(formula(name))
-        assert isinstance(found, Vector)
-        return found.mapped(lowest)
+        value = self._argument.calls(formula(name))
+        assert isinstance(value, Vector)
+        return value.mapped(lowest)
 
     @cached_property
     def parabolic(self) -> TensorSpline:
@@ -95,9 +97,9 @@ class SurfaceForms:
     @cached_property
     def umbilicity(self) -> TensorSpline:
         """``(EN − 2FM + GL)² − 4 (EG − F²)(LN − M²)`` times a power of w."""
-        found = numerator(self._argument.calls(formula("umbilicity")))
-        assert isinstance(found, TensorSpline)
-        return lowest(found)
+        value = numerator(self._argument.calls(formula("umbilicity")))
+        assert isinstance(value, TensorSpline)
+        return lowest(value)
 
     @cached_property
     def lengths(self) -> tuple[TensorSpline, TensorSpline]:
@@ -128,7 +130,7 @@ class SurfaceForms:
 
 
 def lowest(f: TensorSpline) -> TensorSpline:
-    """The same function at the lowest degrees that it has, over the same patches; zero as it is.
+    """The same function at its lowest degrees, over the same patches; the zero function unchanged.
 
     >>> s = TensorSpline((2, 0), [0, 0, 0, 1, 2, 2, 2], [0, 1], [[0], ["1/2"], ["3/2"], [2]])
     >>> lowest(s).degree, len(lowest(s).meshes[0])
@@ -142,7 +144,7 @@ def lowest(f: TensorSpline) -> TensorSpline:
 
 
 def on_patch(f: TensorSpline, patch: Patch) -> Reduced | None:
-    """A form on a patch; None where it vanishes all over it."""
+    """A form on a patch; None where it vanishes identically."""
     whole = f.patch_form(*patch)
     if whole.is_zero:
         return None

@@ -1,4 +1,4 @@
-"""What a surface has, patch by patch and as a whole: the sign of K, parabolic curves, umbilics, degeneracies."""
+"""The features of a surface, patch by patch and as a whole: the sign of K, parabolic curves, umbilics, degeneracies."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class PatchKind(StrEnum):
     HYPERBOLIC = "hyperbolic"
     #: K has both signs.
     MIXED = "elliptic and hyperbolic"
-    #: K has one sign but at parabolic points, across which it does not change its sign.
+    #: K has one sign except at parabolic points, across which it does not change its sign.
     ELLIPTIC_BUT = "elliptic but for parabolic points"
     HYPERBOLIC_BUT = "hyperbolic but for parabolic points"
     UNDECIDED = "undecided"
@@ -60,7 +60,7 @@ _BY_SIGN = {
 }
 
 
-#: Bits to which a point without a tangent plane is refined that may be a zero of K.
+#: Refinement (bits) of points without a tangent plane that may be zeros of K.
 FAR = 64
 
 _STRICT = {PatchKind.ELLIPTIC_BUT: PatchKind.ELLIPTIC, PatchKind.HYPERBOLIC_BUT: PatchKind.HYPERBOLIC}
@@ -68,7 +68,7 @@ _STRICT = {PatchKind.ELLIPTIC_BUT: PatchKind.ELLIPTIC, PatchKind.HYPERBOLIC_BUT:
 
 @dataclass(frozen=True)
 class PatchInspection:
-    """What one patch has."""
+    """The features of one patch."""
 
     patch: Patch
     sides: Box
@@ -85,15 +85,15 @@ class PatchInspection:
     #: Edges along which K vanishes, and isoparametric lines inside.
     parabolic_edges: tuple[Edge, ...] = ()
     parabolic_lines: tuple[tuple[Along, Parameter], ...] = ()
-    #: The connected parts of its other zeros; points without a tangent plane are none of them.
+    #: The connected parts of its other zeros; points without a tangent plane are not among them.
     parabolic: tuple[Part, ...] = ()
-    #: Those of the points at which K has been found to vanish without a look at curves of zeros.
+    #: The points at which K was found to vanish without an analysis of curves of zeros.
     parabolic_points: tuple[Place, ...] = ()
     curve: ZeroCurve | None = field(default=None, repr=False, compare=False)
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """The parts of the zeros of K, each with the patch it is on."""
+        """The parts of the zeros of K, each with its patch."""
         return tuple(Piece(self.patch, self.sides, self.curve, part) for part in self.parabolic if self.curve)
 
     @property
@@ -161,8 +161,8 @@ class SurfaceInspection(Inspected, Displayed):
         along curves of umbilics.
 
         >>> from exactspline import analyse, example
-        >>> found = analyse(example("ellipsoid")).umbilics
-        >>> len(found), found.everywhere, found[0].kind.value
+        >>> umbilics = analyse(example("ellipsoid")).umbilics
+        >>> len(umbilics), umbilics.everywhere, umbilics[0].kind.value
         (4, (), 'lemon or monstar')
         """
         everywhere = []
@@ -171,16 +171,18 @@ class SurfaceInspection(Inspected, Displayed):
             everywhere += [SurfacePart(one.patch, one.sides)] * own.everywhere
             everywhere += [SurfacePart(one.patch, edge.box(one.sides)) for edge in own.edges]
             everywhere += [SurfacePart(one.patch, one.sides, along_curve=True)] * (own.curve is not None)
-        found = merged_umbilics([(one.sides, one.umbilics) for one in self.patches], self.surface.domain, self.closed)
-        return SurfacePlaces(found, tuple(everywhere), _boxes(one.umbilics.undecided for one in self.patches))
+        umbilics = merged_umbilics(
+            [(one.sides, one.umbilics) for one in self.patches], self.surface.domain, self.closed
+        )
+        return SurfacePlaces(umbilics, tuple(everywhere), _boxes(one.umbilics.undecided for one in self.patches))
 
     @question(Of.SURFACE, answered=Answered.CURVES)
     def parabolic_lines(self) -> tuple[ParabolicLine, ...]:
         """The isoparametric lines along which the Gaussian curvature vanishes, on patches that are not developable.
 
         >>> from exactspline import analyse, example
-        >>> found = analyse(example("torus")).parabolic_lines
-        >>> [(line.along.value, str(line.value)) for line in found]
+        >>> lines = analyse(example("torus")).parabolic_lines
+        >>> [(line.along.value, str(line.value)) for line in lines]
         [('u', '1'), ('u', '3')]
         """
         return parabolic_lines(
@@ -196,7 +198,7 @@ class SurfaceInspection(Inspected, Displayed):
     def parabolic_curves(self) -> tuple[ParabolicCurve, ...]:
         """The other curves along which the Gaussian curvature vanishes, on patches that are not developable.
 
-        Whole, across borders of patches where these are zeros of K on both sides.
+        Each is followed across borders of patches where K vanishes on both sides.
 
         >>> from exactspline import analyse, example
         >>> [curve.shape.value for curve in analyse(example("bicubic")).parabolic_curves]
@@ -216,16 +218,16 @@ class SurfaceInspection(Inspected, Displayed):
         >>> analyse(example("developable")).parabolic_points.points
         ()
         """
-        found = _single_points(self.surface, self.patches, self.parabolic_lines, self._zeros_of_curvature, self.closed)
+        points = _single_points(self.surface, self.patches, self.parabolic_lines, self._zeros_of_curvature, self.closed)
         flat = tuple(SurfacePart(one.patch, one.sides) for one in self.patches if one.flat)
-        return SurfacePlaces(found, flat, _boxes(one.open_signs for one in self.patches))
+        return SurfacePlaces(points, flat, _boxes(one.open_signs for one in self.patches))
 
     @question(Of.SURFACE)
     def singular_points(self) -> SurfacePlaces[Place]:
         """The points without a tangent plane.
 
-        One on a border of patches or on a seam once. Everywhere on patches that are curves or points, along poles and
-        along singular curves.
+        A point on a border of patches or on a seam is listed once. Everywhere on patches that are curves or points,
+        along poles and along singular curves.
 
         >>> from exactspline import analyse, example
         >>> [place.exact for place in analyse(example("cross_cap")).singular_points]
@@ -238,8 +240,8 @@ class SurfaceInspection(Inspected, Displayed):
             everywhere += [SurfacePart(one.patch, edge.box(one.sides)) for edge in own.edges]
             everywhere += [SurfacePart(one.patch, one.sides, along_curve=True)] * own.along_curve
         places = [place for one in self.patches for place in one.singular.places]
-        found = merged_places(places, self.surface.domain, self.closed)
-        return SurfacePlaces(found, tuple(everywhere), _boxes(one.singular.undecided for one in self.patches))
+        points = merged_places(places, self.surface.domain, self.closed)
+        return SurfacePlaces(points, tuple(everywhere), _boxes(one.singular.undecided for one in self.patches))
 
     @question(Of.SURFACE, answered=Answered.CURVES)
     def poles(self) -> tuple[Pole, ...]:
@@ -269,7 +271,7 @@ class SurfaceInspection(Inspected, Displayed):
 
     @Fact
     def _zeros_of_curvature(self) -> tuple[ParabolicCurve, ...]:
-        """The zeros of K that are not on lines, those that are one across borders of patches together."""
+        """The zeros of K that are not on lines, joined across borders of patches."""
         pieces = [piece for one in self.patches for piece in one.pieces]
         return chained(
             pieces, self.surface.domain, self.closed, [box for one in self.patches for box in one.open_boxes]
@@ -288,8 +290,8 @@ class SurfaceInspection(Inspected, Displayed):
     @property
     def curvature(self) -> mpq | None:
         """The Gaussian curvature where it is the same at all points of the surface."""
-        found = {one.curvature for one in self.patches if one.kind not in (PatchKind.CURVE, PatchKind.POINT)}
-        return found.pop() if len(found) == 1 else None
+        values = {one.curvature for one in self.patches if one.kind not in (PatchKind.CURVE, PatchKind.POINT)}
+        return values.pop() if len(values) == 1 else None
 
     @property
     def minimal(self) -> bool:
@@ -302,9 +304,9 @@ class SurfaceInspection(Inspected, Displayed):
         return all(one.complete for one in self.patches)
 
 
-def _boxes(found: Iterable[tuple[Box, ...]]) -> tuple[Box, ...]:
+def _boxes(groups: Iterable[tuple[Box, ...]]) -> tuple[Box, ...]:
     """The boxes of all patches, each once."""
-    return tuple(dict.fromkeys(box for boxes in found for box in boxes))
+    return tuple(dict.fromkeys(box for boxes in groups for box in boxes))
 
 
 def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
@@ -312,8 +314,8 @@ def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
     poles, singular points, creases and jumps of the curvature along knots, certified.
 
     >>> from exactspline import example
-    >>> found = inspect_surface(example("ellipsoid"))
-    >>> [kind.value for kind in found.kinds], len(found.umbilics), found.complete
+    >>> inspection = inspect_surface(example("ellipsoid"))
+    >>> [kind.value for kind in inspection.kinds], len(inspection.umbilics), inspection.complete
     (['elliptic'], 4, True)
 
     Raises `ShapeError` for a surface that is not in space.
@@ -328,7 +330,7 @@ def _single_points(
     curves: Sequence[ParabolicCurve],
     closed: Sequence[Along],
 ) -> tuple[Place, ...]:
-    """The points at which K vanishes alone: not on lines or curves of zeros, nor where a patch begins that is flat."""
+    """The isolated points at which K vanishes: not on lines or curves of zeros, nor on the border of a flat patch."""
     places = [place for one in patches for place in one.parabolic_points]
     places += [place_of(curve.pieces[0]) for curve in curves if curve.shape is Shape.POINT]
     merged = merged_places(places, surface.domain, closed)
@@ -350,7 +352,7 @@ def _single_points(
 
 
 def _in_reach(forms: SurfaceForms, patch: Patch) -> PatchInspection:
-    """What one patch has; nothing, and all of it open, where a factorization would take too long."""
+    """The features of one patch; where a factorization would take too long, none, with the whole patch undecided."""
     try:
         return inspect_patch(forms, patch)
     except ReachError:
@@ -361,7 +363,7 @@ def _in_reach(forms: SurfaceForms, patch: Patch) -> PatchInspection:
 
 
 def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
-    """What one patch has (see `inspect_surface`)."""
+    """The features of one patch (see `inspect_surface`)."""
     surface, sides = forms.surface, sides_of(forms.surface, patch)
     singular = singular_points(forms, patch)
     if singular.degenerate:
@@ -375,44 +377,46 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         kind = PatchKind.PLANAR if flat else PatchKind.DEVELOPABLE
         return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics, curvature)
     if umbilics.everywhere:
-        assert curvature, "a surface all of whose points are umbilics, and no plane, is a sphere"
+        assert curvature, "a surface all of whose points are umbilics is a plane or a sphere"
         kind = PatchKind.SPHERICAL
         return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
     edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
     form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
     signs = _of_surface(sign_on_patch(form), forms, patch)
-    found = PatchInspection(
+    inspection = PatchInspection(
         patch, sides, _BY_SIGN[signs.sign], minimal, None, signs, singular, umbilics, curvature, edges
     )
     if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
-        found = _with_zeros(found, own, form, on_patch(forms.area, patch))
+        inspection = _with_zeros(inspection, own, form, on_patch(forms.area, patch))
     else:
         points = tuple(Place((patch,), None, *sides.at(x, y)) for x, y in signs.zeros)
-        found = replace(found, parabolic_points=points)
-    # what is left where its only zeros are points without a tangent plane
-    zeros = found.parabolic or found.parabolic_points or found.parabolic_lines
-    bare = found.kind in _STRICT and found.complete and not zeros
-    return replace(found, kind=_STRICT[found.kind]) if bare else found
+        inspection = replace(inspection, parabolic_points=points)
+    # the remaining case: its only zeros are points without a tangent plane
+    zeros = inspection.parabolic or inspection.parabolic_points or inspection.parabolic_lines
+    bare = inspection.kind in _STRICT and inspection.complete and not zeros
+    return replace(inspection, kind=_STRICT[inspection.kind]) if bare else inspection
 
 
-def _with_zeros(found: PatchInspection, own: Reduced, form: PatchForm, area: Reduced | None) -> PatchInspection:
-    """The zeros of K where there are some or may be, and its sign if they tell it."""
+def _with_zeros(inspection: PatchInspection, own: Reduced, form: PatchForm, area: Reduced | None) -> PatchInspection:
+    """The zeros of K where there are or may be some, and its sign if they determine it."""
     assert area is not None, "the patch has tangent planes"
-    singular, sides = found.singular, found.sides
+    singular, sides = inspection.singular, inspection.sides
     simple = square_free(form if singular.factor is None else without_powers(form, singular.factor))
     rest, lines = without_lines(simple, sides)
-    # a singular point is a critical point of the form itself, not of what is left of it
+    # a singular point is a critical point of the form itself, not of the form without factors
     curve = ZeroCurve(rest, singular.zeros if rest.degree == own.form.degree else ())
-    kind = found.kind
+    kind = inspection.kind
     if kind is PatchKind.UNDECIDED:
         kind = _BY_SIGN[_sign_by_zeros(form, curve, simple)]
-    parts = tuple(part for part in curve.parts if not _is_known(Piece(found.patch, sides, curve, part), found, area))
-    return replace(found, kind=kind, parabolic_lines=lines, parabolic=parts, curve=curve)
+    parts = tuple(
+        part for part in curve.parts if not _is_known(Piece(inspection.patch, sides, curve, part), inspection, area)
+    )
+    return replace(inspection, kind=kind, parabolic_lines=lines, parabolic=parts, curve=curve)
 
 
 def _sign_by_zeros(form: PatchForm, curve: ZeroCurve, simple: PatchForm) -> Sign:
     """The sign of a form that has zeros: that of its factors of odd power, which change theirs across each curve on
-    which they vanish; `curve` has the zeros of the square-free form `simple`, but for lines.
+    which they vanish; `curve` holds the zeros of the square-free form `simple`, except lines.
     """
     odd = odd_part(form)
     sign = sign_on_patch(odd)
@@ -429,23 +433,23 @@ def _sign_by_zeros(form: PatchForm, curve: ZeroCurve, simple: PatchForm) -> Sign
     return Sign.NOT_NEGATIVE if sign.positive else Sign.NOT_POSITIVE
 
 
-def _is_known(piece: Piece, found: PatchInspection, area: Reduced) -> bool:
+def _is_known(piece: Piece, inspection: PatchInspection, area: Reduced) -> bool:
     """Whether a single zero of K is a point without a tangent plane, or on an edge or a line along which K vanishes."""
     if piece.part.shape is not Shape.POINT:
         return False
-    place, sides = place_of(piece), found.sides
+    place, sides = place_of(piece), inspection.sides
     if place.inner is not None:
         if place.exact is not None:
             return vanishes_at(area.whole, place.exact, sides)
         # the zero is the only one in its cell
         (cell,) = piece.part.cells
-        boxes = [zero.refine(FAR) for zero in found.singular.zeros]
+        boxes = [zero.refine(FAR) for zero in inspection.singular.zeros]
         return any(cell.contains(box) and piece.curve.form.part(box).sign is None for box in boxes)
     spot = place.spot
     return (
         vanishes_at(area.whole, spot, sides)
-        or any(spot[edge.direction] == edge.value(sides) for edge in found.parabolic_edges)
-        or any(spot[1 - line.direction] == value for line, value in found.parabolic_lines)
+        or any(spot[edge.direction] == edge.value(sides) for edge in inspection.parabolic_edges)
+        or any(spot[1 - line.direction] == value for line, value in inspection.parabolic_lines)
     )
 
 

@@ -1,10 +1,10 @@
 """How patches meet along knot lines and seams: torn, in a crease, with one tangent plane, with one curvature.
 
-Along a common edge both sides have the same derivatives by its parameter. They have one tangent plane where their
-normals n⁻ and n⁺ have one direction; then the second fundamental forms agree in the direction of the edge and of the
-pair edge and anything, so that they agree altogether where the mean curvatures do. With the lifted forms
-``H = w h/(2 ‖n‖³)``, and ``n⁺ = λ n⁻`` for some λ > 0, this is ``w⁺ h⁺ (n⁻)³ = w⁻ h⁻ (n⁺)³`` in any coordinate of n
-that is not zero: identities of polynomials along the edge.
+Along a common edge both sides have the same derivatives with respect to its parameter. They have one tangent plane
+where their normals n⁻ and n⁺ have the same direction; then the second fundamental forms agree when one argument is the
+direction of the edge, so that they agree altogether where the mean curvatures do. With the lifted forms ``H = w h/(2
+‖n‖³)``, and ``n⁺ = λ n⁻`` for some λ > 0, this is ``w⁺ h⁺ (n⁻)³ = w⁻ h⁻ (n⁺)³`` in any coordinate of n that is not
+zero: identities of polynomials along the edge.
 
 Source: Pegna and Wolter, Geometrical criteria to guarantee curvature continuity of blend surfaces, 1992.
 """
@@ -35,13 +35,13 @@ class SurfaceJointKind(StrEnum):
 
     #: The sides are different curves.
     TORN = "torn"
-    #: Two tangent planes, but for single points.
+    #: Two tangent planes, except at single points.
     CREASE = "crease"
     #: One tangent plane, but the surface turns back, on the whole edge or on a part of it.
     FOLD = "fold"
     #: At least one side has no tangent plane along the edge.
     SINGULAR = "no tangent plane"
-    #: One tangent plane, but two curvatures, but for single points.
+    #: One tangent plane, but two curvatures, except at single points.
     CURVATURE_JUMP = "jump of the curvature"
     CONTINUOUS = "continuous curvature"
 
@@ -81,7 +81,7 @@ class SurfaceJoint:
 
 def joints(forms: SurfaceForms, closed: Sequence[Along]) -> tuple[SurfaceJoint, ...]:
     """The knot lines inside the domain, and the seams in the parameters in which a surface is closed; neighbouring
-    edges that are alike as one.
+    edges with equal properties are joined.
 
     >>> from exactspline import NurbsSurface
     >>> net = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)], [(1, 0, 1), (1, 1, 1)]]
@@ -89,14 +89,14 @@ def joints(forms: SurfaceForms, closed: Sequence[Along]) -> tuple[SurfaceJoint, 
     >>> [(one.kind.value, one.order, str(one.value), one.angle.degrees(5)) for one in joints(SurfaceForms(bent), [])]
     [('crease', 0, '1', mpf('90.0'))]
     """
-    found: list[SurfaceJoint] = []
+    merged: list[SurfaceJoint] = []
     for one in _edges(forms, closed):
-        last = found[-1] if found else None
+        last = merged[-1] if merged else None
         if last and replace(last, interval=one.interval) == one:  # the next on the same line
-            found[-1] = replace(one, interval=Interval(last.interval.low, one.interval.high))
+            merged[-1] = replace(one, interval=Interval(last.interval.low, one.interval.high))
         else:
-            found.append(one)
-    return tuple(found)
+            merged.append(one)
+    return tuple(merged)
 
 
 def _edges(forms: SurfaceForms, closed: Sequence[Along]) -> Iterator[SurfaceJoint]:
@@ -115,7 +115,7 @@ def _edges(forms: SurfaceForms, closed: Sequence[Along]) -> Iterator[SurfaceJoin
 
 
 class _Meeting:
-    """Two patches at their common edge: polynomials along it, over one constant for both sides."""
+    """Two patches at their common edge: polynomials along it, over one constant denominator for both sides."""
 
     def __init__(self, forms: SurfaceForms, before: Patch, behind: Patch, direction: int) -> None:
         self.forms = forms
@@ -126,7 +126,7 @@ class _Meeting:
         return first, last
 
     def kind_and_angle(self) -> tuple[SurfaceJointKind, Angle | None]:
-        """What kind of joint it is; of a crease also the angle where it is constant."""
+        """The kind of joint; for a crease also the angle, where it is constant."""
         if not fit(self.forms.surface, *self.sides):
             return SurfaceJointKind.TORN, None
         normals = [self._both(f) for f in self.forms.normal]
@@ -165,7 +165,7 @@ def _keeps_positive(f: BSpline) -> bool:
 
 
 def _apart_from_zeros(f: BSpline) -> mpq:
-    """A rational place inside the edge at which a polynomial is not zero."""
+    """A rational parameter inside the edge at which a polynomial is nonzero."""
     return next(t for n in count(2) if f(t := mpq(1, n)))
 
 

@@ -1,4 +1,6 @@
-"""Points of a surface found patch by patch, as points of the whole: once on borders and seams, and from which sides."""
+"""Points found patch by patch, as points of the whole surface: each once on borders and seams, with the sides from
+which it was found.
+"""
 
 from __future__ import annotations
 
@@ -16,12 +18,12 @@ from exactspline.splines.surface import Along
 Spot = tuple[Parameter, Parameter]
 #: The ends of an interval of parameters.
 Ends = tuple[Parameter, Parameter]
-#: On which sides of a point, in u and in v, something is: the same however knots cut the patches around it.
+#: The sides of a point, in u and in v, on which something lies: independent of how knots cut the patches around it.
 Sectors = set[tuple[int, int]]
 
 
 def merged_places(places: Iterable[Place], domain: Box, closed: Sequence[Along]) -> tuple[Place, ...]:
-    """The points, those on borders of patches and on seams once, with all patches on which they were found."""
+    """The points, each once (also on borders of patches and on seams), with all patches on which it was found."""
     return tuple(_together(own) for own in _groups(places, domain, closed))
 
 
@@ -32,7 +34,7 @@ def merged_umbilics(
     kind where patches say different ones (their curvatures jump there).
     """
     known = {id(one.place): (one, box) for box, own in patches for one in own.umbilics}
-    found = []
+    umbilics = []
     for own in _groups([one.place for one, _ in known.values()], domain, closed):
         first, place = known[id(own[0])][0], _together(own)
         if place.inner is None:
@@ -43,20 +45,20 @@ def merged_umbilics(
             kinds = {known[id(one)][0].kind for one in own}
             kind = first.kind if len(kinds) == 1 else UmbilicKind.UNKNOWN
             first = replace(first, place=place, kind=kind, one_sided=one_sided)
-        found.append(first)
-    return tuple(found)
+        umbilics.append(first)
+    return tuple(umbilics)
 
 
 def _groups(places: Iterable[Place], domain: Box, closed: Sequence[Along]) -> list[list[Place]]:
-    """The places, those that are one point together."""
-    found: list[list[Place]] = []
+    """The places grouped by the points that they describe."""
+    groups: list[list[Place]] = []
     for place in places:
-        own = next((own for own in found if are_one(place, own[0], domain, closed)), None)
+        own = next((own for own in groups if are_one(place, own[0], domain, closed)), None)
         if own is None:
-            found.append([place])
+            groups.append([place])
         else:
             own.append(place)
-    return found
+    return groups
 
 
 def _together(own: Sequence[Place]) -> Place:
@@ -65,14 +67,14 @@ def _together(own: Sequence[Place]) -> Place:
 
 
 def are_one(one: Place, other: Place, domain: Box, closed: Sequence[Along]) -> bool:
-    """Whether two points on borders are one, the two ends of a closed surface taken together."""
+    """Whether two points on borders are equal, with the two ends of a closed surface identified."""
     if one.inner is not None or other.inner is not None:
         return False
     return any(spot == other.spot for spot in _alike(one.spot, domain, closed))
 
 
 def is_in(place: Place, box: tuple[Ends, Ends], domain: Box, closed: Sequence[Along]) -> bool:
-    """Whether a point on a border is in a closed rectangle, the two ends of a closed surface taken together."""
+    """Whether a point on a border is in a closed rectangle, with the two ends of a closed surface identified."""
     return any(_within(spot, box) for spot in _alike(place.spot, domain, closed))
 
 
@@ -98,12 +100,12 @@ def _sectors(spot: Spot, box: Box) -> Sectors:
 
 
 def _sectors_of_surface(spot: Spot, domain: Box, closed: Sequence[Along]) -> Sectors:
-    """The sides of a point on which the surface goes on."""
+    """The sides of a point on which the surface continues."""
     return {sector for one in _alike(spot, domain, closed) for sector in _sectors(one, domain)}
 
 
 def _has(own: UmbilicsOfPatch, spot: Spot, box: Box) -> bool:
-    """Whether a point of a patch is one of an edge, a curve or a whole patch of umbilics."""
+    """Whether a point of a patch lies on an edge, a curve or a whole patch of umbilics."""
     if not _within(spot, box):
         return False
     edges = [edge for edge in EDGES if spot[edge.direction] == edge.value(box)]

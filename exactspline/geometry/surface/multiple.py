@@ -1,4 +1,4 @@
-"""Multiple common zeros at rational points: shown to be alone by blowing them up.
+"""Multiple common zeros at rational points: proved to be isolated by blowing them up.
 
 Around such a point put ``x = s, y = s m`` and ``x = s m, y = s``: each polynomial is a power of s times another one. If
 the others have no common zero for s and m between −1 and 1 the point is the only one in a square.
@@ -18,7 +18,7 @@ from exactspline.polynomials.common_zeros import SIMPLE, simplest
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_polynomial
 
-#: Boxes before the search for a common zero stops, and how often the square around the point is halved.
+#: The limit of boxes in the search for a common zero, and how often the square around the point is halved.
 BOXES, TRIES = 2000, 4
 #: The square of both charts.
 CHART = Box(Interval(mpq(-1), mpq(1)), Interval(mpq(-1), mpq(1)))
@@ -31,13 +31,13 @@ class Multiple(NamedTuple):
     box: Box
 
     def explains(self, box: Box) -> bool:
-        """Whether another box holds no other common zero for that reason."""
+        """Whether another box therefore contains no other common zero."""
         return self.box.contains(box)
 
 
 def multiple_zero(forms: Sequence[PatchForm], boxes: Sequence[Box]) -> Multiple | None:
-    """A simple rational common zero near the first of the boxes, alone in a box that holds all boxes next to that one;
-    None where none is found.
+    """A simple rational common zero near the first of the boxes, alone in a box that contains all boxes next to that
+    one; None where none is found.
 
     >>> forms = [PatchForm.of_net([[1, -1], [-1, 1]])]  # (1 − 2x)(1 − 2y), zero on two lines
     >>> side = Interval(mpq(3, 8), mpq(5, 8))

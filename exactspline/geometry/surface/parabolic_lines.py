@@ -1,4 +1,6 @@
-"""Isoparametric lines along which K vanishes: on borders of patches and inside, whole whatever knots cut them."""
+"""Isoparametric lines along which K vanishes: on borders of patches and inside, independent of the knots that
+cut them.
+"""
 
 from __future__ import annotations
 
@@ -19,9 +21,10 @@ from exactspline.splines.surface import Along, NurbsSurface
 
 @dataclass(frozen=True)
 class ParabolicLine:
-    """An isoparametric line along which K vanishes: ``along`` runs over the `interval`, the other one is `value`.
+    """An isoparametric line along which K vanishes: the parameter ``along`` runs over the `interval`, the other one is
+    `value`.
 
-    `one_sided` tells that it does only as seen from the patches on one side of the line.
+    `one_sided` means that K vanishes only as a limit from one side of the line.
     """
 
     along: Along
@@ -39,7 +42,9 @@ class ParabolicLine:
 
 
 class LinesOfPatch(NamedTuple):
-    """Along which of its edges and on which lines inside K vanishes, as seen from a patch; all over it if `flat`."""
+    """The edges of a patch and the lines inside along which K vanishes, as seen from this patch; everywhere
+    if `flat`.
+    """
 
     patch: Patch
     sides: Box
@@ -49,15 +54,15 @@ class LinesOfPatch(NamedTuple):
 
 
 def without_lines(form: PatchForm, sides: Box) -> tuple[PatchForm, tuple[tuple[Along, Parameter], ...]]:
-    """A square-free form on a patch without factors in one parameter alone that vanish inside, and the lines on which
-    they do, in the parameters of the surface.
+    """A square-free form on a patch without the factors in a single parameter that vanish inside, and the lines on
+    which these vanish, in the parameters of the surface.
 
     >>> from gmpy2 import mpq
     >>> rest, lines = without_lines(PatchForm.of_net([[-1, -2], [1, 2]]), ((mpq(0), mpq(4)), (mpq(0), mpq(1))))
     >>> rest.degree, lines
     ((0, 1), ((<Along.V: 'v'>, mpq(2,1)),))
     """
-    found: list[tuple[Along, Parameter]] = []
+    lines: list[tuple[Along, Parameter]] = []
     for direction in (0, 1):
         own = [[x] for x in line_factor(form, direction).coeffs()]
         factor = of_powers(own if direction == 0 else [[x for (x,) in own]])
@@ -65,14 +70,14 @@ def without_lines(form: PatchForm, sides: Box) -> tuple[PatchForm, tuple[tuple[A
         inside = [t for t in roots_along(along(factor, across, sides), across, sides) if low < t < high]
         if inside:
             form = divided(form, factor)
-            found += [(line_of(Edge(direction, 0)), exactly(t)) for t in inside]
-    return form, tuple(found)
+            lines += [(line_of(Edge(direction, 0)), exactly(t)) for t in inside]
+    return form, tuple(lines)
 
 
 def parabolic_lines(
     surface: NurbsSurface, patches: Sequence[LinesOfPatch], closed: Sequence[Along]
 ) -> tuple[ParabolicLine, ...]:
-    """The lines on all patches, neighbours as one."""
+    """The lines on all patches, neighbours joined."""
     sides: dict[tuple[Along, Parameter, bool], set[Interval]] = {}
     by_place = {one.patch: one for one in patches}
     for one in patches:
@@ -93,7 +98,9 @@ def parabolic_lines(
 
 
 def _behind(patch: Patch, edge: Edge, counts: tuple[int, int], closed: Sequence[Along]) -> Patch:
-    """The patch on the other side of an edge; one that does not exist at the end of a surface that is not closed."""
+    """The patch on the other side of an edge; at the end of a surface that is not closed, the index of a patch that
+    does not exist.
+    """
     place = list(patch)
     k = edge.direction
     place[k] += 1 if edge.end else -1
@@ -103,7 +110,7 @@ def _behind(patch: Patch, edge: Edge, counts: tuple[int, int], closed: Sequence[
 
 
 def _without_seam(lines: list[ParabolicLine], domain: Box, closed: Sequence[Along]) -> tuple[ParabolicLine, ...]:
-    """The lines, one on the seam of a closed surface once."""
+    """The lines; one on the seam of a closed surface is listed once."""
     kept = []
     for line in lines:
         across = Along.V if line.along is Along.U else Along.U

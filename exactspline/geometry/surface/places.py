@@ -22,15 +22,15 @@ class InnerZero:
     sides: Box
 
     def box(self, digits: int) -> Box:
-        """A box with the point in it, its sides at most ``10^−digits`` long."""
+        """A box that contains the point, its sides at most ``10^−digits`` long."""
         longest = self.sides.longest
         return self.sides.part(self.zero.refine(int(longest * mpq(10) ** digits + 1).bit_length()))
 
     @property
     def exact(self) -> tuple[mpq, mpq] | None:
         """Both parameters where they are simple rational numbers."""
-        found = self.zero.exact
-        return None if found is None else self.sides.at(*found)
+        place = self.zero.exact
+        return None if place is None else self.sides.at(*place)
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class Place:
 
     @property
     def spot(self) -> tuple[Parameter, Parameter]:
-        """Both parameters, of a point that is not given as an inner zero."""
+        """Both parameters of a point that is not given as an inner zero."""
         assert self.u is not None
         assert self.v is not None
         return self.u, self.v
@@ -58,11 +58,11 @@ class Place:
         """Both parameters where they are known to be rational."""
         if self.inner is not None:
             return self.inner.exact
-        found = [x.exact if isinstance(x, Root) else x for x in (self.u, self.v)]
-        return None if found[0] is None or found[1] is None else (found[0], found[1])
+        values = [x.exact if isinstance(x, Root) else x for x in (self.u, self.v)]
+        return None if values[0] is None or values[1] is None else (values[0], values[1])
 
     def box(self, digits: int = 20) -> Box:
-        """A box with the point in it, its sides at most ``10^−digits`` long."""
+        """A box that contains the point, its sides at most ``10^−digits`` long."""
         if self.inner is not None:
             return self.inner.box(digits)
         u, v = self.spot
@@ -74,5 +74,5 @@ class Place:
 
 
 def enclosing(t: Parameter, digits: int) -> Interval:
-    """An interval with a parameter in it, at most ``10^−digits`` long."""
+    """An interval that contains a parameter, at most ``10^−digits`` long."""
     return t.refine(digits) if isinstance(t, Root) else Interval.point(t)

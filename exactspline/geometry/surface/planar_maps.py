@@ -55,11 +55,11 @@ class MapInspection(Inspected, Displayed):
 
     @Fact
     def _found(self) -> _Found:
-        determinant, found = _determinant(self.surface), _Found()
+        determinant, findings = _determinant(self.surface), _Found()
         rows, columns = self.surface.patches
         for patch in product(range(rows), range(columns)):
-            _add_patch(found, determinant, patch, sides_of(self.surface, patch), self.surface.domain)
-        return found
+            _add_patch(findings, determinant, patch, sides_of(self.surface, patch), self.surface.domain)
+        return findings
 
     @question(Of.PLANAR_MAP, answered=Answered.VALUE)
     def kind(self) -> MapKind:
@@ -96,17 +96,17 @@ class MapInspection(Inspected, Displayed):
         """The points at which the Jacobian determinant is zero.
 
         Each with the patches from which it vanishes there; everywhere on patches and their edges on which it vanishes.
-        Not looked for, and undecided, inside of patches on which it has both signs.
+        Zeros inside patches on which it has both signs are not computed, but reported as undecided.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("planar_map")).zeros
         nowhere
         """
-        found = self._found
-        everywhere = [SurfacePart(patch, sides_of(self.surface, patch)) for patch in found.degenerate]
-        everywhere += [SurfacePart(patch, edge.box(sides_of(self.surface, patch))) for patch, edge in found.edges]
-        places = merged_places(found.zeros, self.surface.domain, ())
-        return SurfacePlaces(places, tuple(everywhere), (*found.mixed, *found.undecided))
+        findings = self._found
+        everywhere = [SurfacePart(patch, sides_of(self.surface, patch)) for patch in findings.degenerate]
+        everywhere += [SurfacePart(patch, edge.box(sides_of(self.surface, patch))) for patch, edge in findings.edges]
+        places = merged_places(findings.zeros, self.surface.domain, ())
+        return SurfacePlaces(places, tuple(everywhere), (*findings.mixed, *findings.undecided))
 
     @property
     def edges(self) -> tuple[tuple[Patch, Edge], ...]:
@@ -135,8 +135,8 @@ def jacobian_sign(surface: NurbsSurface) -> MapInspection:
     >>> from exactspline import example
     >>> jacobian_sign(example("planar_map")).kind
     <MapKind.POSITIVE: 'orientation kept: det > 0'>
-    >>> found = jacobian_sign(example("folded_map"))
-    >>> found.kind.value, found.regular
+    >>> inspection = jacobian_sign(example_surface("folded_map"))
+    >>> inspection.kind.value, inspection.regular
     ('folded: det has both signs', False)
 
     Raises `ShapeError` for a surface that is not in the plane.
@@ -170,20 +170,20 @@ class _Found:
         return MapKind.POSITIVE if self.positive else MapKind.NEGATIVE
 
 
-def _add_patch(found: _Found, determinant: TensorSpline, patch: Patch, sides: Box, domain: Box) -> None:
+def _add_patch(findings: _Found, determinant: TensorSpline, patch: Patch, sides: Box, domain: Box) -> None:
     own = on_patch(determinant, patch)
     if own is None:
-        found.degenerate.append(patch)
+        findings.degenerate.append(patch)
         return
     signs = sign_on_patch(own.form)
     if signs.positive:
-        found.positive = found.positive or _inside(signs.positive, 1, own.whole, sides, domain)
+        findings.positive = findings.positive or _inside(signs.positive, 1, own.whole, sides, domain)
     if signs.negative:
-        found.negative = found.negative or _inside(signs.negative, -1, own.whole, sides, domain)
-    found.zeros += [Place((patch,), None, *sides.at(*point)) for point in signs.zeros]
-    found.undecided += [sides.part(box) for box in signs.undecided]
-    found.mixed += [sides] * (signs.sign is Sign.BOTH)
-    found.edges += [(patch, edge) for edge, times in zip(EDGES, own.borders, strict=True) if times]
+        findings.negative = findings.negative or _inside(signs.negative, -1, own.whole, sides, domain)
+    findings.zeros += [Place((patch,), None, *sides.at(*point)) for point in signs.zeros]
+    findings.undecided += [sides.part(box) for box in signs.undecided]
+    findings.mixed += [sides] * (signs.sign is Sign.BOTH)
+    findings.edges += [(patch, edge) for edge, times in zip(EDGES, own.borders, strict=True) if times]
 
 
 def _determinant(surface: NurbsSurface) -> TensorSpline:
@@ -197,8 +197,8 @@ def _determinant(surface: NurbsSurface) -> TensorSpline:
 
 
 def _inside(point: Point, sign: int, whole: PatchForm, sides: Box, domain: Box) -> Point:
-    """A point at or near another one at which the determinant has a sign: a factor may vanish on the border, and at a
-    knot the determinant is another one as seen from another patch.
+    """A point at or near the given one at which the determinant has this sign: a factor may vanish on the border, and
+    at a knot the determinant may differ from patch to patch.
     """
     (x, y), half = point, mpq(1, 2)
     place, part = point, mpq(1, 4)

@@ -1,4 +1,4 @@
-"""The sign of a form on a whole patch, proved by Bernstein coefficients on parts that grow smaller."""
+"""The sign of a form on a whole patch, proved by Bernstein coefficients on smaller and smaller parts."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Sign(StrEnum):
     POSITIVE = "positive"
     NEGATIVE = "negative"
     BOTH = "both signs"
-    #: Zero at points that are listed, otherwise of one sign.
+    #: Zero at the listed points, otherwise of one sign.
     NOT_NEGATIVE = "positive but for single zeros"
     NOT_POSITIVE = "negative but for single zeros"
     ZERO = "zero"
@@ -35,9 +35,9 @@ class Sign(StrEnum):
 
 @dataclass(frozen=True)
 class Signs:
-    """The sign of a form, points of the unit square at which it is positive and negative (of a form that is not zero
-    at least one of them), those found where it is zero, and boxes in which it could not be decided (of a form with both
-    signs: none are looked for).
+    """The sign of a form, points of the unit square at which it is positive and negative (at least one of them for a
+    nonzero form), the zeros found, and boxes in which the sign could not be decided (not computed for a form with both
+    signs).
     """
 
     sign: Sign
@@ -55,22 +55,22 @@ def sign_on_patch(form: PatchForm) -> Signs:
     >>> sign_on_patch(PatchForm.of_net([[1, 0, 0], [0, 0, 0], [0, 0, 1]])).zeros
     ((mpq(0,1), mpq(1,1)), (mpq(1,1), mpq(0,1)))
 
-    A sign is never that of the corners alone:
+    The sign at the corners alone never decides:
 
-    >>> found = sign_on_patch(PatchForm.of_net([[0, 1, 0], [1, 1, 1], [0, 1, 0]]))
-    >>> found.sign, len(found.zeros), found.negative
+    >>> signs = sign_on_patch(PatchForm.of_net([[0, 1, 0], [1, 1, 1], [0, 1, 0]]))
+    >>> signs.sign, len(signs.zeros), signs.negative
     (<Sign.NOT_NEGATIVE: 'positive but for single zeros'>, 4, None)
     """
     if form.is_zero:
         return Signs(Sign.ZERO)
-    told = _signs(form, [UNIT])
-    if told.sign is Sign.UNDECIDED and len(boxes := _cut(form)) > 1:
+    answer = _signs(form, [UNIT])
+    if answer.sign is Sign.UNDECIDED and len(boxes := _cut(form)) > 1:
         return _signs(form, boxes)
-    return told
+    return answer
 
 
 def _cut(form: PatchForm) -> list[Box]:
-    """The unit square cut where the form has rational zeros on its edges: they become corners of boxes."""
+    """The unit square, cut where the form has rational zeros on its edges, so that they become corners of boxes."""
     sides: list[list[Interval]] = []
     for direction in (0, 1):
         cuts = {mpq(0), mpq(1)}
@@ -83,7 +83,7 @@ def _cut(form: PatchForm) -> list[Box]:
 
 def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
     """The same, beginning with boxes that fill the square."""
-    found = dict([_witness(form)])
+    witnesses = dict([_witness(form)])
     zeros: dict[Point, None] = {}
     undecided: list[Box] = []
     todo = deque(Sized(box, [form.part(box)], 0) for box in boxes)
@@ -96,20 +96,20 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
             if value == 0:
                 zeros[place] = None
             else:
-                found.setdefault(sign_of(value), place)
+                witnesses.setdefault(sign_of(value), place)
         sign = own.sign or _sign_but_for_corners(own)
         if sign:
-            # where all corners are zeros the inside alone has it
-            found.setdefault(sign, part.box.middle)
-        if len(found) > 1:
-            return Signs(Sign.BOTH, found[1], found[-1])
+            # where all corners are zeros, only the interior shows the sign
+            witnesses.setdefault(sign, part.box.middle)
+        if len(witnesses) > 1:
+            return Signs(Sign.BOTH, witnesses[1], witnesses[-1])
         if sign:
             continue
         if seen > BOXES or part.depth >= DEPTH:
             undecided.append(part.box)
         else:
             todo.extend(halved(part))
-    positive, negative = found.get(1), found.get(-1)
+    positive, negative = witnesses.get(1), witnesses.get(-1)
     if undecided:
         return Signs(Sign.UNDECIDED, positive, negative, tuple(zeros), tuple(undecided))
     if zeros:
@@ -120,7 +120,7 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
 
 
 def _witness(form: PatchForm) -> tuple[int, Point]:
-    """The sign of a form that is not zero at a point inside at which it is not."""
+    """The sign of a nonzero form at some inner point at which it does not vanish, and that point."""
     (m, n) = form.degree
     # a form of degrees m, n that vanishes at (m + 1)(n + 1) points of a grid is zero
     for i, j in product(range(1, m + 2), range(1, n + 2)):
@@ -131,10 +131,11 @@ def _witness(form: PatchForm) -> tuple[int, Point]:
 
 
 def _sign_but_for_corners(form: PatchForm) -> int | None:
-    """The sign that the coefficients show on the closed square but for corners that are zero; None where they do not.
+    """The sign that the coefficients prove on the closed square, except at corners that are zero; None where they prove
+    none.
 
-    Coefficients of one sign, zeros among them, give a zero in the inside only if all are zero, and one on the open
-    edge only if those of the edge are.
+    If no two coefficients have opposite signs, the form has an inner zero only if all coefficients are zero, and a zero
+    on an open edge only if all coefficients of the edge are zero.
     """
     low, high = form.range
     if low < 0 < high or low == high == 0:

@@ -16,14 +16,15 @@ from exactspline.polynomials.common_zeros import Zero, are_one, is_known, isolat
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.roots.root import Root
 
-#: Refinement limit (bits) for deciding what a zero is.
+#: Refinement limit (bits) for classifying a zero.
 BITS = 400
 
 
 @dataclass(frozen=True)
 class SingularPoints:
-    """Where the normal of a patch vanishes: `degenerate` all over it; along whole `edges`; `along_curve` inside; at
-    `places` inside and on the border; `undecided` are boxes of parameters. A `factor` is common to its coordinates.
+    """Where the normal of a patch vanishes: `degenerate`: everywhere; along whole `edges`; `along_curve`: on a curve
+    inside; at `places` inside and on the border; `undecided` are boxes of parameters. A `factor` is common to its
+    coordinates.
     """
 
     degenerate: bool = False
@@ -38,7 +39,7 @@ class SingularPoints:
 
     @property
     def regular(self) -> bool:
-        """Whether there are none but along edges."""
+        """Whether there are none except along edges."""
         return not (self.degenerate or self.places or self.undecided or self.along_curve)
 
 
@@ -96,8 +97,8 @@ def _is_end(root: Root, edge: Edge, sides: Box) -> bool:
 def _inner(
     forms: SurfaceForms, patch: Patch, normal: list[PatchForm | None], sides: Box
 ) -> tuple[list[Zero], list[Box]]:
-    """The zeros of the normal n inside, its coordinates without common factors: where two of them vanish and the third
-    one of S_u or S_v does not, n = 0.
+    """The zeros inside of the normal n, whose coordinates have no common factor: where two of them vanish and the third
+    coordinate of S_u or S_v does not, n = 0.
     """
     if any(f is not None and f.sign in (1, -1) for f in normal):
         return [], []
@@ -111,38 +112,38 @@ def _inner(
             continue
         degree = max(first.degree[0], second.degree[0]), max(first.degree[1], second.degree[1])
         also = [] if third is None else [third]
-        found = isolate(first.elevated(degree), second.elevated(degree), also)
-        left = list(found.undecided)
-        for zero in found.zeros:
+        zeros = isolate(first.elevated(degree), second.elevated(degree), also)
+        undecided = list(zeros.undecided)
+        for zero in zeros.zeros:
             if is_inside(zero, sides) is False:
                 continue
             verdict = _is_singular(zero, [side[k] for side in tangents], third)
             if verdict is None:
-                left.append(zero.box)
+                undecided.append(zero.box)
             elif verdict and not any(same(zero, known) for known in certain):
                 certain.append(zero)
-        # in the region of a zero of two coordinates there is no other one
-        rest.append([box for box in left if not is_known(box, certain)])
+        # the region of a zero of two coordinates contains no other zero of both
+        rest.append([box for box in undecided if not is_known(box, certain)])
         if not rest[-1]:
             return certain, []
     return certain, min(rest, key=len, default=[])
 
 
 def _multiples(normal: list[PatchForm], boxes: list[Box]) -> tuple[list[Box], list[Box]]:
-    """Rational points inside at which all coordinates of the normal vanish, more than simply, and that explain
-    undecided boxes; and the boxes that are left.
+    """Multiple rational zeros of all coordinates of the normal inside that explain undecided boxes; and the remaining
+    boxes.
     """
-    found, left = list[Box](), list(boxes)
-    while left and (multiple := multiple_zero(normal, left)) is not None:
-        left = [box for box in left if not multiple.explains(box)]
+    points, remaining = list[Box](), list(boxes)
+    while remaining and (multiple := multiple_zero(normal, remaining)) is not None:
+        remaining = [box for box in remaining if not multiple.explains(box)]
         x, y = multiple.place
         if 0 < x < 1 and 0 < y < 1:
-            found.append(Box.point(x, y))
-    return found, left
+            points.append(Box.point(x, y))
+    return points, remaining
 
 
 def _is_singular(zero: Zero, components: list[PatchForm], third: PatchForm | None) -> bool | None:
-    """Whether a zero of two components of the normal is one of the third."""
+    """Whether a zero of two components of the normal is also a zero of the third."""
     bits = 16
     while bits <= BITS:
         box = zero.refine(bits)

@@ -1,4 +1,4 @@
-"""Umbilics: where the two principal curvatures are equal, and every direction is one of a line of curvature.
+"""Umbilics: where the two principal curvatures are equal, and every direction is a principal direction.
 
 They are the common zeros of the three coefficients A, B, C of the lines of curvature where the surface has a tangent
 plane. Since ``A G − B F + C E = 0``, two of them suffice: A and B where E > 0, B and C where G > 0.
@@ -29,7 +29,9 @@ FAR = 64
 
 
 class UmbilicKind(StrEnum):
-    """How the lines of curvature turn around an umbilic: by half a turn with it, or against it (a star)."""
+    """How the lines of curvature turn on a loop around an umbilic: by half a turn in its sense, or against it
+    (a star).
+    """
 
     POSITIVE = "lemon or monstar"
     NEGATIVE = "star"
@@ -41,7 +43,7 @@ class UmbilicKind(StrEnum):
 class Umbilic:
     """One umbilic: where it is, and its kind: of index ½, of index −½, or a multiple zero of the equations.
 
-    `one_sided` tells that it is one only as seen from some of the patches that meet there.
+    `one_sided` means that it is an umbilic only of some of the patches that meet there.
     """
 
     place: Place
@@ -53,9 +55,9 @@ class Umbilic:
 class UmbilicsOfPatch:
     """The umbilics of one closed patch.
 
-    `everywhere`: all points of the patch; `edges`: those along which all points are umbilics; `curve`: the zeros of a
-    common factor of the equations, where they are more than single points; `undecided`: boxes of parameters in which
-    there may be more.
+    `everywhere`: all points of the patch; `edges`: the edges consisting of umbilics; `curve`: the zeros of a common
+    factor of the equations, where these are not only isolated points; `undecided`: boxes of parameters in which there
+    may be more.
     """
 
     umbilics: tuple[Umbilic, ...] = ()
@@ -69,8 +71,8 @@ def umbilics_of_patch(forms: SurfaceForms, patch: Patch, singular: SingularPoint
     """The umbilics of a patch, each certified.
 
     >>> from exactspline import example
-    >>> found = umbilics_of_patch(SurfaceForms(example("monkey_saddle")), (0, 0))
-    >>> [(umbilic.place.exact, umbilic.kind.value) for umbilic in found.umbilics], found.undecided
+    >>> umbilics = umbilics_of_patch(SurfaceForms(example("monkey_saddle")), (0, 0))
+    >>> [(umbilic.place.exact, umbilic.kind.value) for umbilic in umbilics.umbilics], umbilics.undecided
     ([((mpq(0,1), mpq(0,1)), 'star')], ())
     """
     singular = singular_points(forms, patch) if singular is None else singular
@@ -107,7 +109,7 @@ class _Search:
     def on_edges(self) -> tuple[tuple[Edge, ...], list[Umbilic]]:
         """Edges of umbilics, and the single ones on the other edges."""
         given = [f.whole for f in self.own if f is not None]
-        edges, found = [], list[Umbilic]()
+        edges, umbilics = [], list[Umbilic]()
         for edge in EDGES:
             if edge in self.poles:
                 continue
@@ -120,12 +122,12 @@ class _Search:
                 if root.is_root_of(area):
                     continue
                 place = Place((self.patch,), None, *edge.place(self.sides, root))
-                if not any(same_place(place, one.place) for one in found):
-                    found.append(Umbilic(place, self._kind(place.box(30))))
-        return tuple(edges), [one for one in found if not any(self._is_on(edge, one.place) for edge in edges)]
+                if not any(same_place(place, one.place) for one in umbilics):
+                    umbilics.append(Umbilic(place, self._kind(place.box(30))))
+        return tuple(edges), [one for one in umbilics if not any(self._is_on(edge, one.place) for edge in edges)]
 
     def _is_on(self, edge: Edge, place: Place) -> bool:
-        """Whether a point is one of an edge."""
+        """Whether a point lies on an edge."""
         return bool((place.u, place.v)[edge.direction] == edge.value(self.sides))
 
     def inside(self) -> tuple[list[Umbilic], ZeroCurve | None, tuple[Box, ...]]:
@@ -144,9 +146,9 @@ class _Search:
         curve = None
         if factor is not None and sign not in (Sign.POSITIVE, Sign.NEGATIVE):
             curve = ZeroCurve(square_free(factor))
-            lone, left = self._beside(curve.single_points, umbilics)
+            lone, rest = self._at_isolated_zeros(curve.single_points, umbilics)
             umbilics += lone
-            undecided += [*curve.undecided, *left]
+            undecided += [*curve.undecided, *rest]
             curve = curve if curve.has_branches or sign is Sign.BOTH else None
         return umbilics, curve, tuple(self.sides.part(box) for box in undecided)
 
@@ -160,19 +162,21 @@ class _Search:
                     return True
         return False
 
-    def _beside(self, points: Sequence[Zero], umbilics: Sequence[Umbilic]) -> tuple[list[Umbilic], list[Box]]:
-        """Umbilics among the single zeros of a common factor that are not known, and boxes of undecided ones."""
-        found, left = list[Umbilic](), list[Box]()
+    def _at_isolated_zeros(
+        self, points: Sequence[Zero], umbilics: Sequence[Umbilic]
+    ) -> tuple[list[Umbilic], list[Box]]:
+        """New umbilics among the isolated zeros of a common factor, and boxes of undecided ones."""
+        additional, undecided = list[Umbilic](), list[Box]()
         for zero in points:
             equal = [self._is_at(zero, one.place) for one in umbilics]
             equal += [are_one(zero, point) for point in self.singular.zeros]
             if any(equal):
                 continue
             if None in equal or self.area.form.part(zero.refine(BITS)).sign != 1:
-                left.append(zero.box)
+                undecided.append(zero.box)
             else:
-                found.append(Umbilic(Place((self.patch,), InnerZero(zero, self.sides)), UmbilicKind.MULTIPLE))
-        return found, left
+                additional.append(Umbilic(Place((self.patch,), InnerZero(zero, self.sides)), UmbilicKind.MULTIPLE))
+        return additional, undecided
 
     def _is_at(self, zero: Zero, place: Place) -> bool | None:
         """Whether a zero is at the place of an umbilic; None where the refinement limit is reached."""
@@ -190,12 +194,12 @@ class _Search:
         for pair in ((0, 1), (1, 2), (0, 2)):
             if not given.keys() >= set(pair) or (pair == (0, 2) and 1 in given):
                 continue
-            found, left = self._with_pair(given, pair)
-            if best is None or len(left) < len(best[1]):
-                best = found, left
-            if not left:
+            inner, rest = self._with_pair(given, pair)
+            if best is None or len(rest) < len(best[1]):
+                best = inner, rest
+            if not rest:
                 break
-        assert best is not None, "one form alone is its own common factor"
+        assert best is not None, "a single form is its common factor"
         umbilics, undecided = self._multiples(list(given.values()), best[1], best[0])
         return [*best[0], *umbilics], undecided
 
@@ -204,23 +208,23 @@ class _Search:
         first, second = (given[k] for k in pair)
         degree = max(first.degree[0], second.degree[0]), max(first.degree[1], second.degree[1])
         also = [f for k, f in given.items() if k not in pair]
-        found = isolate(first.elevated(degree), second.elevated(degree), also)
-        umbilics, left = [], list(found.undecided)
-        for zero in found.zeros:
+        zeros = isolate(first.elevated(degree), second.elevated(degree), also)
+        umbilics, undecided = [], list(zeros.undecided)
+        for zero in zeros.zeros:
             inside = is_inside(zero, self.sides)
             verdict = self._is_umbilic(zero) if inside else inside
             if verdict is None:
-                left.append(zero.box)
+                undecided.append(zero.box)
             elif verdict:
                 place = Place((self.patch,), InnerZero(zero, self.sides))
                 umbilics.append(Umbilic(place, self._kind(self.sides.part(zero.refine(40)))))
-        return umbilics, tuple(left)
+        return umbilics, tuple(undecided)
 
     def _is_umbilic(self, zero: Zero) -> bool | None:
         """Whether the surface has a tangent plane at a zero of two of the equations inside.
 
-        Then E > 0 and G > 0, and the third equation follows by ``E C − F B + G A = 0``: A and C are a pair only if B is
-        zero.
+        Then E > 0 and G > 0, and the third equation follows by ``E C − F B + G A = 0``: the pair A, C is used only
+        where B is identically zero.
         """
         if any(same(point, zero) for point in self.known):
             return False
@@ -246,27 +250,27 @@ class _Search:
     def _multiples(
         self, given: list[PatchForm], boxes: Sequence[Box], known: Sequence[Umbilic]
     ) -> tuple[list[Umbilic], list[Box]]:
-        """Rational multiple umbilics inside the patch that explain undecided boxes and are not known, and the boxes
-        that they do not explain.
+        """New multiple umbilics at rational points inside the patch that explain undecided boxes, and the boxes that
+        they do not explain.
         """
-        left, found = list(boxes), list[Umbilic]()
-        while left:
-            multiple: Multiple | None = multiple_zero(given, left)
+        remaining, umbilics = list(boxes), list[Umbilic]()
+        while remaining:
+            multiple: Multiple | None = multiple_zero(given, remaining)
             if multiple is None:
                 break
-            left = [box for box in left if not multiple.explains(box)]
+            remaining = [box for box in remaining if not multiple.explains(box)]
             x, y = multiple.place
             if any(one.place.inner is not None and one.place.inner.zero.is_at(x, y) for one in known):
                 continue
             spot = Box.point(x, y)
             if self.area.form.part(spot).sign == 1 and 0 < x < 1 and 0 < y < 1:
                 u, v = self.sides.at(x, y)
-                found.append(Umbilic(Place((self.patch,), None, u, v), UmbilicKind.MULTIPLE))
-        return found, left
+                umbilics.append(Umbilic(Place((self.patch,), None, u, v), UmbilicKind.MULTIPLE))
+        return umbilics, remaining
 
 
 def jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
-    """The sign of the Jacobian determinant on a box where ranges show one, otherwise 0."""
+    """The sign of the Jacobian determinant on a box where its range excludes 0, otherwise 0."""
     (a, b), (c, d) = ([h.derivative(i).part(box).range for i in (0, 1)] for h in (f, g))
     first = [x * y for x in a for y in d]
     second = [x * y for x in b for y in c]

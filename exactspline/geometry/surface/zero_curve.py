@@ -1,9 +1,9 @@
-"""The zeros of a form on a patch: their topology, exactly, by boxes in which the curve is a graph.
+"""The zeros of a form on a patch: their exact topology, by boxes in which the curve is a graph.
 
-A box is done where the form keeps its sign, or where one of its derivatives does: then the curve meets every line
-across at most once, and which of its zeros on the border of the box are joined is decided by signs at rational points.
-Zeros on borders of boxes are roots of polynomials in one parameter. Where branches cross or a point is alone no such
-box exists: there the critical point is certified, and shown to be of one of the two kinds, in a cell of its own.
+A box is finished when the form has one sign on it, or one of its derivatives has: then the curve meets every line of
+that direction at most once, and signs at rational points decide which of its zeros on the border of the box are joined.
+Zeros on borders of boxes are roots of polynomials in one parameter. Where branches cross or a point is isolated no such
+box exists: there the critical point is certified, and shown to be of one of these two kinds, in a separate cell.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 
-#: Halvings of a box, and boxes, before the remaining boxes are reported as undecided.
+#: The limits of halvings of a box and of boxes, beyond which the remaining boxes are reported as undecided.
 DEPTH, BOXES = 30, 4000
-#: Where the square is first cut: no lines that a symmetric surface would have its zeros on.
+#: Where the square is first cut: not on lines where the zeros of a symmetric surface would lie.
 FIRST_CUTS = tuple(mpq(a, b) for a, b in ((29, 61), (31, 67), (37, 79), (41, 89), (43, 97), (47, 101), (53, 109)))
-#: Half branches that leave a point at which two branches cross.
+#: The number of half branches at a point where two branches cross.
 BRANCHES = 4
-#: Bits to which points of a curve are found that is drawn.
+#: The precision (bits) of points of a curve for drawing.
 DRAWN_BITS = 24
 
 
@@ -49,7 +49,7 @@ class Shape(StrEnum):
     ARC = "arc from border to border"
     CROSSED = "branches that cross"
     POINT = "single point"
-    #: All of it is on the curve, but it goes on in boxes that are undecided.
+    #: All of it is on the curve, but it continues in undecided boxes.
     OPEN = "arc into an undecided box"
     #: Of several patches, where they meet without continuous curvature.
     BROKEN = "arc that ends where patches meet"
@@ -89,7 +89,7 @@ class Part:
     cells: tuple[Box, ...] = ()
     #: The points of it on lines of the subdivision, those on the border of the patch among them.
     vertices: tuple[Vertex, ...] = field(default=(), repr=False)
-    #: The certified point that it is, if it is one inside.
+    #: The certified point, if the part is a single point inside.
     zero: Zero | None = field(default=None, repr=False, compare=False)
 
 
@@ -106,7 +106,7 @@ class ZeroCurve:
         #: Boxes in which the curve is not resolved.
         self.undecided: list[Box] = []
         self._lines: dict[tuple[int, mpq], list[Root]] = {}
-        #: In the order in which they are found: answers do not depend on hashes.
+        #: In the order in which they are found, so that answers do not depend on hashes.
         self._vertices: dict[Vertex, None] = {}
         self._arcs: list[Arc] = []
         self._crossings: list[tuple[Cell, list[Vertex]]] = []
@@ -144,7 +144,7 @@ class ZeroCurve:
                 todo.extend(halved(part))
 
     def _vanishes_around(self, box: Box) -> bool:
-        """Whether the form vanishes all along a side of a box: its zeros are no single points there."""
+        """Whether the form vanishes along a whole side of a box: its zeros there are not isolated points."""
         return any(not any(self._along(direction, box[direction][end])) for direction, end in EDGES)
 
     def _graph(self, box: Box, direction: int) -> None:
@@ -190,7 +190,7 @@ class ZeroCurve:
             if root.exact is None:
                 yield Vertex(direction, value, k), root
             else:
-                # it may be the corner of some box, and on a line of the other direction
+                # it may be the corner of another box, and on a line of the other direction
                 x, y = (value, root.exact) if direction == 0 else (root.exact, value)
                 yield Vertex(0, x, -1, y), root.exact
 
@@ -217,9 +217,10 @@ class ZeroCurve:
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
-        """The connected parts of the zeros that are resolved; those that go on in undecided boxes as far as they are.
+        """The connected parts of the zeros that are resolved; those that continue in undecided boxes, as far as they
+        are resolved.
 
-        A part that meets no undecided box is whole: zeros on the borders of boxes are all known.
+        A part that does not meet an undecided box is complete: all zeros on the borders of boxes are known.
         """
         joined = _Joined(self._vertices)
         for arc in self._arcs:
@@ -237,16 +238,16 @@ class ZeroCurve:
         crossings: dict[Vertex, list[Box]] = {}
         for cell, ends in self._crossings:
             crossings.setdefault(joined.root(ends[0]), []).append(cell.box)
-        found = []
+        parts = []
         for group, arcs in groups.items():
             crossed = crossings.get(group, [])
             shape = _shape(arcs, bool(crossed))
             if self.undecided and any(self._is_open_at(vertex) for vertex in members[group]):
                 if not arcs and not crossed:
-                    continue  # what it is belongs to the box
+                    continue  # the undecided box accounts for it
                 shape = Shape.OPEN
-            found.append(Part(shape, tuple(_in_order(arcs)), tuple(crossed), tuple(members[group])))
-        return (*found, *(Part(Shape.POINT, (), (cell.box,), (), cell.zero) for cell in self._points))
+            parts.append(Part(shape, tuple(_in_order(arcs)), tuple(crossed), tuple(members[group])))
+        return (*parts, *(Part(Shape.POINT, (), (cell.box,), (), cell.zero) for cell in self._points))
 
     def _is_open_at(self, vertex: Vertex) -> bool:
         """Whether a vertex is on an undecided box."""
@@ -270,7 +271,7 @@ class ZeroCurve:
         """Points near an arc, for pictures: this many steps, each found to `DRAWN_BITS` bits."""
         low = arc.low.refine(8)[1] if isinstance(arc.low, Root) else arc.low
         high = arc.high.refine(8)[0] if isinstance(arc.high, Root) else arc.high
-        found = []
+        points = []
         for k in range(count + 1):
             y = mpq(low + (high - low) * mpq(k, count))
             a, b = arc.box[arc.direction]
@@ -280,8 +281,8 @@ class ZeroCurve:
                 value = self._value(arc.direction, middle, y)
                 a, b = (middle, b) if value * (start or -end) > 0 else (a, middle)
             x = mpq((a + b) / 2)
-            found.append((x, y) if arc.direction == 0 else (y, x))
-        return found
+            points.append((x, y) if arc.direction == 0 else (y, x))
+        return points
 
 
 class _Key:
@@ -305,7 +306,7 @@ class _Joined:
         self.parents = {vertex: vertex for vertex in self.vertices}
 
     def root(self, vertex: Vertex) -> Vertex:
-        """What stands for all that are joined with a vertex."""
+        """The representative of all vertices joined with a vertex."""
         self.parents.setdefault(vertex, vertex)
         while self.parents[vertex] != vertex:
             vertex = self.parents[vertex]
@@ -329,7 +330,7 @@ def _grid(form: PatchForm, cells: Sequence[Box]) -> Iterator[Box]:
 
 
 def _first_cut(lines: Sequence[mpq]) -> mpq:
-    """A place to cut such that halving both parts never cuts along a line of zeros."""
+    """A value at which to cut, such that halving both parts never cuts along a line of zeros."""
 
     def met(cut: mpq, line: mpq) -> bool:
         place = line / cut if line < cut else (line - cut) / (1 - cut)
@@ -348,15 +349,17 @@ def _shape(arcs: Sequence[Arc], crossed: bool) -> Shape:
 
 
 def _in_order(arcs: Sequence[Arc]) -> Iterator[Arc]:
-    """The arcs of a part, each beginning where one before it ends, as far as there is one way."""
-    left = list(arcs)
+    """The arcs of a part, each beginning where an earlier one ends, as far as the way is unique."""
+    remaining = list(arcs)
     ends = Counter(vertex for arc in arcs for vertex in (arc.first, arc.last))
-    while left:
-        start = next((i for i, arc in enumerate(left) if 1 in (ends[arc.first], ends[arc.last])), 0)
-        arc = left.pop(start)
+    while remaining:
+        start = next((i for i, arc in enumerate(remaining) if 1 in (ends[arc.first], ends[arc.last])), 0)
+        arc = remaining.pop(start)
         at = arc.first if ends[arc.last] == 1 and ends[arc.first] != 1 else arc.last
         yield arc
-        while (i := next((i for i, other in enumerate(left) if at in (other.first, other.last)), None)) is not None:
-            arc = left.pop(i)
+        while (
+            i := next((i for i, other in enumerate(remaining) if at in (other.first, other.last)), None)
+        ) is not None:
+            arc = remaining.pop(i)
             at = arc.last if arc.first == at else arc.first
             yield arc

@@ -18,7 +18,7 @@ def to_mpmath(curve: Nurbs) -> Callable[[object], list[mpmath.mpf]]:
     time of the call.
 
     >>> from mpmath import mpf, workdps
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> with workdps(30):
     ...     print(to_mpmath(example("circle"))(mpf("0.25"))[0])
     0.882352941176470588235294117647

@@ -14,11 +14,11 @@ from typing import Any
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.formats.control_points import complete
+from exactspline.interchange.json_files import parsed
 from exactspline.interchange.numbers import NumberText, decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.writing import cartesian
 from exactspline.numbers.exact import mpq
-from exactspline.splines.json_files import parsed
 
 
 def looks_like(head: bytes) -> bool:

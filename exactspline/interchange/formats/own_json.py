@@ -1,4 +1,4 @@
-"""The JSON of exactspline: one curve as read by `exactspline.splines.curve_files`, or ``{"curves": […]}``.
+"""The JSON of exactspline: one curve as read by `exactspline.interchange.curve_files`, or ``{"curves": […]}``.
 
 The published schema is `exactspline/interchange/curve.schema.json`. Every curve is represented exactly: numbers are
 integers, decimals or strings such as "1/3".
@@ -14,13 +14,13 @@ from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError
 from exactspline.interchange.collector import Collector
+from exactspline.interchange.curve_files import curve_data, curve_from_data
+from exactspline.interchange.json_files import CURVE, check_fields, parsed
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.surface_files import surface_from_data
 from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.control_points import Direction
-from exactspline.splines.curve_files import curve_data, curve_from_data
-from exactspline.splines.json_files import CURVE, check_fields, parsed
-from exactspline.splines.surface_files import surface_from_data
 
 _EXPONENT = re.compile(r"[+-]?\d{1,7}", re.ASCII)
 

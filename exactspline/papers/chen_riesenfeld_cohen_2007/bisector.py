@@ -202,9 +202,21 @@ def bisector_equidistance(c):
     return norm2(bisector_symmetric(c) - c.first.gamma) - norm2(bisector_symmetric(c) - c.second.gamma)
 
 
+@formula("display below eq. (34)", on="point")
+def point_middle_normal_polynomial(c):
+    """``p − wQ``."""
+    return c.p - c.point * c.w
+
+
+@formula("eq. (34)", on="point")
+def point_middle_height_polynomial(c):
+    """``½(‖p‖² − w²‖Q‖²)``: the last height of (34) as it must be."""
+    return (norm2(c.p) - c.w**2 * norm2(c.point)) / 2
+
+
 def _point_middle(c):
     """``p − wQ | ½(‖p‖² − w²‖Q‖²)``: the plane of equal distance from γ and Q, in the unknown wB."""
-    return c.p - c.point * c.w, (norm2(c.p) - c.w**2 * norm2(c.point)) / 2
+    return point_middle_normal_polynomial(c), point_middle_height_polynomial(c)
 
 
 @formula("eq. (31)", on="point", symbol="G")
@@ -270,27 +282,44 @@ def point_bisector(c):
 @formula("eq. (34)", on="point")
 def point_bisector_generator_polynomial(c):
     """``D1 × (p − wQ)``: the direction of the generators, polynomial."""
-    return cross(D1(c), c.p - c.point * c.w)
+    return cross(D1(c), point_middle_normal_polynomial(c))
+
+
+@formula("display below eq. (34)", on="point")
+def through_point_height_polynomial(c):
+    """``wQ·(D1 × (p − wQ))``."""
+    return dot(c.point * c.w, point_bisector_generator_polynomial(c))
 
 
 def _polynomial_rows(c):
     """The first two rows of (34), in the unknown wδ."""
-    generator = point_bisector_generator_polynomial(c)
-    return _normal_plane_polynomial(c), (generator, dot(c.point * c.w, generator))
+    second = point_bisector_generator_polynomial(c), through_point_height_polynomial(c)
+    return _normal_plane_polynomial(c), second
 
 
 @formula("eq. (34)", on="point")
 def point_bisector_determinant_polynomial(c):
     """The determinant of the system (34)."""
-    return det(D1(c), point_bisector_generator_polynomial(c), c.p - c.point * c.w)
+    return det(D1(c), point_bisector_generator_polynomial(c), point_middle_normal_polynomial(c))
+
+
+@formula("eq. (34), as printed", on="point")
+def point_middle_height_printed(c):
+    """``½(‖p‖² − w‖Q‖²)``."""
+    return (norm2(c.p) - c.w * norm2(c.point)) / 2
+
+
+@formula("eq. (34), as printed", on="point")
+def directrix_numerators_printed(c):
+    """The numerators of Cramer's rule for (34), with the last height as it is printed."""
+    first, second = _polynomial_rows(c)
+    return cramer(first, second, (point_middle_normal_polynomial(c), point_middle_height_printed(c)))
 
 
 @formula("eq. (34), as printed", on="point", symbol=r"\delta")
 def point_bisector_directrix_printed(c):
     """Directrix by (34) with the last height as printed, ``½(p² − wQ²)``."""
-    first, second = _polynomial_rows(c)
-    rows = first, second, (c.p - c.point * c.w, (norm2(c.p) - c.w * norm2(c.point)) / 2)
-    return cramer(rows[0], rows[1], rows[2]) / (point_bisector_determinant_polynomial(c) * c.w)
+    return directrix_numerators_printed(c) / (point_bisector_determinant_polynomial(c) * c.w)
 
 
 @formula("eq. (34)", on="point", symbol=r"\delta")
@@ -368,19 +397,19 @@ def direct_height_of_generator(c):
 @formula("§6.2, direct approach", on="point")
 def direct_determinant_x(c):
     """The determinant of the 2×2 system with the first component moved."""
-    return det(D1(c), c.p - c.point * c.w, c.axis_x)
+    return det(D1(c), point_middle_normal_polynomial(c), c.axis_x)
 
 
 @formula("§6.2, direct approach", on="point")
 def direct_determinant_y(c):
     """The determinant of the 2×2 system with the second component moved."""
-    return det(D1(c), c.p - c.point * c.w, c.axis_y)
+    return det(D1(c), point_middle_normal_polynomial(c), c.axis_y)
 
 
 @formula("§6.2, direct approach", on="point")
 def direct_determinant_z(c):
     """The determinant of the 2×2 system with the third component moved."""
-    return det(D1(c), c.p - c.point * c.w, c.axis_z)
+    return det(D1(c), point_middle_normal_polynomial(c), c.axis_z)
 
 
 @formula("§6.2, direct approach", on="point")

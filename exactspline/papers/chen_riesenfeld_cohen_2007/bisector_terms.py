@@ -9,7 +9,6 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.bisector import (
     middle_height,
     middle_normal,
     normal_height,
-    normal_height_polynomial,
     point_bisector_determinant_polynomial,
     point_bisector_directrix,
     point_bisector_directrix_levelled,
@@ -17,6 +16,7 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.bisector import (
     point_bisector_directrix_printed,
     point_bisector_generator,
     point_bisector_generator_polynomial,
+    point_middle_height_polynomial,
     second_height,
     second_normal,
     through_point_height,
@@ -114,13 +114,6 @@ def numerator_term_6(c):
     return velocity(c.first)[2] * second_normal(c)[1] * middle_height(c)
 
 
-@formula("eq. (25), D0", on="pair")
-def numerator_of_six_terms(c):
-    """The sum of the six terms of D0, with their signs."""
-    pairs = numerator_term_1(c) - numerator_term_2(c), numerator_term_4(c) - numerator_term_3(c)
-    return pairs[0] + pairs[1] + (numerator_term_5(c) - numerator_term_6(c))
-
-
 @formula("eq. (23), D0", on="pair")
 def numerator_first_component(c):
     """D0 by Cramer's rule for (22)."""
@@ -145,6 +138,12 @@ def numerator_pair_2(c):
 def numerator_pair_3(c):
     """The two terms of D0 with the height of the third row."""
     return numerator_term_5(c) - numerator_term_6(c)
+
+
+@formula("eq. (25), D0", on="pair")
+def numerator_of_six_terms(c):
+    """The sum of the six terms of D0, with their signs."""
+    return numerator_pair_1(c) + numerator_pair_2(c) + numerator_pair_3(c)
 
 
 @formula("eq. (25), the denominators of its first row")
@@ -174,6 +173,12 @@ def foot_second_order(c):
     return norm2(c.gamma.d(1)) - dot(offset, c.gamma.d(2))
 
 
+@formula("§6.2, footnote c", on="point")
+def directrix_velocity_along_tangent(c):
+    """``δ′·γ′``."""
+    return dot(point_bisector_directrix_polynomial(c).d(1), c.gamma.d(1))
+
+
 @formula("eq. (31)", on="point")
 def directrix_through_point_plane(c):
     """``(δ − Q)·(γ′ × (γ − Q))``: zero when δ lies in the third plane."""
@@ -192,33 +197,10 @@ def point_bisector_by_numerator(c):
     return ruled(point_bisector_directrix_levelled(c), point_bisector_generator_polynomial(c))
 
 
-@formula("display below eq. (34)", on="point")
-def through_point_height_polynomial(c):
-    """``wQ·(D1 × (p − wQ))``."""
-    return dot(c.point * c.w, point_bisector_generator_polynomial(c))
-
-
-@formula("display below eq. (34)", on="point")
-def point_middle_normal_polynomial(c):
-    """``p − wQ``."""
-    return c.p - c.point * c.w
-
-
 @formula("eq. (34), as printed", on="point")
-def point_middle_height_printed(c):
-    """``½(‖p‖² − w‖Q‖²)``."""
-    return (norm2(c.p) - c.w * norm2(c.point)) / 2
-
-
-@formula("eq. (34), as printed", on="point")
-def directrix_numerators_printed(c):
-    """The numerators of Cramer's rule for (34)."""
-    rows = (
-        (D1(c), normal_height_polynomial(c)),
-        (point_bisector_generator_polynomial(c), through_point_height_polynomial(c)),
-        (point_middle_normal_polynomial(c), point_middle_height_printed(c)),
-    )
-    return cramer(rows[0], rows[1], rows[2])
+def point_middle_height_printed_in_full(c):
+    """``½(‖p‖² − w²‖Q‖²) + ½w(w − 1)‖Q‖²``: the last height of (34) and the error of the printed one."""
+    return point_middle_height_polynomial(c) + c.w * (c.w - 1) * norm2(c.point) / 2
 
 
 @formula("§6.2.1, below eq. (34)", on="point")
@@ -231,6 +213,12 @@ def directrix_denominator(c):
 def point_bisector_printed(c):
     """The surface of (34) with the last height as printed."""
     return ruled(point_bisector_directrix_printed(c), cross(D1(c), c.gamma - c.point))
+
+
+@formula("eq. (34), as printed", on="point")
+def point_bisector_printed_by_numerator(c):
+    """The surface of (34) with the last height as it is printed and the numerator of its generator."""
+    return ruled(point_bisector_directrix_printed(c), point_bisector_generator_polynomial(c))
 
 
 @formula("§6.2.2", on="point")

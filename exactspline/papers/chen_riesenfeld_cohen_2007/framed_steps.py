@@ -17,7 +17,9 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f0
 from exactspline.papers.chen_riesenfeld_cohen_2007.space import (
     binormal,
     binormal_squared,
+    focal_curve,
     normal,
+    psi,
     radius_vector,
     torsion,
 )
@@ -151,10 +153,28 @@ def focal_curve_by_parameter(c):
     return c.gamma + radius_vector(c) + focal_third_term(c)
 
 
+@formula("eq. (19)", on="framed space")
+def focal_third_term_by_arc_length(c):
+    """``‖γ′‖ (C − γ − (1/κ)N)``, C the centre of the osculating sphere."""
+    return (focal_curve(c) - c.gamma - radius_vector(c)) * c.sigma
+
+
 @formula("§5.6", on="framed space")
 def focal_surface_by_unit_binormal(c):
     """``γ + (1/κ)N + (1/τ)(1/κ)′B + λB`` with the unit vectors of (13)."""
     return ruled(focal_curve_by_parameter(c), unit_binormal(c))
+
+
+@formula("eq. (19)", on="framed space")
+def focal_curve_by_both_derivatives(c):
+    """``F + (‖γ′‖ − 1)(1/τ)Ψ``, F the focal curve."""
+    return focal_curve(c) + psi(c) / torsion(c) * (speed(c) - 1)
+
+
+@formula("§5.6", on="framed space")
+def focal_surface_directrix(c):
+    """The directrix of ``γ + (1/κ)N + (1/τ)(1/κ)′B + λB``."""
+    return focal_surface_by_unit_binormal(c).directrix
 
 
 @formula("§5.6", on="framed space")

@@ -79,9 +79,7 @@ def span_line_2(c):
 @formula("§3, [D1 D2 D21], third line", on="space")
 def span_line_3(c):
     """``−(p′ × p)·p″ ww′w″ + (p × p″)·p′ ww′w″``."""
-    p, w = c.p, c.w
-    weights = w * w.d(1) * w.d(2)
-    return -dot(cross(p.d(1), p), p.d(2)) * weights + dot(cross(p, p.d(2)), p.d(1)) * weights
+    return -span_other_term(c) + span_term(c)
 
 
 @formula("§3, [D1 D2 D21], third line", on="space")

@@ -93,7 +93,7 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     inside a segment are compared; a zero at a knot, a jump or an interval of zeros is listed in `left_out`. With
     `doubles` the error of double precision is measured too.
 
-    >>> from exactspline.splines.examples import example
+    >>> from exactspline.interchange.examples import example
     >>> found = conditioning(example("rational_cubic_s"), "zero_curvature", doubles=False)
     >>> [(str(f.form), f.degree, f.one_sign) for f in found.roots[0].forms], found.roots[0].compare("naive")
     ([('naive', 18, True), ('paper', 6, True), ('minimal', 3, True)], 1)
@@ -135,7 +135,7 @@ def _at_root(
     form: str, f: BSpline, minimal: BSpline, root: Root, multiplicity: int, double: Double | None
 ) -> FormAtRoot:
     """One form at a zero; `double` is what double precision gives, where it was tried."""
-    i = _segment_of(f, root)
+    i = segment_with(f, root)
     own, n = f.forms[i], f.degree
     factor = quotient(own, n, minimal.forms[i], minimal.degree)
     growth, one_sign = None, False
@@ -150,19 +150,20 @@ def _at_root(
 def _in_doubles(f: BSpline, roots: Sequence[Root], among: ZeroSet) -> dict[Root, Double]:
     """What double precision gives for zeros of a form, of which `among` are all."""
     found: dict[Root, Double] = {}
-    for i, own in groupby(roots, key=lambda root: _segment_of(f, root)):
+    for i, own in groupby(roots, key=lambda root: segment_with(f, root)):
         form, here = f.forms[i], list(own)
-        zeros = [(local(root)[0], _bracket(form, f.degree, root, among)) for root in here]
+        zeros = [(local(root)[0], bracket(form, f.degree, root, among)) for root in here]
         found |= zip(here, double_precision_roots(form, f.degree, zeros), strict=True)
     return found
 
 
-def _segment_of(f: BSpline, root: Root) -> int:
+def segment_with(f: BSpline, root: Root) -> int:
+    """The number of the segment on which a zero is."""
     assert root.segment is not None
     return f.breakpoints.index(root.segment[0])
 
 
-def _bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
+def bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
     """An interval of the local parameter with this zero of the form and no other, reaching halfway to the next
     ones or to the ends of the segment.
     """

@@ -54,7 +54,7 @@ def double_precision_root(form: Form, n: int, x: mpq, bracket: Interval) -> Doub
 
 def double_precision_roots(form: Form, n: int, zeros: Sequence[tuple[mpq, Interval]]) -> list[Double]:
     """The same for several zeros of one form, each with its bracket: all bisections go on side by side."""
-    points = _rounded(bezier(form, n))
+    points = to_doubles(bezier(form, n))
     if points is None:
         return [Double(None, "the coefficients span more than the range of doubles") for _ in zeros]
     starts = [
@@ -62,7 +62,7 @@ def double_precision_roots(form: Form, n: int, zeros: Sequence[tuple[mpq, Interv
         for x, (low, high) in zeros
         for j in range(STARTS)
     ]
-    found = _bisected(points, starts)
+    found = bisected(points, starts)
     result = []
     for k, (x, _) in enumerate(zeros):
         errors = [abs(from_float(y) - x) for y in found[k * STARTS : (k + 1) * STARTS] if y is not None]
@@ -70,7 +70,7 @@ def double_precision_roots(form: Form, n: int, zeros: Sequence[tuple[mpq, Interv
     return result
 
 
-def _rounded(points: list[mpq]) -> list[float] | None:
+def to_doubles(points: list[mpq]) -> list[float] | None:
     """The points to the nearest double, the largest near 2¹⁰⁰⁰; None where one that is not zero would be less than the
     smallest normal double.
     """
@@ -86,14 +86,14 @@ def _double(q: mpq) -> float:
     return int(q.numerator) / int(q.denominator)
 
 
-def _values(points: list[float], parameters: Sequence[float]) -> list[float]:
+def values_at(points: list[float], parameters: Sequence[float]) -> list[float]:
     """The values at parameters by de Casteljau's algorithm, all rounded alike: with numpy, where it is installed, for
     all parameters at once.
     """
     try:
         import numpy
     except ImportError:
-        return [_casteljau(points, t) for t in parameters]
+        return [de_casteljau(points, t) for t in parameters]
     t = numpy.array(parameters)
     u, column = 1.0 - t, numpy.array(points, dtype=float)[:, None]
     left, right = numpy.repeat(column, len(t), axis=1), numpy.empty((len(points), len(t)))
@@ -105,17 +105,18 @@ def _values(points: list[float], parameters: Sequence[float]) -> list[float]:
     return values
 
 
-def _casteljau(points: list[float], t: float) -> float:
+def de_casteljau(points: list[float], t: float) -> float:
+    """The value in doubles by de Casteljau's algorithm."""
     u = 1.0 - t
     while len(points) > 1:
         points = [u * a + t * b for a, b in pairwise(points)]
     return points[0]
 
 
-def _bisected(points: list[float], starts: Sequence[tuple[float, float]]) -> list[float | None]:
+def bisected(points: list[float], starts: Sequence[tuple[float, float]]) -> list[float | None]:
     """Where bisections end: neighbouring doubles, or a value of zero; None where there is no change of sign."""
-    first = _values(points, [low for low, _ in starts])
-    last = _values(points, [high for _, high in starts])
+    first = values_at(points, [low for low, _ in starts])
+    last = values_at(points, [high for _, high in starts])
     found: list[float | None] = [None] * len(starts)
     going = {
         k: start for k, start in enumerate(starts) if first[k] != 0 and last[k] != 0 and (first[k] > 0) != (last[k] > 0)
@@ -125,7 +126,7 @@ def _bisected(points: list[float], starts: Sequence[tuple[float, float]]) -> lis
         for k in [k for k, (low, high) in going.items() if not low < middles[k] < high]:
             found[k] = going.pop(k)[0]
             del middles[k]
-        for (k, middle), at in zip(middles.items(), _values(points, list(middles.values())), strict=True):
+        for (k, middle), at in zip(middles.items(), values_at(points, list(middles.values())), strict=True):
             low, high = going[k]
             if at == 0:
                 found[k] = middle

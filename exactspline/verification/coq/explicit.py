@@ -42,13 +42,13 @@ class RationalFunction(FieldOperand):
         return RationalFunction(fmpq_poly([to_fmpq(rational(value))]))
 
     def __add__(self, other: object) -> RationalFunction:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         return RationalFunction(self.top * right.bottom + right.top * self.bottom, self.bottom * right.bottom)
 
     def __mul__(self, other: object) -> RationalFunction:
-        right = self.beside(other)
+        right = self.coerced(other)
         if right is None:
             return NotImplemented
         return RationalFunction(self.top * right.top, self.bottom * right.bottom)

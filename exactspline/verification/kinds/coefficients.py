@@ -73,7 +73,7 @@ class Coefficients(Claim):
         once, or degree by degree.
         """
         formula = self.find(self.formula)
-        if not polynomial and _exists(
+        if not polynomial and is_decided(
             lambda: every_coefficient(formula(BernsteinTermReading().argument(CURVE, dimension)))
         ):
             return Finding(PROVED, Fact.NONE_VANISHES_FOR_ANY_DEGREE)
@@ -100,7 +100,7 @@ class Coefficients(Claim):
         return Finding(VERIFIED, Fact.NONE_VANISHES)
 
 
-def _exists(attempt: Any) -> bool:
+def is_decided(attempt: Any) -> bool:
     """Whether the reading of single terms decides, which is for formulas linear in p and in w."""
     try:
         return attempt() is not None

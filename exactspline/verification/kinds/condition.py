@@ -73,7 +73,7 @@ class Condition(ExampleClaim):
             return Finding(VERIFIED, found)
         for root, a, b in pairs:
             if a[0] >= b[1]:
-                witness = OnExample(Name(self.example), NotBetter(_place(root)))
+                witness = OnExample(Name(self.example), NotBetter(place_of_root(root)))
                 return Finding(REFUTED, found, witness=witness)
         return Finding(UNDECIDED, found)
 
@@ -90,5 +90,6 @@ def _condition(f: BSpline, root: Root) -> Enclosure:
     return condition_number(f.forms[i], f.degree, root, root.multiplicity)
 
 
-def _place(root: Root) -> AtKnot | Isolated:
+def place_of_root(root: Root) -> AtKnot | Isolated:
+    """Where a root is, as a typed place."""
     return AtKnot(root.low) if root.at_knot else Isolated(root.low, root.high)

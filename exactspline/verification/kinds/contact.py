@@ -165,19 +165,19 @@ def is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
                 "the formula speaks of derivatives of the second curve", remedy="contact is that of the point at s̄"
             )
     names = [name for name in BARRED[:dimension] if name in second]
-    rows = [[_partial(x, ring.index[name, (0,)]) for name in names] for x in value]
+    rows = [[partial_derivative(x, ring.index[name, (0,)]) for name in names] for x in value]
     met = [[on_diagonal(entry) for entry in row] for row in rows]
-    return _rank(met) < _rank(rows)
+    return rank_of(met) < rank_of(rows)
 
 
-def _partial(x: JetFraction, i: int) -> JetFraction:
+def partial_derivative(x: JetFraction, i: int) -> JetFraction:
     """The derivative by one variable, up to the square of the denominator."""
     top, bottom = (JetFraction(x.ring, p, x.ring.context.constant(1)) for p in (x.top, x.bottom))
     d_top, d_bottom = (JetFraction(x.ring, p.derivative(i), x.ring.context.constant(1)) for p in (x.top, x.bottom))
     return d_top * bottom - top * d_bottom
 
 
-def _rank(rows: list[list[JetFraction]]) -> int:
+def rank_of(rows: list[list[JetFraction]]) -> int:
     """The rank of a matrix, by elimination."""
     rows, rank = [list(row) for row in rows], 0
     for column in range(len(rows[0])):

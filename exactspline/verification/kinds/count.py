@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from dataclasses import field
+from itertools import pairwise
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
+from exactspline.language.formula import Formula
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
@@ -91,6 +93,10 @@ class Count(ExampleClaim):
 
     def _counted(self, what: Counter, value: Any, own: Evaluation) -> int | None:
         """One of the numbers; None where there are infinitely many, or where it is not one of the formula."""
+        if what == Counter.CUSPS:
+            return _cusps(self.find(self.formula), own)
+        if what == Counter.ENDS:
+            return _at_ends(own)
         numerators = split(value)[0]
         if what == Counter.DEGREE:
             return int(value.degree)
@@ -104,14 +110,14 @@ class Count(ExampleClaim):
         zero_set = zeros(only_component(self, self.formula, lowest[0]), periodic=own.curve.closed)
         if what == Counter.ROOTS:
             return None if zero_set.intervals else len(zero_set)
-        return _extrema(zero_set, own)
+        return count_of_extrema(zero_set, own)
 
 
 #: What is counted at knots.
 CONTINUITIES = {Counter.NOMINAL_CONTINUITY, Counter.TRUE_CONTINUITY}
 
 
-def _extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
+def count_of_extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
     """The number of extrema of the curvature, if a formula with these zeros changes its sign there and nowhere else;
     else None: the formula does not determine them.
     """
@@ -122,3 +128,20 @@ def _extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
     changes += [jump_root(jump) for jump in zero_set.jumps if jump.sign_change]
     same = len(found) == len(changes) and all(any(each.root == root for root in changes) for each in found)
     return len(found) if same and not zero_set.intervals else None
+
+
+def _at_ends(own: Evaluation) -> int:
+    """The most extrema of the curvature that lie at the ends of one segment, where κ′ changes its sign by a jump."""
+    from exactspline.geometry.analysis import analyse
+
+    jumps = [each.root for each in analyse(own.curve).curvature_extrema if each.by_jump]
+    return max(sum(root in ends for root in jumps) for ends in pairwise(own.curve.breakpoints))
+
+
+def _cusps(formula: Formula, own: Evaluation) -> int | None:
+    """The number of places where a derived curve turns back, between its poles; None where it is not one curve."""
+    from exactspline.geometry.derived import derive
+    from exactspline.geometry.poles import between_poles
+
+    derived = derive(formula, own.curve)
+    return None if derived.missing else len(between_poles(derived).reversals)

@@ -18,7 +18,7 @@ from exactspline.readings.differential_order import order_of
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_lowest_terms import in_lowest_terms
-from exactspline.splines.tensor_parts import Degrees
+from exactspline.splines.tensor_patches import Degrees
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed

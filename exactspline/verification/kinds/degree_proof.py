@@ -49,26 +49,26 @@ def decide(claim: DegreeStatement, dimension: int, polynomial: bool) -> Finding:
     formula = claim.find(claim.formula)
     zero = claim.curve != ArgumentKind.TABLE and vanishes(formula, dimension, polynomial)
     if claim.measure == Measure.NOMINAL:
-        return _held(claim, DegreeFound(_nominal(claim, dimension, polynomial), as_written=zero))
+        return held_against(claim, DegreeFound(_nominal(claim, dimension, polynomial), as_written=zero))
     if zero:
         return vacuous(Fact.VANISHES)
     if claim.parameter == Parameter.SECOND:
         formula = transposed(formula)
     if claim.measure == Measure.TRUE:
-        computed, lower = _true(formula, dimension, polynomial, _counted(claim))
-        return _held(claim, DegreeFound(computed), lower)
+        computed, lower = agreed_degree(formula, dimension, polynomial, _counted(claim))
+        return held_against(claim, DegreeFound(computed), lower)
     found = reduction_of(formula, dimension, polynomial, _counted(claim))
     part = found.main
     if claim.measure == Measure.HEIGHT:
         height = part.true.j if part.true else -1
-        return _held(claim, DegreeFound(Degree.number(height)))
+        return held_against(claim, DegreeFound(Degree.number(height)))
     if claim.measure == Measure.REDUCED:
         lower = (
             dict(part.true.lower)
             if part.true
             else lower_degrees([j for j in part.reduced if not j.is_zero], part.parameter)
         )
-        return _held(claim, DegreeFound(part.generic, _grading(part.true)), lower, part.cancelled)
+        return held_against(claim, DegreeFound(part.generic, _grading(part.true)), lower, part.cancelled)
     return _lowest(claim, found)
 
 
@@ -93,7 +93,9 @@ def _nominal(claim: DegreeStatement, dimension: int, polynomial: bool) -> Degree
     return degree
 
 
-def _true(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter) -> tuple[Degree, dict[int, int]]:
+def agreed_degree(
+    formula: Formula, dimension: int, polynomial: bool, parameter: Parameter
+) -> tuple[Degree, dict[int, int]]:
     """The true degree on the generic curve, at infinity and by the degree theorem: two readings that must agree."""
     value = formula(JetReading(order_of(formula, dimension)).argument(formula.kind, dimension, polynomial=polynomial))
     jets, denominator = split(value)
@@ -139,10 +141,10 @@ def _lowest(claim: DegreeStatement, found: Reduction) -> Finding:
         n = -1 if vanishes else degree_at(without_content(cut), d, parameter)
         if n != computed.at(dict.fromkeys(computed.names, d)):
             lower[d] = n
-    return _held(claim, DegreeFound(computed), lower, found.main.cancelled)
+    return held_against(claim, DegreeFound(computed), lower, found.main.cancelled)
 
 
-def _held(
+def held_against(
     claim: DegreeStatement, found: DegreeFound, lower: Mapping[int, int] = NONE_LOWER, factor: Found | None = None
 ) -> Finding:
     """A computed degree against the claimed one, for every d from the least one on; with every exception."""

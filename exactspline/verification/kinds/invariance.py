@@ -191,19 +191,19 @@ class Invariance(Claim):
             factor = k[SPEED]
             plain = Curve(curve.p * factor, curve.w * factor, point=curve.point)
             beside = {each: curve.operands()[each] for each in getattr(formula.kind, "constants", ())}
-            value = _times(_components(formula(curve)), factor, self.weight)
+            value = times_unit(_components(formula(curve)), factor, self.weight)
             return _components(formula(Accompanied(plain, beside))), value
         made = MAPS[name]
         value = self._carried(_components(formula(curve)), made, k, curve.w.constant(1))
         unit = made.unit(curve.p, curve.w, k) if made.unit else None
-        return _components(formula(_moved(curve, made, k))), _times(value, unit, self.weight)
+        return _components(formula(_moved(curve, made, k))), times_unit(value, unit, self.weight)
 
     def _in_other_parameter(self, formula: Formula, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
         """The curve differentiated by another parameter, with an indeterminate ds/dt."""
         rho = k[SPEED]
         changed = curve.mapped(lambda x: InOtherParameter(x, rho))
         moved = [x.value for x in _components(formula(changed))]
-        return moved, _times(_components(formula(curve)), rho, self.weight)
+        return moved, times_unit(_components(formula(curve)), rho, self.weight)
 
     def _carried(self, value: list[Any], made: Map, k: Mapping[str, Any], one: Any) -> list[Any]:
         """The value, moved along where it is a vector or a point."""
@@ -211,7 +211,7 @@ class Invariance(Claim):
             return value
         if self.nature == Nature.VECTOR:
             return list(made.of_vector(Vector(*value), one, k))
-        return _image(Vector(*value), made, k, one)
+        return image_of_point(Vector(*value), made, k, one)
 
 
 def _differs_under(name: Name, segment: OnSegment, difference: Any) -> DifferUnder:
@@ -257,7 +257,8 @@ def _components(value: Any) -> list[Any]:
     return [value[i] for i in range(len(value))] if value.is_vector else [value]
 
 
-def _times(value: list[Any], unit: Any, weight: int) -> list[Any]:
+def times_unit(value: list[Any], unit: Any, weight: int) -> list[Any]:
+    """A value times a power of the unit."""
     if unit is None or not weight:
         return value
     power = unit ** abs(weight)
@@ -267,10 +268,11 @@ def _times(value: list[Any], unit: Any, weight: int) -> list[Any]:
 def _moved(curve: Any, made: Map, k: Mapping[str, Any]) -> Curve[Any]:
     """The curve under a map, and its point with it."""
     p, w = made.image(curve.p, curve.w, k)
-    point = None if curve.point is None else Vector(*_image(curve.point, made, k, curve.w.constant(1)))
+    point = None if curve.point is None else Vector(*image_of_point(curve.point, made, k, curve.w.constant(1)))
     return Curve(p, w, polynomial=curve.polynomial and made.affine, point=point)
 
 
-def _image(point: Vector[Any], made: Map, k: Mapping[str, Any], one: Any) -> list[Any]:
+def image_of_point(point: Vector[Any], made: Map, k: Mapping[str, Any], one: Any) -> list[Any]:
+    """The coordinates of a point's image under a map."""
     top, below = made.image(point, one, k)
     return list(top) if made.affine else [x / below for x in top]

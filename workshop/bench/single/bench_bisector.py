@@ -1,12 +1,13 @@
 """Bisectors of rational cubics of one segment and of eight: the forms of §6, against the same determinants over other
 polynomials.
 
-python-flint has two routes to polynomials in two variables: its own ``fmpz_mpoly``, and ``fmpz_poly`` with the second
-variable a power of the first ("packed"). Both are written inline for the symmetric form: what depends on one parameter
-is computed once a segment, every minor once, no continuity and no structure is kept. The same inline code runs over
-sympy's sparse rings of integers ("sympy inline", the fastest that sympy has), and sympy's ``Poly`` runs the library's
-own formulas, as in the other benchmarks. The point/curve forms are written inline over ``fmpz_poly``. `test_targets`
-holds the ratios; ``python -m workshop.bench.single.bench_bisector`` prints medians of one run, ratios and memory.
+python-flint has two routes to polynomials in two variables: ``fmpz_mpoly``, and ``fmpz_poly`` with the second variable
+a power of the first ("packed"). Both are written inline for the symmetric form: what depends on one parameter is
+computed once per segment, every minor once, and neither continuity nor structure is tracked. The same inline code runs
+over sympy's sparse rings of integers ("sympy inline", the fastest that sympy has), and sympy's ``Poly`` runs the
+library's formulas, as in the other benchmarks. The point/curve forms are written inline over ``fmpz_poly``.
+`test_targets` holds the ratios; ``python -m workshop.bench.single.bench_bisector`` prints medians of one run, ratios
+and memory.
 """
 
 import os
@@ -69,7 +70,7 @@ def finished(value):
 
 def ours(name, segments):
     formula = find(name)
-    # curves made beforehand: what is timed is the whole computation, nothing of it remembered
+    # curves are constructed beforehand: the whole computation is timed, without memoized values
     made = iter([curves(segments) for _ in range(100)])
 
     def run():
@@ -84,11 +85,11 @@ def ours(name, segments):
 
 def segment_forms(c):
     """x, y, z, w of every segment over one denominator, and the denominator."""
-    found = []
+    segments = []
     for forms in zip(*[spline.forms for spline in (*c.p, c.w)], strict=True):
         m = fmpz(lcm(*[int(k) for _, k in forms]))
-        found.append(([p * (m // k) for p, k in forms], m))
-    return found
+        segments.append(([p * (m // k) for p, k in forms], m))
+    return segments
 
 
 def symmetric(segments, embed_s, embed_t):
@@ -102,7 +103,7 @@ def symmetric(segments, embed_s, embed_t):
     return run
 
 
-#: Room for degree 11 in the first parameter.
+#: Packing stride: room for degree 11 in the first parameter.
 STRIDE = 4 * DEGREE
 
 
@@ -182,7 +183,7 @@ def sympy_formula(name, segments):
     return lambda: [finished(formula(argument)) for argument in arguments]
 
 
-# ---- what is run
+# ---- the cases
 
 ROUTES = {
     "exactspline": ours,
@@ -194,7 +195,7 @@ ROUTES = {
 }
 INLINE = {"bisector_symmetric": ("python-flint packed", "python-flint fmpz_mpoly", "sympy inline")}
 INLINE |= dict.fromkeys(POINTS[1:], ("python-flint inline",))
-#: Left out: of eight segments sympy would take minutes for these.
+#: Omitted: with eight segments sympy would take minutes for these.
 SLOW = [("bisector", 8), ("bisector_levelled", 8), ("bisector_polynomial", 8)]
 CASES = [
     (name, segments, who)
@@ -206,7 +207,7 @@ CASES = [
 
 
 def check(name, segments, who):
-    """The peer's first patch is ours, as a function."""
+    """Check that the peer's first patch equals ours as a function."""
     value, peer = ours(name, segments)(), ROUTES[who](name, segments)()[0]
     value, peer = getattr(value, "directrix", value), getattr(peer, "directrix", peer)
     place = (sympy.Rational(1, 3), sympy.Rational(2, 5))[: 1 if name in POINTS else 2]
@@ -244,7 +245,7 @@ def rounds(segments, who):
 
 
 def milliseconds(name, segments, summary):
-    """Milliseconds of every route, in turns in one run, so that the load of the machine falls on all alike."""
+    """Milliseconds of every route, in turns in one run, so that the load of the machine affects all equally."""
     runs = {who: ROUTES[who](name, segments) for n, k, who in CASES if (n, k) == (name, segments)}
     times = {who: [] for who in runs}
     for i in range(rounds(segments, "exactspline")):
@@ -256,7 +257,7 @@ def milliseconds(name, segments, summary):
     return {who: summary(own) for who, own in times.items()}
 
 
-#: Against whom, at most this multiple of the other's best time, with eight segments. Not held with one: there each of
+#: The peer, and the largest allowed multiple of its best time, with eight segments. Not held with one: there each of
 #: the 120 operations of the #: symmetric form costs some three microseconds of Python, all together three times what
 #: FLINT needs, and sympy's ``Poly`` takes but 20 to 35 times #: as long as exactspline. Nor held against "sympy
 #: inline", to which python-flint itself is but 40 to 60 times as fast.
@@ -264,30 +265,30 @@ TARGETS = [("python-flint packed", 2), ("python-flint fmpz_mpoly", 2), ("sympy P
 
 
 def targets():
-    """The ratios that are to be reached, for people."""
+    """Print the ratios and their targets."""
     took = milliseconds("bisector_symmetric", 8, min)
     for who, limit in TARGETS:
-        print(f"exactspline / {who}: {took['exactspline'] / took[who]:.3f} (at most {limit:.3f} is wanted)", flush=True)
+        print(f"exactspline / {who}: {took['exactspline'] / took[who]:.3f} (target: at most {limit:.3f})", flush=True)
 
 
-# ---- for people
+# ---- printed tables
 
 
 def memory(name, segments, who):
-    """Peak of Python's own allocations, and growth of the resident size (FLINT's numbers included), in MB, each in a
-    process of its own.
+    """Peak of Python's allocations, and growth of the resident size (FLINT's numbers included), in MB, each in a
+    separate process.
     """
-    found = []
+    megabytes = []
     for kind in ("python", "resident"):
         done = subprocess.run(
             [sys.executable, __file__, kind, name, str(segments), who], capture_output=True, text=True, check=True
         )
-        found.append(int(done.stdout) / 2**20)
-    return found
+        megabytes.append(int(done.stdout) / 2**20)
+    return megabytes
 
 
 def peak():
-    """Largest resident size so far of this process (Linux; what `resource` tells is inherited from the parent)."""
+    """Peak resident size of this process so far (Linux; the value of `resource` is inherited from the parent)."""
     status = Path("/proc/self/status").read_text(encoding="ascii")
     return 1024 * int(re.search(r"VmHWM:\s*(\d+)", status)[1])
 

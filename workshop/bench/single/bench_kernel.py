@@ -2,9 +2,9 @@
 fractions.Fraction.
 
 Every benchmark is reported together with its peers on the same data in one group, so that ratios can be read off the
-table. The curve's cached derivatives are dropped before every run. Control points are timed apart, as they are made
-when asked for. sympy is timed with its own polynomials: with python-flint installed it would silently hand its
-polynomials to FLINT (SYMPY_GROUND_TYPES=flint times that).
+table. The curve's cached derivatives are dropped before every run. Control points are timed separately, since they are
+computed on demand. sympy is timed with its Python polynomials: with python-flint installed it would silently delegate
+to FLINT (SYMPY_GROUND_TYPES=flint times that).
 """
 
 import os

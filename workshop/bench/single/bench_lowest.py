@@ -1,7 +1,7 @@
 """From control points to all vertices: squaring, the paper's form and the lowest one, on the same curves in one run.
 
 As a script it prints a table and draws it: ``python -m workshop.bench.single.bench_lowest --plot lowest.svg``; with
-``--most 600`` a form that would have more degrees times segments than that is left out (squaring soon has).
+``--most 600`` a form whose degree times number of segments would exceed that is omitted (squaring soon does).
 """
 
 import argparse
@@ -17,12 +17,12 @@ from exactspline.roots.zero_set import zeros
 
 FORMS = ("squaring", "paper", "minimal")
 DEGREES, SEGMENTS = (2, 3, 4, 5, 6), (1, 3, 10, 30, 100)
-#: 48d, 9d − 6, 8d − 12: what a form costs, before it is computed.
+#: The degrees 48d, 9d − 6, 8d − 12: an estimate of the cost of a form before it is computed.
 EXPECTED = {"squaring": lambda d: 48 * d, "paper": lambda d: 9 * d - 6, "minimal": lambda d: 8 * d - 12}
 
 
 def curve(degree, segments, seed=1):
-    """A rational curve with uniform knots that wanders: integer control points, integer weights."""
+    """A random rational curve with uniform knots, integer control points and integer weights."""
     numbers = random.Random(seed + 1000 * degree + segments)
     knots = [0] * degree + list(range(segments + 1)) + [segments] * degree
     x, y, points = 0, 0, []
@@ -34,7 +34,7 @@ def curve(degree, segments, seed=1):
 
 @dataclass
 class Cost:
-    """What one form costs on one curve."""
+    """The cost of one form on one curve."""
 
     form: str
     degree: int
@@ -48,8 +48,8 @@ class Cost:
 
 
 def cost(form, degree, segments, rounds=3):
-    """Build the form from control points, then all its zeros, certified: the best of several rounds, each on a curve
-    made afresh.
+    """Build the form from control points, then all its zeros, certified: the best of several rounds, each on a newly
+    constructed curve.
     """
     build = solve = float("inf")
     for _ in range(rounds):
@@ -57,10 +57,10 @@ def cost(form, degree, segments, rounds=3):
         start = perf_counter()
         f = zero_form_only(c, form)
         built = perf_counter()
-        found = zeros(f)
+        zero_set = zeros(f)
         build, solve = min(build, built - start), min(solve, perf_counter() - built)
     bits = sum(int(x).bit_length() for p in f.polynomials for x in p.coeffs())
-    return Cost(form, degree, segments, f.degree, len(f.control_points), bits, build, solve, len(list(found)))
+    return Cost(form, degree, segments, f.degree, len(f.control_points), bits, build, solve, len(list(zero_set)))
 
 
 def zero_form_only(c, form):
@@ -129,7 +129,7 @@ def draw(rows, path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--plot", default="", help="an SVG or PNG file to draw into")
-    parser.add_argument("--most", type=int, default=10**9, help="leave out forms of more degrees times segments")
+    parser.add_argument("--most", type=int, default=10**9, help="omit forms whose degree times segments exceeds this")
     chosen = parser.parse_args()
     rows = []
     for row in measured(chosen.most):

@@ -1,9 +1,8 @@
 """Inflections and curvature extrema of many plane curves: one by one in exact arithmetic, and as a batch of arrays.
 
 ``python -m workshop.bench.single.bench_many [count]`` prints processor milliseconds per curve. The 400 curves of the
-first table have degrees 2 to 5 and one to four segments, half of them are rational; once with small integers, once
-with doubles. The batches are random Bézier curves, each answer certified; the share that went to exact arithmetic is
-told.
+first table have degrees 2 to 5 and one to four segments, half of them are rational; once with small integers, once with
+doubles. The batches are random Bézier curves, each answer certified; the share decided by exact arithmetic is shown.
 """
 
 import random
@@ -35,12 +34,12 @@ def curves(count, seed=1, *, doubles=False):
 
 def features(curve):
     """Inflections and extrema of one curve."""
-    found = analyse(curve)
-    return found.inflections, found.curvature_extrema
+    analysis = analyse(curve)
+    return analysis.inflections, analysis.curvature_extrema
 
 
 def milliseconds(work, count):
-    """Processor time a piece of work, the best of three."""
+    """Processor time per item, the best of three runs."""
     best = float("inf")
     for _ in range(3):
         start = process_time()
@@ -56,19 +55,19 @@ def main(count):
         making = milliseconds(lambda data=data: [Nurbs(*each) for each in data], len(data))
         both = milliseconds(lambda data=data: [features(Nurbs(*each)) for each in data], len(data))
         name = "doubles" if doubles else "integers"
-        print(f"400 curves, {name}: {both - making:.3f} ms a curve, making them {making:.3f}", flush=True)
+        print(f"400 curves, {name}: {both - making:.3f} ms per curve, construction {making:.3f}", flush=True)
     numbers = np.random.default_rng(1)
     for degree in (2, 3, 4, 5):
         points, weights = numbers.uniform(-9, 9, (count, degree + 1, 2)), numbers.uniform(0.5, 4, (count, degree + 1))
         for w in (None, weights):
             features_of_many(points[:64], None if w is None else w[:64])
             start = process_time()
-            found = features_of_many(points, w)
-            each, exact = 1000 * (process_time() - start) / count, 100 * len(found.exact) / count
+            many = features_of_many(points, w)
+            each, exact = 1000 * (process_time() - start) / count, 100 * len(many.exact) / count
             kind = "polynomial" if w is None else "rational"
             print(
-                f"{count} Bézier curves of degree {degree}, {kind}: {each:.4f} ms a curve, {exact:.2f} % exactly, "
-                f"{len(found.curve)} features, median width {np.median(found.high - found.low):.0e}",
+                f"{count} Bézier curves of degree {degree}, {kind}: {each:.4f} ms per curve, {exact:.2f} % exactly, "
+                f"{len(many.curve)} features, median width {np.median(many.high - many.low):.0e}",
                 flush=True,
             )
 

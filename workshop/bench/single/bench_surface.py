@@ -1,5 +1,5 @@
-"""Surfaces: the form with the sign of K, its sign proved, all umbilics of bicubics; beside the same forms inline over
-bare polynomials of python-flint and over sympy's.
+"""Surfaces: the form with the sign of K, its sign proved, all umbilics of bicubics; compared with the same forms inline
+over bare polynomials of python-flint and over sympy's.
 """
 
 import os
@@ -34,14 +34,14 @@ def patch(degree, seed, rational):
 
 
 def fresh(surface):
-    """The surface made anew: nothing of it is remembered."""
+    """The surface constructed anew, without memoized values."""
     return (NurbsSurface(surface.degree, *surface.knots, surface.control_points, surface.weights),), {}
 
 
 def homogeneous(surface, one, u, v):
     """``(w, p)`` as polynomials in u and v, of Bézier points."""
     (m, n) = surface.degree
-    found = []
+    polynomials = []
     for f in (surface.w, *surface.p):
         net = f.elevate_degree(m - f.degree.s, n - f.degree.t).bezier_net(0, 0)
         total = one * 0
@@ -49,12 +49,12 @@ def homogeneous(surface, one, u, v):
             for j in range(n + 1):
                 factor = sympy.binomial(m, i) * sympy.binomial(n, j) * int(net[i][j])
                 total += one * int(factor) * u**i * (1 - u) ** (m - i) * v**j * (1 - v) ** (n - j)
-        found.append(total)
-    return found
+        polynomials.append(total)
+    return polynomials
 
 
 def inline_parabolic(lift, d):
-    """[P P_u P_v P_uu][P P_u P_v P_vv] − [P P_u P_v P_uv]², d(f, k) the derivative by parameter k."""
+    """[P P_u P_v P_uu][P P_u P_v P_vv] − [P P_u P_v P_uv]², d(f, k) is the derivative with respect to parameter k."""
     first = [[d(x, k) for x in lift] for k in (0, 1)]
     uu, uv, vv = [d(x, 0) for x in first[0]], [d(x, 1) for x in first[0]], [d(x, 1) for x in first[1]]
 

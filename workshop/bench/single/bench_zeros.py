@@ -2,7 +2,7 @@
 
 PARI's ``polrootsreal`` gives floating-point numbers without a bound, python-flint all complex roots in balls, sympy
 intervals. The polynomials are f2, g2 and the naive (κ²)′ of rational Bézier curves, and random ones in Bernstein form.
-`test_targets` holds the ratios; the rest is for looking at.
+`test_targets` checks the ratios; the rest is printed only.
 """
 
 import os
@@ -107,7 +107,7 @@ def test_roots(benchmark, name, digits, tool):
 
 
 def seconds(tool, name, digits):
-    """Best of a few runs."""
+    """The best of a few runs, in seconds."""
     TOOLS[tool](name, 20)
     times = []
     for _ in range(1 if tool == "sympy" else 7):
@@ -117,7 +117,7 @@ def seconds(tool, name, digits):
     return min(times)
 
 
-#: Against whom, digits, at most this multiple of the other's time.
+#: The peer, the digits, and the largest allowed multiple of its time.
 TARGETS = [
     ("PARI", 50, 4),
     ("PARI", 1000, 2),
@@ -132,19 +132,19 @@ HELD = [name for name in CASES if int(name.split()[-1]) > 20 and name != "naive,
 
 
 def targets():
-    """The ratios that are to be reached, for people."""
+    """Print the ratios and their targets."""
     for name in HELD:
         for tool, digits, limit in TARGETS:
             if (name, digits, tool) in COMBINATIONS:
                 ratio = seconds("exactspline", name, digits) / seconds(tool, name, digits)
                 print(
-                    f"{name:24}{digits:6} digits  exactspline / {tool}: {ratio:.3f} (at most {limit:.3f} is wanted)",
+                    f"{name:24}{digits:6} digits  exactspline / {tool}: {ratio:.3f} (target: at most {limit:.3f})",
                     flush=True,
                 )
 
 
 def table():
-    """Milliseconds of every tool, for people: ``python -m workshop.bench.single.bench_zeros``."""
+    """Print the milliseconds of every tool: ``python -m workshop.bench.single.bench_zeros``."""
     for name in CASES:
         for digits in (50, 1000):
             row = {tool: 1000 * seconds(tool, name, digits) for tool in TOOLS if (name, digits, tool) in COMBINATIONS}

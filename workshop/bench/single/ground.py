@@ -1,6 +1,6 @@
-"""What several benchmarks have in common: random curves from a fixed seed, a fresh start for every round.
+"""Shared by several benchmarks: random curves from a fixed seed, a fresh start for every round.
 
-What is written inline over bare polynomials is in `workshop.bench.inline`.
+The inline code over bare polynomials is in `workshop.bench.inline`.
 """
 
 import random
@@ -16,5 +16,5 @@ def curve(degree, segments=1, dimension=2):
 
 
 def fresh(c):
-    """The curve made anew: what is timed is the whole computation, nothing of it remembered."""
+    """The curve constructed anew: the whole computation is timed, without memoized values."""
     return (Nurbs(c.degree, c.knots, c.control_points, c.weights),), {}

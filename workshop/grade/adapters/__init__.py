@@ -1,4 +1,4 @@
-"""One module per library: its own calls behind the same questions.
+"""One module per library: the library's calls behind a common set of questions.
 
 An adapter converts numbers and picks out results; it never repairs an answer. Questions that a library does not offer,
 or does not claim to support, are not asked.

@@ -57,7 +57,7 @@ class Bezier(Adapter):
         return [float(self._curve(given).length)]
 
     def roots(self, given: Given) -> list[list[float]]:
-        """``curve.intersect(line)`` with a line along y = 0 that reaches beyond the control points."""
+        """``curve.intersect(line)`` with a line along y = 0 that extends beyond the control points."""
         import bezier
         import numpy as np
 

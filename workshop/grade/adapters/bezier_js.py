@@ -45,9 +45,9 @@ class BezierJs(Adapter):
         )
 
     def version(self) -> str:
-        """Of its package.json."""
-        found: dict[str, str] = json.loads((self.folder / "package.json").read_text(encoding="utf-8"))
-        return found["version"]
+        """The version in its package.json."""
+        package: dict[str, str] = json.loads((self.folder / "package.json").read_text(encoding="utf-8"))
+        return package["version"]
 
     def can(self, question: str, given: Given) -> bool:
         """Segments of degree 2 and 3 in the plane."""

@@ -1,4 +1,4 @@
-"""Shared by the adapters: the curve as it is passed to a library, and how a library is asked."""
+"""Shared by the adapters: the curve as it is passed to a library, and the interface to a library."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from workshop.grade.data import GivenData, Rows, WithKnots
 class Given:
     """A curve of doubles, Cartesian control points, and the parameter that a question is about.
 
-    `finer` is the same curve with that parameter as an additional knot, where it is to be removed.
+    `finer` is the same curve with that parameter as an additional knot, for the question that removes it.
     """
 
     degree: int
@@ -27,8 +27,8 @@ class Given:
     def of(cls, data: GivenData) -> Given:
         """From JSON data."""
         finer = data.get("finer")
-        own = data["degree"], data["knots"], data["points"], data["weights"], data["t"]
-        return cls(*own, finer=cls.of(finer) if finer else None)
+        fields = data["degree"], data["knots"], data["points"], data["weights"], data["t"]
+        return cls(*fields, finer=cls.of(finer) if finer else None)
 
     @property
     def dimension(self) -> int:
@@ -49,22 +49,22 @@ class Given:
 
     @property
     def distinct(self) -> tuple[list[float], list[int]]:
-        """The distinct knots and how often each is there."""
+        """The distinct knots and their multiplicities."""
         values = sorted(set(self.knots))
         return values, [self.knots.count(v) for v in values]
 
 
 class DeclinedError(Exception):
-    """A library reports itself that it has no answer."""
+    """A library reports that it has no answer."""
 
 
 class Adapter:
-    """A library: a question is a method that returns numbers, rows of control points, or a list of parameters for
-    every form asked about.
+    """A library: a question is a method that returns numbers, rows of control points, or a list of parameters for every
+    form in question.
     """
 
     name = ""
-    #: The package that is installed, where it has another name.
+    #: The installed package, where it has another name.
     package = ""
 
     def can(self, question: str, given: Given) -> bool:
@@ -72,7 +72,7 @@ class Adapter:
         return hasattr(self, question)
 
     def version(self) -> str:
-        """The version that is installed."""
+        """The installed version."""
         from importlib.metadata import version
 
         return version(self.package or self.name)
@@ -117,7 +117,7 @@ def with_knots(points: Rows, knots: Iterable[SupportsFloat]) -> WithKnots:
 
 
 def with_weights(points: Iterable[Iterable[SupportsFloat]], weights: Iterable[SupportsFloat] | None) -> Rows:
-    """Control points, of a rational curve with the weights over the first one."""
+    """Control points, for a rational curve with the weights divided by the first one."""
     if weights is None:
         return rows(points)
     ws = floats(weights)

@@ -7,8 +7,8 @@ from typing import Any
 from workshop.grade.adapters.common import Adapter, Given, rows
 from workshop.grade.data import Rows
 
-#: The tolerance of ``calcCubicArcLength``: until where it subdivides. It promises no error; its part of the length is
-#: taken for right.
+#: The tolerance at which ``calcCubicArcLength`` stops subdividing. It does not promise an error bound; this fraction of
+#: the length is accepted.
 TOLERANCE = 0.005
 
 
@@ -53,19 +53,19 @@ class FontTools(Adapter):
         from fontTools.misc import bezierTools
 
         cubic = given.degree == 3
-        found: Any = (bezierTools.calcCubicParameters if cubic else bezierTools.calcQuadraticParameters)(
+        parameters: Any = (bezierTools.calcCubicParameters if cubic else bezierTools.calcQuadraticParameters)(
             *self._points(given)
         )
-        solved = (bezierTools.solveCubic if cubic else bezierTools.solveQuadratic)(*[c[1] for c in found])
+        solved = (bezierTools.solveCubic if cubic else bezierTools.solveQuadratic)(*[c[1] for c in parameters])
         return [[float(t) for t in solved if 0 <= t <= 1]]
 
     def length(self, given: Given) -> list[float]:
-        """``calcCubicArcLength`` or ``calcQuadraticArcLength``; the second number is the error that is accepted."""
+        """``calcCubicArcLength`` or ``calcQuadraticArcLength``; the second number is the accepted error."""
         from fontTools.misc import bezierTools
 
         if given.degree == 3:
-            found = float(bezierTools.calcCubicArcLength(*self._points(given), TOLERANCE))
-            return [found, TOLERANCE * found]
+            arc_length = float(bezierTools.calcCubicArcLength(*self._points(given), TOLERANCE))
+            return [arc_length, TOLERANCE * arc_length]
         return [float(bezierTools.calcQuadraticArcLength(*self._points(given)))]
 
     def area(self, given: Given) -> list[float]:

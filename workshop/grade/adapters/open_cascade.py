@@ -1,4 +1,4 @@
-"""Open CASCADE by OCP (cadquery-ocp): `Geom_BSplineCurve`, `GeomLProp`, `BndLib`, `GCPnts`."""
+"""Open CASCADE through OCP (cadquery-ocp): `Geom_BSplineCurve`, `GeomLProp`, `BndLib`, `GCPnts`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class Array(Protocol):
     """An array of Open CASCADE."""
 
     def SetValue(self, index: int, value: object, /) -> None:
-        """Give the entry with an index its value."""
+        """Set the entry with an index."""
 
 
 A = TypeVar("A", bound=Array)
@@ -116,12 +116,12 @@ class OpenCascade(IncreasingDegree):
 
     def split(self, given: Given) -> Rows:
         """``curve.Segment(a, t)`` and ``curve.Segment(t, b)``."""
-        found = []
+        parts = []
         for a, b in ((given.knots[0], given.t), (given.t, given.knots[-1])):
             curve = self._curve(given)
             curve.Segment(float(a), float(b))
-            found += self._rows(curve, given)
-        return found
+            parts += self._rows(curve, given)
+        return parts
 
     def box(self, given: Given) -> list[float]:
         """``BndLib_Add3dCurve.AddOptimal``, whose box is enlarged by its gap; the last number is the allowed

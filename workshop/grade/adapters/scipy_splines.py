@@ -45,8 +45,8 @@ class SciPy(Adapter):
         from scipy.interpolate import PPoly
 
         # for an interval on which it vanishes scipy gives the start and then NaN
-        found = PPoly.from_spline(spline).roots(extrapolate=False)
-        return [float(x) for x in found if not isnan(x)]
+        roots = PPoly.from_spline(spline).roots(extrapolate=False)
+        return [float(x) for x in roots if not isnan(x)]
 
     def roots(self, given: Given) -> list[list[float]]:
         """``PPoly.from_spline(spline).roots(extrapolate=False)``."""

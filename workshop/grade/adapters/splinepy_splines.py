@@ -14,7 +14,7 @@ class Splinepy(Adapter):
     name = "splinepy"
 
     def can(self, question: str, given: Given) -> bool:
-        """An inner knot: at the ends the wheel is known to abort the process (isosuite/splinepy#215)."""
+        """Inner knots only: at the ends the wheel is known to abort the process (isosuite/splinepy#215)."""
         inside = given.knots[0] < given.t < given.knots[-1]
         return super().can(question, given) and (inside or question not in ("insert", "remove"))
 

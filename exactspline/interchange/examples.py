@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal, overload
 
 from exactspline.errors import CurveFileError, FormulaError, as_path, as_text, nearest
-from exactspline.splines.curve_files import curve_from_text, read_curve, write_json
+from exactspline.interchange.curve_files import curve_from_text, read_curve, write_json
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -123,7 +123,7 @@ def example_surface(name: str) -> NurbsSurface:
 
     Raises `CurveFileError` with the nearest names.
     """
-    from exactspline.splines.surface_files import surface_from_text
+    from exactspline.interchange.surface_files import surface_from_text
 
     if as_text(name, "the name of a surface") not in example_surface_names():
         remedy = nearest(name, example_surface_names(), listed_by="list surfaces")
@@ -138,7 +138,7 @@ def load_surface(name_or_path: str) -> NurbsSurface:
     >>> load_surface("enneper").degree
     (3, 3)
     """
-    from exactspline.splines.surface_files import read_surface
+    from exactspline.interchange.surface_files import read_surface
 
     name_or_path = as_path(name_or_path)
     is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()

@@ -2,8 +2,9 @@
 as ints, decimals or text.
 
 A control point is a list of coordinates, or ``{"vector": [x, y]}`` for a direction (see `Direction`), whose weight is
-0. A number in JSON is read as the decimal it shows: 0.1 is 1/10. What ``derive`` and ``bisector`` wrote is read too:
-where it is one curve in one piece, and any piece copied out of it, over the part of the domain that the piece has.
+0. A number in JSON is read as a decimal: 0.1 is 1/10. Output of ``derive`` and ``bisector`` is also read, if it is a
+single curve in one piece; so is any piece copied from it, restricted to the part of the domain that belongs to the
+piece.
 """
 
 from __future__ import annotations
@@ -15,12 +16,7 @@ from typing import Any
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, as_path, as_text
-from exactspline.numbers.exact import mpq, rational
-from exactspline.splines.bspline import BSpline
-from exactspline.splines.control_points import exact_points
-from exactspline.splines.expected import curve_of
-from exactspline.splines.given import checked_degree
-from exactspline.splines.json_files import (
+from exactspline.interchange.json_files import (
     CURVE,
     MAX_BYTES,
     check_fields,
@@ -31,6 +27,11 @@ from exactspline.splines.json_files import (
     whole_degree,
     written_point,
 )
+from exactspline.numbers.exact import mpq, rational
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.control_points import exact_points
+from exactspline.splines.expected import curve_of
+from exactspline.splines.given import checked_degree
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
@@ -40,8 +41,8 @@ __all__ = ["MAX_BYTES", "curve_data", "curve_from_data", "curve_from_text", "rea
 def read_curve(path: str | os.PathLike[str]) -> Nurbs:
     """The curve in a file.
 
-    Raises `CurveFileError` (missing, a directory, unreadable, too large, not JSON, a field missing or unknown) or the
-    error of the field at fault, the file named in front.
+    Raises `CurveFileError` (file missing, a directory, unreadable, too large, not JSON; a field missing or unknown) or
+    the error for an invalid field, preceded by the name of the file.
     """
     place, text = text_of_file(path)
     try:
@@ -51,7 +52,7 @@ def read_curve(path: str | os.PathLike[str]) -> Nurbs:
 
 
 def curve_from_text(text: str, name: str = "") -> Nurbs:
-    """The curve written in JSON text; `name` where the text gives none.
+    """The curve in a JSON text; `name` is used if the text gives none.
 
     >>> curve_from_text('{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [0.1, "1/3"]]}')(1)
     (mpq(1,10), mpq(1,3))
@@ -65,7 +66,7 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
 
 
 def curve_from_data(given: Mapping[str, object], name: str = "") -> Nurbs:
-    """The curve in JSON data, numbers as text (`exactspline.splines.json_files.parsed`)."""
+    """The curve in JSON data, with numbers as text (`exactspline.interchange.json_files.parsed`)."""
     data: dict[str, Any] = dict(given)
     if "pieces" in data:
         data = _one_piece(data)
@@ -88,7 +89,7 @@ def curve_from_data(given: Mapping[str, object], name: str = "") -> Nurbs:
 
 
 def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
-    """The only piece of what `derive` or `bisector` wrote."""
+    """The only piece in an output of `derive` or `bisector`."""
     pieces = data["pieces"] if isinstance(data["pieces"], list) else []
     curves = [p for p in pieces if isinstance(p, dict) and p.get("kind") in ("polynomial", "rational")]
     if data.get("layout") or len(pieces) != 1 or not curves:
@@ -109,7 +110,7 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
-    """The curve in a piece, over the part of its knots' domain that the piece says it has.
+    """The curve of a piece, restricted to the part of the domain that belongs to the piece.
 
     Its homogeneous control points are ``(w x, w y, …, w)``.
     """
@@ -141,7 +142,7 @@ def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
 
 
 def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq]) -> tuple[mpq, mpq]:
-    """Where a piece begins and ends: said by ``low`` and ``high``, or else by ``interval``, or else by its knots."""
+    """The parameters where a piece begins and ends: ``low`` and ``high``, else ``interval``, else from its knots."""
     interval = piece.get("interval")
     if interval is not None and (not isinstance(interval, list) or len(interval) != 2):
         raise CurveFileError("is not an interval", where="interval", remedy="write [low, high]")
@@ -162,7 +163,7 @@ def _end(end: Any, key: str, otherwise: Any) -> mpq:
 
 
 def curve_data(curve: Nurbs) -> dict[str, object]:
-    """The data of a curve file, numbers as exact text."""
+    """The data of a curve file, with numbers as exact text."""
     data: dict[str, object] = {"name": curve.name, "source": curve.source} if curve.source else {"name": curve.name}
     data |= {
         "degree": curve.degree,
@@ -175,7 +176,7 @@ def curve_data(curve: Nurbs) -> dict[str, object]:
 
 
 def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
-    """Write a curve as a curve file, all numbers as exact text; the file is written whole or not at all.
+    """Write a curve to a curve file, with numbers as exact text; the file is written atomically.
 
     >>> import tempfile
     >>> from exactspline import example, read
@@ -184,13 +185,13 @@ def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
     ...     read(f"{folder}/circle.json").curve == example("circle")
     True
 
-    Raises `ExactSplineError` where the file cannot be written.
+    Raises `ExactSplineError` if the file cannot be written.
     """
     curve = curve_of(curve)
     write_json(path, curve_data(curve))
 
 
 def write_json(path: str | os.PathLike[str], data: object) -> None:
-    """Write JSON atomically: the file is written whole or not at all."""
+    """Write JSON atomically: either the whole file is written or nothing."""
     text = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     write_atomically(as_path(path), lambda stream: stream.write(text.encode()))

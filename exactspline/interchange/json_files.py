@@ -1,4 +1,4 @@
-"""What curve files and surface files share: JSON text whose numbers are kept digit by digit, points, degrees."""
+"""The common part of curve files and surface files: JSON with numbers read exactly, points, degrees."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MAX_BYTES = 8 * 1024 * 1024
 
 
 def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
-    """The text of a file, and where it is.
+    """The text of a file, and its path.
 
     Raises `CurveFileError` for a file that is missing, a directory, unreadable or too large.
     """
@@ -31,7 +31,7 @@ def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
     try:
         status = place.stat()
         if not stat.S_ISREG(status.st_mode):
-            kind = "a directory" if stat.S_ISDIR(status.st_mode) else "no regular file"
+            kind = "a directory" if stat.S_ISDIR(status.st_mode) else "not a regular file"
             raise CurveFileError(f"is {kind}", where=str(place), remedy="name a JSON curve file")
         if status.st_size > MAX_BYTES:
             raise CurveFileError(f"{status.st_size} bytes", where=str(place), remedy=f"at most {MAX_BYTES} are read")
@@ -47,7 +47,7 @@ def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
 
 
 def json_object(text: str, remedy: str) -> dict[str, object]:
-    """The JSON object that a text holds; `remedy` tells what to write instead of anything else."""
+    """The JSON object that a text holds; `remedy` is the advice given for anything else."""
     data = parsed(as_text(text, "JSON"))
     if not isinstance(data, dict):
         raise CurveFileError("the JSON text is not an object", remedy=remedy)
@@ -57,7 +57,7 @@ def json_object(text: str, remedy: str) -> dict[str, object]:
 def check_fields(data: Mapping[str, object], what: str) -> None:
     """Raise `CurveFileError` unless these are the fields of a curve or of a surface (`what`)."""
     if what == CURVE and isinstance(data.get("degree"), list):
-        raise CurveFileError("is a surface, where a curve is wanted", remedy="`exactspline inspect` reads surfaces")
+        raise CurveFileError("is a surface, where a curve is expected", remedy="`exactspline inspect` reads surfaces")
     remedy = f"{what} has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}"
     for field in REQUIRED:
         if field not in data:
@@ -88,7 +88,7 @@ def points_of(rows: Sequence[object], place: str = "control_points") -> list[Ite
 
 
 def whole_degree(degree: object) -> int:
-    """A degree as written in JSON: an int where the number is whole, otherwise its text, which is refused later."""
+    """A degree as written in JSON: an int if it is an integer, otherwise its text, which is rejected later."""
     if not isinstance(degree, _Decimal):
         return cast(int, degree)
     exact = rational(str(degree))
@@ -100,17 +100,17 @@ class _Decimal(str):
 
 
 def number_of(value: object) -> Number:
-    """Text for a JSON number, so that no digit is lost; anything else is checked later."""
+    """The text of a JSON number, so that no digit is lost; anything else is checked later."""
     return "null" if value is None else str(value) if isinstance(value, _Decimal) else cast("Number", value)
 
 
 def parsed(text: str) -> object:
-    """The data of a JSON text, every number as the text it shows.
+    """The data of a JSON text, with every number as its text.
 
     >>> parsed('{"a": [1, 0.1, "x"]}')
     {'a': ['1', '0.1', 'x']}
 
-    Raises `CurveFileError` for what is not JSON, has a field twice, or holds NaN or an infinity.
+    Raises `CurveFileError` for text that is not JSON, repeats a field, or contains NaN or an infinity.
     """
     try:
         return json.loads(
@@ -127,13 +127,13 @@ def parsed(text: str) -> object:
 
 
 def once_each(fields: list[tuple[str, object]]) -> dict[str, object]:
-    """The fields of an object; one that is written twice is ambiguous."""
-    found = dict(fields)
-    if len(found) < len(fields):
+    """The fields of an object; raises `CurveFileError` for a repeated field, which would be ambiguous."""
+    unique = dict(fields)
+    if len(unique) < len(fields):
         names = [name for name, _ in fields]
         twice = next(name for i, name in enumerate(names) if name in names[:i])
         raise CurveFileError(f"the field {twice!r} is written twice", remedy="keep one of them")
-    return found
+    return unique
 
 
 def _refuse(word: str) -> NoReturn:
@@ -141,6 +141,6 @@ def _refuse(word: str) -> NoReturn:
 
 
 def written_point(point: tuple[mpq, ...]) -> dict[str, list[str]] | list[str]:
-    """A control point as it is written: coordinates as exact text, a direction as an object."""
+    """A control point as JSON data: a list of exact coordinates, or an object for a direction."""
     coordinates = [text_of(x) for x in point]
     return {"vector": coordinates} if isinstance(point, Direction) else coordinates

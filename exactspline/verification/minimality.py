@@ -4,7 +4,7 @@ A quotient is certified segment by segment: modulo a prime, multiples of the com
 up to 1, so they have no common factor, and one of them reaches the full degree at the right end. The form of a zero set
 is certified to have its full degree in the parameter and no common factor with w; where a prime is found modulo which
 it is irreducible, every polynomial over ℚ that vanishes at one of its zeros is a multiple of it.
-`exactspline.verification.minimality.checker` checks the data with the standard library alone.
+`exactspline.certificates` checks the data with the standard library alone.
 """
 
 from __future__ import annotations
@@ -16,6 +16,8 @@ from typing import Any
 
 from flint import fmpz_poly, nmod_poly
 
+from exactspline.certificates import DEGREE, check_certificate
+from exactspline.certificates import certificate as written
 from exactspline.errors import ReductionError, ShapeError
 from exactspline.geometry.constructions import Construction, Variant, construction
 from exactspline.geometry.derived import Piece, derive
@@ -30,7 +32,6 @@ from exactspline.splines.lowest_terms import lowest_terms
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.generic_degree import minimum_at
 
-FORMAT = "exactspline minimality 1"
 #: Primes near 2⁶¹ for common factors; small ones for irreducibility, where the residue must be irreducible by chance.
 LARGE_PRIMES = (2305843009213693951, 2305843009213693921, 2305843009213693907, 2305843009213693723)
 SMALL_PRIMES = tuple(p for p in range(101, 2000) if all(p % q for q in range(2, 45)))
@@ -41,12 +42,12 @@ LARGEST = 60
 def certificate(name: str, curve: Nurbs) -> dict[str, object]:
     """The certificate of a construction on a curve, as JSON data.
 
-    >>> from exactspline.splines.examples import example
-    >>> from exactspline.verification.minimality.checker import check
-    >>> check(certificate("evolute", example("circle")))
-    0
-    >>> check(certificate("critical_curvature", example("ellipse_skew")))
-    4
+    >>> from exactspline.interchange.examples import example
+    >>> from exactspline.certificates import check_certificate
+    >>> check_certificate(certificate("evolute", example("circle")))
+    {'degree': 0}
+    >>> check_certificate(certificate("critical_curvature", example("ellipse_skew")))
+    {'degree': 4}
 
     Raises `ShapeError` where the object does not exist or vanishes, `ReductionError` should the proof fail.
     """
@@ -55,7 +56,8 @@ def certificate(name: str, curve: Nurbs) -> dict[str, object]:
     if not segments:
         raise ShapeError(f"{name} vanishes identically", remedy="there is nothing to certify")
     kind = "zero set" if made.zero_set else "quotient"
-    return {"format": FORMAT, "construction": name, "curve": curve.name, "kind": kind, "segments": segments}
+    data = {"construction": name, "curve": curve.name, "kind": kind, "segments": segments}
+    return written(DEGREE, data)
 
 
 def _segments(made: Construction, piece: Piece, curve: Nurbs) -> list[dict[str, Any]]:
@@ -96,7 +98,7 @@ def _coefficients(c: fmpz_poly, n: int) -> list[str]:
 
 
 def _quotient(interval: list[str], forms: list[fmpz_poly], n: int) -> dict[str, object]:
-    prime, cofactors = _bezout(forms, [n] * len(forms))
+    prime, cofactors = bezout_combination(forms, [n] * len(forms))
     return {
         "interval": interval,
         "degree": n,
@@ -107,7 +109,7 @@ def _quotient(interval: list[str], forms: list[fmpz_poly], n: int) -> dict[str, 
 
 
 def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[str, object]:
-    prime, cofactors = _bezout([c, w], [n, w.degree()])
+    prime, cofactors = bezout_combination([c, w], [n, w.degree()])
     segment = {
         "interval": interval,
         "degree": n,
@@ -117,7 +119,7 @@ def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[
     return segment | {"prime": prime, "cofactors": cofactors, "irreducible modulo": _irreducible(c, n)}
 
 
-def _bezout(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, list[list[str]]]:
+def bezout_combination(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, list[list[str]]]:
     """A prime and polynomials modulo it that combine the forms to 1; the prime divides no highest coefficient of a form
     of full degree.
     """
@@ -192,12 +194,10 @@ def attained(name: str, d: int, *, polynomial: bool = False) -> Attained:
     >>> found.proved, found.attained, found.certificate["segments"][0]["irreducible modulo"] is not None
     (4, 4, True)
     """
-    from exactspline.verification.minimality.checker import check
-
     made = construction(name)
     proved = minimum_at(made, d, polynomial=polynomial)
     try:
         data = certificate(name, witness(made.dimension, d, polynomial=polynomial))
     except ShapeError:
         return Attained(name, polynomial, d, proved if proved is not None and proved >= 0 else None, None, None)
-    return Attained(name, polynomial, d, proved, check(data), data)
+    return Attained(name, polynomial, d, proved, check_certificate(data)["degree"], data)

@@ -1,8 +1,8 @@
 """Surface files: JSON with ``degree``, ``knots``, ``control_points``, optional ``weights``, ``name``, ``source``,
 ``note``.
 
-``degree`` is ``[m, n]``, ``knots`` two lists, ``control_points`` (or ``points``) a net in rows along u, ``weights`` one
-of the same shape. Numbers and points are written as in curve files.
+``degree`` is ``[m, n]``, ``knots`` two lists, ``control_points`` (or ``points``) a net of rows in the direction of u,
+``weights`` a net of the same shape. Numbers and points are written as in curve files.
 """
 
 from __future__ import annotations
@@ -12,10 +12,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.numbers.exact import Number
-from exactspline.splines.curve_files import write_json
-from exactspline.splines.expected import surface_of
-from exactspline.splines.json_files import (
+from exactspline.interchange.curve_files import write_json
+from exactspline.interchange.json_files import (
     SURFACE,
     check_fields,
     json_object,
@@ -25,17 +23,19 @@ from exactspline.splines.json_files import (
     whole_degree,
     written_point,
 )
+from exactspline.numbers.exact import Number
+from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import NurbsSurface
 
-#: Another spelling of ``control_points``.
+#: An alternative name for ``control_points``.
 NET = "points"
 
 
 def read_surface(path: str | os.PathLike[str]) -> NurbsSurface:
     """The surface in a file.
 
-    Raises `CurveFileError` (missing, a directory, unreadable, too large, not JSON, a field missing or unknown) or the
-    error of the field at fault, the file named in front.
+    Raises `CurveFileError` (file missing, a directory, unreadable, too large, not JSON; a field missing or unknown) or
+    the error for an invalid field, preceded by the name of the file.
     """
     place, text = text_of_file(path)
     try:
@@ -45,7 +45,7 @@ def read_surface(path: str | os.PathLike[str]) -> NurbsSurface:
 
 
 def surface_from_text(text: str, name: str = "") -> NurbsSurface:
-    """The surface written in JSON text; `name` where the text gives none.
+    """The surface in a JSON text; `name` is used if the text gives none.
 
     >>> surface_from_text('''{"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]],
     ...     "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0.1]]]}''')(1, 1)
@@ -56,7 +56,7 @@ def surface_from_text(text: str, name: str = "") -> NurbsSurface:
 
 
 def surface_from_data(given: Mapping[str, object], name: str = "") -> NurbsSurface:
-    """The surface in JSON data, numbers as text (`exactspline.splines.json_files.parsed`)."""
+    """The surface in JSON data, numbers as text (`exactspline.interchange.json_files.parsed`)."""
     data = dict(given)
     if NET in data and "control_points" not in data:
         data["control_points"] = data.pop(NET)
@@ -81,7 +81,7 @@ def surface_from_data(given: Mapping[str, object], name: str = "") -> NurbsSurfa
 
 
 def looks_like_surface(text: str) -> bool:
-    """Whether JSON text is meant as a surface: an object whose degree is a list.
+    """Whether a JSON text describes a surface: an object whose degree is a list.
 
     >>> looks_like_surface('{"degree": [1, 1]}'), looks_like_surface('{"degree": 2}'), looks_like_surface("{")
     (True, False, False)
@@ -105,7 +105,7 @@ def _numbers(rows: object) -> list[list[Number]]:
 
 
 def surface_data(surface: NurbsSurface) -> dict[str, object]:
-    """The data of a surface file, numbers as exact text."""
+    """The data of a surface file, with numbers as exact text."""
     data: dict[str, object] = {"name": surface.name}
     if surface.source:
         data["source"] = surface.source
@@ -120,16 +120,16 @@ def surface_data(surface: NurbsSurface) -> dict[str, object]:
 
 
 def save_surface(surface: NurbsSurface, path: str | os.PathLike[str]) -> None:
-    """Write a surface as a surface file, all numbers as exact text; the file is written whole or not at all.
+    """Write a surface to a surface file, with numbers as exact text; the file is written atomically.
 
     >>> import tempfile
-    >>> from exactspline.splines.examples import example_surface
+    >>> from exactspline.interchange.examples import example_surface
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     save_surface(example_surface("sphere"), f"{folder}/sphere.json")
     ...     read_surface(f"{folder}/sphere.json") == example_surface("sphere")
     True
 
-    Raises `ExactSplineError` where the file cannot be written.
+    Raises `ExactSplineError` if the file cannot be written.
     """
     surface = surface_of(surface)
     write_json(path, surface_data(surface))

@@ -1,0 +1,48 @@
+"""Certificates: proofs as JSON data with exact strings, and their checker, which uses only the standard library and
+shares no code with the programs that write them.
+
+A certificate has a `format`, states in `what` what it proves, and contains the data of the proof: of all ``zeros`` of a
+spline (written by `exactspline.roots.certificate`), or that the ``degree`` of forms cannot be lowered (written by
+`exactspline.verification.minimality`).
+"""
+
+from collections.abc import Mapping
+
+from exactspline.certificates.degrees import check_degrees
+from exactspline.certificates.zeros import check_zeros
+
+FORMAT = "exactspline certificate 1"
+ZEROS, DEGREE = "zeros", "degree"
+
+
+def certificate(what: str, data: Mapping[str, object]) -> dict[str, object]:
+    """A certificate with this data.
+
+    >>> certificate(DEGREE, {"kind": "quotient"})
+    {'format': 'exactspline certificate 1', 'what': 'degree', 'kind': 'quotient'}
+    """
+    return {"format": FORMAT, "what": what, **data}
+
+
+def check_certificate(certificate: Mapping[str, object], sturm: bool = True) -> dict[str, int]:
+    """Check a certificate and return what it proves: the numbers of roots, jumps and intervals, or the largest degree
+    over the segments.
+
+    With ``sturm=False`` the zeros are not counted again by Sturm sequences (which are slow for degrees above 100).
+
+    >>> from exactspline import BSpline, zeros
+    >>> check_certificate(zeros(BSpline.bezier([1, -2, 1])).certificate())
+    {'roots': 2, 'jumps': 0, 'intervals': 0}
+
+    Raises `ValueError` with a description of the flaw if the certificate is invalid.
+    """
+    try:
+        if certificate["format"] != FORMAT:
+            raise ValueError("unknown format")
+        if certificate["what"] == ZEROS:
+            return check_zeros(certificate, sturm)
+        if certificate["what"] == DEGREE:
+            return check_degrees(certificate)
+        raise ValueError("a proof of something unknown")
+    except (TypeError, AttributeError, LookupError) as error:  # a field is missing or has another type
+        raise ValueError(f"not a certificate: {type(error).__name__}: {error}") from error

@@ -1,0 +1,134 @@
+"""Checks, with only the standard library, a certificate that the degree of forms cannot be lowered. Polynomials modulo
+a prime are lists of integers here.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+from exactspline.certificates.numbers import integer, require
+
+Polynomial = list[int]
+
+
+def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
+    """The largest degree over the segments, after checking the proof that it cannot be lowered (see
+    `exactspline.verification.minimality`).
+
+    A common factor over ℚ would also be a common factor modulo the prime, of the same degree, because the prime does
+    not divide the leading coefficient of some form; but the cofactors combine the forms to 1. A common zero at the
+    right end (u = 0) would make all leading coefficients vanish.
+    """
+    return _checked(certificate)
+
+
+def _checked(data: Any) -> dict[str, int]:
+    require(data["kind"] in ("zero set", "quotient") and bool(data["segments"]), "unknown kind, or nothing to check")
+    return {"degree": max(_segment(segment, data["kind"]) for segment in data["segments"])}
+
+
+def _segment(segment: dict[str, Any], kind: str) -> int:
+    n, p = segment["degree"], segment["prime"]
+    require(type(n) is int and type(p) is int, "a degree or a prime that is not an integer")
+    forms = [_integers(form) for form in segment["forms"]]
+    require(all(len(form) == n + 1 for form in forms) and any(any(form) for form in forms), "a form of another degree")
+    require(is_prime(p), "no prime")
+    others = [] if kind == "quotient" else [_integers(segment["weight"])]
+    require(kind == "quotient" or len(forms) == 1, "a zero set has one form")
+    require(any(form[-1] % p for form in [*forms, *others]), "the prime divides every highest coefficient")
+    cofactors = [_integers(a) for a in segment["cofactors"]]
+    require(len(cofactors) == len(forms) + len(others), "cofactors are missing")
+    total: Polynomial = []
+    for a, form in zip(cofactors, [*forms, *others], strict=True):
+        total = _add(total, _times(a, form, p), p)
+    require(total == [1], "the cofactors do not combine the forms to 1")
+    if kind == "quotient":
+        require(any(form[-1] for form in forms), "a common zero at the right end")
+    else:
+        require(sum(x * (-1) ** i for i, x in enumerate(forms[0])) != 0, "the degree in the parameter is lower")
+        q = segment["irreducible modulo"]
+        require(
+            q is None or (type(q) is int and is_prime(q) and forms[0][-1] % q != 0 and is_irreducible(forms[0], q)),
+            "not irreducible modulo the prime named",
+        )
+    return int(n)
+
+
+def _integers(given: Any) -> Polynomial:
+    """The integers in a list, each written in decimal digits."""
+    require(type(given) is list, "coefficients that are not a list")
+    return [integer(x) for x in given]
+
+
+#: The first primes: with them as bases, the Miller–Rabin test is correct for all n below 3·10²⁴.
+BASES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)
+
+
+def is_prime(n: int) -> bool:
+    """The Miller–Rabin test."""
+    if n < 2 or any(n % q == 0 and n != q for q in BASES):
+        return False
+    odd, twos = n - 1, 0
+    while odd % 2 == 0:
+        odd, twos = odd // 2, twos + 1
+    for base in BASES:
+        x = pow(base, odd, n)
+        if base % n and x not in (1, n - 1) and all((x := x * x % n) != n - 1 for _ in range(twos - 1)):
+            return False
+    return n < 3 * 10**24
+
+
+def _trimmed(a: Polynomial) -> Polynomial:
+    while a and a[-1] == 0:
+        a.pop()
+    return a
+
+
+def _add(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
+    size = max(len(a), len(b))
+    return _trimmed([((a[i] if i < len(a) else 0) + (b[i] if i < len(b) else 0)) % p for i in range(size)])
+
+
+def _times(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
+    product = [0] * max(len(a) + len(b) - 1, 0)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            product[i + j] += x * y
+    return _trimmed([x % p for x in product])
+
+
+def _remainder(a: Polynomial, f: Polynomial, p: int) -> Polynomial:
+    a, inverse = _trimmed([x % p for x in a]), pow(f[-1], -1, p)
+    while len(a) >= len(f):
+        factor, shift = a[-1] * inverse % p, len(a) - len(f)
+        a = _trimmed([(x - factor * f[i - shift]) % p if i >= shift else x for i, x in enumerate(a)])
+    return a
+
+
+def _gcd(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
+    while b:
+        a, b = b, _remainder(a, b, p)
+    return a
+
+
+def is_irreducible(form: Polynomial, p: int) -> bool:
+    """Rabin's test: x^(pⁿ) ≡ x modulo f, and x^(p^(n/q)) − x is coprime to f for every prime q that divides n."""
+    f, n = [x % p for x in form], len(form) - 1
+    if n == 1:
+        return True
+    powers, x = [[0, 1]], [0, 1]
+    for _ in range(n):
+        x = _power(x, p, f, p)
+        powers.append(x)
+    if _add(powers[n], [0, p - 1], p):
+        return False
+    divisors = [n // q for q in range(2, n + 1) if n % q == 0 and all(q % r for r in range(2, q))]
+    return all(len(_gcd(f, _add(powers[m], [0, p - 1], p), p)) == 1 for m in divisors)
+
+
+def _power(a: Polynomial, exponent: int, f: Polynomial, p: int) -> Polynomial:
+    result = [1]
+    while exponent:
+        if exponent % 2:
+            result = _remainder(_times(result, a, p), f, p)
+        a, exponent = _remainder(_times(a, a, p), f, p), exponent // 2
+    return result

@@ -1,0 +1,276 @@
+"""What a spline in two parameters is made of: packed polynomials, patch by patch; a spline in one parameter where it
+depends on one alone; lines of splines in one, so that every operation of `BSpline` is available in either direction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import cache
+from typing import NamedTuple, TypeVar
+
+from flint import fmpz, fmpz_poly
+
+from exactspline.language.provenance import Provenance
+from exactspline.numbers.exact import lcm, mpq, to_fmpz
+from exactspline.polynomials import tensor_bernstein
+from exactspline.polynomials.bernstein import ONE, primitive
+from exactspline.polynomials.tensor_bernstein import columns, derivative, rows, without_powers
+from exactspline.splines import refinement
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.forms import Polynomials
+from exactspline.splines.knots import SMOOTH, Mesh
+
+Profile = tuple[int, BSpline]
+T = TypeVar("T")
+
+
+def packed_segments(profile: Profile, stride: int) -> tuple[fmpz_poly, ...]:
+    """The packed polynomials, one per segment."""
+    direction, spline = profile
+    return tuple([c.inflate(stride) for c in spline._polynomials]) if direction else spline._polynomials
+
+
+def spread(values: tuple[T, ...], direction: int, meshes: tuple[Mesh, Mesh]) -> tuple[T, ...]:
+    """What belongs to the segments of one direction, patch by patch, t running faster."""
+    count = len(meshes[1 - direction].widths)
+    if count == 1:
+        return values
+    return values * count if direction else tuple([x for x in values for _ in range(count)])
+
+
+@cache
+def smooth(segments: int) -> tuple[int, ...]:
+    """Continuity across the breakpoints of what does not depend on a parameter."""
+    return (SMOOTH,) * (segments - 1)
+
+
+def changed_one(mesh: Mesh, change: Callable[[BSpline], BSpline]) -> BSpline:
+    """The image of the constant 1 under a linear map of splines: its effect on splines that depend on the other
+    parameter only.
+    """
+    return change(BSpline.from_forms(0, mesh, smooth(len(mesh)), [(fmpz_poly([1]), ONE)] * len(mesh)))
+
+
+class NamedMeshes(tuple[Mesh, Mesh]):
+    """The breakpoints in two directions whose parameters have names, as those of a surface or of two curves have."""
+
+    letters: tuple[str, str]
+
+
+def named(meshes: tuple[Mesh, Mesh], letters: tuple[str, str] | None) -> tuple[Mesh, Mesh]:
+    """The meshes with the names of their parameters; as they are where there are none."""
+    if letters is None:
+        return meshes
+    found = NamedMeshes(meshes)
+    found.letters = letters
+    return found
+
+
+def letters_of(meshes: tuple[Mesh, Mesh]) -> tuple[str, str] | None:
+    """The names of the parameters; None where they have none."""
+    return meshes.letters if isinstance(meshes, NamedMeshes) else None
+
+
+def replaced(meshes: tuple[Mesh, Mesh], direction: int, mesh: Mesh) -> tuple[Mesh, Mesh]:
+    """The meshes with one replaced; the same tuple where it does not change, since operands are aligned by identity."""
+    if mesh is meshes[direction]:
+        return meshes
+    return named((meshes[0], mesh) if direction else (mesh, meshes[1]), letters_of(meshes))
+
+
+def exchanged(meshes: tuple[Mesh, Mesh]) -> tuple[Mesh, Mesh]:
+    """The meshes in the other order."""
+    letters = letters_of(meshes)
+    return named((meshes[1], meshes[0]), None if letters is None else (letters[1], letters[0]))
+
+
+def one_parameter(a: Profile, b: Profile) -> tuple[int, BSpline, BSpline] | None:
+    """The direction and the splines of two that depend on the same parameter only; a constant depends on either."""
+    (i, f), (j, g) = a, b
+    if i == j:
+        return i, f, g
+    if _is_constant(f):
+        return j, _constant_beside(g, f), g
+    return (i, f, _constant_beside(f, g)) if _is_constant(g) else None
+
+
+def _is_constant(f: BSpline) -> bool:
+    return f.degree == 0 and all(c == SMOOTH for c in f.continuity)
+
+
+def _constant_beside(f: BSpline, constant: BSpline) -> BSpline:
+    return refinement.over(f.constant(constant(constant.domain[0])), f.mesh)
+
+
+class Degrees(NamedTuple):
+    """The degrees in the two parameters."""
+
+    s: int
+    t: int
+
+    def max(self, other: Degrees) -> Degrees:
+        """The larger of two degrees in each parameter."""
+        return Degrees(max(self.s, other.s), max(self.t, other.t))
+
+
+#: How often the derivatives in each parameter agree at its inner knots.
+Continuity = tuple[tuple[int, ...], tuple[int, ...]]
+#: Degree, meshes, continuity, stride, packed polynomials and denominators.
+Parts = tuple[Degrees, tuple[Mesh, Mesh], Continuity, int, tuple[fmpz_poly, ...], tuple[fmpz, ...]]
+
+
+class TensorParts:
+    """The fields of a spline in two parameters; filled in, it becomes a `TensorSpline`, which does not change."""
+
+    __slots__ = (
+        "_denominators",
+        "_packed",
+        "_points",
+        "continuity",
+        "degree",
+        "meshes",
+        "profile",
+        "provenance",
+        "stride",
+    )
+
+    degree: Degrees
+    #: The breakpoints in each direction, and the continuity at the interior ones.
+    meshes: tuple[Mesh, Mesh]
+    continuity: tuple[tuple[int, ...], tuple[int, ...]]
+    #: Where it depends on one parameter only: which (0 for s), and the spline.
+    profile: Profile | None
+    provenance: Provenance
+    #: The stride of `polynomials` (see `exactspline.polynomials.tensor_bernstein`); results keep it while it has room,
+    #: since packing anew costs more than a product.
+    stride: int
+    #: The packed polynomials by stride, and the denominators; those of a spline in one parameter only are made when
+    #: needed.
+    _packed: dict[int, tuple[fmpz_poly, ...]]
+    _denominators: tuple[fmpz, ...] | None
+    _points: tuple[tuple[mpq, ...], ...] | None
+
+    def _at_stride(self, stride: int) -> tuple[fmpz_poly, ...]:
+        """The packed polynomials of all patches, t running faster; the stride must have room for the degree."""
+        found = self._packed.get(stride)
+        if found is None:
+            if self.profile is None:
+                found = tuple(tensor_bernstein.repacked(c, self.stride, stride) for c in self._own)
+            else:
+                found = spread(packed_segments(self.profile, stride), self.profile[0], self.meshes)
+            self._packed[stride] = found
+        return found
+
+    @property
+    def polynomials(self) -> Polynomials:
+        """The packed polynomials at the current stride, copies: zero where the spline is."""
+        return Polynomials(self._own)
+
+    @property
+    def _own(self) -> tuple[fmpz_poly, ...]:
+        return self._at_stride(self.stride)
+
+    @property
+    def denominators(self) -> tuple[fmpz, ...]:
+        """Denominators patch by patch, t running faster."""
+        known = self._denominators
+        if known is None:
+            assert self.profile is not None
+            known = spread(self.profile[1].denominators, self.profile[0], self.meshes)
+            object.__setattr__(self, "_denominators", known)  # a part computed lazily is kept
+        return known
+
+
+Z_MINUS_1 = fmpz_poly([-1, 1])
+
+
+def derived(f: TensorParts, direction: int) -> Parts:
+    """The parts of the derivative by one parameter (0: the first), in which the degree is positive."""
+    polynomials = [derivative(c, f.stride, f.degree, direction) for c in f._own]
+    denominators = f.denominators
+    if not f.meshes[direction].unit:
+        widths = spread(f.meshes[direction].widths, direction, f.meshes)
+        polynomials = [c * bottom for c, (_, bottom) in zip(polynomials, widths, strict=True)]
+        denominators = tuple([m * top for m, (top, _) in zip(denominators, widths, strict=True)])
+    (m, n), (s, t) = f.degree, f.continuity
+    lower = tuple([max(c - 1, -1) for c in f.continuity[direction]])
+    degree, continuity = (Degrees(m, n - 1), (s, lower)) if direction else (Degrees(m - 1, n), (lower, t))
+    return degree, f.meshes, continuity, f.stride, tuple(polynomials), denominators
+
+
+def true_degrees(f: TensorParts) -> Degrees:
+    """Largest degree in each parameter, over the patches, of the polynomials themselves (−1 for zero)."""
+    if not any(f._own):
+        return Degrees(-1, -1)
+    m, n = f.degree
+    in_s = (row for c in f._own for row in rows(c, f.stride, n))
+    in_t = (column for c in f._own for column in columns(c, f.stride, m))
+    return Degrees(m - _multiplicity(in_s), n - _multiplicity(in_t))
+
+
+def _multiplicity(polynomials: Iterable[fmpz_poly]) -> int:
+    """How often ``u + v``, which is 1 + z, divides all of these polynomials, which are not all zero."""
+    least = -1
+    for p in polynomials:
+        if p and p(-1) != 0:
+            return 0
+        if p:
+            shifted = p(Z_MINUS_1)
+            times = next(k for k in range(shifted.degree() + 1) if shifted[k])
+            least = times if least < 0 else min(least, times)
+    return least
+
+
+def lowered(f: TensorParts, by_s: int, by_t: int) -> Parts | None:
+    """The parts of the same function with its degrees lowered; None where it is zero, where it has more than one
+    patch (knots may be smooth afterwards), and where its degrees are not that much too high.
+    """
+    true, (m, n) = true_degrees(f), f.degree
+    degree = Degrees(m - by_s, n - by_t)
+    if len(f.denominators) > 1 or min(by_s, by_t, *true) < 0 or degree.max(true) != degree:
+        return None
+    c, below = primitive((without_powers(f._own[0], f.stride, (by_s, by_t)), f.denominators[0]))
+    return degree, f.meshes, f.continuity, f.stride, (c,), (below,)
+
+
+def lines(f: TensorParts) -> list[list[BSpline]]:
+    """For each segment of s and each power of its local parameter the coefficients, as splines in t."""
+    columns, own = len(f.meshes[1]), f._own
+    found = []
+    for i in range(len(f.meshes[0])):
+        patches = range(i * columns, (i + 1) * columns)
+        nets = [tensor_bernstein.rows(own[k], f.stride, f.degree.t) for k in patches]
+        lines = []
+        for h in range(max(f.degree.s, 0) + 1):  # below degree 0 a line of zeros, so that there is one to change
+            forms = [
+                primitive((fmpz_poly([row[h] for row in net]), f.denominators[k]))
+                for k, net in zip(patches, nets, strict=True)
+            ]
+            lines.append(BSpline.from_forms(f.degree.t, f.meshes[1], f.continuity[1], forms))
+        found.append(lines)
+    return found
+
+
+def joined(found: list[list[BSpline]], old: TensorParts) -> Parts:
+    """Degree, meshes, continuity, stride, packed polynomials and denominators of the spline with these lines; along s
+    it is as the old one.
+    """
+    first, stride = found[0][0], tensor_bernstein.stride_for(old.degree.s)
+    polynomials, denominators = [], []
+    for own in found:
+        for j in range(len(first.mesh)):
+            common = lcm(*[int(line.denominators[j]) for line in own])
+            rows = [line._polynomials[j] * (int(common) // int(line.denominators[j])) for line in own]
+            polynomials.append(
+                tensor_bernstein.packed([fmpz_poly([row[k] for row in rows]) for k in range(first.degree + 1)], stride)
+            )
+            denominators.append(to_fmpz(common))
+    continuity = (old.continuity[0], first.continuity)
+    return (
+        Degrees(old.degree.s, first.degree),
+        replaced(old.meshes, 1, first.mesh),
+        continuity,
+        stride,
+        tuple(polynomials),
+        tuple(denominators),
+    )
