@@ -11,7 +11,7 @@ from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, as_instance, as_items, as_path, as_text, written
-from exactspline.interchange.examples import example_text
+from exactspline.interchange.examples import example_text, examples
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText

@@ -135,7 +135,7 @@ def jacobian_sign(surface: NurbsSurface) -> MapInspection:
     >>> from exactspline import example
     >>> jacobian_sign(example("planar_map")).kind
     <MapKind.POSITIVE: 'orientation kept: det > 0'>
-    >>> inspection = jacobian_sign(example_surface("folded_map"))
+    >>> inspection = jacobian_sign(example("folded_map"))
     >>> inspection.kind.value, inspection.regular
     ('folded: det has both signs', False)
 

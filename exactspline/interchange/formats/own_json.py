@@ -76,6 +76,8 @@ def _curve(collector: Collector, entry: Any, where: str) -> None:
         None if entry.get("weights") is None else _row(collector, entry["weights"]),
         name=str(entry.get("name") or "") or collector.source.name,
         notes=[f"{key}: {entry[key]}" for key in ("note", "source") if entry.get(key)],
+        source=str(entry.get("source") or ""),
+        note=str(entry.get("note") or ""),
     )
 
 
