@@ -7,19 +7,32 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import count, zip_longest
 
+from exactspline.classroom.differences import (
+    Difference,
+    Entries,
+    Invented,
+    Missing,
+    OtherCoefficient,
+    OtherCoordinates,
+    OtherCount,
+    OtherNumber,
+    OtherPoint,
+    OtherValue,
+    Shape,
+)
 from exactspline.classroom.parts import Math, Part, Point, Polynomial
 from exactspline.classroom.reading import AnswerError, cleaned, numbers, points, polynomials
-from exactspline.errors import counted
 from exactspline.numbers.exact import mpq, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.vocabulary import Name
 
 
 @dataclass(frozen=True)
 class Finding:
     """Whether an answer is right, and its errors otherwise. Its truth value is whether the answer is right."""
 
-    differences: tuple[str, ...]
+    differences: tuple[Difference, ...]
 
     @property
     def right(self) -> bool:
@@ -49,14 +62,14 @@ class Answer(ABC):
         """The answer as a student would write it."""
 
     @abstractmethod
-    def differences(self, answer: str) -> Iterator[str]:
+    def differences(self, answer: str) -> Iterator[Difference]:
         """The errors in an answer, none if it is right. Raises `AnswerError` if it cannot be read."""
 
     def check(self, answer: str) -> Finding:
         """The finding on the answer of a student.
 
-        >>> Numbers(("x", "y"), (mpq(1, 2), mpq(3))).check("0.5, 4").differences
-        ('y is 3, not 4',)
+        >>> print(*Numbers(("x", "y"), (mpq(1, 2), mpq(3))).check("0.5, 4").differences)
+        y is 3, not 4
 
         Raises `AnswerError` if it cannot be read.
         """
@@ -104,15 +117,15 @@ class Numbers(Answer):
         """The answer as a student would write it."""
         return ", ".join(map(text, self.values))
 
-    def differences(self, answer: str) -> Iterator[str]:
+    def differences(self, answer: str) -> Iterator[Difference]:
         """Each wrong number, or a wrong number of numbers."""
         answers = numbers(answer)
         if len(answers) != len(self.values):
-            yield f"{counted(len(self.values), 'number')} required, not {len(answers)}"
+            yield OtherCount(Entries.NUMBERS, len(self.values), len(answers))
             return
         for name, right, given in zip(self.names, self.values, answers, strict=True):
             if given != right:
-                yield f"{name} is {text(right)}, not {text(given)}"
+                yield OtherNumber(Name(name), right, given)
 
 
 @dataclass(frozen=True)
@@ -136,15 +149,15 @@ class Parameters(Answer):
         """The answer as a student would write it."""
         return ", ".join(map(text, self.values)) or "none"
 
-    def differences(self, answer: str) -> Iterator[str]:
+    def differences(self, answer: str) -> Iterator[Difference]:
         """Each parameter that is missing or wrong."""
         answers = () if cleaned(answer).lower() == "none" else numbers(answer)
         for t in self.values:
             if t not in answers:
-                yield f"t = {text(t)} is missing"
+                yield Missing(t)
         for t in dict.fromkeys(answers):
             if t not in self.values:
-                yield f"t = {text(t)} is not one of them"
+                yield Invented(t)
 
 
 @dataclass(frozen=True)
@@ -177,19 +190,19 @@ class Points(Answer):
         """The answer as a student would write it."""
         return ", ".join(map(shown, self.rows))
 
-    def differences(self, answer: str) -> Iterator[str]:
+    def differences(self, answer: str) -> Iterator[Difference]:
         """Each wrong control point, then a parameter with both values there."""
         rows, dimension = self.rows, len(self.rows[0])
         answers = points(answer, dimension)
         if any(len(point) != dimension for point in answers):
-            yield f"points with {counted(dimension, 'coordinate')} are required"
+            yield OtherCoordinates(dimension)
             return
         if len(answers) != len(rows):
-            yield f"{counted(len(rows), 'point')} required, not {len(answers)}"
+            yield OtherCount(Entries.POINTS, len(rows), len(answers))
             return
         wrong = [i for i, (right, given) in enumerate(zip(rows, answers, strict=True)) if right != given]
         for i in wrong:
-            yield f"point {i} is {shown(rows[i])}, not {shown(answers[i])}"
+            yield OtherPoint(i, rows[i], answers[i])
         if wrong:
             yield _witness(self._value, self._of(answers), self.reference.domain)
 
@@ -228,19 +241,19 @@ class Polynomials(Answer):
             " + ".join(f"({text(c)})*t^{i}" for i, c in enumerate(p.coefficients)) or "0" for p in self.values
         )
 
-    def differences(self, answer: str) -> Iterator[str]:
+    def differences(self, answer: str) -> Iterator[Difference]:
         """Each wrong coefficient, then a parameter with both values there."""
         answers = polynomials(answer)
         if len(answers) != len(self.values):
-            yield f"{counted(len(self.values), 'polynomial')} required, not {len(answers)}"
+            yield OtherCount(Entries.POLYNOMIALS, len(self.values), len(answers))
             return
         for name, right, given in zip(self.names, self.values, answers, strict=True):
             pairs = list(zip_longest(right.coefficients, given.coefficients, fillvalue=mpq(0)))
             wrong = [(i, a, b) for i, (a, b) in enumerate(pairs) if a != b]
             for i, a, b in wrong:
-                yield f"{name}: the coefficient of t^{i} is {text(a)}, not {text(b)}"
+                yield OtherCoefficient(Name(name), i, a, b)
             if wrong:
-                yield f"{name}: {_witness(_values_of(right), _values_of(given), (mpq(0), mpq(1)))}"
+                yield _witness(_values_of(right), _values_of(given), (mpq(0), mpq(1)), Name(name))
 
 
 @dataclass(frozen=True)
@@ -268,15 +281,15 @@ class Circle(Answer):
         """The answer as a student would write it."""
         return ", ".join(map(text, self.values)) or "no"
 
-    def differences(self, answer: str) -> Iterator[str]:
+    def differences(self, answer: str) -> Iterator[Difference]:
         """Whether it is a circle, or which number is wrong."""
         said_no = cleaned(answer).lower() == "no"
         if said_no or not self.values:
             if said_no and self.values:
-                yield "it is a circle"
+                yield Shape.CIRCLE
             elif not said_no:
                 numbers(answer)
-                yield "it is not a circle"
+                yield Shape.NOT_A_CIRCLE
             return
         yield from Numbers(("centre x", "centre y", "radius squared"), self.values).differences(answer)
 
@@ -306,7 +319,9 @@ def simple_parameters(low: mpq, high: mpq) -> Iterator[mpq]:
                 yield low + (high - low) * share
 
 
-def _witness(right: Callable[[mpq], Point], given: Callable[[mpq], Point], domain: tuple[mpq, mpq]) -> str:
+def _witness(
+    right: Callable[[mpq], Point], given: Callable[[mpq], Point], domain: tuple[mpq, mpq], name: Name | None = None
+) -> OtherValue:
     """A parameter at which two different functions differ: polynomials do so at all but finitely many parameters."""
     t = next(t for t in simple_parameters(*domain) if right(t) != given(t))
-    return f"at t = {text(t)} it gives {shown(given(t))} instead of {shown(right(t))}"
+    return OtherValue(t, right(t), given(t), name)

@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
-from exactspline.classroom.answers import Finding, shown, simple_parameters
+from exactspline.classroom.answers import Finding, simple_parameters
+from exactspline.classroom.differences import (
+    Difference,
+    NotProved,
+    OtherDimension,
+    OtherDomain,
+    OtherOnExample,
+    OtherPoint,
+    OtherValue,
+    Shape,
+)
+from exactspline.classroom.parts import Point
 from exactspline.errors import ExactSplineError
 from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.questions import prove, verify
+from exactspline.verification.vocabulary import Name
 
 
 def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
@@ -18,29 +30,28 @@ def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
     >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 4)])
     >>> compare_curves(line.elevate_degree(), line).right
     True
-    >>> compare_curves(Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 3)]), line).differences
-    ('control point 1 is (2, 4), not (2, 3)', 'at t = 1 it is at (2, 3), not at (2, 4)')
+    >>> print(*compare_curves(Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 3)]), line).differences, sep="; ")
+    control point 1 is (2, 4), not (2, 3); at t = 1 it gives (2, 3) instead of (2, 4)
     """
     if given.dimension != reference.dimension:
-        return Finding((f"it is in R{given.dimension}, not in R{reference.dimension}",))
+        return Finding((OtherDimension(reference.dimension, given.dimension),))
     if given.domain != reference.domain:
-        here, there = (", ".join(map(text, curve.domain)) for curve in (given, reference))
-        return Finding((f"its domain is [{here}], not [{there}]",))
+        return Finding((OtherDomain(reference.domain, given.domain),))
     if given == reference:
         return Finding(())
-    differences = ["it is reversed"] if given == reference.reverse() else _points(given, reference)
+    differences: list[Difference] = [Shape.REVERSED] if given == reference.reverse() else _points(given, reference)
     a, b = given.domain
     t = next(t for t in simple_parameters(a, b) if given(t) != reference(t))
-    return Finding((*differences, f"at t = {text(t)} it is at {shown(given(t))}, not at {shown(reference(t))}"))
+    return Finding((*differences, OtherValue(t, reference(t), given(t))))
 
 
-def _points(given: Nurbs, reference: Nurbs) -> list[str]:
+def _points(given: Nurbs, reference: Nurbs) -> list[Difference]:
     """The control points that differ, if the curves have the same degree, knots and weights."""
     alike = (given.degree, given.knots) == (reference.degree, reference.knots)
     if not (alike and given.polynomial and reference.polynomial):
         return []
     pairs = enumerate(zip(given.control_points, reference.control_points, strict=True))
-    return [f"control point {i} is {shown(right)}, not {shown(wrong)}" for i, (wrong, right) in pairs if wrong != right]
+    return [OtherPoint(i, right, wrong) for i, (wrong, right) in pairs if wrong != right]
 
 
 def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> Finding:
@@ -50,8 +61,8 @@ def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> F
     >>> from exactspline.papers import find
     >>> compare_formulas(find("f1"), find("f2"), "w").right
     True
-    >>> compare_formulas(find("f1"), find("f2")).differences[0]
-    'not f1 = f2 in R2: the quotient is w'
+    >>> print(compare_formulas(find("f1"), find("f2")).differences[0])
+    not f1 = f2 in R2: the quotient is w
 
     Raises `FormulaError` for formulas that cannot be compared.
     """
@@ -59,11 +70,11 @@ def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> F
     if proof:
         return Finding(())
     witness = _witness(given, reference, factor, proof.dimension)
-    return Finding((str(proof), *([witness] if witness else [])))
+    return Finding((NotProved(proof), *([witness] if witness else [])))
 
 
-def _witness(given: Formula, reference: Formula, factor: str, dimension: int) -> str:
-    """Values of both sides at a point of an example curve where they differ; empty if the formulas do not apply to a
+def _witness(given: Formula, reference: Formula, factor: str, dimension: int) -> OtherOnExample | None:
+    """Values of both sides at a point of an example curve where they differ; None if the formulas do not apply to a
     single curve.
     """
     for name in example_names():
@@ -76,12 +87,11 @@ def _witness(given: Formula, reference: Formula, factor: str, dimension: int) ->
             continue
         if (t := result.parameter) is not None:
             left, right = (_value(f, curve, t) for f in (given, reference))
-            product = right if factor == "1" else f"{factor} · {right}"
-            return f"on the example curve {name} at t = {text(t)} it gives {left} instead of {product}"
-    return ""
+            return OtherOnExample(Name(name), t, right, left, None if factor == "1" else Name(factor))
+    return None
 
 
-def _value(formula: Formula, curve: Nurbs, t: mpq) -> str:
+def _value(formula: Formula, curve: Nurbs, t: mpq) -> Point | None:
     parts, denominator = split(formula(curve))
     below = mpq(1) if denominator is None else denominator(t)
-    return shown([part(t) / below for part in parts]) if below else "no value"
+    return tuple(part(t) / below for part in parts) if below else None

@@ -88,7 +88,7 @@ def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
         return made
     if bool in parts:
         return click.Option([given.name, *mark.names], is_flag=True, help=mark.help, default=False)
-    number = int in parts
+    number = int in parts or any(int in get_args(part) for part in parts)
     return click.Option(
         [given.name, *mark.names],
         multiple=several,

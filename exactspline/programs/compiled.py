@@ -1,4 +1,4 @@
-"""Instructions as a Python function that runs over all segments or patches, without wrapping the polynomials."""
+"""Instructions compiled to a Python function that runs over all segments or patches on bare polynomials."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from exactspline.programs.instructions import UNIT, ZERO, Instruction
 
 #: A multiplier of a segment: the quotient of two denominators, or a power of the denominator of its width.
 Multiplier = tuple[Denominator, Denominator] | int
-#: From the polynomials that are given, their denominators group by group, and the widths (numerator, denominator) of
-#: the segments to the polynomials and the denominators of every output, segment by segment.
+#: A function that takes the given polynomials, their denominators group by group, and the widths (numerator,
+#: denominator) of the segments, and returns the polynomials and the denominators of every output, segment by segment.
 Run = Callable[
     [Sequence[Sequence[fmpz_poly]], Sequence[Sequence[fmpz]], Sequence[tuple[fmpz, fmpz]]],
     list[tuple[fmpz_poly | fmpz, ...]],
@@ -28,9 +28,9 @@ def compiled(
     groups: Sequence[int],
     multipliers: Sequence[Multiplier],
 ) -> Run:
-    """The function of a program: from every segment the polynomials of the outputs, then their denominators.
+    """The function of a program: for every segment it returns the polynomials of the outputs, then their denominators.
 
-    `given` are the instructions whose polynomials it is called with, None for one that is not used.
+    `given` are the instructions whose polynomials are its arguments, None for one that is not used.
 
     >>> from exactspline.programs.denominators import OfOperand
     >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,))]
@@ -75,7 +75,7 @@ def compiled(
 
 
 def _multiplier(multiplier: Multiplier) -> str:
-    """A multiplier as Python computes it."""
+    """A multiplier as Python code."""
     if isinstance(multiplier, int):
         return f"bottom ** {multiplier}"
     whole, part = multiplier
@@ -83,7 +83,7 @@ def _multiplier(multiplier: Multiplier) -> str:
 
 
 def needed(listed: Sequence[Instruction], outputs: Sequence[int], given: Sequence[int | None] = ()) -> set[int]:
-    """The instructions on which the outputs depend, down to those that are given."""
+    """The instructions on which the outputs depend, except those that are given."""
     used = {i for i in outputs if i >= 0}
     for i in range(len(listed) - 1, -1, -1):
         if i in used and i not in given:
@@ -96,7 +96,7 @@ def _name(a: int) -> str:
 
 
 def _text(instruction: Instruction, constants: dict[str, Any]) -> str:
-    """One operation as Python writes it; integers are made once and bound by name."""
+    """One operation as Python code; integers are created once and bound to names."""
     name, arguments, numbers = instruction
     a = _name(arguments[0])
     if name == "mul":

@@ -1,7 +1,7 @@
-"""Denominators of a straight-line program, known in advance up to the numbers of each segment.
+"""Denominators of a straight-line program, known in advance except for the numbers of each segment.
 
 A denominator is a positive integer constant times powers of *atoms*: the denominator of an operand, the numerator of
-the segment's width, and the part of a least common multiple that depends on the numbers themselves.
+the segment's width, and the part of a least common multiple that depends on these numbers.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from flint import fmpz
 
 
 class OfOperand(NamedTuple):
-    """The denominator of an operand: one number for all operands of a class that agree in it."""
+    """The denominator of an operand: the same number for all operands of a group."""
 
     group: int
 
@@ -79,7 +79,7 @@ class Denominator:
 
     @property
     def text(self) -> str:
-        """The number on a segment as Python computes it, from the names of the segment's numbers: ``below0``, … and
+        """The number on a segment as Python code, in terms of the names of the segment's numbers: ``below0``, … and
         ``top``, the numerator of its width.
 
         >>> (Denominator.of(OfOperand(0)) * Denominator.of(OfOperand(0)) * Denominator(6)).text

@@ -1,8 +1,8 @@
-"""A program in doubles, for thousands of segments at once, with a proved bound of what rounding did to each number.
+"""A program in doubles, for thousands of segments together, with a proved bound on the rounding error of each number.
 
-Beside every number stands its *mass*: what the same program gives when every operand is replaced by its absolute value
-and every difference by a sum. A number that has gone through at most K roundings differs from the exact one by at most
-``K · ROUNDING`` masses, plus the loss by underflow. Derivation: docs/certified-filter.md.
+Every number has a *mass*: the value of the same program with every operand replaced by its absolute value and every
+difference by a sum. A number that has gone through at most K roundings differs from the exact one by at most ``K ·
+ROUNDING`` masses, plus the loss by underflow. Derivation: docs/certified-filter.md.
 
 This is the only module of `programs` that loads numpy.
 """
@@ -23,7 +23,7 @@ from exactspline.programs.program import Program
 
 Floats = NDArray[np.float64]
 
-#: The relative error of one operation is below this in every direction of rounding, to nearest included.
+#: The relative error of one operation is below this in every rounding mode.
 ROUNDING = 2.0**-52
 #: The largest loss by underflow in one operation, even where subnormal numbers are flushed to zero.
 UNDERFLOW = 2.0**-1022
@@ -36,8 +36,8 @@ RANGE = 400
 
 @dataclass(frozen=True)
 class Bounded:
-    """Coefficients, one row per segment, and bounds of their distance from the exact ones. Where a number is infinite
-    or NaN, so is its bound: its sign is not certain.
+    """Coefficients, one row per segment, and bounds on their errors. Where a number is infinite or NaN, so is its
+    bound: its sign is not certain.
     """
 
     values: Floats
@@ -52,8 +52,8 @@ class Bounded:
 
 @dataclass(frozen=True)
 class Known:
-    """What is known of an instruction before any number is: its roundings and, for operands of at most 1 in the
-    Bernstein basis, bounds of its mass and of its loss by underflow.
+    """What is known about an instruction in advance: its number of roundings and, for operands of at most 1 in the
+    Bernstein basis, bounds on its mass and on its loss by underflow.
     """
 
     roundings: int
@@ -62,13 +62,13 @@ class Known:
 
 
 def operands_known(degree: int, roundings: int) -> Known:
-    """An operand of at most 1, whose coefficients in the scaled basis went through this many roundings."""
+    """An operand of at most 1, whose coefficients in the scaled basis were rounded this many times."""
     largest = comb(degree, degree // 2)
     return Known(roundings, largest, 4 * largest)
 
 
 def foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: Sequence[Known]) -> list[Known]:
-    """What is known of every instruction.
+    """What is known about every instruction.
 
     >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,)), Instruction("mul", (0, 1))]
     >>> foreseen(load, [1, 2, 3], [operands_known(1, 2), operands_known(2, 2)])[2].roundings
@@ -113,7 +113,7 @@ def foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: Se
 
 def in_doubles(program: Program, operands: Sequence[Floats], roundings: int) -> list[Bounded]:
     """The outputs of a program on many segments of width 1, from the scaled coefficients of its operands, one row per
-    segment; each went through this many roundings, and no Bézier ordinate is larger than 1.
+    segment; each was rounded this many times, and no Bézier ordinate is larger than 1.
 
     Raises `FormulaError` where numbers could exceed the range of doubles, and for programs with multipliers.
     """
@@ -153,7 +153,7 @@ def bounded_by(values: Floats, masses: Floats, known: Known) -> Bounded:
 
 
 def _carried_out(instruction: Instruction, known: dict[int, Floats], *, absolute: bool) -> Floats:
-    """One instruction on the coefficients of all segments; `absolute` for masses, that grow with every term."""
+    """One instruction on the coefficients of all segments; `absolute` for masses, which grow with every term."""
     name, arguments, numbers = instruction
     a = known[arguments[0]]
     n = a.shape[1] - 1

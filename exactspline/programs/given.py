@@ -1,4 +1,4 @@
-"""What programs run on: the splines of an argument, and what is known of them before their numbers are."""
+"""The input of programs: the splines of an argument, and what is known about them in advance."""
 
 from __future__ import annotations
 
@@ -20,8 +20,7 @@ from exactspline.splines.tensor import TensorSpline
 class Given(NamedTuple):
     """An argument, its splines in the order of its kind's symbols, the mesh of every parameter, and the signature.
 
-    `stride` is the room for the first of two parameters that are packed into one (see
-    `exactspline.polynomials.tensor_bernstein`).
+    `stride` is the packing stride for the first of two parameters (see `exactspline.polynomials.tensor_bernstein`).
     """
 
     argument: Evaluated
@@ -32,11 +31,11 @@ class Given(NamedTuple):
 
 
 def operands_of(kind: Kind, argument: Evaluated, *, true_degree: bool = False) -> Given | None:
-    """The splines of an argument for formulas of a kind, read as they stand or at their true degree.
+    """The splines of an argument for formulas of a kind, read in the spline reading or at their true degree.
 
-    None where there is no program: of adjoined roots or constants, of splines over different breakpoints or made from
-    one another (then naive semantics sees more structure than the kind declares; the true degree does not depend on
-    it), where the denominator of a polynomial curve is not 1, and of two curves of which one is polynomial or has
+    None where there is no program: for adjoined roots or constants, for splines over different breakpoints or computed
+    from one another (then naive semantics sees more structure than the kind declares; the true degree does not depend
+    on it), where the denominator of a polynomial curve is not 1, and for two curves of which one is polynomial or has
     segments of a width other than 1.
     """
     if type(kind) is CurveKind:
@@ -78,7 +77,7 @@ def _groups(splines: Sequence[BSpline]) -> tuple[int, ...]:
 
 
 def _of_pair(kind: PairKind, pair: Pair[Any]) -> Given | None:
-    """The splines of two rational curves with segments of width one, those of the first before those of the second."""
+    """The splines of two rational curves with segments of width 1, those of the first before those of the second."""
     own: list[tuple[BSpline, ...]] = []
     stride = 1
     for which, curve in enumerate((pair.first, pair.second)):
@@ -100,13 +99,13 @@ def _of_pair(kind: PairKind, pair: Pair[Any]) -> Given | None:
 
 
 def _is_alone(f: TensorSpline, which: int) -> bool:
-    """Whether a spline depends on one of two parameters only and was not made from others."""
+    """Whether a spline depends on only one of two parameters and was not computed from others."""
     return f.profile is not None and f.profile[0] == which and is_alone(f.provenance) is not None
 
 
 @lru_cache(None)
 def _functions(kind: Kind, dimension: int, polynomial: bool) -> int:
-    """How many of the operands are functions; the constants come after them."""
+    """The number of operands that are functions; the constants follow them."""
     return sum(bool(symbol.parameters) for symbol in kind.symbols(dimension, polynomial=polynomial))
 
 
@@ -116,7 +115,7 @@ def _is_one(w: BSpline) -> bool:
 
 @lru_cache(None)
 def _places(kind: Kind, dimension: int, polynomial: bool) -> tuple[tuple[str, int | None], ...]:
-    """Where in an argument's operands each symbol of its kind is found."""
+    """The position of each symbol of a kind among an argument's operands."""
     count = len(kind.symbols(dimension, polynomial=polynomial))
     signature = Signature(kind, dimension, polynomial, (0,) * count, (0,) * count, unit_widths=True)
     found: dict[int, tuple[str, int | None]] = {}

@@ -30,7 +30,7 @@ class Instruction(NamedTuple):
     spread   a (i)        a, of the i-th parameter alone, on every patch
     ======== ============ ===================================================
 
-    Only products, sums and multiples are formed of what is spread.
+    Only products, sums and multiples of spread polynomials are formed.
     """
 
     name: str
@@ -39,7 +39,7 @@ class Instruction(NamedTuple):
 
 
 class Instructions:
-    """The list of a program as it is built: an operation on the same arguments is recorded once.
+    """The instructions of a program under construction: an operation on the same arguments is recorded once.
 
     >>> code = Instructions()
     >>> x, y = code.load(0, 2), code.load(1, 2)
@@ -49,7 +49,7 @@ class Instructions:
 
     def __init__(self) -> None:
         self.listed: list[Instruction] = []
-        #: The formal degree of what each instruction makes.
+        #: The formal degree of the result of each instruction.
         self.degrees: list[int] = []
         self._known: dict[Instruction, int] = {}
         #: The factors of products, nested products flattened.
@@ -108,11 +108,11 @@ class Instructions:
         return self._put(Instruction("sum", (a, b), (m, n)), self.degree(a))
 
     def raised(self, a: int, e: int) -> int:
-        """With the degree raised."""
+        """The argument with the degree raised."""
         return a if e == 0 else self._put(Instruction("raise", (a,), (e,)), self.degree(a) + e)
 
     def derived(self, name: str, a: int) -> int:
-        """A derivative or the quotient by u, by its name; of what has a positive degree."""
+        """A derivative or the quotient by u, given by its name, of an argument of positive degree."""
         n = self.degree(a)
         return self._put(Instruction(name, (a,), (n,)), n - 1)
 
@@ -121,9 +121,9 @@ class Instructions:
         return a if m == 1 else self._put(Instruction("scale", (a,), (m,)), self.degree(a))
 
     def spread(self, a: int, parameter: int) -> int:
-        """What depends on one parameter, on every patch."""
+        """A polynomial in one parameter, on every patch."""
         return self._put(Instruction("spread", (a,), (parameter,)), 0)
 
     def lifted(self, a: int, k: int) -> int:
-        """Times a multiplier of the segment."""
+        """The argument times a multiplier of the segment."""
         return self._put(Instruction("lift", (a,), (k,)), self.degree(a))

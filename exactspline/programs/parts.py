@@ -1,4 +1,4 @@
-"""The terms that a formula's value consists of, and the value with splines in their place."""
+"""The terms of a formula's value, and the value with splines in their place."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ T = TypeVar("T", bound=Operand)
 
 
 def terms_of(value: object, kind: type[T]) -> list[T]:
-    """The terms that a value, or each of several, consists of.
+    """The terms of a value, or of each of several.
 
-    Raises `FormulaError` for what formulas of programs do not return.
+    Raises `FormulaError` for a value that formulas of programs do not return.
     """
     if isinstance(value, RuledSurface):
         return terms_of(value.directrix, kind) + terms_of(value.generator, kind)

@@ -1,6 +1,7 @@
-"""Programs of formulas: made once for a kind of argument, its degrees and its widths, and run on any such argument.
+"""Programs of formulas: compiled once for a kind of argument, its degrees and its widths, and run on any such argument.
 
-What depends on one parameter is computed segment by segment; of two curves only the rest is computed patch by patch.
+Terms that depend on one parameter are computed segment by segment; for two curves only the others are computed patch by
+patch.
 """
 
 from __future__ import annotations
@@ -30,8 +31,8 @@ from exactspline.splines.values import SplineValue
 
 
 class Stage(NamedTuple):
-    """What is computed on the segments of one of two parameters: how, from which operands and with the denominators of
-    which of them, and the instructions that bring it to the patches.
+    """The computation on the segments of one of two parameters: the function, its operands, those whose denominators it
+    uses, and the instructions that transfer the results to the patches.
     """
 
     run: Run
@@ -67,7 +68,7 @@ class Program:
         self.terms = terms_of(value, Term)
         self.outputs = [term.output() for term in self.terms]
         outputs = list(zip(self.outputs, [term.below for term in self.terms], strict=True))
-        #: The operands that stand for those with the same denominators.
+        #: One operand of each group with the same denominators.
         self.groups = sorted(set(self.signature.groups))
         listed, multipliers = self.instructions.listed, reading.recorder.multipliers
         parameters = reading.recorder.all
@@ -89,13 +90,15 @@ class Program:
         return Stage(compiled(listed, wanted, loads, groups, reading.recorder.multipliers), operands, groups, spread)
 
     def __call__(self, argument: Evaluated) -> SplineValue:
-        """The value on an argument with the program's signature; it has no provenance.
+        """The value on an argument with the program's signature, without provenance.
 
-        Raises `FormulaError` for an argument with another one.
+        Raises `FormulaError` for an argument with another signature.
         """
         given = operands_of(self.signature.kind, argument)
         if given is None or given.signature != self.signature:
-            raise FormulaError("an argument for which the program was not made", remedy="make one with program_for")
+            raise FormulaError(
+                "an argument for which the program was not compiled", remedy="compile one with program_for"
+            )
         return self.on(given)
 
     def on(self, given: Given) -> SplineValue:
@@ -151,24 +154,25 @@ class Program:
         return found
 
     def count(self, name: str) -> int:
-        """How many instructions of one name are carried out on a segment."""
+        """How many instructions of a given name are executed per segment."""
         used = needed(self.instructions.listed, self.outputs)
         return sum(self.instructions.listed[i].name == name for i in used)
 
 
-#: All programs, and how many segments have asked for those that do not exist yet.
+#: All programs, and for those that do not exist yet, the number of segments on which they were requested.
 _programs: dict[tuple[Formula, Signature], Program] = {}
 _segments_asked: dict[tuple[Formula, Signature], int] = {}
 
-#: Making a program takes about as long as reading its formula on this many segments.
+#: Compiling a program takes about as long as evaluating its formula on this many segments.
 WORTH_IT = 12
 
 
 @lru_cache(1024)
 def program_of(formula: Formula, signature: Signature) -> Program:
-    """The program of a formula for arguments with a signature; made once.
+    """The program of a formula for arguments with a signature; compiled once.
 
-    Raises `FormulaError` for a formula of two curves that computes on patches what programs do not (see `Term`).
+    Raises `FormulaError` for a formula of two curves with operations that programs do not support on patches (see
+    `Term`).
     """
     reading = ProgramReading(signature)
     return Program(formula(reading.of_signature()), reading)
@@ -182,7 +186,7 @@ def _program_of_all(formulas: tuple[Formula, ...], signature: Signature) -> Prog
 
 
 def program_for(formula: Formula, argument: Evaluated) -> Program:
-    """The program of a formula for arguments like this one; made once.
+    """The program of a formula for arguments like this one; compiled once.
 
     Raises `FormulaError` where there is none (see `operands_of` and `program_of`).
     """
@@ -196,7 +200,7 @@ def program_for(formula: Formula, argument: Evaluated) -> Program:
 
 
 def values(formulas: tuple[Formula, ...], given: Given) -> dict[Formula, SplineValue]:
-    """The values of several formulas by one program, in which what they share is computed once.
+    """The values of several formulas by one program that computes common subexpressions once.
 
     >>> from exactspline.papers import find
     >>> from exactspline.interchange.examples import example
@@ -210,8 +214,8 @@ def values(formulas: tuple[Formula, ...], given: Given) -> dict[Formula, SplineV
 
 
 def value(formula: Formula, given: Given) -> SplineValue:
-    """The value of a formula on one curve. A program is made where it pays off: once `WORTH_IT` segments have asked for
-    it. Until then the formula is read as always, with the same result.
+    """The value of a formula on one curve. A program is compiled where it pays off: once it was requested for
+    `WORTH_IT` segments. Until then the formula is evaluated in the spline reading, with the same result.
     """
     key = formula, given.signature
     program = _programs.get(key)
@@ -225,7 +229,7 @@ def value(formula: Formula, given: Given) -> SplineValue:
 
 
 def evaluated(formula: Formula, argument: Evaluated) -> SplineValue:
-    """The value of a formula: by its program where there is one, and otherwise in the spline reading.
+    """The value of a formula: by its program where there is one, otherwise in the spline reading.
 
     >>> from exactspline.papers import find
     >>> from exactspline.interchange.examples import example

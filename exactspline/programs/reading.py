@@ -1,4 +1,4 @@
-"""The reading that makes programs: operands are loaded, operations become instructions."""
+"""The reading that compiles programs: operands are loaded, operations become instructions."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from exactspline.programs.wronskian import TermAtTrueDegree
 
 
 class Signature(NamedTuple):
-    """What a program depends on besides its formula: everything about the argument except its numbers.
+    """What a program depends on in addition to its formula: everything about the argument except its numbers.
 
-    `degrees` are those of the operands, each in its own parameter; `groups` say which of them have the same
-    denominators on all segments; `true_degree` whether formulas are read at their true degree (see
+    `degrees` are those of the operands, each in its own parameter; `groups` identify those with the same denominators
+    on all segments; `true_degree` whether formulas are read at their true degree (see
     `exactspline.programs.wronskian`).
     """
 

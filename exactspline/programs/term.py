@@ -1,4 +1,4 @@
-"""The operand of the program reading: results of operations are recorded, with what is known of them in advance."""
+"""The operand of the program reading: results of operations are recorded, with what is known about them in advance."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from exactspline.programs.instructions import UNIT as ONE_POLYNOMIAL
 from exactspline.programs.instructions import ZERO, Instructions
 from exactspline.splines.knots import SMOOTH
 
-#: Operand by operand the order of its derivative (−1: none), constants last.
+#: The order of the derivative of each operand (−1: none), constants last.
 Orders = tuple[int, ...]
 
 
 class Recorder:
-    """What is recorded while a formula is traced: instructions, and multipliers that depend on the segments.
+    """The record of a formula being traced: instructions, and multipliers that depend on the segments.
 
-    `parameters` name of every operand the parameter on which it depends.
+    `parameters` gives for every operand the parameter on which it depends.
     """
 
     def __init__(self, parameters: Sequence[str], *, unit_widths: bool) -> None:
@@ -46,14 +46,13 @@ class Recorder:
 class Term(RingOperand):
     """``number · bᵏ (u + v)ᵉ · node / below``, with b the denominator of the segment's width.
 
-    `degrees` has one number per parameter. What depends on one parameter only is computed segment by segment, and
-    `axis` is its index, 0 for a constant; what depends on several is ``number · node / below`` on every patch,
-    and `axis` is None.
+    `degrees` has one number per parameter. A term in one parameter only is computed segment by segment, and `axis` is
+    its index, 0 for a constant; a term in several is ``number · node / below`` on every patch, and `axis` is None.
 
     `orders` are, operand by operand, the orders of the derivatives it was made from (−1: none), the constants last:
     continuity drops by them.
 
-    Raises `FormulaError` for what is not computed on patches: sums of unequal degrees or denominators, derivatives.
+    Raises `FormulaError` for operations not supported on patches: sums of unequal degrees or denominators, derivatives.
     """
 
     __slots__ = ("axis", "below", "degrees", "node", "number", "orders", "provenance", "raised", "recorder", "widths")
@@ -97,13 +96,13 @@ class Term(RingOperand):
     def degree(self) -> int:
         """The degree in the one parameter on which it depends.
 
-        Raises `FormulaError` where there are several.
+        Raises `FormulaError` where there are several parameters.
         """
         return self.degrees[self._only()]
 
     def _only(self) -> int:
         if self.axis is None:
-            raise _outside("a degree or a derivative of what depends on several parameters")
+            raise _outside("a degree or a derivative of a term in several parameters")
         return self.axis
 
     @property
@@ -113,7 +112,7 @@ class Term(RingOperand):
 
     @property
     def value(self) -> mpq:
-        """The number that a constant is."""
+        """The number of a constant term."""
         return mpq(0 if self.node == ZERO else self.number, self.below.constant)
 
     @property
@@ -124,10 +123,10 @@ class Term(RingOperand):
         """
         if self.node == ZERO:
             return True
-        raise FormulaError("whether a term of a program vanishes", remedy="run the program and ask what it returns")
+        raise FormulaError("whether a term of a program vanishes", remedy="run the program and test its result")
 
     def __eq__(self, other: object) -> bool:
-        """Whether both were made in the same way."""
+        """Whether both were computed in the same way."""
         return isinstance(other, Term) and same(self.provenance, other.provenance)
 
     def __hash__(self) -> int:
@@ -138,7 +137,7 @@ class Term(RingOperand):
         return type(self)(**fields)
 
     def _of_degree(self, degree: int) -> tuple[int, ...]:
-        """The degrees with another in the one parameter."""
+        """The degrees with another one in the only parameter."""
         only = self._only()
         return tuple(degree if i == only else n for i, n in enumerate(self.degrees))
 
@@ -212,7 +211,7 @@ class Term(RingOperand):
         return self._with(node=node, raised=raised, widths=widths)
 
     def _on_patches(self) -> Self:
-        """As something that is computed on every patch."""
+        """The term as one that is computed on every patch."""
         if self.axis is None:
             return self
         if self.node == ZERO:
@@ -258,7 +257,7 @@ class Term(RingOperand):
     # ---- derivatives and degrees
 
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
-        """The derivative of an order, by the one parameter."""
+        """The derivative of an order, with respect to the only parameter."""
         if by is not None and by != self.recorder.all[self._only()]:
             raise FormulaError(
                 f"a derivative with respect to {by!r} in a program", remedy="name the parameter on which it depends"
@@ -294,7 +293,7 @@ class Term(RingOperand):
         return self._over(self.below, degrees, only)
 
     def partials(self, degree: int, order: int) -> list[Self]:
-        """``∂u^(order−i) ∂vⁱ`` for i = 0 … order, of the term as a form of a degree at least its own."""
+        """``∂u^(order−i) ∂vⁱ`` for i = 0 … order, of the term as a form of at least its degree."""
         level = [self._over(self.below, self._of_degree(degree), self._only())]
         for _ in range(order):
             level = [level[0]._partial("du"), *[term._partial("dv") for term in level]]
@@ -326,12 +325,12 @@ class Term(RingOperand):
         """The term over one more denominator."""
         return self._with(below=self.below * below)
 
-    # ---- what comes out
+    # ---- output
 
     def output(self) -> int:
         """The instruction that makes the polynomial over `below`."""
         if self.axis is not None and len(self.degrees) > 1:
-            raise _outside("a value on patches that depends on one parameter only")
+            raise _outside("a value on patches in one parameter only")
         if self.node == ZERO:
             return ZERO
         code = self.recorder.instructions
@@ -351,7 +350,9 @@ def _outside(what: str) -> FormulaError:
 
 
 def multiple_of_sum(code: Instructions, first: tuple[int, int], second: tuple[int, int]) -> tuple[int, int]:
-    """A sum of multiples of what two instructions make, as a multiple of one; zero among them adds nothing."""
+    """A sum of multiples of the results of two instructions, as a multiple of one result; a zero among them
+    is skipped.
+    """
     (a, m), (b, n) = first, second
     if ZERO in (a, b):
         return second if a == ZERO else first

@@ -1,12 +1,12 @@
 """The reading of formulas at their true degree: a program whose Wronskians are determinants of partial derivatives.
 
 For forms of degree n in u and v, with ``A = u ∂u + v ∂v`` and ``B = ∂v − ∂u`` (the derivative, where u + v = 1),
-Euler's relation gives ``A^(r−i) Bⁱ f = (n−i)(n−i−1)…(n−r+1) f⁽ⁱ⁾``; the matrix that takes the r-th partial derivatives
-to these has a power of u + v for determinant, that is 1. So the Wronskian is the determinant of the r-th partial
-derivatives over a constant: of degree (r+1)(n−r), which is ``kd − 2m``, with nothing to divide.
+Euler's relation gives ``A^(r−i) Bⁱ f = (n−i)(n−i−1)…(n−r+1) f⁽ⁱ⁾``; the matrix that maps the r-th partial derivatives
+to these has a power of u + v as its determinant, which is 1. So the Wronskian is the determinant of the r-th partial
+derivatives divided by a constant: of degree (r+1)(n−r), which is ``kd − 2m``, without any polynomial division.
 
-Where ``F = Π fᵉ`` is homogeneous of degree 0, ``u ∂u + v ∂v`` takes it to zero, so that where ``u + v = 1`` its
-derivative ``∂v − ∂u`` is ``∂v/u``: the numerator of F′/F comes out at its true degree, too.
+Where ``F = Π fᵉ`` is homogeneous of degree 0, ``u ∂u + v ∂v`` maps it to zero, so that where ``u + v = 1`` its
+derivative ``∂v − ∂u`` is ``∂v/u``: the numerator of F′/F has its true degree, too.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class TermAtTrueDegree(Term, OwnWronskians):
         return value_.per_width(r * (r + 1) // 2, r).over(Denominator(constant))
 
     def logarithmic_numerator(self, powers: Sequence[tuple[Self, int]]) -> Self:
-        """By ``∂v/u`` where the product is homogeneous of degree 0."""
+        """The numerator by ``∂v/u`` where the product is homogeneous of degree 0."""
         numbers, functions = [f.value for f, _ in powers if f.is_number], [p for p in powers if not p[0].is_number]
         if not functions or 0 in numbers:
             return self.constant(0)

@@ -21,8 +21,8 @@ Row = tuple[list[fmpz], fmpz]
 def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -> Iterator[Form]:
     """The forms over the spans [t_j, t_{j+1}] of the spline of degree n with knots t and control points d.
 
-    Knots are inserted until each has multiplicity n, from left to right: what remains on the other side of the right
-    end of one span is what the next span begins with. The numbers of a span are integers over one denominator, and
+    Knots are inserted until each has multiplicity n, from left to right: the points that remain beyond the right end of
+    one span are those with which the next span begins. The numbers of a span are integers over one denominator, and
     their common factor is divided out once per span.
     """
     knots, control_points = list(map(to_fmpq, t)), list(map(to_fmpq, d))
@@ -49,8 +49,8 @@ def _at_left_end(t: Sequence[fmpq], n: int, d: Sequence[fmpq], j: int) -> list[f
 
 
 def _inserted(row: Row, widths: list[fmpz]) -> tuple[list[fmpz], list[fmpz], fmpz]:
-    """The Bézier points of a span, and what is on the right of it, after its right end was inserted n times; over one
-    denominator. `widths` are the distances of the knots that follow from the left end, in any unit.
+    """The Bézier points of a span, and the points to the right of it, after its right end was inserted n times; over
+    one denominator. `widths` are the distances of the knots that follow from the left end, in any unit.
     """
     g, bottom = row
     unit = fmpz_poly(widths).content()
@@ -72,8 +72,8 @@ def _inserted(row: Row, widths: list[fmpz]) -> tuple[list[fmpz], list[fmpz], fmp
 
 
 def _next_row(own: list[fmpq], ends: list[fmpz], bottom: fmpz) -> Row:
-    """The start of the next span: as many of its own control points as the multiplicity of its left end, then what
-    remains from the span before.
+    """The start of the next span: as many of its control points as the multiplicity of its left end, then the points
+    that remain from the previous span.
     """
     mine, below = _over_one(own)
     common = bottom.lcm(below)
@@ -103,7 +103,7 @@ def to_control_points(
 ) -> tuple[mpq, ...]:
     """Control points over clamped knots t, each the blossom of a segment at the n knots that follow.
 
-    Any segment inside the support will do; the one with most of those knots at its ends is the cheapest.
+    Any segment inside the support is possible; the one with most of those knots at its ends is the cheapest.
     """
     points = []
     for i in range(len(t) - n - 1):
@@ -126,9 +126,9 @@ def _cheapest(breaks: Sequence[mpq], low: mpq, high: mpq, inner: Sequence[mpq]) 
     return best
 
 
-#: The knots that count on a span, from 0 at its left end to 1 at its right end.
+#: The knots that affect a span, scaled such that its left end is 0 and its right end is 1.
 Pattern = tuple[mpq, ...]
-#: A matrix is made for a pattern that was met this many times as its degree, and for this many patterns.
+#: A matrix is computed for a pattern that occurred this many times its degree, and for at most this many patterns.
 PATTERNS = 4096
 #: Above this degree there are no matrices.
 MOST = 12
@@ -140,8 +140,8 @@ def common_forms(
     t: Sequence[mpq], n: int, columns: Sequence[Sequence[mpq]], spans: Sequence[int]
 ) -> list[tuple[list[fmpz_poly], fmpz]] | None:
     """The forms over the spans [t_j, t_{j+1}] of the splines of degree n with knots t and columns of control points,
-    one after the other, over their least common denominator. None where knots around spans differ so much that it is
-    not worth a matrix each.
+    one after the other, over their least common denominator. None where the knots around spans differ so much that a
+    matrix for each is not worthwhile.
 
     >>> from exactspline.numbers.exact import mpq
     >>> for _ in range(4):
@@ -177,7 +177,7 @@ def _pattern(t: Sequence[mpq], n: int, j: int) -> Pattern:
 
 
 def _worth_it(n: int, patterns: Sequence[Pattern]) -> bool:
-    """Whether there are matrices for all patterns; if not, these have been met once more."""
+    """Whether there are matrices for all patterns; if not, their occurrences are counted."""
     if all(_met[n, pattern] > n for pattern in patterns):
         return True
     if len(_met) > PATTERNS:

@@ -1,8 +1,8 @@
 """The public piecewise polynomial: exact B-splines and the primitive operations of §2.
 
-A `BSpline` is immutable. Its knots and control points are exact (``gmpy2.mpq``); those of a computed spline are made
-when first asked for and kept. Inside it is a list of forms (see `exactspline.polynomials.bernstein`), one per segment,
-with the nominal degree and the nominal continuity at every interior breakpoint.
+A `BSpline` is immutable. Its knots and control points are exact (``gmpy2.mpq``); those of a computed spline are
+computed when first needed and then stored. Internally it is a list of forms (see `exactspline.polynomials.bernstein`),
+one per segment, with the nominal degree and the nominal continuity at every interior breakpoint.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ from exactspline.splines.refinement import composed
 
 
 class _Parts:
-    """The fields of a spline; when they are filled in it becomes a `BSpline`, which never changes."""
+    """The fields of a spline; once they are filled in it becomes a `BSpline`, which never changes."""
 
     __slots__ = (
         "_derivative",
@@ -59,7 +59,7 @@ class _Parts:
     degree: int
     mesh: Mesh
     continuity: tuple[int, ...]
-    #: The forms, their polynomials and denominators apart.
+    #: The forms, with polynomials and denominators separate.
     _polynomials: tuple[fmpz_poly, ...]
     denominators: tuple[fmpz, ...]
     provenance: Provenance
@@ -120,7 +120,7 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
         forms: Iterable[Form],
         provenance: Provenance | None = None,
     ) -> BSpline:
-        """The spline with these forms, which it owns from then on; the caller vouches for the continuity."""
+        """The spline with these forms, of which it takes ownership; the caller is responsible for the continuity."""
         polynomials, denominators = zip(*forms, strict=True)
         return _make(degree, mesh, continuity, polynomials, denominators, leaf() if provenance is None else provenance)
 
@@ -134,11 +134,13 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
         denominators: tuple[fmpz, ...],
         provenance: Provenance,
     ) -> BSpline:
-        """The spline with these forms, polynomials and denominators apart; the caller vouches for the rest."""
+        """The spline with these forms, polynomials and denominators separate; the caller is responsible for the other
+        fields.
+        """
         return _make(degree, mesh, continuity, polynomials, denominators, provenance)
 
     def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
-        """This spline with its forms over other denominators; the caller vouches that they are the same functions."""
+        """This spline with its forms over other denominators; the caller ensures that they are the same functions."""
         made = BSpline.from_forms(self.degree, mesh, self.continuity, forms, self.provenance)
         fill(made, _knots=self._knots, _points=self._points)
         return made
@@ -176,7 +178,7 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
 
     @property
     def knots(self) -> KnotVector:
-        """The knots, as given or (of a computed spline) clamped."""
+        """The knots: as given, or for a computed spline clamped."""
         known = self._knots
         if known is None:
             known = clamped(self.mesh, self.continuity, self.degree)
@@ -226,7 +228,7 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
         return _restored, (self.degree, self.mesh, self.continuity, forms, self._knots, self._points)
 
     def same_representation(self, other: BSpline) -> bool:
-        """Whether degree, knots and control points agree (`==` asks only whether the functions agree)."""
+        """Whether degree, knots and control points agree (`==` tests only whether the functions agree)."""
         return self.degree == other.degree and self.knots == other.knots and self.control_points == other.control_points
 
     # ---- arithmetic
@@ -293,8 +295,8 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
     def d(self, order: int = 1, *, by: str | None = None) -> BSpline:
         """The derivative of the given order.
 
-        The formal degree drops by one each time, below 0 if need be (then the spline is zero and has no control
-        points); so does the continuity, not below −1.
+        The formal degree decreases by one each time, if necessary below 0 (then the spline is zero and has no control
+        points); so does the continuity, but not below −1.
 
         >>> BSpline.bezier([0, 0, 1]).d(2).control_points
         (mpq(2,1),)
@@ -317,8 +319,8 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
     # ---- the function
 
     def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> mpq:
-        """Exact value at a parameter; at a jump the limit from the right (from the left at the end), or from the `side`
-        asked for.
+        """Exact value at a parameter; at a jump the limit from the right (from the left at the end), or from the given
+        `side`.
 
         Raises `DomainError` outside the domain.
         """
@@ -338,7 +340,7 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
         return self is other or (self.domain == other.domain and (self - other).is_zero)
 
     def __hash__(self) -> int:
-        """That of the quotients that are this function."""
+        """The hash of the quotients that equal this function."""
         return hash((*self.domain, *map(self, self._places)))
 
     @property
@@ -348,11 +350,11 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
 
     @property
     def vanishes_somewhere(self) -> bool:
-        """Whether it is identically zero on one segment at least."""
+        """Whether it is identically zero on at least one segment."""
         return not all(self._polynomials)
 
     def hash_of_quotient(self, numerator: BSpline) -> int:
-        """From the limits of the quotient at fixed parameters, which common factors do not change."""
+        """A hash of the limits of the quotient at fixed parameters, which common factors do not change."""
         return hash((*self.domain, *[limit(numerator, self, t) for t in self._places]))
 
     @property
@@ -390,7 +392,7 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
         return refinement.insert_knot(self, rational(t), times)
 
     def remove_knot(self, t: Number, times: int = 1) -> BSpline:
-        """The same function with one knot less; `ReductionError` names the derivative that jumps there."""
+        """The same function with one knot removed; `ReductionError` names the derivative that jumps there."""
         return refinement.remove_knot(self, rational(t), times)
 
     def split(self, t: Number) -> tuple[BSpline, BSpline]:
@@ -475,7 +477,7 @@ def _differentiated(f: BSpline) -> BSpline:
 
 
 def limit(numerator: BSpline, denominator: BSpline, t: mpq) -> mpq | None:
-    """The limit of a quotient at a parameter from the right; None at a pole and where it is 0/0 beyond.
+    """The limit of a quotient at a parameter from the right; None at a pole and where it is 0/0 to the right.
 
     >>> t = BSpline.identity(0, 1)
     >>> limit(t * t + t, t, mpq(0)), limit(t, t * t, mpq(0))

@@ -61,7 +61,7 @@ def splines_over(degree: int, knots: KnotVector, columns: Sequence[tuple[mpq, ..
 
 def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
     """The components of one curve, segment by segment over one denominator, so that sums stay cheap; they share one
-    mesh, and keep their knots and control points.
+    mesh; their knots and control points do not change.
     """
     mesh, columns = splines[0].mesh, []
     for forms in zip(*[f.forms for f in splines], strict=True):
@@ -74,8 +74,8 @@ def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
 
 
 def on_one_mesh(splines: Iterable[TensorSpline], letters: tuple[str, str]) -> list[TensorSpline]:
-    """Components over the same breakpoints, as they are but with the meshes of the first, so that operations need not
-    compare them, and with names of their parameters.
+    """Components over the same breakpoints, unchanged except that they share the meshes of the first, so that
+    operations need not compare them, and that their parameters have names.
     """
     found = list(splines)
     meshes = named(found[0].meshes, letters)

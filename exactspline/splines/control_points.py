@@ -50,7 +50,7 @@ Point = tuple[mpq, ...]
 
 
 def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
-    """A row of numbers as exact ones; an error names the one at fault."""
+    """A row of exact numbers; an error names the invalid one."""
     exact = []
     for i, value in enumerate(values):
         try:
@@ -61,8 +61,8 @@ def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
 
 
 def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Point, ...]:
-    """Points and directions of one dimension, with at least this many coordinates each; `ShapeError` names the one at
-    fault.
+    """Points and directions of one dimension, with at least this many coordinates each; `ShapeError` names the invalid
+    one.
     """
     points: list[Point] = []
     for i, row in enumerate(as_items(rows, "control points")):
@@ -130,8 +130,8 @@ def projected(row: Sequence[mpq]) -> Point:
 
 
 def greville_abscissae(f: BSpline) -> list[mpq]:
-    """The parameters over which the control points of a function are drawn: means of n consecutive knots (of a
-    constant: the middles of segments).
+    """The parameters over which the control points of a function are drawn: means of n consecutive knots (for a
+    constant, the midpoints of segments).
 
     >>> from exactspline import BSpline
     >>> greville_abscissae(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 1]))

@@ -1,4 +1,4 @@
-"""What a public function was handed, or the error that says what it takes instead."""
+"""Checks of the arguments of public functions; the error states what is expected."""
 
 from __future__ import annotations
 

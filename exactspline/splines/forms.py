@@ -1,5 +1,5 @@
-"""The forms of a spline, for reading: FLINT's polynomials can be changed in place, so that every one returned is a
-copy.
+"""The forms of a spline, for reading: since FLINT's polynomials can be changed in place, every returned one
+is a copy.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from exactspline.polynomials.bernstein import Form
 
 
 class Polynomials(Sequence[fmpz_poly]):
-    """The polynomials of a spline, segment by segment; each is copied when it is taken out.
+    """The polynomials of a spline, segment by segment; each is copied on access.
 
     >>> from exactspline import BSpline
     >>> f = BSpline.bezier([1, 2])

@@ -1,4 +1,4 @@
-"""Input of users: degrees, sides and control points, read exactly or refused with the place at fault."""
+"""Input of users: degrees, sides and control points, read exactly or rejected with the place of the error."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def checked_side(side: Side | str) -> bool:
 
 
 def exact_points(points: Iterable[Number]) -> tuple[mpq, ...]:
-    """Control points as exact numbers, an error naming the one at fault."""
+    """Control points as exact numbers; an error names the invalid one."""
     exact = []
     for i, b in enumerate(points):
         try:

@@ -7,7 +7,7 @@ from exactspline.splines.bspline import BSpline
 
 
 def integral(f: BSpline) -> BSpline:
-    """The antiderivative that is 0 where the domain begins, one degree higher and continuous.
+    """The antiderivative that is 0 at the start of the domain, one degree higher and continuous.
 
     >>> f = BSpline(1, [0, 0, 1, 3, 3], [2, 0, 4])
     >>> integral(f).d() == f, integral(f)(0), integral(f)(3)

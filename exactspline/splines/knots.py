@@ -1,7 +1,7 @@
 """Knot vectors as a small algebra: multiplicity, continuity, refinement, union.
 
-Two views of the same thing. A `KnotVector` is the full list with multiplicities, as it is written. A `Mesh` is the
-list of distinct breakpoints of a domain; together with the continuity at each interior breakpoint it says the same for
+Two views of the same thing. A `KnotVector` is the full list with multiplicities, as it is written. A `Mesh` is the list
+of distinct breakpoints of a domain; together with the continuity at each interior breakpoint it describes the same for
 a spline of known degree (multiplicity = degree − continuity).
 """
 
@@ -34,7 +34,7 @@ class KnotVector(Immutable):
 
     __slots__ = ("_known", "knots")
     knots: tuple[mpq, ...]
-    #: The degrees that these knots carry, with the mesh of each once it has been made (see `mesh_of`).
+    #: The degrees for which these knots are valid, with the mesh of each once it was computed (see `mesh_of`).
     _known: dict[int, MeshOf | None]
 
     def __init__(self, knots: Iterable[Number]) -> None:
@@ -103,8 +103,8 @@ class KnotVector(Immutable):
         return Interval(self.knots[degree], self.knots[len(self.knots) - 1 - degree])
 
     def check(self, degree: int) -> None:
-        """Raise `KnotError` unless these knots carry splines of the given degree (multiplicity ≤ degree+1, non-empty
-        domain).
+        """Raise `KnotError` unless these knots are valid for splines of the given degree (multiplicity ≤ degree+1,
+        non-empty domain).
         """
         if degree in self._known:
             return
@@ -175,7 +175,8 @@ class Mesh(Immutable):
         return len(self.breaks) - 1
 
     def locate(self, t: mpq, *, left: bool = False) -> int:
-        """Index of the segment that holds t: at a breakpoint the one on its right, or on its left when asked for.
+        """Index of the segment that contains t: at a breakpoint the one on its right, or with `left` the one on its
+        left.
 
         Raises `DomainError` outside the domain.
         """
@@ -213,8 +214,8 @@ MeshOf = tuple[Mesh, tuple[int, ...], list[int]]
 
 
 def mesh_of(knots: KnotVector, degree: int) -> MeshOf:
-    """The mesh of the domain, the continuity at its interior breakpoints, and for each segment the index j with t_j its
-    left end; made once.
+    """The mesh of the domain, the continuity at its interior breakpoints, and for each segment the index j such that
+    t_j is its left end; computed once.
     """
     known = knots._known.get(degree)
     if known is None:

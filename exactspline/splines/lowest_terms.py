@@ -66,7 +66,7 @@ def control_point_count(value: SplineValue) -> int:
 
 
 def true_degree(value: BSpline | SplineVector) -> int:
-    """Degree after exact division: by u + v, and of a quotient by the common factor of numerator and denominator; the
+    """Degree after exact division: by u + v, for a quotient also by the common factor of numerator and denominator; the
     largest over the segments.
     """
     if not isinstance(value, Rational):
@@ -87,7 +87,7 @@ def true_degree_or_none(value: BSpline | SplineVector) -> int | None:
 
 def lowest_terms(value: Rational[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
     """Segment by segment the components of a quotient without their common factor, the denominator last and positive,
-    and the degree that is left.
+    and the remaining degree.
 
     As homogeneous forms of one degree, so that factors u (a zero at the right end), v and u + v (a degree too high) are
     common factors like any other. Raises `ReductionError` where the denominator vanishes on a whole segment.
@@ -97,7 +97,7 @@ def lowest_terms(value: Rational[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
         raise ReductionError(
             f"the denominator vanishes on all of [{text(a)}, {text(b)}]",
             where=f"segment {gap}",
-            remedy="leave this segment out",
+            remedy="restrict the spline to the other segments",
             segment=gap,
         )
     return _lowest_rows(_scalars(value))
@@ -124,8 +124,8 @@ def _common(denominators: Sequence[fmpz]) -> fmpz:
 
 
 def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tuple[list[fmpz_poly], int]:
-    """Forms of degree n without their common factor, which is made positive, or so that the last form becomes so, at a
-    parameter inside.
+    """Forms of degree n without their common factor; its sign is chosen such that it, or with `sign_of_last` the last
+    form, is positive at a parameter inside.
     """
     common = greatest_common_divisor(forms)
     left = n - common.degree() - (n - max(c.degree() for c in forms))
@@ -136,8 +136,9 @@ def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tup
 
 
 def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
-    """`f` divided, segment by segment, by its common factor with a power of `w`, which has no zero; the sign stays. The
-    same spline where there is no common factor; otherwise each segment loses a positive factor of its own.
+    """`f` divided, segment by segment, by its common factor with a power of `w`, which has no zeros; the sign is
+    preserved. The same spline where there is no common factor; otherwise each segment is divided by a different
+    positive factor.
     """
     if w.degree <= 0 or f.is_zero or f.mesh.breaks != w.mesh.breaks:
         return f
@@ -166,7 +167,7 @@ def _without(p: fmpz_poly, q: fmpz_poly, times: int) -> tuple[fmpz_poly, int]:
 
 
 def primitive(f: BSpline) -> BSpline:
-    """`f` times the positive constant that makes the integers of all its forms coprime: as continuous as it was.
+    """`f` times the positive constant that makes the integers of all its forms coprime; the continuity does not change.
 
     >>> primitive(BSpline.bezier(["2/3", "4/3"])).control_points
     (mpq(1,1), mpq(2,1))
@@ -201,8 +202,8 @@ def in_lowest_terms(value: SplineSurface) -> SplineSurface: ...
 def in_lowest_terms(value: SplineValue) -> SplineValue:
     """The same scalar, vector or quotient in the lowest degree that holds on all segments.
 
-    A quotient is reduced segment by segment: each keeps a factor of its own, so that numerator and denominator are only
-    C⁻¹ although their quotient is as continuous as it was. Anything but a quotient loses powers of u + v and keeps its
+    A quotient is reduced segment by segment, each by a different factor, so that numerator and denominator are only C⁻¹
+    although the continuity of their quotient does not change. Other values lose powers of u + v and keep their
     continuity.
 
     >>> from exactspline.interchange.examples import example
@@ -210,10 +211,9 @@ def in_lowest_terms(value: SplineValue) -> SplineValue:
     >>> in_lowest_terms(find("evolute")(example("circle"))).degree
     0
 
-    Of a ruled surface the directrix is reduced to q/v like any quotient; the ruling parameter is free, so that any
-    factor may be removed from the generator: what is left is g/v with g the primitive polynomial vector of its
-    direction, segment by segment. As a quotient (q + ζ g)/v this is the surface of least degree in s with this
-    directrix.
+    For a ruled surface the directrix is reduced to q/v like any quotient; the ruling parameter is free, so that any
+    factor may be removed from the generator: it becomes g/v with the primitive polynomial vector g of its direction,
+    segment by segment. As a quotient (q + ζ g)/v this is the surface of least degree in s with this directrix.
     """
     if isinstance(value, RuledSurface):
         directrix, generator = in_lowest_terms(value.directrix), primitive_part(value.generator)
@@ -234,7 +234,7 @@ def in_lowest_terms(value: SplineValue) -> SplineValue:
 def primitive_part(value: SplineVector) -> Vector[BSpline]:
     """The polynomial vector of least degree with the direction of a vector or a vector quotient, segment by segment.
 
-    It points the same way as the vector does in the first half of each segment (except at parameters where the vector
+    It has the direction of the vector in the first half of each segment (except at parameters where the vector
     vanishes).
 
     >>> from exactspline.interchange.examples import example

@@ -50,7 +50,7 @@ class ValuesAlong(FunctionsOutside):
     dimension: int
 
     def derivative(self, order: int, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
-        """The derivative of the given order at a rational parameter, exactly; at a knot the one from the `side`.
+        """The derivative of the given order at a rational parameter, exactly; at a knot the limit from the `side`.
 
         >>> from exactspline import Nurbs
         >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
@@ -115,16 +115,16 @@ def _normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
 class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     """A polynomial or rational B-spline curve with exact data.
 
-    `control_points` are Cartesian, all of one dimension, or a `Direction`; `weights` are optional. The curve is
-    ``Σ wᵢ Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0 adds nothing, a direction v adds ``v Nᵢ`` to the numerator alone.
-    Equal weights mean that the curve is polynomial: then ``w`` is the constant 1 of degree 0 and ``gamma`` the vector
-    ``p``, and `polynomial` says so. Otherwise ``gamma`` is the `Rational` ``p/w``.
+    `control_points` are Cartesian, all of one dimension, or a `Direction`; `weights` are optional. The curve is ``Σ wᵢ
+    Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0 adds nothing, a direction v adds ``v Nᵢ`` to the numerator only. Equal
+    weights mean that the curve is polynomial: then ``w`` is the constant 1 of degree 0 and ``gamma`` the vector ``p``,
+    and `polynomial` is true. Otherwise ``gamma`` is the `Rational` ``p/w``.
 
     >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
     >>> arc("1/2"), arc.polynomial
     ((mpq(3,5), mpq(4,5)), False)
 
-    A curve is a value: it never changes, and ``==`` asks whether two curves are the same function.
+    A curve is a value: it never changes, and ``==`` tests whether two curves are the same function.
 
     >>> arc == arc.insert_knot("1/3").elevate_degree(), arc == arc.reverse()
     (True, False)
@@ -143,7 +143,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     note: str
     p: Vector[BSpline]
     w: BSpline
-    #: What `exactspline.analyse` found: set once, neither pickled nor compared.
+    #: The analysis by `exactspline.analyse`: set once, neither pickled nor compared.
     _analysis: object = None
 
     def __init__(
@@ -254,7 +254,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     # ---- the curve
 
     def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
-        """The exact point at a parameter (at a jump the limit from the right, or from the `side` asked for)."""
+        """The exact point at a parameter (at a jump the limit from the right, or from the given `side`)."""
         w = self.w(t, side)
         return tuple(x(t, side) / w for x in self.p)
 
@@ -282,7 +282,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     def closed(self) -> bool:
         """Whether the ends agree exactly."""
         w, n = self.w._polynomials, self.w.degree
-        # the denominators are those of one segment each, so that only the integers at the ends count
+        # each end has the denominators of one segment, so that only the integers at the ends matter
         start, end = w[0][0] * self.w.denominators[-1], w[-1][n] * self.w.denominators[0]
         return all(
             x._polynomials[0][0] * x.denominators[-1] * end == x._polynomials[-1][x.degree] * x.denominators[0] * start
@@ -365,7 +365,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
 
 
 def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
-    """The curve of the changed splines, with the name of the old one; the change keeps constants."""
+    """The curve of the changed splines, with the name of the old one; the change must preserve constants."""
     w = None if curve.polynomial else change(curve.w)
     return type(curve).from_splines(map(change, curve.p), w, name=curve.name)
 

@@ -36,7 +36,7 @@ class Piecewise(Protocol):
         forms: Iterable[Form],
         provenance: Provenance | None = None,
     ) -> Self:
-        """The one with these forms."""
+        """The piecewise polynomial with these forms."""
 
     @property
     def forms(self) -> Forms:
@@ -64,7 +64,7 @@ S = TypeVar("S", bound=Piecewise)
 
 
 def aligned(f: S, g: S) -> tuple[S, S]:
-    """Both splines over the union of their breakpoints; where one has no knot it counts as smooth."""
+    """Both splines over the union of their breakpoints; where one has no knot, it is treated as smooth."""
     mesh = f.mesh if f.mesh.breaks == g.mesh.breaks else f.mesh.union(g.mesh)
     return over(f, mesh), over(g, mesh)
 
@@ -121,7 +121,7 @@ def reduce(f: S, by: int) -> S:
 
 
 def _without_smooth_knots(f: S) -> S:
-    """Merge segments across breakpoints whose nominal continuity reaches the degree: there is no knot left."""
+    """Merge segments across breakpoints whose nominal continuity reaches the degree: there the knot is superfluous."""
     keep = [i for i, c in enumerate(f.continuity) if c < f.degree]
     if len(keep) == len(f.continuity):
         return f
@@ -162,7 +162,7 @@ def insert_knot(f: S, t: mpq, times: int) -> S:
 
 
 def remove_knot(f: S, t: mpq, times: int) -> S:
-    """One knot less (or several) at t, when enough derivatives agree there."""
+    """One knot (or several) removed at t, when enough derivatives agree there."""
     _inner(f, t)
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
     if type(times) is not int or not 1 <= times <= multiplicity:
@@ -267,8 +267,8 @@ def composed(outer: S, inner: S) -> S:
 
 
 def _typical(inner: Piecewise, outer: Piecewise, low: mpq, high: mpq) -> mpq:
-    """A value of the inner spline on (low, high) that is not a knot of the outer one, where it has any: it may touch
-    knots there but crosses none.
+    """A value of the inner spline on (low, high) that is not a knot of the outer one, where there are such values: it
+    may touch knots there but does not cross any.
     """
     values = [inner(low + (high - low) * mpq(k, inner.degree + 4)) for k in range(1, inner.degree + 4)]
     return next((x for x in values if x not in outer.mesh.breaks), values[0])
@@ -315,7 +315,7 @@ def _preimages(inner: Piecewise, knot: mpq) -> list[mpq]:
 
 
 def _rational(zero: LocalZero, knot: mpq, segment: Interval) -> mpq:
-    """The local parameter at which a knot of the outer spline is met, or the error where it is irrational."""
+    """The local parameter at which a knot of the outer spline is crossed, or the error where it is irrational."""
     if zero.low == zero.high:
         return zero.low
     factors = factorize(zero.factor.polynomial).bases

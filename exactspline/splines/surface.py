@@ -30,17 +30,18 @@ from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_net import checked_degrees, checked_knots
 from exactspline.words import choice
 
-#: Boxes on one patch before the search stops.
+#: The limit of boxes on one patch before the search stops.
 BOXES = 4000
 #: Halvings until the box of a zero is small enough to be reported.
 DEPTH = 16
 
 
 def check_weight(w: TensorSpline) -> None:
-    """Raise `WeightError` unless the denominator has one sign on its closed rectangle, one-sided limits at jumps too.
+    """Raise `WeightError` unless the denominator has one sign on its closed rectangle, including one-sided limits at
+    jumps.
 
-    The error carries a box (a point where both ends of its sides agree) with a zero in it, or one that is too small to
-    be decided; either way it is the ``witness``.
+    The ``witness`` of the error is a box that contains a zero (a point where the ends of its sides agree), or one that
+    is too small to be decided.
     """
     sign = 0
     for i, j in product(range(len(w.meshes[0])), range(len(w.meshes[1]))):
@@ -77,7 +78,7 @@ def _sign_or_box(form: PatchForm) -> int | tuple[Box, bool]:
 
 
 def zero_at_corners(part: Sized) -> Box | None:
-    """A corner of a part that is a zero, or a small box between corners of both signs, in which there is one."""
+    """A corner of a part that is a zero, or a small box between corners of both signs, which contains one."""
     while True:
         for value, (x, y) in zip(part.forms[0].corners, product(*part.box), strict=True):
             if value == 0:
@@ -129,14 +130,14 @@ class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
     """A polynomial or rational tensor-product B-spline surface with exact data.
 
     ``control_points[i][j]`` with i along u and j along v: Cartesian, all of one dimension, or a `Direction`; `weights`
-    as a net of the same shape, or none. The surface is ``Σ w_ij P_ij N_i(u) N_j(v) / Σ w_ij N_i(u) N_j(v)``. Equal
-    weights mean that it is polynomial: then ``w`` is the constant 1, and `polynomial` says so.
+    are a net of the same shape, or None. The surface is ``Σ w_ij P_ij N_i(u) N_j(v) / Σ w_ij N_i(u) N_j(v)``. Equal
+    weights mean that it is polynomial: then ``w`` is the constant 1, and `polynomial` is true.
 
     >>> saddle = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
     >>> saddle("1/2", "1/3"), saddle.partial(1, 1, 0, 0)
     ((mpq(1,2), mpq(1,3), mpq(1,6)), (mpq(0,1), mpq(0,1), mpq(1,1)))
 
-    A surface is a value: it never changes, and ``==`` asks whether two surfaces are the same function.
+    A surface is a value: it never changes, and ``==`` tests whether two surfaces are the same function.
 
     >>> saddle == saddle.insert_knot("u", "1/3").elevate_degree(0, 2), saddle == saddle.transposed().transposed()
     (True, True)
@@ -271,7 +272,8 @@ class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
         return self(u, v)
 
     def partial(self, i: int, j: int, u: Number, v: Number) -> tuple[mpq, ...]:
-        """The derivative of order i by u and j by v at a point, exactly; at a knot the one from the right.
+        """The derivative of order i with respect to u and j with respect to v at a point, exactly; at a knot the limit
+        from the right.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]],
         ...                  [[1, 1], [1, 2]])
@@ -296,7 +298,7 @@ class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
         return tuple(found[i, j])
 
     def isocurve(self, along: Along | str, at: Number) -> Nurbs:
-        """The curve on the surface that runs along one parameter, the other one held at a value.
+        """The curve on the surface along one parameter, with the other one fixed.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 2, 2], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
         >>> f.isocurve("u", 1).control_points
@@ -317,7 +319,7 @@ class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
     # ---- other representations, parts, images
 
     def insert_knot(self, along: Along | str, t: Number, times: int = 1) -> NurbsSurface:
-        """The same surface with a knot more in one parameter.
+        """The same surface with one more knot in one parameter.
 
         Raises `DomainError` outside the domain and at its ends, `KnotError` where the multiplicity would exceed
         degree + 1.
@@ -349,7 +351,7 @@ class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
     def restrict(self, side_u: tuple[Number, Number], side_v: tuple[Number, Number]) -> NurbsSurface:
         """The part over a smaller rectangle, over the same parameters.
 
-        Raises `DomainError` unless it is inside the domain and more than a line.
+        Raises `DomainError` unless it is a nondegenerate rectangle inside the domain.
         """
         return self._changed(lambda f: f.restrict(side_u, side_v))
 
@@ -370,7 +372,7 @@ class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
         return NurbsSurface.from_splines(image, w, name=self.name)
 
     def _changed(self, change: Callable[[TensorSpline], TensorSpline]) -> NurbsSurface:
-        """The surface of the changed splines; the change keeps constants."""
+        """The surface of the changed splines; the change must preserve constants."""
         w = None if self.polynomial else change(self.w)
         return NurbsSurface.from_splines(map(change, self.p), w, name=self.name)
 

@@ -244,8 +244,8 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> TensorSpline:
-        """The derivative by the parameter that is named: u or v on a surface, s or s̄ on two curves, any of them on what
-        belongs to neither; where none is, of what depends on one parameter only; `FormulaError` for anything else
+        """The derivative with respect to the named parameter: u or v on a surface, s or s̄ on two curves, any of these
+        for other splines; without a name, of a spline in one parameter only. Raises `FormulaError` for anything else
         (see `partial`).
         """
         if by is not None:
@@ -262,12 +262,12 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
             first, second = letters_of(self.meshes) or PARAMETERS
             raise FormulaError(
                 "a derivative of a spline in two parameters",
-                remedy=f"say by which: d(1, by={str(first)!r}) or d(1, by={str(second)!r})",
+                remedy=f"name the parameter: d(1, by={str(first)!r}) or d(1, by={str(second)!r})",
             )
         return lifted(self.profile[1].d(order), self.meshes, self.profile[0], self.stride)
 
     def partial(self, i: int, j: int) -> TensorSpline:
-        """The derivative of order i by s and j by t; beyond the degree the constant 0.
+        """The derivative of order i with respect to s and j with respect to t; beyond the degree the constant 0.
 
         >>> s = TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
         >>> (s * s * s).partial(2, 0)("1/2", 1), s.partial(0, 1).is_zero
@@ -283,7 +283,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         return found
 
     def elevated_to(self, other: TensorSpline) -> TensorSpline:
-        """The same function, in each direction at least of the degree of `other`."""
+        """The same function, in each direction of at least the degree of `other`."""
         by = [max(theirs - own, 0) for own, theirs in zip(self.degree, other.degree, strict=True)]
         return self.elevate_degree(*by)
 
@@ -328,11 +328,11 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
 
     @property
     def vanishes_somewhere(self) -> bool:
-        """Whether it is identically zero on one patch at least."""
+        """Whether it is identically zero on at least one patch."""
         return not all(self._own)
 
     def hash_of_quotient(self, numerator: TensorSpline) -> int:
-        """From the rectangle alone, in which equal quotients agree: at a point a common factor may vanish."""
+        """A hash of the rectangle only, which equal quotients share: at a point a common factor may vanish."""
         return hash((TensorSpline, self.domain))
 
     @property
@@ -342,7 +342,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         """
         return true_degrees(self)
 
-    # ---- other representations and parts: what `BSpline` can do, in either direction
+    # ---- other representations and parts, as for `BSpline`, in either direction
 
     def along(self, direction: int, change: Callable[[BSpline], BSpline]) -> TensorSpline:
         """The spline with a linear map of splines applied along one direction (0: along s)."""
@@ -373,7 +373,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         return self.along(0, lambda f: f.reduce_degree(by_s)).along(1, lambda f: f.reduce_degree(by_t))
 
     def insert_knot(self, direction: int, t: Number, times: int = 1) -> TensorSpline:
-        """The same function with a knot more in one direction."""
+        """The same function with one more knot in one direction."""
         return self.along(direction, lambda f: f.insert_knot(t, times))
 
     def restrict(self, side_s: tuple[Number, Number], side_t: tuple[Number, Number]) -> TensorSpline:
@@ -404,7 +404,7 @@ def make(
     denominators: tuple[fmpz, ...],
     provenance: Provenance,
 ) -> TensorSpline:
-    """The spline with these packed polynomials; the caller vouches for the continuity."""
+    """The spline with these packed polynomials; the caller is responsible for the continuity."""
     spline: Any = _new(TensorParts)
     spline.degree, spline.meshes, spline.continuity, spline.stride, spline.provenance = (
         degree,
@@ -448,7 +448,7 @@ def _lower(a: TensorSpline, b: TensorSpline) -> tuple[tuple[int, ...], tuple[int
 
 
 def aligned(*splines: TensorSpline) -> list[TensorSpline]:
-    """All over the union of their breakpoints."""
+    """All splines over the union of their breakpoints."""
     meshes = splines[0].meshes
     for f in splines[1:]:
         if f.meshes is not meshes:
@@ -468,7 +468,7 @@ def _over(f: TensorSpline, meshes: tuple[Mesh, Mesh]) -> TensorSpline:
 def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: int = 1) -> TensorSpline:
     """A spline of one parameter as one of two: direction 0 if the parameter is s, 1 if it is t.
 
-    A stride is room for the products that it will be part of.
+    The stride leaves room for later products.
 
     >>> f = BSpline.bezier([0, 0, 1])
     >>> lifted(f, (f.mesh, Mesh([mpq(0), mpq(1)])), 0)("1/2", "1/3")

@@ -35,8 +35,8 @@ def in_lowest_terms(value: Rational[TensorSpline]) -> Rational[TensorSpline]:
     """The same quotient with numerator and denominator without a common factor, of the lowest degrees that hold on all
     patches.
 
-    Each patch keeps a factor of its own, so that numerator and denominator are only C⁻¹ although their quotient is as
-    continuous as it was.
+    Each patch is divided by a different factor, so that numerator and denominator are only C⁻¹ although the continuity
+    of their quotient does not change.
 
     >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
@@ -57,7 +57,9 @@ def in_lowest_terms(value: Rational[TensorSpline]) -> Rational[TensorSpline]:
     ):
         polynomials, denominators = forms[: len(scalars)], forms[len(scalars) :]
         if not polynomials[-1]:
-            raise ReductionError(f"the denominator vanishes on all of {place(w, at)}", remedy="leave this patch out")
+            raise ReductionError(
+                f"the denominator vanishes on all of {place(w, at)}", remedy="restrict the surface to the other patches"
+            )
         common = ONE
         for m in denominators:
             common = common * (m // common.gcd(m))
@@ -68,9 +70,7 @@ def in_lowest_terms(value: Rational[TensorSpline]) -> Rational[TensorSpline]:
 
 
 def _lowest(forms: list[fmpz_mpoly]) -> tuple[list[fmpz_mpoly], Degrees]:
-    """The forms without their common factor, and the degree that is left: factors u and ū are degrees that no form
-    reaches.
-    """
+    """The forms without their common factor, and the remaining degree: factors u and ū lower it."""
     common = greatest_common_divisor(forms)
     forms = [form / common for form in forms]
     s, t = (max(int(form.degrees()[i]) for form in forms if form) for i in range(2))

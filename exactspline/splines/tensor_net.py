@@ -19,7 +19,7 @@ Points = tuple[tuple[mpq, ...], ...]
 
 
 def checked_degrees(degrees: object) -> Degrees:
-    """Two degrees as given by a user; `ShapeError` for anything else."""
+    """Two degrees as given by a user; raises `ShapeError` for anything else."""
     if not isinstance(degrees, (tuple, list)) or len(degrees) != 2:
         raise ShapeError(
             f"{shown(degrees)} are not two degrees", where="degrees", remedy="give one for s and one for t"

@@ -31,7 +31,7 @@ def packed_segments(profile: Profile, stride: int) -> tuple[fmpz_poly, ...]:
 
 
 def spread(values: tuple[T, ...], direction: int, meshes: tuple[Mesh, Mesh]) -> tuple[T, ...]:
-    """What belongs to the segments of one direction, patch by patch, t running faster."""
+    """Values on the segments of one direction, patch by patch, t running faster."""
     count = len(meshes[1 - direction].widths)
     if count == 1:
         return values
@@ -40,7 +40,7 @@ def spread(values: tuple[T, ...], direction: int, meshes: tuple[Mesh, Mesh]) -> 
 
 @cache
 def smooth(segments: int) -> tuple[int, ...]:
-    """Continuity across the breakpoints of what does not depend on a parameter."""
+    """Continuity across the breakpoints of a parameter on which a spline does not depend."""
     return (SMOOTH,) * (segments - 1)
 
 
@@ -58,7 +58,7 @@ class NamedMeshes(tuple[Mesh, Mesh]):
 
 
 def named(meshes: tuple[Mesh, Mesh], letters: tuple[str, str] | None) -> tuple[Mesh, Mesh]:
-    """The meshes with the names of their parameters; as they are where there are none."""
+    """The meshes with the names of their parameters; unchanged where there are none."""
     if letters is None:
         return meshes
     found = NamedMeshes(meshes)
@@ -113,7 +113,7 @@ class Degrees(NamedTuple):
         return Degrees(max(self.s, other.s), max(self.t, other.t))
 
 
-#: How often the derivatives in each parameter agree at its inner knots.
+#: The continuity in each parameter at its inner knots.
 Continuity = tuple[tuple[int, ...], tuple[int, ...]]
 #: Degree, meshes, continuity, stride, packed polynomials and denominators.
 Parts = tuple[Degrees, tuple[Mesh, Mesh], Continuity, int, tuple[fmpz_poly, ...], tuple[fmpz, ...]]
@@ -141,10 +141,10 @@ class TensorParts:
     #: Where it depends on one parameter only: which (0 for s), and the spline.
     profile: Profile | None
     provenance: Provenance
-    #: The stride of `polynomials` (see `exactspline.polynomials.tensor_bernstein`); results keep it while it has room,
-    #: since packing anew costs more than a product.
+    #: The stride of `polynomials` (see `exactspline.polynomials.tensor_bernstein`); results keep it as long as it
+    #: leaves enough room, since repacking costs more than a product.
     stride: int
-    #: The packed polynomials by stride, and the denominators; those of a spline in one parameter only are made when
+    #: The packed polynomials by stride, and the denominators; those of a spline in one parameter only are computed when
     #: needed.
     _packed: dict[int, tuple[fmpz_poly, ...]]
     _denominators: tuple[fmpz, ...] | None
@@ -163,7 +163,7 @@ class TensorParts:
 
     @property
     def polynomials(self) -> Polynomials:
-        """The packed polynomials at the current stride, copies: zero where the spline is."""
+        """The packed polynomials at the current stride, as copies; zero where the spline is zero."""
         return Polynomials(self._own)
 
     @property
@@ -177,7 +177,7 @@ class TensorParts:
         if known is None:
             assert self.profile is not None
             known = spread(self.profile[1].denominators, self.profile[0], self.meshes)
-            object.__setattr__(self, "_denominators", known)  # a part computed lazily is kept
+            object.__setattr__(self, "_denominators", known)  # store a part computed lazily
         return known
 
 
@@ -209,7 +209,7 @@ def true_degrees(f: TensorParts) -> Degrees:
 
 
 def _multiplicity(polynomials: Iterable[fmpz_poly]) -> int:
-    """How often ``u + v``, which is 1 + z, divides all of these polynomials, which are not all zero."""
+    """The multiplicity with which ``u + v``, which is 1 + z, divides all of these polynomials (not all zero)."""
     least = -1
     for p in polynomials:
         if p and p(-1) != 0:
@@ -222,8 +222,8 @@ def _multiplicity(polynomials: Iterable[fmpz_poly]) -> int:
 
 
 def lowered(f: TensorParts, by_s: int, by_t: int) -> Parts | None:
-    """The parts of the same function with its degrees lowered; None where it is zero, where it has more than one
-    patch (knots may be smooth afterwards), and where its degrees are not that much too high.
+    """The parts of the same function with its degrees lowered; None where it is zero, where it has more than one patch
+    (knots may be smooth afterwards), and where its degrees cannot be lowered that much.
     """
     true, (m, n) = true_degrees(f), f.degree
     degree = Degrees(m - by_s, n - by_t)
@@ -241,7 +241,7 @@ def lines(f: TensorParts) -> list[list[BSpline]]:
         patches = range(i * columns, (i + 1) * columns)
         nets = [tensor_bernstein.rows(own[k], f.stride, f.degree.t) for k in patches]
         lines = []
-        for h in range(max(f.degree.s, 0) + 1):  # below degree 0 a line of zeros, so that there is one to change
+        for h in range(max(f.degree.s, 0) + 1):  # below degree 0 one line of zeros, so that there is a line to change
             forms = [
                 primitive((fmpz_poly([row[h] for row in net]), f.denominators[k]))
                 for k, net in zip(patches, nets, strict=True)
@@ -253,7 +253,7 @@ def lines(f: TensorParts) -> list[list[BSpline]]:
 
 def joined(found: list[list[BSpline]], old: TensorParts) -> Parts:
     """Degree, meshes, continuity, stride, packed polynomials and denominators of the spline with these lines; along s
-    it is as the old one.
+    it equals the old one.
     """
     first, stride = found[0][0], tensor_bernstein.stride_for(old.degree.s)
     polynomials, denominators = [], []

@@ -11,7 +11,7 @@ from exactspline.splines.bspline import BSpline
 SplineVector = Vector[BSpline] | Rational[BSpline]
 #: Ruled surfaces of such vectors.
 SplineSurface = RuledSurface[SplineVector]
-#: Those over denominators.
+#: Quotients of those.
 RationalSurface = RuledSurface[Rational[BSpline]]
 #: What formulas return.
 SplineValue = BSpline | SplineVector | SplineSurface

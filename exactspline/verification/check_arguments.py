@@ -20,7 +20,7 @@ from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.verification.evidence import AnyOperands, Chosen, Evidence, Fact
 from exactspline.verification.vocabulary import Name
 
-#: How many segments of either curve are used in a pair: more would show nothing new, and the number of patches is their
+#: How many segments of each curve are used in a pair: more would show nothing new, and the number of patches is their
 #: product.
 SEGMENTS = 1
 #: Values of constants on one curve, chosen arbitrarily.
@@ -28,7 +28,7 @@ CONSTANTS = tuple(mpq(p, q) for p, q in ((37, 29), (-53, 41), (61, 17), (19, 67)
 
 
 def point_beside(curve: Nurbs) -> tuple[mpq, ...]:
-    """A point beside the curve: the mean of its control points, moved by unequal fractions of their extent.
+    """A point off the curve: the mean of its control points, moved by unequal fractions of their extent.
 
     >>> from exactspline.interchange.examples import example
     >>> point_beside(example("circle"))
@@ -72,14 +72,14 @@ PATCHES = 16
 
 
 def is_tried_whole(surface: NurbsSurface) -> bool:
-    """Whether claims are tried on all patches of a surface, and not on the first one alone."""
+    """Whether claims are checked on all patches of a surface, and not only on the first."""
     m, n = surface.patches
     return m * n <= PATCHES
 
 
 class Given(NamedTuple):
-    """The argument of formulas of a kind on one curve or surface; its description beside the name of that; and which
-    part of all such arguments it is, where formulas of the kind have others too (None where it is the only one).
+    """The argument of formulas of a kind on one curve or surface; a description of the additional operands; and which
+    part of all such arguments it is, where there are others (None where it is the only one).
     """
 
     argument: Evaluated
@@ -90,7 +90,7 @@ class Given(NamedTuple):
 def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
     """The argument of formulas of a kind on one curve or surface.
 
-    Raises `InapplicableError` for a kind of which one curve or surface alone is not an example.
+    Raises `InapplicableError` for a kind of which a single curve or surface is not an example.
     """
     asked = kind_of(kind)
     if isinstance(curve, NurbsSurface):
@@ -126,7 +126,7 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
 
 
 def free_operands(kind: str) -> AnyOperands | None:
-    """What is free beside the curve in arguments of a kind; None where nothing is.
+    """The free operands next to the curve in arguments of a kind; None where there are none.
 
     >>> for kind in ("plane pair", "plane point", "plane with delta"):
     ...     print(free_operands(kind))

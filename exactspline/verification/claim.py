@@ -67,7 +67,7 @@ V = TypeVar("V")
 
 
 def read(check: Callable[[Claim, str, V], object]) -> dict[str, object]:
-    """Metadata of a field that is not free text: `check` reads its value, or raises `ClaimError`."""
+    """The metadata of a field that is not free text: `check` reads its value, or raises `ClaimError`."""
     return {"check": check}
 
 
@@ -77,11 +77,13 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
 
 
 def recorded(claim: Claim, name: str, value: object) -> Verdict:
-    """A verdict that can be on record: two routes that contradict each other are an error of this library."""
-    found = word(Verdict, value, name)
-    if found == CONTRADICTION:
-        raise ClaimError("a contradiction on record", where=name, remedy="one of two routes is wrong: report this")
-    return found
+    """A verdict that can be recorded: a contradiction between two routes is an error of this library."""
+    verdict = word(Verdict, value, name)
+    if verdict == CONTRADICTION:
+        raise ClaimError(
+            "a contradiction as the recorded verdict", where=name, remedy="one of two routes is wrong: report this"
+        )
+    return verdict
 
 
 def formula_name(claim: Claim, name: str, value: str) -> Name:
@@ -99,15 +101,15 @@ def formula_name(claim: Claim, name: str, value: str) -> Name:
         )
     if not all(handed.takes(formula.kind, n) for n in handed.dimensions):
         raise ClaimError(
-            f"the formula {value!r} is one of {formula.curve!r}, the claim speaks of {claim.curve!r}",
+            f"the formula {value!r} takes arguments of the kind {formula.curve!r}, the claim is about {claim.curve!r}",
             where=name,
-            remedy=f"name a formula that can be handed a {handed.name!r}",
+            remedy=f"name a formula that takes a {handed.name!r}",
         )
     return Name(str(value))
 
 
 def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[Name, ...]:
-    """Several of them."""
+    """Several such names."""
     return tuple(formula_name(claim, name, each) for each in value)
 
 
@@ -120,7 +122,7 @@ def kind_name(claim: Claim, name: str, value: str) -> str:
 
 
 def example_name(claim: Claim, name: str, value: str) -> str:
-    """The name of an example curve of which the claim speaks; empty for none."""
+    """The name of an example curve to which the claim applies; empty for none."""
     if value:
         try:
             check_curve_name(claim.source_paper, value)
@@ -130,21 +132,21 @@ def example_name(claim: Claim, name: str, value: str) -> str:
 
 
 def example_list(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ...]:
-    """Several of them."""
+    """Several such names."""
     return tuple(example_name(claim, name, each) for each in value)
 
 
 def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) -> tuple[Assumption, ...]:
-    """Assumptions by their names, each about what the claim speaks of."""
-    found = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
-    for each in found:
+    """Assumptions by their names, each about the arguments of the claim."""
+    assumptions = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
+    for each in assumptions:
         if claim.curve != ArgumentKind.TABLE and not each.speaks_of(kind_of(claim.curve)):
             raise ClaimError(
                 f"the assumption {each.name!r} does not apply to {str(claim.curve)!r}",
                 where=name,
-                remedy=f"it speaks of {', '.join(map(repr, each.kinds))}",
+                remedy=f"it is about {', '.join(map(repr, each.kinds))}",
             )
-    return found
+    return assumptions
 
 
 def _assumed(claim: Claim, text: str) -> Assumption:
@@ -191,12 +193,11 @@ class Claim(Immutable, Displayed):
     """One checkable statement.
 
     ``key`` is its name, unique in its paper; ``id`` that of the claim to which it belongs. ``words`` are the verbatim
-    words of the source and ``place`` is where they stand, ``section`` that under which the claim is listed (without
-    one, its source). ``curve`` is the kind of its arguments, ``of`` says whether it is about polynomial curves,
-    rational ones or both. ``assumes`` are assumptions of
-    `exactspline.symbolic.assumptions`; ``context`` explains the letters in words. ``error`` groups the statements that
-    fail for one reason. ``witness`` is the example curve that is tried first where a counterexample is wanted, and
-    ``vacuous`` lists the example curves on which there is nothing to decide.
+    words of the source and ``place`` is their place in it, ``section`` the one under which the claim is listed (by
+    default its source). ``curve`` is the kind of its arguments, ``of`` states whether it is about polynomial curves,
+    rational ones or both. ``assumes`` are assumptions of `exactspline.symbolic.assumptions`; ``context`` explains the
+    letters in words. ``error`` groups the statements that fail for one reason. ``witness`` is the example curve that is
+    tried first as a counterexample, and ``vacuous`` lists the example curves on which there is nothing to decide.
 
     Raises `ClaimError` for a word, a name or a combination without meaning.
     """
@@ -205,7 +206,7 @@ class Claim(Immutable, Displayed):
     reading: ClassVar[Name] = Name("jet")
     #: Whether such claims can be decided where roots are adjoined.
     of_frames: ClassVar[bool] = False
-    #: Whether it says that something vanishes: then it is decided on one curve for everything that is free beside it.
+    #: Whether it states that something vanishes: then it is decided on one curve for all values of the free operands.
     has_residues: ClassVar[bool] = False
 
     paper: str
@@ -242,12 +243,12 @@ class Claim(Immutable, Displayed):
             elif not isinstance(value, str):
                 raise ClaimError(f"{value!r} is not a text", where=name, remedy="write a text")
             elif not value.replace("\n", "").isprintable():
-                raise ClaimError("a text that cannot be printed", where=name, remedy="leave control characters out")
+                raise ClaimError("a text that cannot be printed", where=name, remedy="remove control characters")
         self._validate_common()
         self.validate()
 
     def __eq__(self, other: object) -> bool:
-        """Whether all fields are equal but notes."""
+        """Whether all fields except notes are equal."""
         return self is other or (
             type(other) is type(self)
             and all(getattr(self, name) == getattr(other, name) for name in declared(type(self)).compared)
@@ -270,7 +271,7 @@ class Claim(Immutable, Displayed):
             raise ClaimError(
                 "a printed claim belongs to an error exactly if it is refuted",
                 where="error",
-                remedy="name the error, or leave the field out",
+                remedy="name the error, or omit the field",
             )
 
         if kind_of(self.curve).adjoins_roots and not self.of_frames:
@@ -285,12 +286,12 @@ class Claim(Immutable, Displayed):
 
     @property
     def begin_of_key(self) -> str:
-        """The id as it is written in the key."""
+        """The id in the form used in keys."""
         return re.sub(r"[ .]+", "", self.id)
 
     @property
     def named(self) -> tuple[Name, ...]:
-        """The names of the formulas it speaks of."""
+        """The names of the formulas that it is about."""
         chosen: list[Name] = []
         for name, check, _ in declared(self.__class__).checks:
             if check in (formula_name, formula_names):
@@ -308,16 +309,16 @@ class Claim(Immutable, Displayed):
         return paper_named(self.paper)
 
     def find(self, name: str) -> Formula:
-        """A formula of its paper, or of one that this paper uses."""
+        """A formula of the claim's paper, or of one that this paper uses."""
         return self.source_paper.find(name)
 
     def curve_named(self, name: str) -> Nurbs:
-        """A curve of its paper, or an example."""
+        """A curve of the claim's paper, or an example."""
         return curve_named(self.source_paper, name)
 
     @property
     def of_pair(self) -> bool:
-        """Whether it speaks of two curves."""
+        """Whether it is about two curves."""
         return isinstance(kind_of(self.curve), PairKind)
 
     def symbol(self, name: str) -> str:
@@ -331,15 +332,15 @@ class Claim(Immutable, Displayed):
 
     @property
     def dimensions(self) -> tuple[int, ...]:
-        """The dimensions of which it speaks."""
+        """The dimensions to which it applies."""
         return kind_of(self.curve).dimensions
 
     def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """Whether it applies to single curves (or surfaces) of that dimension and kind: splines have no roots."""
         kind = kind_of(self.curve)
         made = kind.made_of_a_surface if surface else kind.made_of_a_curve
-        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and made
-        return told and dimension in self.dimensions and polynomial in self.of.worlds
+        decidable = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and made
+        return decidable and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod
@@ -348,20 +349,20 @@ class Claim(Immutable, Displayed):
 
     @property
     def claims(self) -> str:
-        """What it claims, as a row of the ledger shows it."""
+        """The claimed value, as a row of the ledger shows it."""
         return ""
 
     def prove(self) -> tuple[Name, Finding]:
-        """The reading in which it is decided for all curves, and the finding: the worst of all cases, the
-        rational and the polynomial curves of every dimension of which it speaks.
+        """The reading in which it is decided for all curves, and the finding: the worst of all cases, that is of
+        rational and polynomial curves of every dimension to which it applies.
         """
         with sharing():
-            found = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
-        return self.reading, worst(found)
+            findings = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
+        return self.reading, worst(findings)
 
     @property
     def equality(self) -> Statement | None:
-        """What it says, where that is an equality: decided in any exact reading."""
+        """Its statement, where that is an equality: decided in any exact reading."""
         return None
 
     @abstractmethod
@@ -380,8 +381,8 @@ class Claim(Immutable, Displayed):
     ) -> Finding:
         """The finding on one curve or surface (or on the `Evaluation` of one).
 
-        What held of the part that was tried holds on all of the curve where the claim is proved for all curves and the
-        curve satisfies its assumptions: `proof` gives that proof where it is at hand, and is `prove` otherwise.
+        What held on the part that was checked holds on the whole curve if the claim is proved for all curves and the
+        curve satisfies its assumptions: `proof` gives that proof where it exists already; by default it is `prove`.
         """
         own = evaluation(curve)
         if isinstance(own.curve, NurbsSurface) and self.asks_for_zeros:
@@ -406,11 +407,13 @@ class Claim(Immutable, Displayed):
     def _is_proved(self, proof: Callable[[], tuple[Name, Finding]]) -> bool:
         try:
             return proof()[1].verdict == PROVED
-        except ExactSplineError:  # reported where the proof is asked for
+        except ExactSplineError:  # reported where the proof is requested
             return False
 
     def _on_all(self, finding: Finding, own: Evaluation, part: Evidence) -> Finding:
-        """What held of one part, on all of the curve, with indeterminates for what is free; undecided if too long."""
+        """A finding on a part, decided on the whole curve with indeterminates for the free operands; undecided if too
+        expensive.
+        """
         free = free_operands(self.curve) or AnyOperands()
         try:
             for segment in on_segments(kind_of(self.curve), own.curve, self.highest_derivative(own.curve.dimension)):
@@ -430,25 +433,27 @@ class Claim(Immutable, Displayed):
         """The finding on one curve, given as the argument of the formulas."""
 
     def residues(self, c: Evaluated) -> list[JetFraction]:
-        """What vanishes exactly if a claim that `has_residues` holds of an argument in a reading that can divide."""
+        """The values that vanish exactly if a claim that `has_residues` holds for an argument in a reading with
+        division.
+        """
         return []
 
     def highest_derivative(self, dimension: int) -> int:
-        """The highest derivative that they need."""
+        """The highest derivative that its formulas need."""
         return max(order_of(formula, dimension) for formula in self.compared)
 
     @property
     def tries_all(self) -> bool:
-        """Whether `examine` decides for all arguments with the curve, and not for the one that it is handed."""
+        """Whether `examine` decides for all arguments with the given curve, and not only for the given one."""
         return False
 
     @property
     def compared(self) -> list[Formula]:
-        """The formulas it speaks of."""
+        """The formulas that it is about."""
         return list(map(self.find, self.named))
 
     def beside(self, own: Evaluation) -> Evidence | None:
-        """What is beside the curve in a check; None where nothing is."""
+        """The operands in addition to the curve in a check; None where there are none."""
         free = free_operands(self.curve) if self.has_residues else None
         return free or own.beside(self.curve)
 
@@ -470,7 +475,7 @@ class Claim(Immutable, Displayed):
         for surface, name, example in self._examples():
             try:
                 finding = self.check(example)
-            except ExactSplineError as error:  # reported where this curve is asked about
+            except ExactSplineError as error:  # reported where this curve is checked
                 finding = undecided(error)
             if finding.verdict == REFUTED:
                 witness = OnExample(Name(name), finding.witness, surface)
@@ -478,7 +483,7 @@ class Claim(Immutable, Displayed):
         return Finding(UNDECIDED)
 
     def _examples(self) -> Iterator[tuple[bool, str, Nurbs | NurbsSurface]]:
-        """The example curves and surfaces of which it speaks, that which is named as witness first."""
+        """The example curves and surfaces to which it applies, the one named as witness first."""
         for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
             curve = self.curve_named(name)
             if self.speaks_of(curve.dimension, curve.polynomial):

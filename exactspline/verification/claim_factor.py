@@ -13,9 +13,9 @@ from exactspline.language.operand import Operand
 from exactspline.numbers.exact import rational
 from exactspline.papers import find as find_anywhere
 
-#: The names of the denominators, those of the curve and of the second one.
+#: The names of the denominators of the first and of the second curve.
 WEIGHTS = ("w", "W")
-#: The longest name or number, and the most factors, powers counted as the products that they are.
+#: The largest length of a name or number, and the largest number of factors, powers counted with multiplicity.
 LETTERS, FACTORS = 200, 64
 
 
@@ -27,7 +27,7 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
 
     Raises `ClaimError` when it cannot be read, or is zero or divided by zero.
     """
-    found, left = [], FACTORS
+    parts, remaining = [], FACTORS
     for part in as_text(text, "a factor").split():
         match = re.fullmatch(r"([A-Za-z]\w*|-?\d+(?:/\d+)?)(?:\^(-?\d+))?", part)
         if not match:
@@ -35,17 +35,17 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
                 f"the factor {text!r} cannot be read", where=part, remedy='write for example "-2 w^29 f2" or "w^-4"'
             )
         if not match[1][0].isalpha() and re.fullmatch(r"-?0+(/\d+)?|-?\d+/0+", match[1]):
-            raise ClaimError(f"the factor {text!r} is zero or divided by zero", where=part, remedy="leave zero out")
+            raise ClaimError(f"the factor {text!r} is zero or divided by zero", where=part, remedy="remove the zero")
         exponent = int(match[2] or 1) if len(match[2] or "") < LETTERS else FACTORS + 1
-        left -= abs(exponent)
-        if left < 0 or len(match[1]) > LETTERS:
+        remaining -= abs(exponent)
+        if remaining < 0 or len(match[1]) > LETTERS:
             raise ClaimError(
                 f"the factor {shown(text)} is too large", where=part[:60], remedy=f"at most {FACTORS} factors in all"
             )
-        found.append((match[1], exponent))
-    if not found:
+        parts.append((match[1], exponent))
+    if not parts:
         raise ClaimError("the factor is empty", remedy='write "1"')
-    return found
+    return parts
 
 
 def factor_formulas(text: str, find: Callable[[str], Formula] = find_anywhere) -> list[Formula]:
@@ -62,7 +62,7 @@ def factor_formulas(text: str, find: Callable[[str], Formula] = find_anywhere) -
 def factor_of_text(
     text: str, curve: Evaluated, find: Callable[[str], Formula] = find_anywhere
 ) -> tuple[Operand, Operand]:
-    """A factor as a claim states it, ``"2 w^29 f2"`` or ``"w^-4"``, as numerator and denominator in the reading of the
+    """A factor as stated in a claim, ``"2 w^29 f2"`` or ``"w^-4"``, as numerator and denominator in the reading of the
     curve. `find` gives the formulas in it.
 
     Raises `ClaimError` when it cannot be read.

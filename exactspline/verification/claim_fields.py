@@ -1,4 +1,4 @@
-"""The fields of a kind of claims, sorted out once per kind."""
+"""The fields of a kind of claims, determined once per kind."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ K = TypeVar("K")
 
 @dataclass_transform(kw_only_default=True, frozen_default=True, eq_default=False, field_specifiers=(field,))
 def claim_kind(kind: type[K]) -> type[K]:
-    """Declare a kind of claims: a dataclass with named fields, whose methods are those of `Claim` for all kinds (making
-    them for each kind anew takes longer than reading all its claims).
+    """Declare a kind of claims: a dataclass with named fields, whose methods are inherited from `Claim` (generating
+    them for each kind would take longer than reading all its claims).
     """
     return dataclass(init=False, repr=False, eq=False, kw_only=True)(kind)
 
 
 class Declared(NamedTuple):
-    """Of the dataclass of a kind of claims: what reads each field (None for a text) and its default; the fields that
-    make two claims equal; those that an entry may have; those that it must have; and the values of the others.
+    """Data about the dataclass of a kind of claims: the reader of each field (None for a text) and its default; the
+    fields compared by equality; those that an entry may have; those that it must have; and the values of the others.
     """
 
     checks: tuple[tuple[str, Callable[..., object] | None, object], ...]

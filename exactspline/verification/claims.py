@@ -1,9 +1,9 @@
-"""The claims of the papers as data: what is claimed of which formulas, where it stands, and the verdict that is on
-record.
+"""The claims of the papers as data: what is claimed of which formulas, its place in the source, and the recorded
+verdict.
 
 The tables are stored beside the formulas of each paper. An entry names formulas of `exactspline.papers` and never
 transcribes one; it is read as an object of its kind (`exactspline.verification.kinds`), and anything without meaning is
-refused. Several entries may share the id of the paper's claim; each has a key of its own.
+refused. Several entries may share the id of the paper's claim; each has a unique key.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from exactspline.verification.kinds import KINDS
 
 #: The largest length of a text of a claim.
 LONGEST = 2000
-#: A shorter text is not searched for in statements.
+#: Texts shorter than this are not searched for in statements.
 SHORTEST = 4
 
 
@@ -55,40 +55,40 @@ def claim_of(table: Table, source: Paper) -> Claim:
 
 
 def _completed(entry: dict[str, Any], source: Paper) -> dict[str, Any]:
-    """An entry with its defaults: where words or a place are given it is printed, else it is ours."""
-    told = dict(entry)
-    told.setdefault("status", "printed" if told.get("words") or told.get("place") else "ours")
-    told.setdefault("source", told.get("place") or source.title)
-    if "id" in told and "key" not in told:
-        told["key"] = f"{re.sub(r'[ .]+', '', str(told['id']))}-{told.get('kind', '')}".replace(" ", "-")
-    return told
+    """An entry with its defaults: with words or a place its status is printed, otherwise ours."""
+    completed = dict(entry)
+    completed.setdefault("status", "printed" if completed.get("words") or completed.get("place") else "ours")
+    completed.setdefault("source", completed.get("place") or source.title)
+    if "id" in completed and "key" not in completed:
+        completed["key"] = f"{re.sub(r'[ .]+', '', str(completed['id']))}-{completed.get('kind', '')}".replace(" ", "-")
+    return completed
 
 
 def _read(entry: dict[str, Any], source: Paper) -> Claim:
-    told = _completed(entry, source)
-    name = told.pop("kind", None)
+    fields = _completed(entry, source)
+    name = fields.pop("kind", None)
     if name is None:
         raise ClaimError("the field 'kind' is missing", where="kind", remedy=f"there are {', '.join(KINDS)}")
     if not isinstance(name, str) or name not in KINDS:
         raise ClaimError(f"the kind {name!r} is unknown", where="kind", remedy=nearest(str(name), list(KINDS)))
     kind = KINDS[name]
     known = declared(kind).entries
-    for field in told:
+    for field in fields:
         if field not in known:
             raise ClaimError(
                 f"claims of the kind {name!r} have no field {field!r}", where=field, remedy=nearest(field, list(known))
             )
-    for field, value in told.items():
+    for field, value in fields.items():
         if problem := _shape(str(known[field].type), value):
             raise ClaimError(f"{shown(value)} is {problem}", where=field, remedy="look at the table of kinds of claims")
-        if field != "words" and "$" in str(value):  # a quotation keeps the LaTeX of its source
+        if field != "words" and "$" in str(value):  # quotations keep the LaTeX of their source
             raise ClaimError(
                 "'$' in a text", where=field, remedy="write formulas as text, like κ′ or γ; pages show them"
             )
     for field in declared(kind).needed:
-        if field not in told:
+        if field not in fields:
             raise ClaimError(f"the field {field!r} is missing", where=field, remedy="add it")
-    values: dict[str, Any] = {f: tuple(v) if isinstance(v, list) else v for f, v in told.items()}
+    values: dict[str, Any] = {f: tuple(v) if isinstance(v, list) else v for f, v in fields.items()}
     claim = kind(paper=source.name, **values)
     if claim.error and claim.error not in source.errors:
         raise ClaimError(
@@ -109,10 +109,10 @@ def _shape(declared: str, value: object) -> str:
 
 
 def _check_words_of_key(claim: Claim) -> None:
-    """Each word of a key also occurs elsewhere in the entry, so that a misspelled key is noticed."""
+    """Each word of a key also occurs elsewhere in the entry, so that a misspelled key is detected."""
     words = dict.fromkeys(claim.key.removeprefix(claim.begin_of_key + "-").split("-"))
     known = set(claim.kind.replace("-", " ").split())
-    for field in reversed(declared(type(claim)).entries):  # those of its own kind first: mostly they are all it takes
+    for field in reversed(declared(type(claim)).entries):  # the fields of its kind first: mostly they suffice
         if words.keys() <= known:
             return
         if field not in ("id", "key", "words", "context", "note"):
@@ -127,7 +127,7 @@ def _check_words_of_key(claim: Claim) -> None:
 
 
 def key_words(value: object) -> set[str]:
-    """The words of a field that may stand in a key.
+    """The words of a field that may occur in a key.
 
     >>> from exactspline.language.choices import Parameter
     >>> sorted(key_words(("4d − 2", Parameter.SECOND)))
@@ -152,12 +152,12 @@ def claims_of(source: Paper | str) -> tuple[Claim, ...]:
     Raises `ClaimError` for an invalid entry, and for a key that occurs twice.
     """
     given = paper(source) if isinstance(source, str) else source
-    return _claims(as_instance(given, Paper, "a paper", "give its name, or what exactspline.paper returns"))
+    return _claims(as_instance(given, Paper, "a paper", "give its name, or the result of exactspline.paper"))
 
 
 @cache
 def _claims(source: Paper) -> tuple[Claim, ...]:
-    found, places = [], dict[str, str]()
+    claims, places = [], dict[str, str]()
     for table in source.claim_tables():
         claim = claim_of(table, source)
         if claim.key in places:
@@ -165,8 +165,8 @@ def _claims(source: Paper) -> tuple[Claim, ...]:
                 f"the key {claim.key!r} is taken by {places[claim.key]}", where=table.place, remedy="choose another one"
             )
         places[claim.key] = table.place
-        found.append(claim)
-    return tuple(found)
+        claims.append(claim)
+    return tuple(claims)
 
 
 @cache
@@ -180,8 +180,8 @@ def all_claims() -> tuple[Claim, ...]:
 
 
 def claims(*ids: str, paper: Paper | str | None = None) -> tuple[Claim, ...]:
-    """The claims of a paper (of the default papers where none is named) with these ids or keys, all of them without
-    any; an id also selects all that begin with it (``C3`` all of §3).
+    """The claims of a paper (by default of the default papers) with these ids or keys; without any, all claims. An id
+    also selects all ids that begin with it (``C3`` all of §3).
 
     >>> [claim.key for claim in claims("C4.1a")]
     ['C41a-f1-f2', 'C41a-f0-f2']
@@ -197,8 +197,8 @@ def claims_in(sources: Iterable[Paper]) -> tuple[Claim, ...]:
 
 
 def select(ids: Iterable[str], claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
-    """The claims with the given ids or keys, all of them for none; an id also selects all that begin with it (``C3``
-    all of §3). They are sought among `claims`, by default among those of the default papers.
+    """The claims with the given ids or keys; without any, all claims. An id also selects all ids that begin with it
+    (``C3`` all of §3). They are searched for among `claims`, by default those of the default papers.
 
     Raises `ClaimError` with the nearest ids.
     """
@@ -222,17 +222,17 @@ def expect_claim(given: object) -> Claim:
     )
 
 
-def matches(claim_id: str, wanted: str) -> bool:
-    """Whether an id is the wanted one or a part of it.
+def matches(claim_id: str, requested: str) -> bool:
+    """Whether an id is the requested one or a part of it.
 
     >>> matches("C3a", "c3"), matches("C4.1a", "C4.1"), matches("T17", "T1")
     (True, True, False)
     """
-    a, b = claim_id.lower(), wanted.lower()
+    a, b = claim_id.lower(), requested.lower()
     return a == b or (a.startswith(b) and not (b[-1].isdigit() and a[len(b)].isdigit()))
 
 
-def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
+def located(requested: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
     """The claims with this id or one that begins with it, those at this place of the paper, or those that mention it.
 
     >>> [claim.id for claim in located("eq. (8)")][:2], located("C4.1c")[0].id
@@ -240,25 +240,25 @@ def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, 
     >>> located("rectifying developable")[0].id
     'C5.4a'
 
-    They are sought among `claims`, by default among those of the default papers. Raises
-    `ClaimError` with the nearest ids.
+    They are searched for among `claims`, by default those of the default papers. Raises `ClaimError` with the nearest
+    ids.
     """
     known = all_claims() if claims is None else tuple(claims)
-    chosen = tuple(c for c in known if c.key == wanted or matches(c.id, wanted))
+    chosen = tuple(c for c in known if c.key == requested or matches(c.id, requested))
     chosen = chosen or tuple(
-        c for c in known if any(stands_at(each, wanted) for each in (c.source, c.place, c.section))
+        c for c in known if any(stands_at(each, requested) for each in (c.source, c.place, c.section))
     )
-    if len(wanted) >= SHORTEST:
-        chosen = chosen or tuple(c for c in known if wanted.lower() in c.statement.lower())
+    if len(requested) >= SHORTEST:
+        chosen = chosen or tuple(c for c in known if requested.lower() in c.statement.lower())
     if not chosen:
         ids = dict.fromkeys(claim.id for claim in known)
-        raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, ids, listed_by="show"))
+        raise ClaimError(f"no claim has the id {requested!r}", remedy=nearest(requested, ids, listed_by="show"))
     return chosen
 
 
-def stands_at(source: str, wanted: str) -> bool:
-    """Whether a place is the wanted one: the equation with this number, a remark, a figure, a section."""
-    a, b = (" ".join(text.lower().replace("equation", "eq.").split()) for text in (source, wanted))
+def stands_at(source: str, requested: str) -> bool:
+    """Whether a place is the requested one: the equation with this number, a remark, a figure, a section."""
+    a, b = (" ".join(text.lower().replace("equation", "eq.").split()) for text in (source, requested))
     if b.startswith("(") and b.endswith(")"):
         return b in a
     position = a.find(b)

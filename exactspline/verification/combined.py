@@ -23,8 +23,8 @@ def combined(claim: Claim) -> tuple[Name, Finding]:
 
 
 def fitting(claim: Claim, call: Callable[[], V]) -> V:
-    """The result of a call that decides a claim. Raises `ClaimError` where formulas of users do not fit the claim; an
-    exception from formulas of the library is a defect of the library.
+    """The result of a call that decides a claim. Raises `ClaimError` where formulas of users are not of the form that
+    the claim requires; an exception from formulas of the library is a defect of the library.
     """
     try:
         return call()
@@ -44,7 +44,7 @@ def fitting(claim: Claim, call: Callable[[], V]) -> V:
         raise ClaimError(
             f"{type(error).__name__}: {' '.join(str(error).split())}",
             where=f"{claim.paper}, {claim.key}",
-            remedy="the formulas do not fit what is claimed of them",
+            remedy="the formulas are not of the form that the claim requires",
         ) from None
 
 

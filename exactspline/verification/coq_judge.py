@@ -27,8 +27,8 @@ Axioms = dict[str, tuple[Name, ...]]
 
 
 class Coq:
-    """The judge that has theorems compiled by the kernel of Coq: those of the claims of which it is to be asked (all
-    together, when it is first asked for one), or those of one claim at a time.
+    """The judge that has theorems compiled by Coq's kernel: those of a given set of claims (all together, at the first
+    request), or those of one claim at a time.
     """
 
     name = Name("coq")
@@ -38,35 +38,35 @@ class Coq:
         self._found: dict[tuple[str, str], Finding] = {}
 
     def decide(self, claim: Claim) -> Finding:
-        """What the kernel says; UNDECIDED, with the reason, where there is no theorem, or no Coq."""
+        """The finding of the kernel; UNDECIDED, with the reason, where there is no theorem, or Coq is not installed."""
         if (claim.paper, claim.key) not in self._found:
             self._found |= findings({claim, *self._claims})
         return self._found[claim.paper, claim.key]
 
 
 def findings(claims: Iterable[Claim]) -> dict[tuple[str, str], Finding]:
-    """The findings of the kernel, by paper and key. A theorem says that a claim holds, or that it fails, as is on
-    record: the kernel refuses the one or the other.
+    """The findings of the kernel, by paper and key. A theorem states that a claim holds, or that it fails, according to
+    the record; the kernel rejects a wrong one.
     """
     claims = list(claims)
-    wanted = {(claim.paper, claim.key) for claim in claims}
+    requested = {(claim.paper, claim.key) for claim in claims}
     made, installed = library(), bool(shutil.which("coqc"))
     chosen = {
-        name: tuple(each for each in own if (each.claim.paper, each.claim.key) in wanted)
+        name: tuple(each for each in own if (each.claim.paper, each.claim.key) in requested)
         for name, own in made.theorems.items()
     }
     # without a theorem there is nothing for which the theory would be compiled
     compiled = compiled_theorems(made, chosen) if installed and any(chosen.values()) else {}
-    found: dict[tuple[str, str], list[Finding]] = {}
+    by_claim: dict[tuple[str, str], list[Finding]] = {}
     for each in (each for own in chosen.values() for each in own):
         said = _finding(each, compiled, installed=installed)
-        found.setdefault((each.claim.paper, each.claim.key), []).append(said)
+        by_claim.setdefault((each.claim.paper, each.claim.key), []).append(said)
     unstated = {(c.paper, c.key): [Finding(UNDECIDED, witness=NoTheorem(why_unstated(c)))] for c in claims}
-    return {key: combined_findings(own) for key, own in (unstated | found).items()}
+    return {key: combined_findings(own) for key, own in (unstated | by_claim).items()}
 
 
 def _finding(each: Stated, compiled: Axioms, *, installed: bool) -> Finding:
-    """What follows from one theorem."""
+    """The finding that follows from one theorem."""
     if each.reason is not None:
         return Finding(UNDECIDED, witness=NoTheorem(each.reason))
     if each.name in compiled:
@@ -76,7 +76,7 @@ def _finding(each: Stated, compiled: Axioms, *, installed: bool) -> Finding:
 
 
 def combined_findings(own: list[Finding]) -> Finding:
-    """The least favourable finding of those on the dimensions of one claim: what is not decided comes first."""
+    """The least favourable finding over the dimensions of one claim: an undecided one takes precedence."""
 
     def rank(finding: Finding) -> int:
         undecided = (Fact.NOT_ACCEPTED, None, Fact.COQ_NOT_INSTALLED)
@@ -89,7 +89,7 @@ def combined_findings(own: list[Finding]) -> Finding:
 
 def compiled_theorems(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> Axioms:
     """The axioms of the accepted theorems, by name."""
-    found: Axioms = {}
+    axioms: Axioms = {}
     with tempfile.TemporaryDirectory() as room:
         place = Path(room)
         made.write(place)
@@ -99,12 +99,12 @@ def compiled_theorems(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> A
             accepted = compile_file(place, name)
             theorems = [each for each in chosen.get(name, ()) if each.reason is None]
             if accepted:
-                found |= assumptions(place, name, [each.name for each in theorems])
+                axioms |= assumptions(place, name, [each.name for each in theorems])
                 continue
             for each in theorems:
                 if _alone(place, name, each):
-                    found |= assumptions(place, f"{name}_{each.name}", [each.name])
-    return found
+                    axioms |= assumptions(place, f"{name}_{each.name}", [each.name])
+    return axioms
 
 
 def compile_file(place: Path, name: str) -> bool:
@@ -113,7 +113,7 @@ def compile_file(place: Path, name: str) -> bool:
 
 
 def _alone(place: Path, name: str, theorem: Stated) -> bool:
-    """Whether one theorem of a file that is not accepted is accepted."""
+    """Whether a single theorem of a rejected file is accepted."""
     text = claims_header(theorem.claim.paper, theorem.text) + theorem.text
     (place / f"{name}_{theorem.name}.v").write_text(text, encoding="utf-8")
     return compile_file(place, f"{name}_{theorem.name}")
@@ -134,7 +134,7 @@ def assumptions(place: Path, module: str, theorems: Iterable[str]) -> Axioms:
 
 
 def _axioms(answer: str) -> tuple[Name, ...]:
-    """The names in an answer of Coq, none where it says that there are no axioms."""
+    """The names in an answer of Coq, none where there are no axioms."""
     if CLOSED in answer:
         return ()
     return tuple(map(Name, re.findall(r"^(?!Axioms:)(\S+)(?=\s*:)", answer, re.MULTILINE)))

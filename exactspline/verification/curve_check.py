@@ -1,4 +1,4 @@
-"""Shared by checks on one concrete curve: all exact, by multiplication and never by sampling."""
+"""Shared by checks on a concrete curve: all exact, by multiplication and never by sampling."""
 
 from __future__ import annotations
 
@@ -26,10 +26,12 @@ from exactspline.verification.vocabulary import Name
 
 
 def where_it_differs(difference: BSpline | TensorSpline) -> tuple[mpq, At | AtBoth]:
-    """The value of a spline that is not zero at a parameter (two, of a spline in two) at which it does not vanish."""
+    """The value of a nonzero spline at a parameter (a pair for a spline in two parameters) at which it does
+    not vanish.
+    """
     if isinstance(difference, TensorSpline):
         n, segments = difference.degree.t, pairwise(difference.meshes[1].breaks)
-        # one line more in every segment than a polynomial of this degree has zeros
+        # in every segment one line more than a polynomial of this degree can have zeros
         inside = (c + (d - c) / mpq(j) for c, d in segments for j in range(2, n + 3))
         t, line = next((t, line) for t in inside if not (line := difference.at_t(t)).is_zero)
         s, value = not_zero(line)
@@ -39,7 +41,7 @@ def where_it_differs(difference: BSpline | TensorSpline) -> tuple[mpq, At | AtBo
 
 
 def not_zero(f: BSpline) -> tuple[mpq, mpq]:
-    """A parameter at which a spline that is not zero does not vanish, and its value there."""
+    """A parameter at which a nonzero spline does not vanish, and its value there."""
     return next(
         (t, value)
         for p, (a, b) in zip(f.polynomials, pairwise(f.breakpoints), strict=True)
@@ -50,7 +52,7 @@ def not_zero(f: BSpline) -> tuple[mpq, mpq]:
 
 
 def stated_factor(factor: str, c: Evaluated | Operands) -> StatedFactor:
-    """A factor as it is stated, on splines also whether it is 1: powers of w are, where the curve is polynomial.
+    """A factor as stated, for splines also whether it is 1, as powers of w are on polynomial curves.
 
     >>> from exactspline.interchange.examples import example
     >>> [str(stated_factor("w^-3", example(name))) for name in ("circle", "parabola")]
@@ -82,16 +84,16 @@ def extra_zero(a: BSpline, b: BSpline) -> Place | None:
             return segment(a, i)
         low, high = a.breakpoints[i : i + 2]
         rest, n = _without(p, q)
-        found = zero_on_segment(rest, n)
-        if found and not (found[0] == found[1] == 1 and q and q[b.degree] == 0):
-            return between(Interval(low, high).part(found))
+        zero = zero_on_segment(rest, n)
+        if zero and not (zero[0] == zero[1] == 1 and q and q[b.degree] == 0):
+            return between(Interval(low, high).part(zero))
         if p[a.degree] == 0 and q and q[b.degree] != 0:
             return At(high, from_left=True)
     return None
 
 
 def _without(p: fmpz_poly, q: fmpz_poly) -> tuple[fmpz_poly, int]:
-    """p without the factors it shares with q, and its own degree (roots at the right end, z = ∞, left out)."""
+    """p without the factors it shares with q, and the degree of p (without roots at the right end, z = ∞)."""
     common = greatest_common_divisor([p, q])
     while common.degree() > 0:
         p = p // common

@@ -119,8 +119,8 @@ class Equation:
             case Outcome.UNLIKE:
                 sizes = (len(split(each(c))[0]) for each in (self.left, self.right))
                 return Finding(REFUTED, Components(*sizes), witness=Fact.OTHER_NUMBER_OF_COMPONENTS)
-        told = None if general else factor
-        return Finding(REFUTED, Fact.NOT_IDENTICAL, told, _where(found.difference, Sides.SIDES, found.component))
+        stated = None if general else factor
+        return Finding(REFUTED, Fact.NOT_IDENTICAL, stated, _where(found.difference, Sides.SIDES, found.component))
 
 
 @dataclass(frozen=True)

@@ -36,8 +36,8 @@ from exactspline.verification.minimality import attained, witness
 
 @dataclass(frozen=True)
 class DegreeRow:
-    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the given curve, with the time it
-    took.
+    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the given curve, with the computing
+    time.
 
     ``grading`` is ``k, m, j`` of a homogeneous polynomial, or of the numerator of a quotient in lowest terms (see
     `exactspline.symbolic.covariants`).
@@ -46,7 +46,7 @@ class DegreeRow:
     formula: str
     variant: str
     nominal: str
-    #: None where the object does not exist on any segment, as for the two that follow.
+    #: None where the object does not exist on any segment, also for the next two.
     represented: int | None
     true: int | None
     control_points: int | None
@@ -113,11 +113,11 @@ def _in_pieces(c: Construction, variant: Variant, nominal: str, curve: Nurbs, se
     """The row of an object that does not exist on every segment: of its pieces, with the reason for the gaps."""
     lowest = str(minimum(c.name, curve.dimension, curve.polynomial)) if variant == Variant.MINIMAL else "–"
     try:
-        found = derive(c.name, curve, variant)
+        derived = derive(c.name, curve, variant)
     except ShapeError as error:
         return DegreeRow(c.name, variant, nominal, None, None, None, lowest, str(error), seconds=seconds)
-    counts = found.degree, found.true_degree, found.control_points
-    return DegreeRow(c.name, variant, nominal, *counts, lowest, found.existence, seconds=seconds)
+    counts = derived.degree, derived.true_degree, derived.control_points
+    return DegreeRow(c.name, variant, nominal, *counts, lowest, derived.existence, seconds=seconds)
 
 
 def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -> str:
@@ -125,13 +125,13 @@ def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -
     if not (variant == Variant.MINIMAL or is_polynomial(formula, dimension)):
         return "–"
     try:
-        found = true_degree(reduction_of(formula, dimension, polynomial).main.lowest[0])
+        degree = true_degree(reduction_of(formula, dimension, polynomial).main.lowest[0])
     except (FormulaError, ReachError):
         return "–"
-    return f"{found.k}, {found.m}, {found.j}"
+    return f"{degree.k}, {degree.m}, {degree.j}"
 
 
-#: Ruled surfaces whose generators are measured: naive, as the paper reduces them, lifted.
+#: Ruled surfaces whose generators are measured: naive, reduced as in the paper, lifted.
 GENERATORS = {
     name.replace("_", " ") + ", generator": (name, f"{name}_reduced", f"{name}_lifted")
     for name in ("tangent_developable", "binormal_scroll", "normal_scroll", "rectifying_developable")
@@ -145,7 +145,7 @@ BISECTORS = {
 }
 
 
-#: The degrees at which an exact witness is computed.
+#: The degrees d for which an exact witness is computed.
 WITNESSES = range(2, 7)
 
 
@@ -154,7 +154,7 @@ class GenericRow:
     """One line of the table for the generic curve of degree d: the count of Table 1 for each variant, and the degree
     that the theorem proves.
 
-    ``k``, ``m``, ``j`` are those of the reduced form; of a quotient in lowest terms, of its numerator or denominator,
+    ``k``, ``m``, ``j`` are those of the reduced form; for a quotient in lowest terms, of its numerator or denominator,
     whichever has the larger true degree. ``attained`` are the degrees d at which a certified witness attains the true
     degree, ``absent`` those at which the object does not exist or vanishes, ``differ`` those at which proof and witness
     disagree.
@@ -263,13 +263,13 @@ def _bisector_row(title: str, names: tuple[str, str, str], polynomial: bool) -> 
 
 
 class _Fixed:
-    """An operand of the second curve at one parameter: its derivatives there, each a constant."""
+    """An operand of the second curve at one parameter: its derivatives there are constants."""
 
     def __init__(self, values: list[Any]) -> None:
         self.values = values
 
     def d(self, order: int) -> Any:
-        """The derivative of that order."""
+        """The derivative of a given order."""
         return self.values[order]
 
 
@@ -294,7 +294,7 @@ def formula_table(curve: Nurbs, formulas: Iterable[Formula] | None = None) -> li
 
 @dataclass(frozen=True)
 class FormulaDegrees:
-    """A formula of the generic curve of degree d: the count of Table 1, what cancels, the degree of the reduced form,
+    """A formula on the generic curve of degree d: the count of Table 1, what cancels, the degree of the reduced form,
     and that of the value in lowest terms; a reason where the degree theorem does not apply.
     """
 
@@ -340,5 +340,5 @@ def _formula_row(formula: Formula, curve: Nurbs) -> DegreeRow:
     seconds = perf_counter() - start
     text = print_text(trace(formula, curve.dimension))
     return DegreeRow(
-        m.formula, "as it stands", str(m.nominal), m.represented, m.true, m.control_points, "–", text, seconds=seconds
+        m.formula, "as written", str(m.nominal), m.represented, m.true, m.control_points, "–", text, seconds=seconds
     )

@@ -1,7 +1,7 @@
-"""The divisors in the formulas of a claim that its assumptions do not keep from vanishing.
+"""The divisors in the formulas of a claim that may vanish under its assumptions.
 
 Where they vanish the statement does not apply: it is about quotients where these exist. Formulas over the roots of a
-frame are left out: their divisors are those of the frame, on which their claims have assumptions.
+frame are omitted: their divisors are those of the frame, about which their claims make assumptions.
 """
 
 from __future__ import annotations
@@ -23,20 +23,20 @@ from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim
 from exactspline.verification.coq.denominators import Evaluation, factored
 
-#: The denominators of curves and of the operands of Table 1: none has a zero.
+#: The denominators of curves and of the operands of Table 1: none has zeros.
 WEIGHTS = ("w", "W", "w1", "w2")
 
 
 def divisors(claim: Claim) -> tuple[str, ...]:
-    """Texts of these divisors, in the order in which they are met.
+    """Texts of these divisors, in the order of their occurrence.
 
     >>> from exactspline.verification.claims import select
     >>> [divisors(claim) for claim in select(["T8", "C4.1a"])]
     [('p₂',), ('p₂', 'w₁ p₂'), ('p₂',), (), ()]
     """
     formulas = [claim.find(name) for name in claim.named]
-    found = dict.fromkeys(text for formula in formulas for n in claim.dimensions for text in _of(formula, n, claim))
-    return tuple(found)
+    texts = dict.fromkeys(text for formula in formulas for n in claim.dimensions for text in _of(formula, n, claim))
+    return tuple(texts)
 
 
 def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:
@@ -46,7 +46,7 @@ def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:
     evaluation, known = Evaluation(argument), list(_known(claim, formula.kind, argument))
     try:
         evaluation(tree)
-    except (FormulaError, ReachError):  # too long to be multiplied out: then nothing is known of its divisors
+    except (FormulaError, ReachError):  # too large to be multiplied out: then nothing is known about its divisors
         yield from map(print_text, divided_by(tree))
         return
     for node, value in evaluation.denominators:
@@ -64,7 +64,7 @@ def divided_by(tree: Node) -> Iterator[Node]:
 
 
 def _known(claim: Claim, kind: Kind, argument: Evaluated) -> Iterator[fmpq_mpoly]:
-    """What does not vanish: the weights and what is assumed."""
+    """The polynomials that do not vanish: the weights and those in the assumptions."""
     for each in argument.together():
         operands = each.operands()
         for name in WEIGHTS if {"x", "p1"} & operands.keys() else ():  # where w is a denominator, not any function
@@ -74,7 +74,7 @@ def _known(claim: Claim, kind: Kind, argument: Evaluated) -> Iterator[fmpq_mpoly
         try:
             yield assumed.polynomial(argument).top
         except ExactSplineError:
-            continue  # with more derivatives than the formula has, so that it cannot be a divisor
+            continue  # it has more derivatives than the formula, so that it cannot be a divisor
 
 
 def _all(assumed: tuple[Assumption, ...]) -> Iterator[Assumption]:

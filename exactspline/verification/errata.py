@@ -1,6 +1,6 @@
 """Errors of a paper: what is printed, what is true, why, and how to check it in three lines. Nothing here is written by
-hand: the list is made from the printed claims whose verdict is REFUTED, grouped by error, and from those that state
-what holds instead.
+hand: the list is generated from the printed claims whose verdict is REFUTED, grouped by error, and from the claims that
+state what holds instead.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 
 @dataclass(frozen=True)
 class Refuted:
-    """One statement that fails: the verbatim words and their place, what it claims, what was found, where it fails, and
-    Python that shows it.
+    """A statement that fails: the verbatim words and their place, the claimed and the computed value, where it fails,
+    and Python code that shows it.
     """
 
     id: str
@@ -66,8 +66,7 @@ class Erratum(Displayed):
 
 
 def errata(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
-    """The errors of papers, in the order of each, decided anew; without any, of those that are meant where none is
-    named.
+    """The errors of papers, in the order of each, decided anew; by default those of the default papers.
 
     >>> first = next(errata())
     >>> first.error, [each.id for each in first.statements]
@@ -77,7 +76,7 @@ def errata(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
 
 
 def remarks(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
-    """Misreadings: statements that also fail, in the same form, although no paper makes them.
+    """Misreadings in the same form: statements that fail too, although no paper makes them.
 
     >>> [each.error for each in remarks()]
     ['replacement', 'second-parameter']
@@ -114,8 +113,10 @@ def _refuted(claim: Claim) -> Refuted | None:
         return None
     place = ", ".join(dict.fromkeys(part for part in (claim.source, claim.place.split(",")[0]) if part))
     relation = true_relation(claim, finding)
-    found, witness = (relation, None) if relation else (finding.computed, finding.witness)
-    return Refuted(claim.id, claim.key, place, claim.words, numbered(claim), claim.claims, found, witness, check(claim))
+    computed, witness = (relation, None) if relation else (finding.computed, finding.witness)
+    return Refuted(
+        claim.id, claim.key, place, claim.words, numbered(claim), claim.claims, computed, witness, check(claim)
+    )
 
 
 def true_relation(claim: Claim, finding: Finding) -> Relating | None:
@@ -150,7 +151,7 @@ def numbered(claim: Claim) -> str:
 
 
 def _has_factor(claim: Identity, dimension: int) -> bool:
-    """Whether one side is the other times a product of powers; not so where roots are adjoined, or the right side
+    """Whether one side is the other times a product of powers; not where roots are adjoined, or the right side
     vanishes.
     """
     try:
@@ -166,7 +167,7 @@ def check(claim: Claim) -> tuple[str, ...]:
 
 
 def _loading(source: Paper) -> tuple[str, ...]:
-    """How a user's folder is loaded; nothing for a paper that comes along. What strangers named is quoted."""
+    """The lines that load a user's folder; none for a paper of the library. Names chosen by others are quoted."""
     if source.package:
         return ()
     trust = ", trust=True" if source.trusted else ""
@@ -177,7 +178,7 @@ def _shown(claim: Claim) -> tuple[str, ...]:
     d, source = claim.dimensions[0], claim.source_paper
 
     def named(formula: str) -> str:
-        """A formula, by the name that `find` knows, or of the folder that was loaded."""
+        """A formula by the name that `find` knows, or from the loaded folder."""
         own = f"paper.find({formula!r})"
         return repr(known_as(claim.find(formula))).replace("'", '"') if source.package else own
 

@@ -36,7 +36,7 @@ Handed = Evaluated
 
 class Evaluation:
     """One curve with the values of formulas on it. It belongs to one run of the ledger: curves can be shared between
-    threads, evaluations need not be.
+    threads, evaluations are not.
 
     >>> from exactspline.interchange.examples import example
     >>> own = Evaluation(example("cusp"))
@@ -59,24 +59,24 @@ class Evaluation:
 
     @cached_property
     def _bare(self) -> Evaluated:
-        """The curve itself, for all kinds that add nothing to it."""
+        """The curve itself, for all kinds without additional operands."""
         bare: Evaluated = self.curve.remembering()
         return bare
 
     def handed(self, kind: str) -> Handed:
-        """The argument of formulas of a kind; it remembers their values."""
+        """The argument of formulas of a kind; it memoizes their values."""
         return self.curve if kind == ArgumentKind.TABLE else self._argument(kind).argument
 
     def beside(self, kind: str) -> Evidence | None:
-        """What is beside the curve in it; None where nothing is."""
+        """The additional operands in this argument; None where there are none."""
         return None if kind == ArgumentKind.TABLE else self._argument(kind).beside
 
     def part(self, kind: str) -> Evidence | None:
-        """Which part of all arguments with this curve it is; None where there is no other."""
+        """Which part of all arguments with this curve it is; None where it is the only one."""
         return None if kind == ArgumentKind.TABLE else self._argument(kind).part
 
     def _assumed_of(self, kind: str) -> Evaluated:
-        """The argument of which assumptions are made: all segments of both curves of a pair."""
+        """The argument about which assumptions are made: all segments of both curves of a pair."""
         if not isinstance(kind_of(kind), PairKind):
             return self.handed(kind)
         if self._pair is None:
@@ -96,7 +96,7 @@ class Evaluation:
 
 
 def evaluation(curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Evaluation:
-    """The evaluation of a curve; one that is given is kept."""
+    """The evaluation of a curve; an evaluation is returned unchanged."""
     return curve if isinstance(curve, Evaluation) else Evaluation(curve)
 
 
@@ -131,7 +131,7 @@ def segment(f: BSpline, i: int) -> OnAllOf:
 
 
 def zero_of(f: BSpline) -> Place | None:
-    """Where a spline has a zero, one-sided limits among them; None when it has none.
+    """Where a spline has a zero, including zeros as one-sided limits; None when it has none.
 
     >>> str(zero_of(BSpline.identity(0, 1))), zero_of(BSpline.identity(0, 1) + 1)
     ('at the parameter 0', None)
@@ -140,12 +140,12 @@ def zero_of(f: BSpline) -> Place | None:
         if not p:
             return segment(f, i)
         a, b = f.breakpoints[i : i + 2]
-        if found := zero_on_segment(p, f.degree):
-            return between(Interval(a, b).part(found))
+        if zero := zero_on_segment(p, f.degree):
+            return between(Interval(a, b).part(zero))
     return None
 
 
-def between(found: Interval) -> At | Between:
+def between(interval: Interval) -> At | Between:
     """The place of a zero."""
-    s, t = found
+    s, t = interval
     return At(s) if s == t else Between(s, t)

@@ -1,4 +1,4 @@
-"""Claims about one example curve alone."""
+"""Claims about a single example curve."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from exactspline.verification.vocabulary import Name
 
 @claim_kind
 class ExampleClaim(Claim):
-    """A claim about one example curve alone."""
+    """A claim about a single example curve."""
 
     example: str = field(metadata=read(example_name))
 
     def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
-        """It applies to its example alone."""
+        """It applies to its example only."""
         return False
 
     def prove(self) -> tuple[Name, Finding]:

@@ -25,17 +25,17 @@ def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = Fals
     >>> symbolic_minimum(construction("zero_curvature"), 2), symbolic_minimum(construction("critical_curvature"), 2)
     (3d − 6, 8d − 12)
     """
-    found = reduction(c.lifted, dimension, polynomial)
+    reduced = reduction(c.lifted, dimension, polynomial)
     if c.ruled:
-        return found.parts[0].generic_lowest.max(found.main.generic)
-    return generic_degree(found.main.lowest[0]) if c.zero_set else found.main.generic_lowest
+        return reduced.parts[0].generic_lowest.max(reduced.main.generic)
+    return generic_degree(reduced.main.lowest[0]) if c.zero_set else reduced.main.generic_lowest
 
 
 def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False) -> Degree:
     """The degree of a formula in lowest terms on the generic argument of its kind, for symbolic d: an upper bound on
     every one.
 
-    Of two curves the degree in the parameter of the first is meant.
+    For two curves it is the degree in the parameter of the first.
 
     >>> from exactspline.papers import find
     >>> lowest_degree(find("plane_bisector"), 2)
@@ -44,11 +44,11 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
     return joined_degree(reduction_of(formula, dimension, polynomial))
 
 
-def joined_degree(found: Reduction, parameter: Parameter = Parameter.FIRST) -> Degree:
-    """The degree of a value in lowest terms, of a ruled surface with directrix and generator over one denominator;
-    −1 for what vanishes. A denominator 1 counts nothing.
+def joined_degree(reduced: Reduction, parameter: Parameter = Parameter.FIRST) -> Degree:
+    """The degree of a value in lowest terms; for a ruled surface with directrix and generator over one denominator; −1
+    for a value that vanishes. A denominator 1 is not counted.
     """
-    *components, denominator = found.joined
+    *components, denominator = reduced.joined
     top = [jet for jet in components if not jet.is_zero]
     if not top:
         return Degree.number(-1)
@@ -66,13 +66,13 @@ def minimum_at(c: Construction, d: int, *, polynomial: bool = False) -> int | No
     """
     from exactspline.geometry.constructions import Variant
 
-    found = reduction(c.lifted, c.dimension, polynomial)
-    numerator, denominator = found.parts[0].lowest
+    reduced = reduction(c.lifted, c.dimension, polynomial)
+    numerator, denominator = reduced.parts[0].lowest
     top, (bottom,) = truncated(numerator, d), truncated([denominator], d)
     if bottom.is_zero:
         return None
     if c.ruled:
-        generator = truncated(found.main.reduced, d)
+        generator = truncated(reduced.main.reduced, d)
         if all(jet.is_zero for jet in generator):
             return None
         return max(degree_at(without_content([*top, bottom]), d), degree_at(without_content(generator), d))

@@ -48,8 +48,7 @@ def _factor(left: Formula, right: Formula, dimension: int, polynomial: bool, nam
 
 
 def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
-    """The quotient of the numerators of two formulas, with nothing cancelled; None when they are not
-    proportional.
+    """The quotient of the numerators of two formulas, without cancellation; None when they are not proportional.
 
     >>> str(factor_of_numerators(formula_of("f0"), formula_of("f2"), 2))
     'w³'
@@ -62,18 +61,18 @@ def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polyn
 
 
 def _naive_denominator(formula: Formula, ring: JetRing, polynomial: bool) -> Factorization[Named]:
-    """The irreducible factors of a denominator, with nothing cancelled."""
+    """The irreducible factors of a denominator, without cancellation."""
     argument = FactoredJetReading(ring.order).argument(ring.kind, ring.dimension, polynomial=polynomial)
     below: FactoredJet | None = split(formula(argument))[1]
-    found, one = Factorization[Named](), ring.context.constant(1)
+    factors, one = Factorization[Named](), ring.context.constant(1)
     for base, exponent in () if below is None else below.powers:
-        found = found * factored(ring, base, one).powers ** exponent
-    return found
+        factors = factors * factored(ring, base, one).powers ** exponent
+    return factors
 
 
 def harmful(factor: Factor, assumed: Iterable[Assumption]) -> tuple[list[Name], tuple[Name, ...]]:
-    """The names of the irreducible parts of a factor that may have zeros, and those of the assumptions by which the
-    others have none.
+    """The names of the irreducible parts of a factor that may have zeros, and those of the assumptions that exclude
+    zeros of the others.
     """
     assumed, names, used = list(assumed), list[Name](), list[Name]()
     for (name, polynomial), _ in factor.powers:
@@ -95,7 +94,7 @@ SHOWN_SURFACES = {False: "rational_biquadratic", True: "bicubic"}
 
 @cache
 def vanishes(formula: Formula, dimension: int, polynomial: bool) -> bool:
-    """Whether a formula is zero for all arguments of its kind: where it is not, mostly one of them shows it.
+    """Whether a formula is zero for all arguments of its kind: where it is not, usually one example shows it.
 
     >>> vanishes(formula_of("D1"), 2, True), vanishes(formula_of("D21"), 2, True)
     (False, True)
@@ -108,7 +107,7 @@ def vanishes(formula: Formula, dimension: int, polynomial: bool) -> bool:
 
 
 def _shown(formula: Formula, dimension: int, polynomial: bool) -> Evaluated | None:
-    """One argument of the kind of a formula; None for kinds of which there is no example."""
+    """One argument of the kind of a formula; None for kinds without an example."""
     kind = formula.kind
     if kind is SURFACE:
         surface = example_surface(SHOWN_SURFACES[polynomial])
@@ -126,11 +125,11 @@ def transposed(formula: Formula) -> Formula:
 
 
 def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
-    """The reduction of a formula, made once; its degrees are counted in the first parameter or in the one named."""
-    found = cached_reduction(formula, dimension, polynomial, naming())
-    if isinstance(found, ExactSplineError):
-        raise found
-    return found if parameter is None else counted_in(found, formula, parameter)
+    """The reduction of a formula, computed once; its degrees are counted in the given parameter."""
+    reduction = cached_reduction(formula, dimension, polynomial, naming())
+    if isinstance(reduction, ExactSplineError):
+        raise reduction
+    return reduction if parameter is None else counted_in(reduction, formula, parameter)
 
 
 @cache
@@ -140,7 +139,10 @@ def cached_reduction(
     """The reduction of a formula, computed once."""
     try:
         return reduce(formula, dimension=dimension, polynomial=polynomial)
-    except (FormulaError, ReachError) as error:  # of a formula that is too long this is known after long work only
+    except (
+        FormulaError,
+        ReachError,
+    ) as error:  # for a formula that is too large this is only known after a long computation
         return error
 
 

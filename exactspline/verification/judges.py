@@ -1,4 +1,6 @@
-"""Judges: provers that share nothing decide the same claims, and one that proves what another refutes is an alarm."""
+"""Judges: provers that share no code decide the same claims; if one proves what another refutes, a contradiction is
+reported.
+"""
 
 from __future__ import annotations
 
@@ -21,18 +23,18 @@ from exactspline.verification.vocabulary import Name
 
 
 class Judge(Protocol):
-    """Who decides a claim for all arguments: the jets of this library, sympy, the kernel of Coq."""
+    """A prover that decides a claim for all arguments: the jets of this library, sympy, the kernel of Coq."""
 
     @property
     def name(self) -> Name:
         """Its name."""
 
     def decide(self, claim: Claim) -> Finding:
-        """Its finding, UNDECIDED where the claim is none of its kinds."""
+        """The finding; UNDECIDED where the judge does not handle claims of this kind."""
 
 
 class Jets:
-    """The judge of the ledger: differential polynomials, each proof made once."""
+    """The judge of the ledger: differential polynomials, with each proof computed once."""
 
     name = Name("jet")
 
@@ -44,14 +46,14 @@ class Jets:
         return self._proofs[claim][1]
 
 
-#: The judges besides the ledger's own.
+#: The judges other than the ledger's.
 OTHERS: dict[str, type[Sympy | Coq]] = {"sympy": Sympy, "coq": Coq}
 
 
 def judge_named(name: str) -> Sympy | Coq:
     """Another judge.
 
-    Raises `ClaimError` with the names there are.
+    Raises `ClaimError` with the existing names.
     """
     if name not in OTHERS:
         raise ClaimError(f"there is no judge called {name!r}", remedy=nearest(name, OTHERS))
@@ -78,8 +80,8 @@ def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:
 
 
 def second_opinions(judge: Judge, claims: Iterable[Claim], first: Judge | None = None) -> list[Task]:
-    """The claims that state an equality, as calls that give the row of another judge each, compared with the first one
-    (the jets, without any).
+    """The claims that state an equality, as calls that each return the row of another judge, compared with the first
+    one (by default the jets).
 
     >>> from exactspline.verification.claims import select
     >>> [(str(task().factor), str(task().verdict)) for task in second_opinions(Sympy(), select(["C4.1a"]))]
@@ -101,7 +103,9 @@ def judged(judge: Judge, claim: Claim, first: Judge) -> Row:
 
 
 def compared_rows(rows: Sequence[Row], judge: Judge) -> list[Row]:
-    """Rows for all curves compared with the findings of another judge; those on single curves as they are."""
+    """Rows for all curves compared with the findings of another judge; those on single curves are returned
+    unchanged.
+    """
     return [
         each
         if each.curve

@@ -34,8 +34,8 @@ Task = Callable[[], Row]
 def audit(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None = None) -> Iterator[Row]:
     """The rows of the ledger.
 
-    Without curves: every claim decided for all curves, and then checked on every example curve to which it applies.
-    With curves, or surfaces: checked on these.
+    Without curves, every claim is decided for all curves, and then checked on every example curve to which it applies.
+    With curves or surfaces it is checked on these.
 
     >>> from exactspline.verification.claims import select
     >>> [(str(row.reading), str(row.verdict)) for row in audit(select(["C4.1a"]), [example("circle")])]
@@ -47,7 +47,7 @@ def audit(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None
 
 
 def settled(rows: Sequence[Row]) -> list[Row]:
-    """The rows of a run; a proof for all curves that one of them contradicts is not a proof."""
+    """The rows of a run; a proof for all curves that is contradicted by one of them is not a proof."""
     contradicted = {(row.paper, row.key): row.witness for row in rows if row.verdict == CONTRADICTION}
     return [
         replace(row, finding=replace(row.finding, verdict=CONTRADICTION, witness=contradicted[row.paper, row.key]))
@@ -80,7 +80,7 @@ def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None
 
 
 def _curves_of(source: Paper) -> list[Nurbs]:
-    """The curves on which a paper is checked: those in its folder, the examples where there are none."""
+    """The curves on which a paper is checked: those in its folder, or the examples where there are none."""
     return list(own_curves(source).values()) or [example(name) for name in example_names()]
 
 
@@ -100,7 +100,7 @@ def _on_curves(
 
 
 class Proofs:
-    """The proofs of one run of the ledger, each made once."""
+    """The proofs of one run of the ledger, each computed once."""
 
     def __init__(self) -> None:
         self._made: dict[Claim, tuple[Name, Finding]] = {}
@@ -134,8 +134,8 @@ def proved(claim: Claim, proofs: Proofs | None = None) -> Row:
 
 
 def checked(claim: Claim, own: Evaluation, name: Name, proofs: Proofs) -> Row:
-    """A claim checked on one curve. A claim refuted there must not be proved for all curves: a proof that was made in
-    this run is compared, and where the record does not say that the claim is refuted, one is made.
+    """A claim checked on one curve. A claim refuted there must not be proved for all curves: a proof that exists in
+    this run is compared, and where the claim is not recorded as refuted, one is computed.
     """
     start = perf_counter()
     try:

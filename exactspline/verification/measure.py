@@ -17,10 +17,10 @@ from exactspline.splines.nurbs import Nurbs
 
 @dataclass(frozen=True, repr=False)
 class Measure:
-    """The cost of one formula on one curve.
+    """The degrees and the size of one formula on one curve.
 
-    ``nominal`` symbolic in d, ``represented`` and ``true`` as numbers (−1 for what vanishes identically; no true degree
-    where a denominator vanishes on a whole segment), ``control_points`` of the representation.
+    ``nominal`` symbolic in d, ``represented`` and ``true`` as numbers (−1 for a formula that vanishes identically; no
+    true degree where a denominator vanishes on a whole segment), ``control_points`` of the representation.
     """
 
     formula: str
@@ -49,7 +49,7 @@ def measure(formula: Formula, curve: Nurbs) -> Measure:
 
 
 def speaks_of(formula: Formula, dimension: int) -> bool:
-    """Whether a formula applies to curves of this dimension alone."""
+    """Whether a formula applies to single curves of this dimension."""
     return formula.kind in {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
 
 

@@ -1,9 +1,9 @@
 """Certificates that the degree of a form cannot be lowered: no common factor on any segment, and full degree.
 
-A quotient is certified segment by segment: modulo a prime, multiples of the components of numerator and denominator add
-up to 1, so they have no common factor, and one of them reaches the full degree at the right end. The form of a zero set
-is certified to have its full degree in the parameter and no common factor with w; where a prime is found modulo which
-it is irreducible, every polynomial over ℚ that vanishes at one of its zeros is a multiple of it.
+A quotient is certified segment by segment: modulo a prime, polynomial multiples of the components of numerator and
+denominator add up to 1, so that they have no common factor, and one of them has full degree at the right end. The form
+of a zero set is certified to have its full degree in the parameter and no common factor with w; if it is irreducible
+modulo some prime that was found, every polynomial over ℚ that vanishes at one of its zeros is a multiple of it.
 `exactspline.certificates` checks the data with the standard library alone.
 """
 
@@ -51,8 +51,8 @@ def certificate(name: str, curve: Nurbs) -> dict[str, object]:
 
     Raises `ShapeError` where the object does not exist or vanishes, `ReductionError` should the proof fail.
     """
-    made, found = construction(name), derive(name, curve, Variant.MINIMAL)
-    segments = [segment for piece in found.pieces for segment in _segments(made, piece, curve)]
+    made, derived = construction(name), derive(name, curve, Variant.MINIMAL)
+    segments = [segment for piece in derived.pieces for segment in _segments(made, piece, curve)]
     if not segments:
         raise ShapeError(f"{name} vanishes identically", remedy="there is nothing to certify")
     kind = "zero set" if made.zero_set else "quotient"
@@ -70,13 +70,13 @@ def _segments(made: Construction, piece: Piece, curve: Nurbs) -> list[dict[str, 
         breaks = value.denominator.breakpoints
         rows = lowest_terms(value)
         return [_quotient([text(t) for t in breaks[i : i + 2]], forms, n) for i, (forms, n) in enumerate(rows)]
-    found = []
+    segments = []
     for i, (c, _) in enumerate(value.forms):
         if c:
             a, b = value.breakpoints[i : i + 2]
             lowest, times = divide_u_plus_v(c, value.degree)
             weight = curve.w.restrict(a, b)
-            found.append(
+            segments.append(
                 _zero_form(
                     [text(a), text(b)],
                     lowest,
@@ -84,7 +84,7 @@ def _segments(made: Construction, piece: Piece, curve: Nurbs) -> list[dict[str, 
                     divide_u_plus_v(weight.polynomials[0], weight.degree)[0],
                 )
             )
-    return found
+    return segments
 
 
 def _over_one(components: list[Any]) -> Rational[BSpline]:
@@ -120,8 +120,8 @@ def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[
 
 
 def bezout_combination(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, list[list[str]]]:
-    """A prime and polynomials modulo it that combine the forms to 1; the prime divides no highest coefficient of a form
-    of full degree.
+    """A prime, and polynomials modulo it whose products with the forms add up to 1; the prime divides no leading
+    coefficient of a form of full degree.
     """
     for p in LARGE_PRIMES:
         if all(int(c[n]) % p == 0 for c, n in zip(forms, degrees, strict=True)):
@@ -138,7 +138,7 @@ def bezout_combination(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tu
 
 
 def _irreducible(c: fmpz_poly, n: int) -> int | None:
-    """A prime modulo which the form is irreducible and of full degree, if one is found."""
+    """A prime modulo which the form is irreducible and of full degree, or None."""
     if not 1 <= n <= LARGEST or c.degree() < n:
         return None
     if [e for _, e in factorize(c).powers] != [1]:
@@ -183,15 +183,15 @@ class Attained:
 
     @property
     def agrees(self) -> bool:
-        """Whether proved and attained degree are one."""
+        """Whether the proved and the attained degree agree."""
         return self.proved == self.attained
 
 
 def attained(name: str, d: int, *, polynomial: bool = False) -> Attained:
     """The construction on the witness of degree d against the degree theorem.
 
-    >>> found = attained("critical_curvature", 2)
-    >>> found.proved, found.attained, found.certificate["segments"][0]["irreducible modulo"] is not None
+    >>> result = attained("critical_curvature", 2)
+    >>> result.proved, result.attained, result.certificate["segments"][0]["irreducible modulo"] is not None
     (4, 4, True)
     """
     made = construction(name)

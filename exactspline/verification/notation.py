@@ -10,7 +10,7 @@ from exactspline.papers import find as find_anywhere
 
 
 def symbol(name: str, find: Callable[[str], Formula] = find_anywhere) -> str:
-    r"""The LaTeX name of a formula: its symbol in the paper, its own name where it has none. `find` gives formulas.
+    r"""The LaTeX name of a formula: its symbol in the paper, or its name where it has none. `find` gives formulas.
 
     >>> symbol("f2"), symbol("evolute_contact_1")
     ('f_2', '\\mathrm{evolute\\_contact\\_1}')
@@ -19,12 +19,12 @@ def symbol(name: str, find: Callable[[str], Formula] = find_anywhere) -> str:
 
 
 def degree_latex(claimed: str) -> str:
-    """A degree as claims write it, as LaTeX."""
+    """A degree in the notation of claims, as LaTeX."""
     return re.sub(r"d(\d)", r"d_\1", claimed.replace("−", "-").replace("max", r"\max"))
 
 
 def factor_latex(factor: str, find: Callable[[str], Formula] = find_anywhere) -> str:
-    r"""A factor as claims write it, as LaTeX; empty for 1.
+    r"""A factor in the notation of claims, as LaTeX; empty for 1.
 
     >>> factor_latex("2 w^16 D1_squared^-4")
     '2\\,w^{16}\\,(\\|D_1\\|^2)^{-4}\\,'

@@ -1,4 +1,4 @@
-"""The curves on which the claims of a paper are tried: the examples of the library, and its own."""
+"""The curves on which the claims of a paper are checked: the examples of the library, and those of the paper."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from exactspline.splines.surface import NurbsSurface
 
 @cache
 def one_patch_surfaces() -> tuple[NurbsSurface, ...]:
-    """The example surfaces and planar maps of one patch: on these claims of surfaces are tried.
+    """The example surfaces and planar maps of one patch, on which claims about surfaces are checked.
 
     >>> [surface.name for surface in one_patch_surfaces()][:3]
     ['bicubic', 'biquadratic', 'cross_cap']
@@ -29,19 +29,19 @@ def own_curves(source: Paper) -> dict[str, Nurbs]:
 
     Raises `CurveFileError` with the file.
     """
-    found = {}
+    curves = {}
     for file in source.curve_files():
         if file.name.endswith(".json"):
             name = file.name.removesuffix(".json")
             try:
-                found[name] = curve_from_text(file.read_text(encoding="utf-8"), name)
+                curves[name] = curve_from_text(file.read_text(encoding="utf-8"), name)
             except ExactSplineError as error:
                 raise error.at(f"{source.name}/curves/{file.name}") from None
-    return found
+    return curves
 
 
 def curve_names(source: Paper) -> list[str]:
-    """The names of its own curves, then those of the examples."""
+    """The names of the paper's curves, then those of the examples."""
     return [*dict.fromkeys([*own_curves(source), *example_names()])]
 
 
@@ -56,6 +56,8 @@ def curve_named(source: Paper, name: str) -> Nurbs:
 
 
 def check_curve_name(source: Paper, name: str) -> None:
-    """Refuse, with `ClaimError`, what names no curve of the paper and no example; no example is read for that."""
+    """Raise `ClaimError` for a name that is neither a curve of the paper nor an example; no example is read
+    for that.
+    """
     if name not in own_curves(source) and name not in example_names():
         raise ClaimError(f"there is no example curve called {name!r}", remedy=nearest(name, curve_names(source)))

@@ -22,17 +22,17 @@ from exactspline.symbolic.reduction import Part
 from exactspline.symbolic.substitution import substitute
 from exactspline.verification.generic_proof import reduction_of
 
-#: The seed of witnesses, and how large their control points are.
+#: The seed of witnesses, and the size of their control points.
 SEED, SIZE = 2007, 99
-#: Formulas that an error names.
+#: How many formulas an error names.
 NAMED = 3
 
 
 @dataclass(frozen=True)
 class PatchRow:
-    """A formula on patches of one bidegree: what Table 1 counts, what the degree theorem proves of its reduced form on
-    the generic patch, and what a patch with known control points attains; a pair of degrees each, None for zero.
-    `missing` is the reason why the last two are not known.
+    """A formula on patches of one bidegree: the degrees counted by Table 1, those proved by the degree theorem for its
+    reduced form on the generic patch, and those attained by a patch with known control points; each a pair of degrees,
+    None for zero. `missing` is the reason why the last two are unknown.
     """
 
     formula: str
@@ -44,7 +44,7 @@ class PatchRow:
 
     @property
     def agrees(self) -> bool:
-        """Whether the witness attains what is proved; None of both where that is `missing`."""
+        """Whether the witness attains the proved degrees; None where these are `missing`."""
         return self.true == self.attained
 
 
@@ -93,7 +93,7 @@ def variants_table(source: Paper) -> list[VariantsRow]:
 
 
 def _counted(formula: Formula, *, polynomial: bool) -> str:
-    """What Table 1 counts in u and in v."""
+    """The degrees in u and in v by Table 1."""
     readings = [DegreeReading(parameter=parameter) for parameter in BOTH]
     u, v = (str(formula(r.argument(formula.kind, 3, polynomial=polynomial)).degree) for r in readings)
     return _in_both(u, v)
@@ -106,7 +106,7 @@ def _proved(formula: Formula, *, polynomial: bool) -> str:
 
 
 def _in_both(u: str, v: str) -> str:
-    """Two degrees as one text, as one degree where they are alike."""
+    """Two degrees as one text, as one degree where they agree."""
     return u.replace("d_u", "d") if u.replace("d_u", "d_v") == v else f"{u}, {v}"
 
 
@@ -124,12 +124,12 @@ def patch_table(formulas: Iterable[Formula], degrees: tuple[int, int]) -> list[C
     """
     given = [expect_formula(f) for f in as_items(formulas, "formulas")]
     if not isinstance(degrees, tuple) or len(degrees) != 2 or any(type(n) is not int or n < 1 for n in degrees):
-        raise FormulaError(f"patches of the degrees {shown(degrees)}", remedy="two integers, from 1 on, as in (2, 3)")
+        raise FormulaError(f"patches of the degrees {shown(degrees)}", remedy="two integers ≥ 1, as in (2, 3)")
     known = [f for f in given if f.kind in (SURFACE, PLANAR_MAP)]
     if not known:
-        told = ", ".join(f"{f.name} ({f.kind.name})" for f in given[:NAMED]) or "none"
+        given_kinds = ", ".join(f"{f.name} ({f.kind.name})" for f in given[:NAMED]) or "none"
         raise FormulaError(
-            f"no formula of surfaces among {told}", remedy="patches have those of surfaces and planar maps"
+            f"no formula of surfaces among {given_kinds}", remedy="patches have those of surfaces and planar maps"
         )
     return [partial(_row, f, degrees, polynomial) for f in known for polynomial in (False, True)]
 
@@ -140,7 +140,7 @@ def _row(formula: Formula, degrees: tuple[int, int], polynomial: bool) -> PatchR
     patches = "polynomial" if polynomial else "rational"
     try:
         part = reduction_of(formula, dimension, polynomial).main
-    except (FormulaError, ReachError) as error:  # more terms than are multiplied out: the other formulas stand
+    except (FormulaError, ReachError) as error:  # too many terms to multiply out: the other formulas are not affected
         return PatchRow(formula.name, patches, (u, v), None, None, str(error))
     attained = measured_degrees(part, witness(dimension, degrees, polynomial=polynomial))
     true = [degree_of_reduced(part, degrees, parameter) for parameter in BOTH]
@@ -148,15 +148,15 @@ def _row(formula: Formula, degrees: tuple[int, int], polynomial: bool) -> PatchR
 
 
 def measured_degrees(part: Part, surface: Surface[TensorSpline]) -> tuple[int, int]:
-    """The true degrees of a reduced form on a surface: those of its factors add up."""
+    """The true degrees of a reduced form on a surface: the sum of those of its factors."""
     factors = [(substitute(jet, surface), e) for jet, e in part.kept]
     core = [substitute(jet, surface) for jet in part.core]
     if any(f.is_zero for f, _ in factors) or all(f.is_zero for f in core):
         return -1, -1
-    found = [(f.true_degree, e) for f, e in factors]
+    degrees = [(f.true_degree, e) for f, e in factors]
     largest = Degrees(max(f.true_degree.s for f in core), max(f.true_degree.t for f in core))
-    found.append((largest, 1))
-    return sum(n.s * e for n, e in found), sum(n.t * e for n, e in found)
+    degrees.append((largest, 1))
+    return sum(n.s * e for n, e in degrees), sum(n.t * e for n, e in degrees)
 
 
 def _pair(u: int, v: int) -> tuple[int, int] | None:
@@ -179,7 +179,7 @@ def degree_of_reduced(part: Part, degrees: tuple[int, int], parameter: Parameter
 
 
 def witness(dimension: int, degrees: tuple[int, int], *, polynomial: bool = False) -> Surface[TensorSpline]:
-    """A patch of these degrees whose control points and weights are numbers without a pattern, the same every time.
+    """A patch of these degrees with pseudorandom control points and weights, the same every time.
 
     >>> witness(3, (1, 2)).w.degree
     Degrees(s=1, t=2)

@@ -33,8 +33,8 @@ Named = Formula | str
 
 @dataclass(frozen=True)
 class Proof(Worded):
-    """The answer of `prove`: whether ``left = factor · right`` for all curves of that dimension. True or false in
-    conditions.
+    """The answer of `prove`: whether ``left = factor · right`` for all curves of that dimension. Usable as a
+    condition.
     """
 
     left: str
@@ -42,7 +42,8 @@ class Proof(Worded):
     factor: str
     dimension: int
     finding: Finding
-    #: The true quotient of the left side by the right one; None for vectors that are not parallel, and over roots.
+    #: The true quotient of the left side by the right side; None for vectors that are not parallel, and where roots are
+    #: adjoined.
     quotient: Factor | None
     #: Whether roots are adjoined: then a quotient is not a product of polynomials.
     roots: bool = False
@@ -76,7 +77,7 @@ class Proof(Worded):
 
 @dataclass(frozen=True)
 class Check(Worded):
-    """The answer of `verify`: whether ``left = factor · right`` on one curve. True or false in conditions."""
+    """The answer of `verify`: whether ``left = factor · right`` on one curve. Usable as a condition."""
 
     left: str
     right: str
@@ -88,7 +89,7 @@ class Check(Worded):
 
     @property
     def verdict(self) -> Verdict:
-        """VERIFIED, REFUTED, or VACUOUS where both sides vanish on all of the curve (then any factor holds), or the
+        """VERIFIED, REFUTED, or VACUOUS where both sides vanish on the whole curve (then any factor is right), or the
         factor does not exist there.
         """
         return self.finding.verdict
@@ -116,15 +117,15 @@ class Check(Worded):
 def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None = None) -> Proof:
     """Whether ``left = factor · right`` for all curves: decided in indeterminate derivatives.
 
-    A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` the lowest in which both formulas are
-    defined is taken. The answer holds the true quotient as well.
+    A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` the lowest one in which both formulas
+    are defined is used. The answer contains the true quotient as well.
 
     >>> print(prove("f1", "f2", "w"))
     f1 = w · f2 for all curves in R2
     >>> print(prove("f1", "f2"))
     not f1 = f2 in R2: the quotient is w
 
-    Raises `FormulaError` for an unknown formula or two without a common dimension, `ClaimError` when the
+    Raises `FormulaError` for an unknown formula or two formulas without a common dimension, `ClaimError` when the
     factor cannot be read.
     """
     sides, dimension = _formulas(left, right), _given_dimension(dimension)
@@ -143,10 +144,10 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
         curve = jets_with_roots(equation.formulas, factor, n)
     else:
         curve = RationalJetReading(max(order_of(f, n) for f in equation.formulas)).argument(kind, n)
-    found = equation.decide(curve)
+    finding = equation.decide(curve)
     nothing = kind.adjoins_roots or sides[1](curve).is_zero
     quotient = None if nothing else find_factor(sides[0](curve), sides[1](curve))
-    return Proof(sides[0].name, sides[1].name, factor, n, found, quotient, kind.adjoins_roots)
+    return Proof(sides[0].name, sides[1].name, factor, n, finding, quotient, kind.adjoins_roots)
 
 
 def proof_of(text: str, *, trust: bool = False) -> Proof:
@@ -187,8 +188,8 @@ class DegreeAnswer:
 def degree(
     formula: Named, *, dimension: int | None = None, polynomial: bool = False, parameter: Parameter | str | None = None
 ) -> DegreeAnswer:
-    """The degrees of a formula of the generic curve of degree d; where there are several parameters in the first one or
-    in that which is named.
+    """The degrees of a formula on the generic curve of degree d; where there are several parameters, in the given one,
+    by default the first.
 
     >>> print(degree("g2"))
     g2 in R2: nominal 9d − 6, in lowest terms 9d − 12
@@ -197,18 +198,18 @@ def degree(
 
     Raises `FormulaError` for an unknown formula, and where the degree theorem does not apply to its argument.
     """
-    (wanted,) = _formulas(formula)
+    (named,) = _formulas(formula)
     dimension, polynomial = _given_dimension(dimension), as_flag(polynomial, POLYNOMIAL)
-    n = wanted.kind.dimensions[0] if dimension is None else dimension
-    known = wanted.kind.parameters(n)
+    n = named.kind.dimensions[0] if dimension is None else dimension
+    known = named.kind.parameters(n)
     counted = known[0] if parameter is None else choice(Parameter, parameter, "parameter")
     if counted not in known:
         raise FormulaError(
-            f"the degree of {wanted.name} in {counted}", remedy=f"it is a function of {' and '.join(known)}"
+            f"the degree of {named.name} in {counted}", remedy=f"it is a function of {' and '.join(known)}"
         )
-    nominal = wanted(DegreeReading(parameter=counted).argument(wanted.kind, n, polynomial=polynomial)).degree
-    found = reduce(wanted, dimension=n, polynomial=polynomial, parameter=counted)
-    return DegreeAnswer(wanted.name, n, nominal, found.main.generic_lowest)
+    nominal = named(DegreeReading(parameter=counted).argument(named.kind, n, polynomial=polynomial)).degree
+    reduction = reduce(named, dimension=n, polynomial=polynomial, parameter=counted)
+    return DegreeAnswer(named.name, n, nominal, reduction.main.generic_lowest)
 
 
 def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
@@ -240,8 +241,8 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     for denominator, f in ((k, sides[0]), (m, sides[1])):
         if denominator is not None and denominator.vanishes_somewhere:
             raise FormulaError(f"{f.name} does not exist on all of this curve", remedy="restrict the curve")
-    found = Equation(sides[0], sides[1], factor).decide(curve, VERIFIED)
-    return Check(sides[0].name, sides[1].name, factor, found)
+    finding = Equation(sides[0], sides[1], factor).decide(curve, VERIFIED)
+    return Check(sides[0].name, sides[1].name, factor, finding)
 
 
 def reduction(
@@ -251,18 +252,18 @@ def reduction(
     polynomial: bool = False,
     parameter: Parameter | str | None = None,
 ) -> Reduction:
-    """What cancels in a formula, for all curves, and the lowest degree that is left (see
-    `exactspline.symbolic.reduction`); where there are several parameters in the first one or in that which is named.
+    """What cancels in a formula, for all curves, and the lowest degree that remains (see
+    `exactspline.symbolic.reduction`); where there are several parameters, in the given one, by default the first.
 
     >>> print(reduction("evolute").main.generic)
     6d − 6
 
-    Raises `FormulaError` for an unknown formula, `ShapeError` where it does not fit the dimension.
+    Raises `FormulaError` for an unknown formula, `ShapeError` where it is not defined in this dimension.
     """
-    wanted = find(formula) if isinstance(formula, str) else formula
+    named = find(formula) if isinstance(formula, str) else formula
     counted = None if parameter is None else choice(Parameter, parameter, "parameter")
     dimension, polynomial = _given_dimension(dimension), as_flag(polynomial, POLYNOMIAL)
-    return reduce(wanted, dimension=dimension, polynomial=polynomial, parameter=counted)
+    return reduce(named, dimension=dimension, polynomial=polynomial, parameter=counted)
 
 
 def _given_dimension(dimension: int | None) -> int | None:

@@ -10,16 +10,16 @@ from exactspline.verification.evidence import DegreeHere, Evidence, Found, ZeroH
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
 from exactspline.verification.vocabulary import Name, Reason, Relation, Status, Verdict
 
-#: The name in place of that of a curve, where all are meant.
+#: The name shown in place of a curve's where all curves are meant.
 ALL_CURVES = Name("")
 
 
 @dataclass(frozen=True)
 class Row(Displayed):
-    """A line of the ledger: what a check of a claim found, for all curves (``curve`` is empty) or on one.
+    """A line of the ledger: the finding of a check of a claim, for all curves (``curve`` is empty) or on one.
 
-    ``reading`` is the one in which it was decided, with the operands ``beside`` the curve; ``expected`` are the
-    verdicts that agree with the record.
+    ``reading`` is the reading in which it was decided, ``beside`` are the operands in addition to the curve;
+    ``expected`` are the verdicts that agree with the record.
     """
 
     claim: Claim
@@ -50,17 +50,17 @@ class Row(Displayed):
 
     @property
     def status(self) -> Status:
-        """Who says it."""
+        """Whether the statement is printed, corrected, or ours."""
         return self.claim.status
 
     @property
     def statement(self) -> str:
-        """Its statement, with a mark where the paper prints another one."""
+        """The statement, with a mark where the paper prints another one."""
         return self.claim.statement + (" (as it must read)" if self.status == Status.MEANT else "")
 
     @property
     def claimed(self) -> str:
-        """What is claimed, of one curve as a number."""
+        """The claimed value, for one curve as a number."""
         here = self.computed
         return here.relation.bound(here.claimed) if isinstance(here, DegreeHere | ZeroHere) else self.claim.claims
 
@@ -81,7 +81,7 @@ class Row(Displayed):
 
     @property
     def computed(self) -> Found | None:
-        """What was computed."""
+        """The computed value."""
         return self.finding.computed
 
     @property
@@ -96,7 +96,7 @@ class Row(Displayed):
 
     @property
     def as_recorded(self) -> bool:
-        """Whether the verdict is the one on record."""
+        """Whether the verdict is the recorded one."""
         return self.verdict in self.expected
 
 
@@ -111,7 +111,7 @@ def row(
     is_example: bool = False,
 ) -> Row:
     """A finding compared with the record. The record is about all curves. On one curve a claim that holds must be
-    VERIFIED, unless it is vacuous there, which is on record for the example curves; one that fails in general may well
+    VERIFIED, unless it is vacuous there, which is recorded for the example curves; one that fails in general may well
     hold there.
     """
     expected = _expected(claim, curve, finding, is_example) if curve else (claim.expected,)

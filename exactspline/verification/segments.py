@@ -1,7 +1,7 @@
-"""One segment of a curve as explicit polynomials in its parameter, beside indeterminates for everything that is free:
-the second curve of a pair, a point, constants, a change of parameter.
+"""One segment of a curve as explicit polynomials in its parameter, with indeterminates for all free operands: the
+second curve of a pair, a point, constants, a change of parameter.
 
-What holds of these holds on all of the segment, whatever the free operands are: nothing is tried at single values.
+What holds for these holds on the whole segment for all values of the free operands: nothing is tried at single values.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.evidence import At, On
 
-#: The parameters, less those at which a segment begins: names that no operand has.
+#: The parameters minus those at which a segment begins; names that no operand has.
 OWN, BAR = "_s", "_s_bar"
-#: How many values are tried for a witness.
+#: The number of values tried for a witness.
 TRIES = 40
 
 
 class _OnSegment(Kind):
-    """A kind some of whose functions are polynomials in their parameters: in place of them the parameters are operands,
-    with the derivative 1.
+    """A kind some of whose functions are polynomials in their parameters: instead of these functions the parameters are
+    operands, with derivative 1.
     """
 
     def __init__(self, kind: Kind, *, both: bool) -> None:
@@ -53,11 +53,11 @@ class _OnSegment(Kind):
         return (*parameters, *[symbol for symbol in rest if symbol.name not in given])
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """Those of the kind."""
+        """The names of the kind's operands."""
         return self.whole.names(dimension)
 
     def rules(self, dimension: int) -> dict[str, Rule]:
-        """The derivative of a parameter by itself."""
+        """The derivative of a parameter with respect to itself."""
         return {name: lambda named: named[OWN].constant(1) for name in (OWN, *([BAR] if self.both else []))}
 
     def argument(
@@ -85,8 +85,8 @@ class OnSegment(NamedTuple):
         return On(self.low, self.high)
 
     def place(self, value: JetFraction) -> At | On:
-        """A parameter at which a value that is not zero does not vanish (for some values of what is free); where none
-        is found at once, the interval.
+        """A parameter at which a nonzero value does not vanish (for some values of the free operands); where none is
+        found quickly, the interval.
         """
         variables = value.ring.variables
         for k in range(2, 2 + TRIES):
@@ -126,13 +126,13 @@ def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> 
 
 
 def _polynomial(points: tuple[mpq, ...], ring: JetRing, parameter: str, width: mpq) -> JetFraction:
-    """A segment by its Bézier points, as a polynomial in the parameter less that at which it begins."""
+    """A segment by its Bézier points, as a polynomial in the parameter minus its value at the start of the segment."""
     n, t = len(points) - 1, ring[parameter].polynomial
-    found = ring.context.constant(0)
+    polynomial = ring.context.constant(0)
     for k in range(n, -1, -1):
         c = comb(n, k) * sum((-1) ** (k - j) * comb(k, j) * points[j] for j in range(k + 1)) / width**k
-        found = found * t + to_fmpq(mpq(c))
-    return JetFraction(ring, found, ring.context.constant(1))
+        polynomial = polynomial * t + to_fmpq(mpq(c))
+    return JetFraction(ring, polynomial, ring.context.constant(1))
 
 
 def at_equal_parameters(value: JetFraction) -> JetFraction:
@@ -146,7 +146,7 @@ def at_equal_parameters(value: JetFraction) -> JetFraction:
 def equated(value: JetFraction, images: Mapping[str, str]) -> JetFraction:
     """A quotient with some of its operands replaced by others, and their derivatives by theirs.
 
-    Raises `VanishingDivisorError` where its denominator vanishes then.
+    Raises `VanishingDivisorError` where its denominator then vanishes.
     """
     ring = value.ring
     places = [ring.gens[ring.index[images.get(name, name), order]] for name, order in ring.variables]

@@ -1,4 +1,4 @@
-"""A claim spelled out: the statement as text and as LaTeX, its naive and its reduced side with their degrees, the
+"""A claim written out: the statement as text and as LaTeX, its naive and its reduced side with their degrees, the
 factor, the verdict.
 
 Nothing is written by hand: formulas come from the tree reading, degrees from the degree reading, the verdict from the
@@ -65,30 +65,30 @@ class Statement(Displayed):
 
     @property
     def as_recorded(self) -> bool:
-        """Whether the verdict is the one on record."""
+        """Whether the verdict is the recorded one."""
         return self.finding.verdict == self.claim.expected
 
 
-def statements(wanted: str) -> Iterator[Statement]:
+def statements(claim_id: str) -> Iterator[Statement]:
     """The statements of the claim with this id (or of all that it begins), each decided anew.
 
     >>> [(s.sides[0].name, s.sides[-1].name, str(s.finding.factor)) for s in statements("C4.1a")]
     [('f1', 'f2', 'w'), ('f0', 'f2', 'w⁻³')]
 
-    Raises `ClaimError` with the ids there are.
+    Raises `ClaimError` with the existing ids.
     """
-    return (statement(claim) for claim in select([wanted]))
+    return (statement(claim) for claim in select([claim_id]))
 
 
 def statement(claim: Claim) -> Statement:
-    """A claim spelled out, with its one verdict: the proof, compared with the example curves."""
+    """A claim written out, with its combined verdict: the proof, compared with the example curves."""
     reading, finding = combined(claim)
     return Statement(claim, latex_of(claim), sides(claim), reading, finding)
 
 
 def sides(claim: Claim) -> tuple[Side, ...]:
-    """The formulas of a claim; where it compares some, the one of the highest degree is the naive side and that of the
-    lowest the reduced one. A claim that evaluates none has none.
+    """The formulas of a claim; where it compares several, the one of the highest degree is the naive side and the one
+    of the lowest the reduced side. A claim without formulas has no sides.
     """
     names = dict.fromkeys(claim.named)
     if not names:
@@ -115,16 +115,18 @@ def _side(name: str, role: str, claim: Claim) -> Side:
 
 
 def dimension_of(formula: Formula, claim: Claim) -> int:
-    """The dimension in which a formula is read: the claim's, if there is such a formula, else its own."""
+    """The dimension in which a formula is read: the claim's, if the formula is defined in it, otherwise the
+    formula's.
+    """
     own = formula.kind.dimensions
     return claim.dimensions[0] if claim.dimensions[0] in own else own[0]
 
 
 def _degrees(name: str, claim: Claim, polynomial: bool) -> str:
-    """The degree of a formula, of a surface that in each parameter."""
+    """The degree of a formula, for surfaces in each parameter."""
     parameters = (claim.parameter,) if isinstance(claim, DegreeClaim) else claim.find(name).kind.counted
-    found = [_degree(name, claim, polynomial, parameter) for parameter in parameters]
-    return ", ".join("–" if degree is None else str(degree) for degree in found) or "–"
+    degrees = [_degree(name, claim, polynomial, parameter) for parameter in parameters]
+    return ", ".join("–" if degree is None else str(degree) for degree in degrees) or "–"
 
 
 def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> Degree | None:
@@ -152,8 +154,8 @@ def degree_of_cubic(name: str, claim: Claim) -> int:
 
 
 def telling_tree(formula: Formula, dimension: int) -> Node:
-    """The tree of a formula; where it would only repeat the symbol (the derivative of a named formula) the names in it
-    are expanded.
+    """The tree of a formula; where it would only repeat the symbol (as for the derivative of a named formula) the names
+    in it are expanded.
 
     >>> from exactspline import find
     >>> telling_tree(find("curvature_squared_derivative"), 2)

@@ -1,4 +1,4 @@
-"""Shared by checks on one concrete surface: which formulas are not multiplied out there."""
+"""Shared by checks on a concrete surface: which formulas are not multiplied out."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ LARGEST = 100
 
 
 def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> TooLong | None:
-    """The first formula whose value as it stands has too high a degree on a surface; None where there is none.
+    """The first formula whose value as written has too high a degree on a surface; None where there is none.
 
     >>> from exactspline.papers import find
     >>> from exactspline.interchange.examples import example_surface
     >>> print(too_long([find("surfaces:E"), find("surfaces:brioschi")], example_surface("torus")))
-    brioschi as it stands has degree 208 in u there, too much to be multiplied out
+    brioschi as written has degree 208 in u there, too high to be multiplied out
     """
     for formula in formulas:
         for parameter, d in zip(formula.kind.counted, surface.degree, strict=True):

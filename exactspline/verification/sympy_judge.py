@@ -1,4 +1,4 @@
-"""A second judge: claims for all curves decided once more by sympy, an algebra that shares nothing with the jets."""
+"""A second judge: claims for all curves decided again by sympy, which shares no code with the jets."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Sympy:
     name = Name(SympyReading.name)
 
     def decide(self, claim: Claim) -> Finding:
-        """The worst of all the cases, rational and polynomial curves of every dimension."""
+        """The worst finding over all cases: rational and polynomial curves of every dimension."""
         equality = claim.equality
         if equality is None:
             return Finding(UNDECIDED, witness=Fact.NOT_OF_THIS_JUDGE)

@@ -1,4 +1,6 @@
-"""Findings: a verdict, why nothing was decided, what was computed, a witness. None of them is a sentence."""
+"""Findings: a verdict, the reason why nothing was decided, the computed value, a witness. None of them is a
+sentence.
+"""
 
 from __future__ import annotations
 
@@ -13,15 +15,17 @@ VACUOUS, INAPPLICABLE, CONTRADICTION = Verdict.VACUOUS, Verdict.INAPPLICABLE, Ve
 
 
 class ContradictionError(ExactSplineError):
-    """Two readings contradict each other: proved for all curves, and refuted on one of them. One of them is wrong."""
+    """Two readings contradict each other: proved for all curves, and refuted on one of them. One of the two
+    is wrong.
+    """
 
 
 @dataclass(frozen=True)
 class Finding:
-    """What one check found: computed value, factor, witness and verdict, before it is compared with the record.
+    """The result of one check: computed value, factor, witness and verdict, before it is compared with the record.
 
-    ``relation`` is the one that was decided, ``assumptions`` the names of those that the decision rests on, ``reason``
-    tells why nothing was decided.
+    ``relation`` is the relation that was decided, ``assumptions`` are the names of those that the decision uses,
+    ``reason`` is why nothing was decided.
     """
 
     verdict: Verdict
@@ -34,20 +38,20 @@ class Finding:
 
 
 def undecided(error: ExactSplineError) -> Finding:
-    """Undecided because of an error; inapplicable, or a contradiction, where the error says so."""
+    """Undecided because of an error; inapplicable or a contradiction for errors of these types."""
     contradiction, outside = isinstance(error, ContradictionError), isinstance(error, InapplicableError)
     verdict = CONTRADICTION if contradiction else INAPPLICABLE if outside else UNDECIDED
     return Finding(verdict, witness=Stopped(error))
 
 
 def left(why: Evidence) -> Finding:
-    """Not tried on this curve: the proof for all decides it."""
+    """Not tried on this curve: the proof for all curves decides it."""
     return Finding(UNDECIDED, witness=LeftToTheProof(why), reason=Reason.LEFT)
 
 
-def sampled(found: Finding, part: Evidence, stopped_by: ExactSplineError | None = None) -> Finding:
+def sampled(finding: Finding, part: Evidence, stopped_by: ExactSplineError | None = None) -> Finding:
     """A finding that something holds, where it was tried on a part only: no verdict."""
-    return replace(found, verdict=UNDECIDED, witness=HeldOn(part, stopped_by), reason=Reason.SAMPLED)
+    return replace(finding, verdict=UNDECIDED, witness=HeldOn(part, stopped_by), reason=Reason.SAMPLED)
 
 
 def vacuous(computed: Evidence = Fact.NOTHING, factor: Found | None = None) -> Finding:
@@ -56,16 +60,16 @@ def vacuous(computed: Evidence = Fact.NOTHING, factor: Found | None = None) -> F
 
 
 def inapplicable(why: Evidence, computed: Found | None = None, relation: Relation = Relation.EQUAL) -> Finding:
-    """The claim does not speak of this curve, for a reason."""
+    """The claim does not apply to this curve, for a reason."""
     return Finding(INAPPLICABLE, computed, witness=why, relation=relation)
 
 
-def worst(found: list[Finding]) -> Finding:
-    """The least favourable finding: a contradiction, a refutation, then what is not decided, then what holds on the
+def worst(findings: list[Finding]) -> Finding:
+    """The least favourable finding: a contradiction, a refutation, then an undecided one, then one that holds on the
     curves tried.
     """
     order = (CONTRADICTION, REFUTED, UNDECIDED, INAPPLICABLE, VACUOUS, VERIFIED, PROVED)
-    return min(found, key=lambda finding: order.index(finding.verdict))
+    return min(findings, key=lambda finding: order.index(finding.verdict))
 
 
 def compared(proof: Finding, refutation: Finding) -> Finding:

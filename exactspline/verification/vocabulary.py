@@ -1,4 +1,4 @@
-"""The words of claims: each is one member of an enumeration, so that none is spelled in two ways."""
+"""The words of claims: each is a member of an enumeration, so that none has two spellings."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from exactspline.errors import ClaimError
 from exactspline.words import Word, choice
 
 E = TypeVar("E", bound=StrEnum)
-#: The name or the key of a formula, a curve, a constant, a map, a theorem: no sentence.
+#: The name or the key of a formula, a curve, a constant, a map or a theorem; never a sentence.
 Name = NewType("Name", str)
 
 
 class Verdict(Word):
-    """What a check says: proved for all curves, verified on one, refuted, not decided; nothing to decide (0 = 0, 0/0);
-    a claim that does not speak of this curve; two routes that contradict each other.
+    """The result of a check: proved for all curves, verified on one, refuted, not decided; nothing to decide (0 = 0,
+    0/0); a claim that does not apply to this curve; two routes that contradict each other.
     """
 
     PROVED = "PROVED"
@@ -28,8 +28,8 @@ class Verdict(Word):
 
 
 class Reason(StrEnum):
-    """Why nothing was decided: it was not tried, because the proof for all decides it; it held, but was tried on a part
-    only (one segment, one point, one value of a constant).
+    """Why nothing was decided: it was not tried, because the proof for all curves decides it; it held, but was tried on
+    a part only (one segment, one point, one value of a constant).
     """
 
     LEFT = "not tried"
@@ -37,7 +37,7 @@ class Reason(StrEnum):
 
 
 class Status(StrEnum):
-    """Who says it: the paper in print, the paper as it must be meant, or this project."""
+    """The source of a statement: the paper as printed, the paper as it must be meant, or this project."""
 
     PRINTED = "printed"
     MEANT = "meant"
@@ -45,7 +45,7 @@ class Status(StrEnum):
 
 
 class Scope(StrEnum):
-    """Of which curves a claim speaks."""
+    """The curves to which a claim applies."""
 
     BOTH = "both"
     POLYNOMIAL = "polynomial"
@@ -58,7 +58,7 @@ class Scope(StrEnum):
 
 
 class ArgumentKind(StrEnum):
-    """What the formulas of a claim are handed: the kinds that are treated in a way of their own. There are more
+    """The arguments of the formulas of a claim: the kinds that are treated specially. There are more
     (`exactspline.language.kinds`).
     """
 
@@ -72,8 +72,8 @@ class ArgumentKind(StrEnum):
 
 
 class Measure(StrEnum):
-    """Which degree is meant: as Table 1 counts, of the polynomial, of the value, of what a reduction keeps; or the
-    height of a differential polynomial.
+    """Which degree is meant: as counted by Table 1, of the polynomial, of the value, of the reduced form; or the height
+    of a differential polynomial.
     """
 
     NOMINAL = "nominal"
@@ -84,19 +84,19 @@ class Measure(StrEnum):
 
     @property
     def is_generic(self) -> bool:
-        """Whether single curves may stay below what holds of the generic one."""
+        """Whether the degree on single curves may be lower than on the generic curve."""
         return self in (Measure.TRUE, Measure.LOWEST_TERMS, Measure.REDUCED)
 
 
 class Relation(StrEnum):
-    """Whether a degree is claimed, or a bound of it."""
+    """Whether a degree is claimed, or a bound on it."""
 
     EQUAL = "="
     AT_MOST = "≤"
     AT_LEAST = "≥"
 
     def holds(self, computed: int, claimed: int) -> bool:
-        """Whether the relation holds of two numbers.
+        """Whether the relation holds between two numbers.
 
         >>> Relation.AT_MOST.holds(10, 11), Relation.EQUAL.holds(10, 11)
         (True, False)
@@ -104,7 +104,7 @@ class Relation(StrEnum):
         return {"=": computed == claimed, "≤": computed <= claimed, "≥": computed >= claimed}[self.value]
 
     def bound(self, degree: object) -> str:
-        """A degree behind the relation; alone where it is equality.
+        """A degree preceded by the relation; without it for equality.
 
         >>> Relation.AT_MOST.bound(10), Relation.EQUAL.bound(10)
         ('≤ 10', '10')
@@ -113,7 +113,7 @@ class Relation(StrEnum):
 
 
 class ZeroSetOf(StrEnum):
-    """Whose zeros are meant: those of the numerators as they come, or of the values in lowest terms."""
+    """Which zeros are meant: those of the numerators without cancellation, or of the values in lowest terms."""
 
     NUMERATORS = "numerators"
     VALUES = "lowest terms"
@@ -155,14 +155,14 @@ class Group(StrEnum):
 
 
 class Curves(StrEnum):
-    """Whether something is claimed of every curve or of the generic one."""
+    """Whether something is claimed for every curve or for the generic one."""
 
     EVERY = "every"
     GENERIC = "generic"
 
 
 class Counter(StrEnum):
-    """What a caption counts."""
+    """The quantities counted in captions."""
 
     DEGREE = "degree"
     CONTROL_POINTS = "control points"
@@ -180,13 +180,15 @@ def word(kind: type[E], value: object, what: str) -> E:
     >>> word(Relation, "≤", "relation").name
     'AT_MOST'
 
-    Raises `ClaimError` with the words there are.
+    Raises `ClaimError` with the existing words.
     """
     return choice(kind, value, what, raised=ClaimError)
 
 
 class ValueType(StrEnum):
-    """The three types of a piecewise function: a polynomial, a quotient of polynomials that is none, neither."""
+    """The three types of a piecewise function: a polynomial, a quotient of polynomials that is not a polynomial, or
+    neither.
+    """
 
     POLYNOMIAL = "polynomial"
     RATIONAL = "rational"

@@ -13,6 +13,15 @@ from click.testing import CliRunner
 
 from exactspline.classroom.answers import Circle, Parameters, Points, Polynomials
 from exactspline.classroom.comparison import compare_curves, compare_formulas
+from exactspline.classroom.differences import (
+    Invented,
+    Missing,
+    OtherDimension,
+    OtherDomain,
+    OtherPoint,
+    OtherValue,
+    Shape,
+)
 from exactspline.classroom.exercises import LARGEST
 from exactspline.classroom.parts import Math
 from exactspline.classroom.reading import AnswerError, numbers, points, polynomials
@@ -163,17 +172,19 @@ def determinant(rows):
 
 def test_what_differs_is_told():
     answer = Points(Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 4)]))
-    assert answer.check("(0,0) (2,5)").differences == (
-        "point 1 is (2, 4), not (2, 5)",
+    found = answer.check("(0,0) (2,5)").differences
+    assert found == (OtherPoint(1, (2, 4), (2, 5)), OtherValue(mpq(1), (2, 4), (2, 5)))
+    assert list(map(str, found)) == [
+        "control point 1 is (2, 4), not (2, 5)",
         "at t = 1 it gives (2, 5) instead of (2, 4)",
-    )
+    ]
     # wrong at both ends alike, so that the witness is inside
     answer = Points(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)]))
-    assert answer.check("0 0\n1 3\n2 0").differences[-1] == "at t = 1/2 it gives (1, 3/2) instead of (1, 1/2)"
+    assert answer.check("0 0\n1 3\n2 0").differences[-1] == OtherValue(mpq(1, 2), (1, mpq(1, 2)), (1, mpq(3, 2)))
     assert Parameters((mpq(1, 2),)).check("0.5")
     assert Parameters(()).check("none")
-    assert Parameters((mpq(1, 2),)).check("none").differences == ("t = 1/2 is missing",)
-    assert Parameters((mpq(1, 2),)).check("1/2, 1/3").differences == ("t = 1/3 is not one of them",)
+    assert Parameters((mpq(1, 2),)).check("none").differences == (Missing(mpq(1, 2)),)
+    assert Parameters((mpq(1, 2),)).check("1/2, 1/3").differences == (Invented(mpq(1, 3)),)
     assert Circle(()).check("no")
     assert not Circle(()).check("0, 0, 1")
     assert not Circle((mpq(0), mpq(0), mpq(1))).check("no")
@@ -206,17 +217,20 @@ def test_curves_are_compared_as_functions():
     curve = example("rational_cubic")
     assert compare_curves(curve.elevate_degree().insert_knot("1/3"), curve)
     told = compare_curves(curve.reverse(), curve).differences
-    assert told[0] == "it is reversed"
-    assert told[1].startswith("at t = 0 it is at ")
-    assert "its domain is" in compare_curves(curve.restrict(0, "1/2"), curve).differences[0]
-    assert "R3" in compare_curves(curve, example("twisted_cubic")).differences[0]
+    assert told[0] is Shape.REVERSED
+    assert told[1] == OtherValue(mpq(0), curve(0), curve.reverse()(0))
+    (domain,) = compare_curves(curve.restrict(0, "1/2"), curve).differences
+    assert domain == OtherDomain(curve.domain, (0, mpq(1, 2)))
+    assert str(domain) == "its domain is [0, 1/2], not [0, 1]"
+    assert compare_curves(curve, example("twisted_cubic")).differences == (OtherDimension(3, 2),)
 
 
 def test_formulas_are_compared_for_all_curves():
     given = find("f1")
     assert compare_formulas(given, find("f2"), "w")
-    told = compare_formulas(given, find("f2")).differences
-    assert len(told) == 2
+    proof, value = compare_formulas(given, find("f2")).differences
+    assert value.given != value.right
+    told = str(proof), str(value)
     assert "the quotient is w" in told[0]
     left, right = re.search(r"gives (\S+) instead of (\S+)", told[1]).groups()
     assert rational(left) != rational(right)

@@ -64,7 +64,7 @@ def test_files_of_surfaces(tmp_path):
     assert found.exit_code == 2
     assert "control_points[1]" in found.output
     assert "umbilic" in found.output
-    # what is wrong with a curve is told of curves, and a surface where a curve is wanted
+    # what is wrong with a curve is told of curves, and a surface where a curve is expected
     assert "is a surface" in str(run("derive", "evolute", good).exception)
     assert "one after the other" in str(run("inspect", good, "circle").exception)
 

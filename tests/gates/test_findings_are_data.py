@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 
 import exactspline
-from exactspline.display.evidence import worded, words
-from exactspline.display.evidence.general import FACTS
+from exactspline.classroom.answers import Finding as StudentFinding
+from exactspline.classroom.differences import Difference
+from exactspline.display.evidence import FACTS, worded, words
 from exactspline.display.ledger import found, row_data, witness
 from exactspline.errors import ExactSplineError
 from exactspline.interchange.examples import example, example_names
@@ -26,6 +27,7 @@ from exactspline.verification.evidence import Evidence, ExactQuotient, Fact, Jud
 from exactspline.verification.judges import Jets, agreed, compared_rows, second_opinions
 from exactspline.verification.kinds import Identity
 from exactspline.verification.ledger import audit, proved
+from exactspline.verification.questions import Proof
 from exactspline.verification.rows import Row
 from exactspline.verification.sympy_judge import Sympy
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
@@ -36,7 +38,7 @@ ROOT = Path(exactspline.__file__).parent
 # ---- types
 
 #: Objects of algebra, and errors, which bring their own words.
-OBJECTS = (Factor, Degree, Jet, Assumption, ExactSplineError, type(mpq()), bool, int, type(None))
+OBJECTS = (Factor, Degree, Jet, Assumption, Proof, ExactSplineError, type(mpq()), bool, int, type(None))
 
 
 def texts(kind, place="", seen=None):
@@ -49,9 +51,9 @@ def texts(kind, place="", seen=None):
             yield from texts(each, place, seen)
     elif issubclass(kind, Enum) or issubclass(kind, OBJECTS):
         return
-    elif kind is Evidence:
+    elif kind in (Evidence, Difference):
         seen.add(kind)
-        for each in Evidence.__subclasses__():
+        for each in kind.__subclasses__():
             yield from texts(each, each.__name__, seen)
     elif is_dataclass(kind):
         seen.add(kind)
@@ -66,6 +68,14 @@ def test_a_finding_and_all_its_evidence_have_no_text_but_names():
     seen = set()
     assert list(texts(Finding, seen=seen)) == []
     assert {each for each in Evidence.__subclasses__() if not issubclass(each, Enum)} <= seen
+
+
+def test_what_is_wrong_in_an_answer_has_no_text_but_names():
+    """Passed before: the findings on answers of students were sentences."""
+    seen = set()
+    assert list(texts(StudentFinding, seen=seen)) == []
+    assert {each for each in Difference.__subclasses__() if not issubclass(each, Enum)} <= seen
+    assert all(each in words.registry for each in Difference.__subclasses__())
 
 
 @dataclass

@@ -289,7 +289,7 @@ UNBOUNDED = {
     "splines/lowest_terms.py: primitive": "integers",
     "splines/blossom.py: common_forms": "integers",
     "splines/tensor_lowest_terms.py: in_lowest_terms": "integers",
-    "verification/minimality/__init__.py: _bezout": "modulo a prime, in one variable",
+    "verification/minimality.py: _bezout": "modulo a prime, in one variable",
 }
 
 

@@ -138,7 +138,7 @@ def test_parameters_outside_and_domains_that_differ():
 
 def test_what_cannot_be_done():
     f = TensorSpline(*GOOD)
-    with pytest.raises(FormulaError, match="say by which"):
+    with pytest.raises(FormulaError, match="name the parameter"):
         f.d()
     with pytest.raises(FormulaError, match="order -1"):
         f.partial(0, -1)

@@ -291,7 +291,7 @@ def test_what_says_nothing_is_vacuous(tmp_path, sides):
         ({"key": "2-left"}, "does not begin with the id"),
         ({"statement": 7}, "7 is not a text"),
         ({"expected": "TRUE"}, "is unknown"),
-        ({"expected": "CONTRADICTION"}, "a contradiction on record"),
+        ({"expected": "CONTRADICTION"}, "a contradiction as the recorded verdict"),
         ({"statement": "\\u001b[2J"}, "cannot be printed"),
         ({"kind": "identity", "right": "turning_by_normal", "factor": "speed_squared^99999999"}, "too large"),
         (

@@ -4,6 +4,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
+from exactspline.display.evidence import worded
 from exactspline.errors import FormulaError, ReachError
 from exactspline.geometry.surface.merged import merged_umbilics
 from exactspline.geometry.surface.places import Place
@@ -11,9 +12,12 @@ from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind, Umbilics
 from exactspline.language.choices import Parameter
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.papers import find
+from exactspline.polynomials import factors
 from exactspline.verification import degree_tables, generic_proof
 from exactspline.verification.claims import all_claims
 from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.ledger import proved
+from exactspline.verification.verdict import UNDECIDED
 
 S = xs.TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
 T = xs.TensorSpline((0, 1), [0, 1], [0, 0, 1, 1], [[0, 1]])
@@ -75,6 +79,16 @@ def test_one_formula_out_of_reach_ends_no_table(monkeypatch, error):
         assert degree_tables._grading(find("evolute"), "minimal", 2, False) == "–"
     finally:
         generic_proof.cached_reduction.cache_clear()
+
+
+def test_a_claim_out_of_reach_is_undecided_and_says_why(monkeypatch):
+    """Before: the common divisors of a proof were computed whatever they cost, in calls that cannot be interrupted."""
+    monkeypatch.setattr(factors, "DIVISOR_TERM", 10**13)
+    monkeypatch.setattr(factors, "_certainly_coprime_on_a_line", lambda p, q: False)
+    (claim,) = xs.claims("C1a-tangent_developable_by_unit_tangent")
+    row = proved(claim)
+    assert row.verdict == UNDECIDED
+    assert "the greatest common divisor of polynomials" in worded(row.witness)
 
 
 def test_verdicts_leave_out_whole_kinds():

@@ -42,13 +42,13 @@ def check(
     found, against = (
         _exercise(topic, seed, text or _read(answer)) if topic else _compared(answer, reference, factor, trust)
     )
-    row = {"key": against, "right": found.right, "differences": list(found.differences)}
+    row = {"key": against, "right": found.right, "differences": list(map(str, found.differences))}
 
     def sheets() -> list[Sheet]:
         from exactspline.display.sheet import Sheet
 
         made = Sheet("answer", "difference", prose=["difference"])
-        for told in found.differences or [""]:
+        for told in map(str, found.differences or [""]):
             made.add_row("right" if found.right else "wrong", told)
         return [made]
 
@@ -63,7 +63,7 @@ def _tell(found: Finding) -> None:
     shown = console.console()
     console.lines(shown, "right" if found else "wrong", style="bold")
     for told in found.differences:
-        console.lines(shown, told, indent=4, first=2)
+        console.lines(shown, str(told), indent=4, first=2)
 
 
 def _exercise(topic: str, seed: int, given: str) -> tuple[Finding, str]:

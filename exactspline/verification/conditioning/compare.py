@@ -41,7 +41,7 @@ class FormAtRoot:
 
 @dataclass(frozen=True)
 class RootConditions:
-    """A zero of the minimal form inside a segment, and every form there."""
+    """A zero of the minimal form inside a segment, and the data of every form there."""
 
     root: Root
     forms: tuple[FormAtRoot, ...]
@@ -64,8 +64,8 @@ class RootConditions:
 
 @dataclass(frozen=True)
 class Conditioning:
-    """All zeros of a construction inside the segments of a curve, the extraneous zeros of a form, and what is left out,
-    in words.
+    """All zeros of a construction inside the segments of a curve, the extraneous zeros of a form, and what was not
+    compared, in words.
     """
 
     curve: str
@@ -76,7 +76,7 @@ class Conditioning:
 
     @property
     def verdicts(self) -> dict[str, str]:
-        """Form by form, at how many zeros the reduced (minimal) form is worse or better conditioned than it."""
+        """For each form, at how many zeros the reduced (minimal) form is worse or better conditioned than it."""
         forms = [f.form for row in self.roots[:1] for f in row.forms if f.form != Variant.MINIMAL]
         return {form: self._verdict(form) for form in forms}
 
@@ -94,8 +94,8 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     `doubles` the error of double precision is measured too.
 
     >>> from exactspline.interchange.examples import example
-    >>> found = conditioning(example("rational_cubic_s"), "zero_curvature", doubles=False)
-    >>> [(str(f.form), f.degree, f.one_sign) for f in found.roots[0].forms], found.roots[0].compare("naive")
+    >>> result = conditioning(example("rational_cubic_s"), "zero_curvature", doubles=False)
+    >>> [(str(f.form), f.degree, f.one_sign) for f in result.roots[0].forms], result.roots[0].compare("naive")
     ([('naive', 18, True), ('paper', 6, True), ('minimal', 3, True)], 1)
 
     Raises `FormulaError` for a construction that is not a zero set, `ShapeError` for a curve that is not in the plane.
@@ -106,21 +106,23 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     if curve.dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
     splines = {form: cast(BSpline, made.on(curve, form)) for form in (*made.unlifted, Variant.MINIMAL)}
-    found = {form: zeros(f) for form, f in splines.items()}
-    minimal = found[Variant.MINIMAL]
+    zeros_by_form = {form: zeros(f) for form, f in splines.items()}
+    minimal = zeros_by_form[Variant.MINIMAL]
     inside = [root for root in minimal if not root.at_knot]
     rows = []
-    tried = {form: _in_doubles(f, inside, found[form]) if doubles else {} for form, f in splines.items()}
+    tried = {form: _in_doubles(f, inside, zeros_by_form[form]) if doubles else {} for form, f in splines.items()}
     for root in inside:
-        # a rational zero becomes an exact one, and its condition number with it
+        # a rational zero becomes exact, and so does its condition number
         root.minimal_polynomial()
-        same = {form: next(r for r in among if r == root) for form, among in found.items()}
+        same = {form: next(r for r in among if r == root) for form, among in zeros_by_form.items()}
         forms = [
             _at_root(form, f, splines[Variant.MINIMAL], root, same[form].multiplicity, tried[form].get(root))
             for form, f in splines.items()
         ]
         rows.append(RootConditions(root, tuple(forms)))
-    extraneous = {form: tuple(r for r in among if not r.at_knot and r not in inside) for form, among in found.items()}
+    extraneous = {
+        form: tuple(r for r in among if not r.at_knot and r not in inside) for form, among in zeros_by_form.items()
+    }
     left_out = [f"the zero at the knot {text(r.low)} (condition number 0 in every form)" for r in minimal if r.at_knot]
     left_out += [f"the jump at the knot {text(j.parameter)}" for j in minimal.jumps]
     left_out += [
@@ -134,7 +136,7 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
 def _at_root(
     form: str, f: BSpline, minimal: BSpline, root: Root, multiplicity: int, double: Double | None
 ) -> FormAtRoot:
-    """One form at a zero; `double` is what double precision gives, where it was tried."""
+    """One form at a zero; `double` is the result of double precision, where it was tried."""
     i = segment_with(f, root)
     own, n = f.forms[i], f.degree
     factor = quotient(own, n, minimal.forms[i], minimal.degree)
@@ -148,13 +150,13 @@ def _at_root(
 
 
 def _in_doubles(f: BSpline, roots: Sequence[Root], among: ZeroSet) -> dict[Root, Double]:
-    """What double precision gives for zeros of a form, of which `among` are all."""
-    found: dict[Root, Double] = {}
+    """The results of double precision for zeros of a form; `among` are all its zeros."""
+    doubles: dict[Root, Double] = {}
     for i, own in groupby(roots, key=lambda root: segment_with(f, root)):
         form, here = f.forms[i], list(own)
         zeros = [(local(root)[0], bracket(form, f.degree, root, among)) for root in here]
-        found |= zip(here, double_precision_roots(form, f.degree, zeros), strict=True)
-    return found
+        doubles |= zip(here, double_precision_roots(form, f.degree, zeros), strict=True)
+    return doubles
 
 
 def segment_with(f: BSpline, root: Root) -> int:
@@ -164,8 +166,8 @@ def segment_with(f: BSpline, root: Root) -> int:
 
 
 def bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
-    """An interval of the local parameter with this zero of the form and no other, reaching halfway to the next
-    ones or to the ends of the segment.
+    """An interval of the local parameter that contains this zero of the form and no other, reaching halfway to the
+    adjacent zeros or to the ends of the segment.
     """
     assert root.segment is not None
     x, _ = local(root)

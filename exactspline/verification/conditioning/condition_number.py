@@ -13,27 +13,27 @@ from exactspline.roots.root import Root
 
 #: Relative width of an enclosure of a condition number.
 WIDTH = mpq(1, 10**10)
-#: Bits kept of the ends of an enclosure, digits of the zero to begin with.
+#: Bits to which the ends of an enclosure are rounded, and the initial digits of the zero.
 BITS, START = 64, 30
 #: Digits of a zero with which a double is compared.
 DIGITS = 60
 
 
 def local(root: Root, digits: int = DIGITS) -> Interval:
-    """A zero inside a segment in the segment's local parameter, in an interval at most ``10^−digits`` of the segment
-    wide.
+    """A zero inside a segment in the segment's local parameter, in an interval of width at most ``10^−digits`` times
+    the segment.
     """
     assert root.segment is not None
-    found = root.refine(digits + max(0, len(str(int(1 / root.segment.width)))))
-    return Interval(*map(root.segment.local, found))
+    interval = root.refine(digits + max(0, len(str(int(1 / root.segment.width)))))
+    return Interval(*map(root.segment.local, interval))
 
 
 def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:
     """The condition number of a zero of multiplicity m of a form of degree n, the local parameter being that of the
     zero's segment.
 
-    Both ends are the number itself where the zero is rational and m = 1; otherwise they enclose it, closer than `WIDTH`
-    of its size. For m = 0 it is ``Σ |b_i| B_i(x) / |p(x)|``, how well p can be evaluated at x.
+    Both ends are the number itself where the zero is rational and m = 1; otherwise they enclose it, with a relative
+    width below `WIDTH`. For m = 0 it is ``Σ |b_i| B_i(x) / |p(x)|``, the condition number of evaluating p at x.
 
     >>> from exactspline import BSpline
     >>> from exactspline.roots.zero_set import zeros
@@ -69,8 +69,8 @@ def _derivative(form: Form, n: int, m: int) -> Form:
 
 
 def _range(form: Form, n: int, x: Interval) -> Interval:
-    """Bounds of a form over an interval: those of its positive and of its negative terms, each of which rises with v/u
-    and falls with 1/u.
+    """Bounds of a form over an interval: those of its positive and of its negative terms, each of which increases with
+    v/u and decreases with 1/u.
     """
     low, high = x
     shrink = ((1 - high) / (1 - low)) ** n

@@ -1,6 +1,6 @@
 """The experiment: the error of a zero in double precision. This is the only module of this room with floats.
 
-They come from exact numbers by rounding, once, and go back through `exactspline.numbers.exact.from_float`.
+They result from exact numbers by a single rounding, and are converted back by `exactspline.numbers.exact.from_float`.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from exactspline.polynomials.bernstein import Form, bezier
 
 #: The rounding unit of double precision.
 UNIT = mpq(1, 2**53)
-#: Bisections, from brackets that shrink towards the zero, of which the worst is reported.
+#: The number of bisections, from brackets that shrink towards the zero; the worst result is reported.
 STARTS = 3
 
 
 @dataclass(frozen=True)
 class Double:
     """The result of double precision for a zero: the largest error in the local parameter over all bisections that
-    could start.
+    could be started.
 
-    `error` is None where none could, with the reason.
+    `error` is None where none could be started, with the reason.
     """
 
     error: mpq | None
@@ -42,8 +42,8 @@ def double_precision_root(form: Form, n: int, x: mpq, bracket: Interval) -> Doub
     Casteljau's algorithm.
 
     `x` is the zero (or within ``10^−60`` of it), `bracket` an interval with no other zero; all in the local parameter.
-    The bisection starts in the bracket and in two smaller ones. The points are scaled by one power of two, which
-    changes nothing but keeps them in range.
+    The bisection starts in the bracket and in two smaller ones. The points are scaled by one power of two, which only
+    keeps them in range.
 
     >>> from exactspline.polynomials.bernstein import from_bezier
     >>> double_precision_root(from_bezier([mpq(-1), mpq(2)]), 1, mpq(1, 3), (mpq(0), mpq(1))).units
@@ -53,7 +53,7 @@ def double_precision_root(form: Form, n: int, x: mpq, bracket: Interval) -> Doub
 
 
 def double_precision_roots(form: Form, n: int, zeros: Sequence[tuple[mpq, Interval]]) -> list[Double]:
-    """The same for several zeros of one form, each with its bracket: all bisections go on side by side."""
+    """The same for several zeros of one form, each with its bracket: all bisections run in parallel."""
     points = to_doubles(bezier(form, n))
     if points is None:
         return [Double(None, "the coefficients span more than the range of doubles") for _ in zeros]
@@ -62,10 +62,10 @@ def double_precision_roots(form: Form, n: int, zeros: Sequence[tuple[mpq, Interv
         for x, (low, high) in zeros
         for j in range(STARTS)
     ]
-    found = bisected(points, starts)
+    ends = bisected(points, starts)
     result = []
     for k, (x, _) in enumerate(zeros):
-        errors = [abs(from_float(y) - x) for y in found[k * STARTS : (k + 1) * STARTS] if y is not None]
+        errors = [abs(from_float(y) - x) for y in ends[k * STARTS : (k + 1) * STARTS] if y is not None]
         result.append(Double(max(errors)) if errors else Double(None, "no change of sign in doubles"))
     return result
 
@@ -88,7 +88,7 @@ def _double(q: mpq) -> float:
 
 def values_at(points: list[float], parameters: Sequence[float]) -> list[float]:
     """The values at parameters by de Casteljau's algorithm, all rounded alike: with numpy, where it is installed, for
-    all parameters at once.
+    all parameters together.
     """
     try:
         import numpy
@@ -114,23 +114,25 @@ def de_casteljau(points: list[float], t: float) -> float:
 
 
 def bisected(points: list[float], starts: Sequence[tuple[float, float]]) -> list[float | None]:
-    """Where bisections end: neighbouring doubles, or a value of zero; None where there is no change of sign."""
+    """The results of bisections, which end at neighbouring doubles or at a value of zero; None where there is no change
+    of sign.
+    """
     first = values_at(points, [low for low, _ in starts])
     last = values_at(points, [high for _, high in starts])
-    found: list[float | None] = [None] * len(starts)
+    ends: list[float | None] = [None] * len(starts)
     going = {
         k: start for k, start in enumerate(starts) if first[k] != 0 and last[k] != 0 and (first[k] > 0) != (last[k] > 0)
     }
     while going:
         middles = {k: (low + high) / 2 for k, (low, high) in going.items()}
         for k in [k for k, (low, high) in going.items() if not low < middles[k] < high]:
-            found[k] = going.pop(k)[0]
+            ends[k] = going.pop(k)[0]
             del middles[k]
         for (k, middle), at in zip(middles.items(), values_at(points, list(middles.values())), strict=True):
             low, high = going[k]
             if at == 0:
-                found[k] = middle
+                ends[k] = middle
                 del going[k]
             else:
                 going[k] = (middle, high) if (at > 0) == (first[k] > 0) else (low, middle)
-    return found
+    return ends

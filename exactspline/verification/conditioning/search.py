@@ -13,7 +13,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.conditioning.compare import RootConditions, conditioning
 
-#: The zero-set constructions that are searched.
+#: The zero-set constructions included in the search.
 SEARCHED = ("zero_curvature", "critical_curvature")
 
 
@@ -22,11 +22,11 @@ class Tally:
     """The results of the search in one family, construction and form: zeros at which the reduced (minimal) form is
     worse or better conditioned.
 
-    `proved` counts the zeros at which the theorem says that it is not better, `contradicted` those among them at which
-    it is: none. `smallest` and `largest` are the extreme ratios of the condition number of the reduced form to that of
-    the form, each with its curve. `double_worse` and `double_better` count by the error of double precision,
-    when that was measured and the two differ by more than one rounding unit (a form in which the zero is not found
-    counts as worse).
+    `proved` counts the zeros at which it is not better by the theorem, `contradicted` those among them at which it is
+    (there are none). `smallest` and `largest` are the extreme ratios of the condition number of the reduced form to
+    that of the form, each with its curve. `double_worse` and `double_better` count by the error of double precision,
+    where that was measured and the two errors differ by more than one rounding unit (a form in which the zero is not
+    found counts as worse).
     """
 
     family: str
@@ -69,17 +69,17 @@ def search_witnesses(seed: int = 0, count: int = 10, *, doubles: bool = False) -
 
     The families: positive small integers as weights; the same with one weight near zero; weights of which one is
     negative, such that the denominator comes close to zero inside the segment but stays positive, and the discarded
-    denominator with it. One seed always gives the same curves. With `doubles` the errors of double precision are
+    denominator with it. The same seed always gives the same curves. With `doubles` the errors of double precision are
     compared too, which takes about a second per curve.
 
-    >>> found = search_witnesses(seed=1, count=2)
-    >>> [(t.family, t.worse > 0, t.better > 0) for t in found if t.form == "direct"]
+    >>> tallies = search_witnesses(seed=1, count=2)
+    >>> [(t.family, t.worse > 0, t.better > 0) for t in tallies if t.form == "direct"]
     [('positive weights', True, False), ('a weight near zero', True, False), ('a denominator near zero', False, True)]
 
     Raises `ShapeError` when `count` is negative.
     """
     if count < 0:
-        raise ShapeError(f"{count} curves", where="count", remedy="a number from 0 up")
+        raise ShapeError(f"{count} curves", where="count", remedy="give an integer ≥ 0")
     tallies: dict[tuple[str, str, str], Tally] = {}
     for family, make in FAMILIES.items():
         for curve in _curves(family, make, Random(seed), count):

@@ -18,7 +18,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.coq.explicit import RationalFunction
 from exactspline.verification.coq.formulas import Formulas, comment
 
-#: The forms by the dimension of the curve: the name of the theorem, the formula, and what vanishes with it.
+#: The forms by the dimension of the curve: the name of the theorem, the formula, and the quantity that vanishes with
+#: it.
 FORMS = {
     2: (
         ("curvature", "f2", "the curvature"),
@@ -40,22 +41,22 @@ class Answer:
 
     @property
     def points(self) -> list[tuple[mpq, mpq]]:
-        """The intervals, or the points, in which the zeros lie one by one."""
-        found: list[tuple[mpq, mpq]] = []
+        """The intervals or points, each containing exactly one zero."""
+        points: list[tuple[mpq, mpq]] = []
         for i, (f, cells) in enumerate(zip(self.polynomials, self.cells, strict=True)):
             last = i == len(self.cells) - 1
             if cells[0].sign is None:
-                found += [(cells[-1].high, cells[-1].high)] if last else []
+                points += [(cells[-1].high, cells[-1].high)] if last else []
                 continue
             for cell in cells:
-                found += [(cell.low, cell.low)] if f(to_fmpq(cell.low)) == 0 else []
-                found += [(cell.low, cell.high)] if cell.one else []
-            found += [(cells[-1].high, cells[-1].high)] if last and f(to_fmpq(cells[-1].high)) == 0 else []
-        return found
+                points += [(cell.low, cell.low)] if f(to_fmpq(cell.low)) == 0 else []
+                points += [(cell.low, cell.high)] if cell.one else []
+            points += [(cells[-1].high, cells[-1].high)] if last and f(to_fmpq(cells[-1].high)) == 0 else []
+        return points
 
     @property
     def stretches(self) -> list[tuple[mpq, mpq]]:
-        """The spans on which the form is 0."""
+        """The spans on which the form vanishes identically."""
         return [(cells[0].low, cells[0].high) for cells in self.cells if cells[0].sign is None]
 
 
@@ -69,21 +70,21 @@ def answers(curve: Nurbs) -> list[Answer]:
     spans = _spans(curve)
     arguments = [_argument(curve, j) for j in spans]
     ends = [(mpq(curve.knots[j]), mpq(curve.knots[j + 1])) for j in spans]
-    found = []
+    forms = []
     for name, formula, what in FORMS[curve.dimension]:
         polynomials = tuple(_polynomial(find(formula)(argument)) for argument in arguments)
         cells = tuple(tuple(cells_of(f, a, b)) for f, (a, b) in zip(polynomials, ends, strict=True))
-        found.append(Answer(name, find(formula), what, polynomials, cells))
-    return found
+        forms.append(Answer(name, find(formula), what, polynomials, cells))
+    return forms
 
 
 def theorem_of(curve: Nurbs) -> str:
-    """A file whose theorems speak of this curve, from its control points."""
-    found = answers(curve)
+    """A file with theorems about this curve, given by its control points."""
+    forms = answers(curve)
     formulas = Formulas(papers())
     rows = homogeneous(curve)
     coordinates = "; ".join(_list(column) for column in rows[:-1])
-    own = {formulas.owner[answer.formula].name for answer in found}
+    own = {formulas.owner[answer.formula].name for answer in forms}
     parts = [
         f"(** Where forms of the curve {comment(curve.name or 'without a name')} vanish: proved from its knots and "
         "control points.\n\n    Written by [exactspline inspect --emit-coq]; do not edit. It is compiled after the "
@@ -108,7 +109,7 @@ def theorem_of(curve: Nurbs) -> str:
         "  = at_real (w (curve_piece this_curve j)) t.\n"
         "Proof. exact (pieces_are_splines this_curve j t this_curve_sound). Qed.\n",
     ]
-    for answer in found:
+    for answer in forms:
         parts.append(_theorem(curve, answer, formulas))
     return "\n".join(parts)
 
@@ -167,12 +168,12 @@ def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
         for f, own in zip(answer.polynomials, answer.cells, strict=True)
     )
     points, stretches = _pairs(answer.points), _pairs(answer.stretches)
-    told = counted(len(answer.points), "point")
-    told += f" and {counted(len(answer.stretches), 'stretch')}" if answer.stretches else ""
+    places = counted(len(answer.points), "point")
+    places += f" and {counted(len(answer.stretches), 'stretch')}" if answer.stretches else ""
     return (
         f"Definition {answer.name}_in_pieces : pieces := [\n  {pieces}\n].\n\n"
         f"Definition cells_of_{answer.name} : list (list cell) := [\n  {cells}\n].\n\n"
-        f"(** The form with which {answer.what} vanishes is zero at exactly {told}; and its signs. *)\n"
+        f"(** The form with which {answer.what} vanishes is zero at exactly {places}; and its signs. *)\n"
         f"Theorem {answer.name}_vanishes :\n"
         f"  vanishes_exactly (form_value (form_pieces {form} this_curve)) ({low}) ({high})\n"
         f"    {points}\n    {stretches} /\\\n"

@@ -1,4 +1,4 @@
-"""The denominators of formulas, and the polynomials that do not vanish of which they are products."""
+"""The denominators of formulas, and the nonvanishing polynomials of which they are products."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from exactspline.readings.tree import Node, applied
 
 
 class Evaluation:
-    """The values of trees in the fraction reading, and the denominators met, each once, with the first node.
+    """The values of trees in the fraction reading, and the denominators that occur, each once, with its first node.
 
-    `flat` makes a fraction of the ring of a value.
+    `flat` converts a value to a fraction of the ring.
     """
 
     def __init__(self, argument: object, flat: Callable[[object], object] = lambda value: value) -> None:
@@ -32,7 +32,7 @@ class Evaluation:
     def __call__(self, node: Node) -> JetFraction | Vector[JetFraction]:
         """The value of a tree."""
         if id(node) not in self._known:
-            self._kept.append(node)  # so that its id stays its own
+            self._kept.append(node)  # so that its id is not reused
             self._known[id(node)] = self._value(node, [self(each) for each in node.args])
         known: JetFraction | Vector[JetFraction] = self._known[id(node)]
         return known
@@ -55,7 +55,9 @@ class Evaluation:
 
 
 def factored(value: JetFraction | mpq) -> Factored[fmpq_mpoly]:
-    """A denominator as a constant times powers of primitive irreducible polynomials, negative powers for the bottom."""
+    """A denominator as a constant times powers of primitive irreducible polynomials, negative powers for its
+    denominator.
+    """
     if not isinstance(value, JetFraction):
         return Factored(mpq(value), Factorization())
     constant, powers = mpq(1), list[tuple[fmpq_mpoly, int]]()

@@ -21,8 +21,8 @@ from exactspline.verification.coq.terms import THEORY
 from exactspline.verification.coq.theorems import STATED, theorem
 from exactspline.verification.vocabulary import Verdict
 
-#: The files written by hand: those that the theorems about papers need, one that shows that what they assume can be
-#: fulfilled, and one for answers about one curve.
+#: The files written by hand: those required by the theorems about papers, one that shows that their assumptions are
+#: consistent, and one for answers about one curve.
 BY_HAND = (*THEORY, "Models", "Answers")
 #: The logical name of the directory.
 ROOT = "ExactSpline"
@@ -30,7 +30,7 @@ ROOT = "ExactSpline"
 
 @dataclass(frozen=True)
 class Stated:
-    """A claim in one dimension as a theorem: its name and its text, or why there is none."""
+    """A claim in one dimension as a theorem: its name and its text, or the reason why there is none."""
 
     claim: Claim
     name: str
@@ -39,7 +39,7 @@ class Stated:
 
     @property
     def why(self) -> str:
-        """Why there is none, for people."""
+        """The reason why there is none, as text."""
         return "" if self.reason is None else self.reason.problem
 
 
@@ -58,7 +58,7 @@ class Library:
         _write(directory / "_CoqProject", f"{listed}\n")
 
     def of(self, claims: Iterable[Claim]) -> Library:
-        """The theorems of some claims alone, and the files that they require.
+        """The theorems of some claims only, and the files that they require.
 
         Raises `ClaimError` where none of them has a theorem, with the reasons.
         """
@@ -67,18 +67,18 @@ class Library:
         files = {name: text for name, text in self.files.items() if name not in self.theorems}
         theorems: dict[str, tuple[Stated, ...]] = {}
         for name, own in self.theorems.items():
-            if found := tuple(each for each in own if (each.claim.paper, each.claim.key) in keys):
-                theorems[name] = found
-                if any(each.reason is None for each in found):
-                    files[name] = claims_file(found[0].claim.source_paper, found)
+            if kept := tuple(each for each in own if (each.claim.paper, each.claim.key) in keys):
+                theorems[name] = kept
+                if any(each.reason is None for each in kept):
+                    files[name] = claims_file(kept[0].claim.source_paper, kept)
         known = {(each.claim.paper, each.claim.key) for own in theorems.values() for each in own}
         without = [Stated(c, "", "", why_unstated(c)) for c in chosen if (c.paper, c.key) not in known]
         if without:
             theorems[""] = tuple(without)
         made = Library(files, theorems)
         if len(made.unstated) == sum(map(len, theorems.values())):
-            told = dict.fromkeys(f"{each.claim.key}: {each.why}" for each in made.unstated)
-            raise ClaimError("no theorem", where="; ".join(list(told)[:3]), remedy="name an equality of a paper")
+            reasons = dict.fromkeys(f"{each.claim.key}: {each.why}" for each in made.unstated)
+            raise ClaimError("no theorem", where="; ".join(list(reasons)[:3]), remedy="name an equality of a paper")
         return made
 
     @property
@@ -98,7 +98,7 @@ def _write(path: Path, text: str) -> None:
 
 
 def theory(name: str) -> str:
-    """A file written by hand."""
+    """The text of a file written by hand."""
     return resources.files(__package__).joinpath("theory", f"{name}.v").read_text(encoding="utf-8")
 
 
@@ -111,17 +111,17 @@ def library() -> Library:
     theorems: dict[str, tuple[Stated, ...]] = {}
     for paper in formulas.papers:
         for table, claims in by_table(paper):
-            found = tuple(each for claim in claims for each in stated(claim, paper, formulas))
-            if found:
+            theorems_of_table = tuple(each for claim in claims for each in stated(claim, paper, formulas))
+            if theorems_of_table:
                 name = f"claims/{paper.name}_{table}"
-                theorems[name] = found
-                if any(each.reason is None for each in found):
-                    files[name] = claims_file(paper, found)
+                theorems[name] = theorems_of_table
+                if any(each.reason is None for each in theorems_of_table):
+                    files[name] = claims_file(paper, theorems_of_table)
     return Library(files, theorems)
 
 
 def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
-    """The claims of a paper by the file in which they stand."""
+    """The claims of a paper by the file that contains them."""
     groups: dict[str, list[Claim]] = {}
     for table, claim in zip(paper.claim_tables(), claims_of(paper.name), strict=True):
         stem = Path(table.place.split(",")[0]).stem
@@ -130,34 +130,36 @@ def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
 
 
 def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
-    """A claim of an equality as theorems, one per dimension: that it holds, or, as its record says, that it fails."""
+    """A claim of an equality as theorems, one per dimension: that it holds, or that it fails, depending on the recorded
+    verdict.
+    """
     if not isinstance(claim, STATED):
         return []
     kind = kind_of(claim.curve)
     if not written_for(kind):
         return [Stated(claim, "", "", FormulaError(f"arguments of the kind {kind.name!r} are not written"))]
     make = refutation if claim.expected == Verdict.REFUTED else theorem
-    found = []
+    theorems = []
     for dimension in kind.dimensions:
         try:
             text = make(claim, dimension, lambda formula: formulas.named(formula, paper))
         except ExactSplineError as error:
-            found.append(Stated(claim, "", "", error))
+            theorems.append(Stated(claim, "", "", error))
             continue
         match = re.search(r"^Theorem (\S+)", text, re.MULTILINE)
         assert match is not None
-        found.append(Stated(claim, match[1], text))
-    return found
+        theorems.append(Stated(claim, match[1], text))
+    return theorems
 
 
-def claims_file(paper: Paper, found: Iterable[Stated]) -> str:
+def claims_file(paper: Paper, theorems: Iterable[Stated]) -> str:
     """The file of the theorems of one table of claims."""
-    texts = [each.text for each in found if each.reason is None]
+    texts = [each.text for each in theorems if each.reason is None]
     return "\n".join([claims_header(paper.name, "".join(texts)), *texts])
 
 
 def claims_header(name: str, text: str) -> str:
-    """How a file with theorems about a paper begins, from their text."""
+    """The header of a file with theorems about a paper, derived from their text."""
     own = next(each for each in papers() if each.name == name)
     used = [each for each in papers() if each is not own and f"{each.name}." in text]
     others = [f"From {ROOT}.formulas Require {each.name}." for each in used]
@@ -184,7 +186,7 @@ def why_unstated(claim: Claim) -> ExactSplineError:
 
 
 def emit(directory: Path, claims: Iterable[Claim] | None = None) -> Library:
-    """Write theorems into a directory: of these claims, of all papers without any."""
+    """Write theorems into a directory: those of these claims, by default of all papers."""
     made = library() if claims is None else library().of(claims)
     made.write(directory)
     return made

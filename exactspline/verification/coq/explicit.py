@@ -92,7 +92,7 @@ class RationalFunction(FieldOperand):
 
 @dataclass(frozen=True)
 class ExplicitCurve:
-    """Numerators, denominator and what stands beside them by their coefficients, constants first."""
+    """Numerators, denominator and additional operands by their coefficients, constants first."""
 
     numerators: tuple[Coefficients, ...]
     denominator: Coefficients = (1,)
@@ -114,11 +114,11 @@ class ExplicitCurve:
             assert isinstance(plain, Curve)
             return Accompanied(plain, {name: function(name) for name in self.beside})
         made = kind.argument(dimension, lambda symbol: function(symbol.name), one)
-        assert isinstance(made, Curve)  # there are explicit curves of kinds of one curve alone
+        assert isinstance(made, Curve)  # explicit curves exist only for kinds of one curve
         return made
 
     def term(self, kind: Kind, t: str, number: str) -> str:
-        """The argument as a term of Coq, in t and with this word for numbers."""
+        """The argument as a term of Coq in t, with this function symbol for numbers."""
 
         def beside(*names: str) -> str:
             return f"[{'; '.join(written(self.beside.get(name, (0,)), t, number) for name in names)}]"
@@ -155,12 +155,12 @@ def written(coefficients: Coefficients, t: str, number: str) -> str:
     return text.removeprefix("+ ") if text.startswith("+") else f"{number} 0 {text}"
 
 
-#: The numerators, denominators, points and constants that are tried, the simplest first.
+#: The numerators, denominators, points and constants to try, the simplest first.
 _NUMERATORS = ((0, 1), (0, 0, 1), (1, 0, 0, 1), (0, 1, 0, 0, 1))
 _DENOMINATORS = ((1, 1), (1, 0, 1))
 _POINT = (1, 2, 5)
 _CONSTANTS = (2, 3, 5, 7, 11)
-#: Curves whose frames have polynomials for roots: γ′ = 3(1 − t², 2t), and γ′ = 3(1, 2t, 2t²).
+#: Curves for which the roots of the frame are polynomials: γ′ = 3(1 − t², 2t), and γ′ = 3(1, 2t, 2t²).
 _FRAMED = {
     2: ExplicitCurve(((0, 3, 0, -1), (0, 0, 3)), beside={"sigma": (3, 0, 3)}),
     3: ExplicitCurve(((0, 3), (0, 0, 3), (0, 0, 0, 2)), beside={"sigma": (3, 0, 6), "rho": (18, 0, 36)}),
@@ -172,9 +172,9 @@ _PARABOLA = ExplicitCurve(
 
 
 def candidates(kind: Kind, dimension: int, *, polynomial: bool) -> Iterator[ExplicitCurve]:
-    """Explicit arguments of a kind, polynomial ones where a claim speaks of these alone.
+    """Explicit arguments of a kind; only polynomial ones where a claim is about these alone.
 
-    Raises `ClaimError` for a kind of which there are none.
+    Raises `ClaimError` for a kind without explicit arguments.
     """
     if isinstance(kind, FramedKind):
         yield _FRAMED[dimension]

@@ -37,7 +37,7 @@ _TYPES: dict[type[Kind], str] = {
 
 
 def type_of(kind: Kind) -> str:
-    """The type of the argument of formulas of a kind. Raises `FormulaError` for a kind that the base lacks."""
+    """The type of the argument of formulas of a kind. Raises `FormulaError` for a kind that is missing in the base."""
     if isinstance(kind, CurveKind) and kind.constants:
         return "accompanied A"
     if written_for(kind):
@@ -58,7 +58,7 @@ class Formulas:
         self.owner = {formula: paper for paper in self.papers for formula in paper.formulas.values()}
 
     def named(self, formula: Formula, inside: Paper | None = None) -> str:
-        """How a formula is called, in the file of its paper or elsewhere."""
+        """The name of a formula, in the file of its paper or elsewhere."""
         own = self.owner[formula]
         return identifier(formula.name) if own is inside else f"{own.name}.{identifier(formula.name)}"
 
@@ -79,7 +79,7 @@ class Formulas:
         return "\n".join(parts)
 
     def _collect(self, formula: Formula, paper: Paper, needed: dict[Formula, None]) -> None:
-        """The formula after those of its paper that it calls."""
+        """Collect the formula after those of its paper that it calls."""
         if formula in needed or self.owner[formula] is not paper:
             return
         for dimension in formula.kind.dimensions:
@@ -88,7 +88,7 @@ class Formulas:
         needed[formula] = None
 
     def definition(self, formula: Formula, paper: Paper, instead: Node | None = None) -> str:
-        """A formula as a definition in the file of its paper; with another tree instead of its own if one is given."""
+        """A formula as a definition in the file of its paper, with the tree `instead` if that is given."""
         trees = (
             [instead] if instead is not None else [body(formula, dimension) for dimension in formula.kind.dimensions]
         )
@@ -107,9 +107,9 @@ class Formulas:
 
 
 def _constants(formulas: Iterable[Formula]) -> list[str]:
-    """The constants beside curves, by their places.
+    """The constants that accompany curves, by their positions.
 
-    Raises `FormulaError` where one name has two places.
+    Raises `FormulaError` where one name has two positions.
     """
     places: dict[str, int] = {}
     for formula in formulas:
@@ -138,13 +138,13 @@ def result_type(tree: Node) -> str:
 
 
 def surface(tree: Node) -> bool:
-    """Whether a tree stands for a ruled surface."""
+    """Whether a tree represents a ruled surface."""
     return tree.op is Operation.RULED or (tree.op is Operation.NAMED and surface(tree.args[0]))
 
 
 def calls(tree: Node) -> list[Formula]:
-    """The formulas that a tree calls itself."""
-    found: dict[Formula, None] = {}
+    """The formulas that a tree calls directly."""
+    called: dict[Formula, None] = {}
     seen, todo = set[int](), [tree]
     while todo:
         node = todo.pop()
@@ -152,7 +152,7 @@ def calls(tree: Node) -> list[Formula]:
             continue
         seen.add(id(node))
         if node.op is Operation.NAMED:
-            found[node.value.formula] = None
+            called[node.value.formula] = None
         else:
             todo += node.args
-    return list(found)
+    return list(called)

@@ -1,6 +1,6 @@
 """Curves with the roots of their frames: σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖.
 
-Each root stands in the list of variables after its inverse; its derivative follows from its square by Leibniz' rule.
+Each root follows its inverse in the list of variables; its derivative follows from its square by Leibniz' rule.
 """
 
 from __future__ import annotations
@@ -71,19 +71,19 @@ class _Rooted(CurveKind):
 
 @dataclass(frozen=True)
 class FramedSetting(Setting):
-    """A rational curve with σ and, in space, ρ; those of the roots that are `used` stand before the jets."""
+    """A rational curve with σ and, in space, ρ; the `used` roots precede the jets."""
 
     used: tuple[str, ...] = ()
     differentiates: bool = False
 
     @property
     def shape(self) -> str:
-        """Its word in the base."""
+        """Its name in the base."""
         return "framed_plane" if self.dimension == 2 else "framed_space"
 
     @property
     def quantifier(self) -> str:
-        """What the theorem begins with."""
+        """The quantifier at the beginning of the theorem."""
         return f"every_{self.shape}_curve"
 
     @cached_property
@@ -93,7 +93,7 @@ class FramedSetting(Setting):
 
     @property
     def roots(self) -> tuple[str, ...]:
-        """Those that are used."""
+        """The roots that are used."""
         return self.used
 
     @property
@@ -122,9 +122,9 @@ class FramedSetting(Setting):
         return 2 * self.used.index(name) + 2 if name in ROOTS else 2 * len(self.used) + i + 1
 
     def flat(self, value: object) -> object:
-        """A value in which one product of roots alone occurs as a fraction of the ring.
+        """A value in which a single product of roots occurs, as a fraction of the ring.
 
-        Raises `FormulaError` for a sum in which several occur.
+        Raises `FormulaError` for a sum in which several products occur.
         """
         if not isinstance(value, Adjoined):
             return value
@@ -137,7 +137,7 @@ class FramedSetting(Setting):
         return rooted * self._jet(root)
 
     def square(self, root: str) -> JetFraction:
-        """What the square of a root is."""
+        """The square of a root."""
         velocity = [self._derivative(x, 1) for x in COORDINATES[: self.dimension]]
         vector = velocity if root == "sigma" else self._binormal
         total = vector[0] * vector[0]
@@ -154,7 +154,7 @@ class FramedSetting(Setting):
         return [a[i] * b[j] - a[j] * b[i] for i, j in ((1, 2), (2, 0), (0, 1))]
 
     def _square_text(self, root: str, shift: int) -> str:
-        """The square of a root from its definition, the variables before the jets counted by `shift`."""
+        """The square of a root from its definition, with the positions of variables shifted by `shift`."""
 
         def vector(order: int) -> str:
             places = [shift + self.ring.index[x, (order,)] + 1 for x in COORDINATES[: self.dimension]]
@@ -207,7 +207,7 @@ class FramedSetting(Setting):
         ]
 
     def _because(self, root: str, premises: Sequence[tuple[str, str, object]]) -> str:
-        """Why the square of a root does not vanish: it divides what does not."""
+        """The proof that the square of a root does not vanish: it divides something that does not vanish."""
         bare, square = replace(self, used=()), self.square(root).top
         for name, term, value in premises:
             if not isinstance(value, JetFraction) or not value.bottom.is_one():
@@ -226,14 +226,14 @@ class FramedSetting(Setting):
     @property
     def own_rules(self) -> list[str]:
         """The derivatives of the roots and their inverses."""
-        found = []
+        rules = []
         if self.differentiates_roots:
             for root in self.used:
                 place = self.position(root)
                 half = self._half(root)
-                found.append(f"({place}%positive, ({half}) * var {place - 1})")
-                found.append(f"({place - 1}%positive, - (({half}) * var {place - 1} ^ 3))")
-        return found
+                rules.append(f"({place}%positive, ({half}) * var {place - 1})")
+                rules.append(f"({place - 1}%positive, - (({half}) * var {place - 1} ^ 3))")
+        return rules
 
     @property
     def symbols(self) -> tuple[Symbol, ...]:

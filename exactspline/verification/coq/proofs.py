@@ -1,4 +1,4 @@
-"""Proof scripts: which polynomials do not vanish, because of what, and the checks by which an equality follows."""
+"""Proof scripts: which polynomials do not vanish and why, and the checks that imply an equality."""
 
 from __future__ import annotations
 
@@ -35,7 +35,9 @@ class Premise:
 
 @dataclass
 class Proof:
-    """The atoms of one theorem, why they do not vanish, and what is assumed beyond the claim's own assumptions."""
+    """The atoms of one theorem, the reasons why they do not vanish, and what is assumed beyond the claim's
+    assumptions.
+    """
 
     setting: Setting
     name: str
@@ -50,7 +52,7 @@ class Proof:
     existing: list[Premise] = field(default_factory=list)
 
     def met(self) -> None:
-        """Add all denominators that occur; one of which nothing is known is assumed not to vanish, since the claim
+        """Add all denominators that occur; one about which nothing is known is assumed not to vanish, since the claim
         divides by it.
         """
         for node, value in self.evaluation.denominators:
@@ -69,7 +71,7 @@ class Proof:
                 self.recognize(parts)
 
     def recognize(self, value: Factored[fmpq_mpoly]) -> None:
-        """Make sure that a denominator does not vanish, and let the checker know it."""
+        """Prove that a denominator does not vanish, and register it for the checker."""
         for p in prime_factors(int(value.constant.numerator)):
             self.prime(p)
         for p in prime_factors(int(value.constant.denominator)):
@@ -98,7 +100,7 @@ class Proof:
         for i, atom in enumerate(self.atoms):
             if not isinstance(atom, int) and atom == polynomial:
                 return i
-        raise FormulaError(f"{self.name} divides by what may vanish", remedy="assume that it does not")
+        raise FormulaError(f"{self.name} divides by something that may vanish", remedy="assume that it does not")
 
     def prime(self, p: int) -> None:
         """Assume that a prime number does not vanish."""
@@ -112,8 +114,8 @@ class Proof:
         self.texts.append(text or (f"num {atom}" if isinstance(atom, int) else self.setting.expression(atom)))
 
     def _prove(self, polynomial: fmpq_mpoly) -> None:
-        """Why a polynomial does not vanish: it is a denominator of a curve, divides what is assumed not to vanish, or
-        would make that vanish together with its derivative.
+        """Prove that a polynomial does not vanish: it is a denominator of a curve, divides something assumed not to
+        vanish, or its zeros would be common zeros of that and its derivative.
         """
         if (weight := self._weight(polynomial)) is not None:
             self._add(polynomial, f"exact H{weight}")
@@ -152,10 +154,10 @@ class Proof:
     def _divides_with_derivative(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
         """``4 B = b S − S′ S′`` implies that S does not vanish where B does not; this applies to ‖γ′‖² and ‖γ′ × γ″‖²
         (in the plane ``[γ′ γ″]²``)."""
-        found = self._whole(polynomial, premise)
-        if found is None:
+        whole_factor = self._whole(polynomial, premise)
+        if whole_factor is None:
             return False
-        whole, power, rest, derivative = found
+        whole, power, rest, derivative = whole_factor
         self.recognize(factored(mpq(2)))
         if whole not in self._polynomials:
             self._prove(whole)
@@ -171,7 +173,7 @@ class Proof:
         return True
 
     def _whole(self, polynomial: fmpq_mpoly, premise: Premise) -> tuple[fmpq_mpoly, int, fmpq_mpoly, fmpq_mpoly] | None:
-        """A factor B of what does not vanish, whether B or its square is meant, b and S′ as above."""
+        """A factor B of something nonvanishing, whether B or its square is meant, and b and S′ as above."""
         derivative = self._derivative(polynomial)
         if derivative is None or not isinstance(premise.value, JetFraction):
             return None
@@ -183,7 +185,7 @@ class Proof:
         return None
 
     def follows(self, polynomial: fmpq_mpoly) -> bool:
-        """Whether it follows from what is assumed that a polynomial does not vanish."""
+        """Whether it follows from the assumptions that a polynomial does not vanish."""
         own = (self._weight(polynomial), self._root(polynomial))
         if polynomial in self._polynomials or any(own):
             return True
@@ -226,7 +228,7 @@ class Proof:
         return f"[{'; '.join(pairs)}]"
 
     def script(self) -> list[str]:
-        """The lines that prove that the atoms do not vanish."""
+        """The lines of the proof that the atoms do not vanish."""
         lines = [
             *self.setting.preamble([(h.name, self.writer(h.node), h.value) for h in self.premises]),
             f"pose (c := {self.setting.deep}).",

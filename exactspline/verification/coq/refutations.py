@@ -1,4 +1,4 @@
-"""Claims that fail, as theorems: an explicit curve on which what is assumed holds and the statement does not."""
+"""Claims that fail, as theorems: an explicit curve that satisfies the assumptions but not the statement."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from exactspline.verification.vocabulary import Scope
 
 @dataclass
 class Units:
-    """Polynomials in t and prime numbers, none of them zero, and their products that occur."""
+    """Polynomials in t and prime numbers, none of them zero, and those of their products that occur."""
 
     atoms: list[tuple[int, ...]] = field(default_factory=list)
     known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
@@ -85,7 +85,7 @@ class _Attempt(Statement):
         self.difference: tuple[Node, str, str] | None = None
 
     def succeeds(self) -> bool:
-        """Whether what is assumed holds and the statement fails."""
+        """Whether the assumptions hold and the statement fails."""
         try:
             self.premises = [self.assumed(a) for a in self.claim.assumes if a.formula]
             if any(self.evaluation(node).is_zero for node in self.premises):
@@ -103,7 +103,9 @@ class _Attempt(Statement):
         return True
 
     def components(self, left: Node, right: Node | None) -> Iterator[tuple[Node, str, str]]:
-        """The components in which two trees differ, as differences, with the statement denied and how that follows."""
+        """The components in which two trees differ, as differences, each with the negated statement and the steps that
+        prove it.
+        """
         a = self.evaluation(left)
         zeros = "[" + "; ".join(["zero K"] * len(a)) + "]" if isinstance(a, Vector) else "zero K"
         said = f"{self.writer(left)} <> {zeros if right is None else self.writer(right)}"
@@ -138,7 +140,7 @@ class _Attempt(Statement):
                 yield Node(Operation.LEAF, value=text), said, f"apply (different_vectors K {i}); vm_cast_no_check U."
 
     def two_surfaces(self, left: Node, right: Node) -> Iterator[tuple[Node, str, str]]:
-        """The products that would vanish if two ruled surfaces were one."""
+        """The products that would vanish if two ruled surfaces were equal."""
         (d, g), (e, h) = ((side.directrix, side.generator) for side in (left, right))
         said = f"~ same_surface ({self.writer(left)}) ({self.writer(right)})"
         values = [f"(map (value K l) ({self.writer(node)}))" for node in (d, g, e, h)]
@@ -206,7 +208,9 @@ class _Attempt(Statement):
 
 
 def _equalities(kind: Kind) -> list[tuple[str, str, str, str]]:
-    """What holds of every argument of a kind, to be shown of an explicit one: a type, two terms, and the statement."""
+    """The equalities that hold for every argument of a kind and must be proved for an explicit one: a type, two terms,
+    and the statement.
+    """
     if isinstance(kind, FramedKind):
         velocity = "(vder s (gamma c))"
         binormal = f"(cross {velocity} (vders s 2 (gamma c)))"
@@ -225,7 +229,7 @@ def _equalities(kind: Kind) -> list[tuple[str, str, str, str]]:
 
 @singledispatch
 def differing(claim: Claim, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    """The differences that are not zero, with the statement denied and how that follows."""
+    """The differences that are not zero, each with the negated statement and the steps that prove it."""
     raise ClaimError(
         f"claims of the kind {claim.kind!r} are not equalities", where=claim.key, remedy="state identities"
     )

@@ -19,12 +19,12 @@ class HodographSetting(Setting):
 
     @property
     def shape(self) -> str:
-        """Its word in the base."""
+        """Its name in the base."""
         return "primitive_hodograph" if self.polynomial else "hodograph"
 
     @property
     def quantifier(self) -> str:
-        """What the theorem begins with."""
+        """The quantifier at the beginning of the theorem."""
         return f"every_{self.shape}"
 
     @property
@@ -34,7 +34,7 @@ class HodographSetting(Setting):
 
     @property
     def introduced(self) -> list[str]:
-        """The curve, then what its derivatives are made of."""
+        """The curve, then the functions that define its derivatives."""
         return [*[self.named(symbol.name) for symbol in self.symbols], "Hx", "Hy"]
 
     @property
@@ -64,7 +64,7 @@ class ImplicitSetting(Setting):
 
     @property
     def shape(self) -> str:
-        """Its word in the base."""
+        """Its name in the base."""
         assert isinstance(self.kind, ImplicitKind)
         if self.kind.functions != "f":
             raise FormulaError(f"no quantifier over the kind {self.kind.name!r}", remedy="add one to the base")
@@ -72,7 +72,7 @@ class ImplicitSetting(Setting):
 
     @property
     def quantifier(self) -> str:
-        """What the theorem begins with."""
+        """The quantifier at the beginning of the theorem."""
         return f"every_{self.shape}"
 
     @cached_property
@@ -82,7 +82,7 @@ class ImplicitSetting(Setting):
 
     @property
     def symbols(self) -> tuple[Symbol, ...]:
-        """Coordinates, what is free, and the partial derivatives up to the second order."""
+        """Coordinates, free operands, and the partial derivatives up to the second order."""
         return tuple(
             symbol for symbol in self.kind.symbols(self.dimension) if len(symbol.name) <= 3 or self._free(symbol)
         )
@@ -102,14 +102,14 @@ class ImplicitSetting(Setting):
 
     @property
     def introduced(self) -> list[str]:
-        """The coordinates, what is free, the partial derivatives; then the hypotheses about derivatives."""
+        """The coordinates, the free operands, the partial derivatives; then the hypotheses about derivatives."""
         names = [self.named(symbol.name) for symbol in self.symbols]
         hypotheses = [f"H{x}" for x in self._axes] + [f"Hf{x}" for x in self._axes]
         return [*names, *(f"d{x}_" for x in self._axes), *hypotheses]
 
     @property
     def jets(self) -> str:
-        """The jets of what is free, then the rest of the symbols."""
+        """The jets of the free operands, then the other symbols."""
         rest = [self.named(symbol.name) for symbol in self.symbols if not self._free(symbol)]
         free = [f"jets s {self.order} {self.named(symbol.name)}" for symbol in self.symbols if self._free(symbol)]
         return " ++ ".join([*free, f"[{'; '.join(rest)}]"])
@@ -129,11 +129,11 @@ class ImplicitSetting(Setting):
     @property
     def own_rules(self) -> list[str]:
         """The velocity of the curve, and the chain rule."""
-        found = [f"({self.position(x)}%positive, {v})" for x, v in zip(self._axes, self._velocity, strict=True)]
+        rules = [f"({self.position(x)}%positive, {v})" for x, v in zip(self._axes, self._velocity, strict=True)]
         for x in self._axes:
             terms = [f"{self._second(x, y)} * {v}" for y, v in zip(self._axes, self._velocity, strict=True)]
-            found.append(f"({self.position(f'f{x}')}%positive, {' + '.join(terms)})")
-        return found
+            rules.append(f"({self.position(f'f{x}')}%positive, {' + '.join(terms)})")
+        return rules
 
     @property
     def deep(self) -> str:

@@ -1,5 +1,5 @@
-"""The quantified argument of a theorem: the argument of its formulas, as a term and as jets in the position γ instead
-of the numerators p = w γ, in which naive formulas are short.
+"""The quantified argument of a theorem: the argument of its formulas, as a term, and as jets of the position γ instead
+of the numerators p = w γ; naive formulas are short in these.
 """
 
 from __future__ import annotations
@@ -41,19 +41,19 @@ class Setting:
 
     @property
     def has_point(self) -> bool:
-        """Whether a point is beside the curve."""
+        """Whether the argument includes a point."""
         return isinstance(self.kind, CurveKind) and self.kind.with_point
 
     @property
     def constants(self) -> tuple[str, ...]:
-        """The constants beside the curve."""
+        """The constants that accompany the curve."""
         return self.kind.constants if isinstance(self.kind, CurveKind) else ()
 
     @property
     def shape(self) -> str:
         """Its name in the base: ``plane``, ``space_point``, ``pair``, ``table``.
 
-        Raises `FormulaError` for a kind of argument of which the base has no name.
+        Raises `FormulaError` for a kind of argument without a name in the base.
         """
         if isinstance(self.kind, PairKind):
             return "pair"
@@ -89,13 +89,13 @@ class Setting:
 
     @property
     def weights(self) -> tuple[str, ...]:
-        """The denominators, which have no zero."""
+        """The denominators, which have no zeros."""
         names = {"pair": ("w", "W"), "table": ("w1", "w2")}.get(self.shape, ("w",))
         return () if self.polynomial else names
 
     @property
     def roots(self) -> tuple[str, ...]:
-        """The square roots that stand beside the jets."""
+        """The square roots in addition to the jets."""
         return ()
 
     @property
@@ -162,12 +162,12 @@ class Setting:
 
     @property
     def own_rules(self) -> list[str]:
-        """The rules that are not those of jets and constants: of the first parameter."""
+        """The rules other than those of jets and constants, for the first parameter."""
         return []
 
     @property
     def rules(self) -> str:
-        """What the derivatives of the jets are."""
+        """The rules for the derivatives of the jets."""
         chains = {str(parameter): list[str]() for parameter in PARAMETERS}
         for symbol in self.symbols:
             if symbol.parameters and symbol.name not in self.ring.rules:
@@ -181,7 +181,7 @@ class Setting:
         return f"of_parameters ({first}) ({second})"
 
     def preamble(self, premises: Sequence[tuple[str, str, object]]) -> list[str]:
-        """The steps that say what the variables of the checker are; premises are given by name, term and value."""
+        """The steps that define the variables of the checker; premises are given by name, term and value."""
         return [
             f"pose (l := {self.jets}).",
             f"pose (r := {self.rules}).",

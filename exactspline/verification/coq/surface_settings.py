@@ -1,4 +1,4 @@
-"""Functions of two parameters: surfaces, maps of the plane, and quadratic forms of which nothing else is known."""
+"""Functions of two parameters: surfaces, maps of the plane, and quadratic forms about which nothing else is known."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ class SurfaceSetting(Setting):
 
     @property
     def shape(self) -> str:
-        """Its word in the base."""
+        """Its name in the base."""
         return "planar_map" if self.dimension == 2 else "surface"
 
     @property
     def quantifier(self) -> str:
-        """What the theorem begins with."""
+        """The quantifier at the beginning of the theorem."""
         return f"every_{self.shape}"
 
     @property
@@ -36,12 +36,12 @@ class SurfaceSetting(Setting):
         return " ++ ".join(f"partials {self.order} {self.named(symbol.name)}" for symbol in self.symbols)
 
     def position(self, name: str, order: int = 0) -> int:
-        """The number of a function, or of its derivative by u."""
+        """The number of a function, or of its derivative with respect to u."""
         return self._place(self.ring.index[name, (order, 0)])
 
     @property
     def rules(self) -> str:
-        """What the derivatives of the jets are."""
+        """The rules for the derivatives of the jets."""
         first, second = (
             " ++ ".join(f"grid {self.position(symbol.name)} {self.order} {i}" for symbol in self.symbols)
             for i, _ in enumerate((Parameter.U, Parameter.V))
@@ -60,7 +60,7 @@ class FormsSetting(SurfaceSetting):
 
     @property
     def shape(self) -> str:
-        """Its word in the base."""
+        """Its name in the base."""
         return "two_forms"
 
     @property
@@ -70,7 +70,7 @@ class FormsSetting(SurfaceSetting):
 
     @property
     def weights(self) -> tuple[str, ...]:
-        """None: nothing is known of w."""
+        """None: nothing is assumed about w."""
         return ()
 
     @property
@@ -87,12 +87,12 @@ class SurfaceCurveSetting(Setting):
 
     @property
     def shape(self) -> str:
-        """Its word in the base."""
+        """Its name in the base."""
         return "curve_on_a_surface"
 
     @property
     def quantifier(self) -> str:
-        """What the theorem begins with."""
+        """The quantifier at the beginning of the theorem."""
         return f"every_{self.shape}"
 
     @property
@@ -119,13 +119,13 @@ class SurfaceCurveSetting(Setting):
         return " ++ ".join([*route, *[f"partials {self.order} {self.named(name)}" for name in self._coordinates]])
 
     def position(self, name: str, order: int = 0) -> int:
-        """The number of a parameter or its derivative, of a coordinate or its derivative by u."""
+        """The number of a parameter or its derivative, or of a coordinate or its derivative with respect to u."""
         orders = (order,) if name in self._route else (order, 0)
         return self._place(self.ring.index[name, orders])
 
     @property
     def rules(self) -> str:
-        """What the derivatives of the jets are: by u, by v, and along the curve."""
+        """The rules for the derivatives of the jets: with respect to u, to v, and along the curve."""
         by_u, by_v = ([f"grid {self.position(name)} {self.order} {i}" for name in self._coordinates] for i in (0, 1))
         along = [f"chain {self.position(name)} {self.order}" for name in self._route]
         paces = " ".join(str(self.position(name, 1)) for name in self._route)

@@ -14,9 +14,9 @@ from exactspline.numbers.exact import rational, text
 from exactspline.readings.expression import Operation
 from exactspline.readings.tree import Node, nodes
 
-#: How tightly an operation binds.
+#: The precedence of operations.
 SUM, PRODUCT, UNARY, POWER, APPLICATION, ATOM = range(6)
-#: The operations between scalars, with their sign, how tightly they bind, and how tightly the arguments must.
+#: The operations between scalars, with their symbols, their precedence, and the precedence that their arguments need.
 _INFIX = {
     Operation.PLUS: (SUM, SUM, PRODUCT),
     Operation.MINUS: (SUM, SUM, PRODUCT),
@@ -30,7 +30,7 @@ _FUNCTIONS = (
 )
 _AXES = {"axis_x": 0, "axis_y": 1, "axis_z": 2}
 _PARAMETERS = {"s": "s", "s̄": "s_bar", "u": "s", "v": "s_bar"}
-#: Operands that are fields of records; those of the others have functions of their own, named with ``_of``.
+#: Operands that are fields of records; the others have separate functions, named with ``_of``.
 _FIELDS_OF_ARGUMENTS = {"p", "w", "gamma", "point", "sigma", "rho", "gradient_f"}
 _FIELDS_OF_ARGUMENTS |= {f"{x}{i}" for x in "pwv" for i in "12"}
 #: The files written by hand that the theorems about papers need, each after those that it requires.
@@ -51,16 +51,16 @@ _FIELDS = re.compile(r"^  (\w+) :(?!=)|[{;] (\w+) :(?!=)", re.MULTILINE)
 @cache
 def reserved() -> frozenset[str]:
     """Words that formulas cannot have as names: those of the language and of the files written by hand."""
-    found = {*_LANGUAGE.split(), *_VARIABLES.split()}
+    words = {*_LANGUAGE.split(), *_VARIABLES.split()}
     for name in THEORY:
         text = resources.files(__package__).joinpath("theory", f"{name}.v").read_text(encoding="utf-8")
-        found |= set(_DEFINED.findall(text)) | {name for pair in _FIELDS.findall(text) for name in pair if name}
-        found |= set(re.findall(r":= (\w+) \{", text))
-    return frozenset(found)
+        words |= set(_DEFINED.findall(text)) | {name for pair in _FIELDS.findall(text) for name in pair if name}
+        words |= set(re.findall(r":= (\w+) \{", text))
+    return frozenset(words)
 
 
 def identifier(name: str) -> str:
-    """A name as an identifier of Coq: primes and letters stay, anything else becomes an underscore.
+    """A name as an identifier of Coq: primes and letters are kept, anything else becomes an underscore.
 
     >>> identifier("C42b-g1-g0"), identifier("at"), identifier("T7′")
     ('C42b_g1_g0', 'at_', "T7'")
@@ -70,7 +70,7 @@ def identifier(name: str) -> str:
 
 
 class Writer:
-    """Trees as terms; `named` says how the formulas of other files are called."""
+    """Trees as terms; `named` gives the names of formulas of other files."""
 
     def __init__(self, named: Callable[[Formula], str], argument: str = "c", *, table: bool = False) -> None:
         self.named, self.argument, self.table = named, argument, table
@@ -93,7 +93,7 @@ class Writer:
         if node.op is Operation.NAMED:
             return f"{self.named(node.value.formula)} {self.part(node.value.path)}", APPLICATION
         if node.op is Operation.LEVEL:
-            # one denominator is a step of the computation; what is computed does not change
+            # a common denominator is a step of the computation that does not change the value
             return self.show(node.args[node.value])
         if node.op in _INFIX and not node.is_vector:
             binding, left, right = _INFIX[node.op]
@@ -146,11 +146,11 @@ class Writer:
         return f"{own if own in _FIELDS_OF_ARGUMENTS else f'{own}_of'} {part}"
 
     def part(self, path: str) -> str:
-        """The part of the argument that a path names."""
+        """The part of the argument named by a path."""
         return f"({path.removesuffix('.')} {self.argument})" if path else self.argument
 
     def derivative(self, node: Node) -> str:
-        """A derivative by the parameter that is named, or by that on which the operand depends."""
+        """A derivative with respect to the named parameter, or to the one on which the operand depends."""
         order, by = node.value
         parameter = _PARAMETERS[by] if by else self.parameter(node.args[0])
         inner = self.at(node.args[0], ATOM)
@@ -159,16 +159,16 @@ class Writer:
         return f"{'vders' if node.is_vector else 'ders'} {parameter} {order} {inner}"
 
     def parameter(self, node: Node) -> str:
-        """The parameter of the curve of which a tree speaks.
+        """The parameter of the curve that occurs in a tree.
 
-        Raises `FormulaError` for what depends on two of them.
+        Raises `FormulaError` for a tree that depends on two of them.
         """
-        found = paths(node)
-        if len(found) > 1:
+        parts = paths(node)
+        if len(parts) > 1:
             raise FormulaError(
-                "a derivative of what depends on two parameters", remedy="name the parameter: d(1, by=…)"
+                "a derivative of a value that depends on two parameters", remedy="name the parameter: d(1, by=…)"
             )
-        return "s" if self.table else f"(along {self.part(found.pop() if found else '')})"
+        return "s" if self.table else f"(along {self.part(parts.pop() if parts else '')})"
 
     def taken(self, node: Node) -> str:
         """A component of a vector, or several."""
@@ -183,7 +183,7 @@ class Writer:
 
 
 def number(value: Constant) -> tuple[str, int]:
-    """A constant, a fraction as a quotient.
+    """A constant; a fraction as a quotient.
 
     >>> number(3), number(rational("-1/2"))
     (('number 3', 4), ('number (-1) / number 2', 1))
@@ -205,5 +205,5 @@ def leaves(tree: Node) -> set[str]:
 
 def paths(node: Node) -> set[str]:
     """The parts of the argument whose operands occur in a tree."""
-    found = (name.rpartition(".")[0] for name in leaves(node))
-    return {f"{path}." if path else "" for path in found}
+    parts = (name.rpartition(".")[0] for name in leaves(node))
+    return {f"{path}." if path else "" for path in parts}

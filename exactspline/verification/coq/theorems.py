@@ -38,7 +38,9 @@ STATED = (Identity, Vanishing, SameSurface, IsoCurve)
 
 
 def theorem(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> str:
-    """A claim as a theorem with its proof: about rational curves, or where it fails there about polynomial ones."""
+    """A claim as a theorem with its proof: about rational curves or, where it fails for these, about
+    polynomial ones.
+    """
     try:
         return _Theorem(claim, dimension, named).text()
     except RationalError:
@@ -52,9 +54,11 @@ class RationalError(FormulaError):
 
 
 def by_hand(key: str) -> list[str]:
-    """The steps that close the proof of a claim, where its computation would be too large; none for most."""
-    found = _by_hand().get(key)
-    return found["steps"].strip().splitlines() if found else []
+    """The steps written by hand that finish the proof of a claim where the computation would be too large; empty for
+    most.
+    """
+    steps = _by_hand().get(key)
+    return steps["steps"].strip().splitlines() if steps else []
 
 
 @cache
@@ -116,7 +120,7 @@ class _Theorem(Statement):
         conclusion, closing = stated(self.claim, self)
         proof = self.proof
         if any(h.value.is_zero for h in (*proof.premises, *proof.existing)):
-            raise FormulaError("it assumes of 0 that it is not 0", remedy="drop that assumption")
+            raise FormulaError("it assumes that 0 is not 0", remedy="drop that assumption")
         premises = [f"{self.writer.at(h.node, 1)} <> zero K" for h in proof.premises]
         premises += [f"number {p} <> zero K" for p in proof.primes]
         premises += [f"{self.writer.at(h.node, 1)} <> zero K" for h in proof.existing]
@@ -140,11 +144,13 @@ class _Theorem(Statement):
         return f"({self.writer(node)})"
 
     def equality(self, left: Node, right: Node | None) -> tuple[str, list[str]]:
-        """A statement that two trees are one (without a second: that the first is 0), and the steps that close it."""
+        """The statement that two trees are equal (without a second: that the first is 0), and the steps that finish its
+        proof.
+        """
         value = self.evaluation(left)
         components = len(value) if isinstance(value, Vector) else 0
         if not self._holds(value, right):
-            raise RationalError("it fails on rational curves", remedy="theorems speak of these")
+            raise RationalError("it fails on rational curves", remedy="theorems are about these")
         self.proof.met()
         if components:
             zero, deep_zero = ("[" + "; ".join([word] * components) + "]" for word in ("zero K", "num 0"))
@@ -158,7 +164,7 @@ class _Theorem(Statement):
         return statement, [*self.checked("E", left, deep_right, bool(components)), "vm_cast_no_check E."]
 
     def _holds(self, value: Any, right: Node | None) -> bool:
-        """Whether a value is that of another tree (without one: zero), on rational curves."""
+        """Whether a value equals that of another tree (without one: zero), on rational curves."""
         if right is None:
             return bool(value.is_zero)
         other = self.evaluation(right)
@@ -166,7 +172,7 @@ class _Theorem(Statement):
         return all(bool((a - b).is_zero) if isinstance(a, FieldOperand) else bool(a == b) for a, b in pairs)
 
     def same_parts(self, left: Node, right: Node) -> tuple[str, list[str]]:
-        """A statement that two ruled surfaces have one directrix and one generator."""
+        """The statement that two ruled surfaces have the same directrix and the same generator."""
         pairs = [(left.directrix, right.directrix), (left.generator, right.generator)]
         for pair in pairs:
             for node in pair:
@@ -181,7 +187,7 @@ class _Theorem(Statement):
         return statement, [*steps, "vm_cast_no_check (conj E1 E2)."]
 
     def on_surface(self, left: Node, right: Formula) -> tuple[str, list[str]]:
-        """A statement that a plane curve is the directrix of a ruled surface of the same curve in space."""
+        """The statement that a plane curve is the directrix of a ruled surface of the same curve in space."""
         inside = Calling(POINT_IN_SPACE, 3)
         directrix = inside.calls(right).directrix
         argument = self.setting.argument
@@ -201,7 +207,7 @@ class _Theorem(Statement):
         return f"{self.writer(left)} ++ [zero K] = {writer(directrix)}", steps
 
     def checked(self, name: str, left: Node, deep_right: str, vector: bool) -> list[str]:
-        """The steps that prove that two expressions have one value."""
+        """The steps that prove that two expressions have the same value."""
         lemma = "one_vector" if vector else "one_value"
         kind = "list expr" if vector else "expr"
         a, b = f"({self.writer(left)} : {kind})%formula", f"({deep_right} : {kind})%formula"
@@ -214,7 +220,7 @@ class _Theorem(Statement):
 
 @singledispatch
 def stated(claim: Claim, theorem: _Theorem) -> tuple[str, list[str]]:
-    """The conclusion and the steps that close the proof, the atoms being known."""
+    """The conclusion, and the steps that finish the proof once the atoms are known."""
     raise FormulaError(f"claims of the kind {claim.kind!r} are not equalities", remedy="state identities")
 
 
@@ -288,7 +294,7 @@ def _(claim: SameSurface, theorem: _Theorem) -> tuple[str, list[str]]:
 
 
 def _witness(theorem: _Theorem, generator: Node, other: Node) -> tuple[Node, Node]:
-    """A vector whose scalar product with a generator is a product of what does not vanish."""
+    """A vector whose scalar product with a generator is a product of nonvanishing factors."""
     gamma = Node(Operation.LEAF, value="gamma", vector=True)
     first, second = (Node(Operation.DERIVATIVE, (gamma,), Derivation(k), vector=True) for k in (1, 2))
     binormal = Node(Operation.CROSS, (first, second), vector=True)

@@ -12,7 +12,7 @@ from exactspline.readings.tree import Node, Traced
 
 
 class Called(NamedTuple):
-    """A called formula, and the part of the argument on which it is called: ``second.`` or on all of it."""
+    """A called formula, and the part of the argument to which it is applied: ``second.``, or the whole argument."""
 
     formula: Formula
     path: str
@@ -28,27 +28,27 @@ class Call(Node):
 
     @property
     def generator(self) -> Node:
-        """The generator of the ruled surface that is called."""
+        """The generator of the called ruled surface."""
         return Node(Operation.GENERATOR, (self,), vector=True)
 
     @property
     def directrix(self) -> Node:
-        """The directrix of the ruled surface that is called."""
+        """The directrix of the called ruled surface."""
         return Node(Operation.DIRECTRIX, (self,), vector=True)
 
 
 class Calling(Traced):
-    """The argument of the tree reading, on which formulas that are called become nodes."""
+    """The argument of the tree reading, in which called formulas become nodes."""
 
     def __init__(self, kind: Kind, dimension: int, *, path: str = "", known: dict[Called, Call] | None = None) -> None:
         super().__init__(kind, dimension, path=path)
         self._known: dict[Called, Call] = {} if known is None else known
 
     def __getattr__(self, name: str) -> Node | Traced:
-        found = super().__getattr__(name)
-        if isinstance(found, Traced):
+        value = super().__getattr__(name)
+        if isinstance(value, Traced):
             return Calling(self._kind.parts[name], self._dimension, path=f"{name}.", known=self._known)
-        return found
+        return value
 
     def calls(self, formula: Callee) -> Node:
         """A node with the formula; a formula called twice is traced once."""
@@ -60,7 +60,7 @@ class Calling(Traced):
 
 
 def body(formula: Formula, dimension: int) -> Node:
-    """The tree of a formula, the formulas that it calls by name.
+    """The tree of a formula, with the formulas that it calls by name.
 
     >>> from exactspline.papers import find
     >>> body(find("f1"), 2).args[0].value.formula.name

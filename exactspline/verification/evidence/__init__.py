@@ -1,5 +1,5 @@
-"""What checks find, as data: computed values, and witnesses of what fails. `exactspline.display.evidence` puts them
-into words; nothing else does, and nothing reads those words.
+"""The results of checks as data: computed values, and witnesses of failures. Only `exactspline.display.evidence` puts
+them into words, and no code parses those words.
 
 The fields are numbers, names, members of enumerations, and objects of algebra.
 """

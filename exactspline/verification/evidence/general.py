@@ -1,4 +1,4 @@
-"""Evidence for any kind of claim: facts without numbers, places, what was tried."""
+"""Evidence for any kind of claim: facts without numbers, places, attempts."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from exactspline.verification.vocabulary import Group, Name
 
 
 class Evidence(Worded):
-    """A computed value, a witness, a place, or a part of what a claim speaks of; `str` puts it into words."""
+    """A computed value, a witness, a place, or a part of the arguments of a claim; `str` puts it into words."""
 
     __slots__ = ()
 
 
 class Fact(Evidence, Enum):
-    """What needs no numbers to be said."""
+    """Evidence without numbers."""
 
     # nothing to decide
     NOTHING = auto()
@@ -168,12 +168,12 @@ class Isolated(Evidence):
 Place = At | Between | OnAllOf | On | AtBoth | OnPatch | OnWholePatch
 
 
-# ---- what is free, and the part that was tried
+# ---- free arguments, and the part that was tried
 
 
 @dataclass(frozen=True)
 class Chosen(Evidence):
-    """A point and constants beside the curve."""
+    """A point and constants in addition to the curve."""
 
     point: tuple[mpq, ...] = ()
     constants: tuple[tuple[Name, mpq], ...] = ()
@@ -181,7 +181,7 @@ class Chosen(Evidence):
 
 @dataclass(frozen=True)
 class AnyOperands(Evidence):
-    """Whatever is free beside the curve: a second curve, or a point and constants."""
+    """The free operands in addition to the curve: a second curve, or a point and constants."""
 
     second_curve: bool = False
     point: bool = False
@@ -215,14 +215,14 @@ class Stopped(Evidence):
 
 @dataclass(frozen=True)
 class LeftToTheProof(Evidence):
-    """Not tried: the proof for all decides it."""
+    """Not tried: the proof for all curves decides it."""
 
     why: Evidence
 
 
 @dataclass(frozen=True)
 class TooLong(Evidence):
-    """A formula whose value as it stands has too high a degree in a parameter to be multiplied out."""
+    """A formula whose value as written has too high a degree in a parameter to be multiplied out."""
 
     formula: Name
     degree: int
@@ -231,7 +231,7 @@ class TooLong(Evidence):
 
 @dataclass(frozen=True)
 class HeldOn(Evidence):
-    """It was tried on a part only, and held; more of it could not be tried because of an error."""
+    """It was tried on a part only, and held there; more could not be tried because of an error."""
 
     part: Evidence
     error: ExactSplineError | None = None
@@ -256,7 +256,7 @@ class OnPart(Evidence):
 
 @dataclass(frozen=True)
 class FailsWithOthers(Evidence):
-    """It fails at a place with some operands beside the curve, though not with those that were tried."""
+    """It fails at a place for some additional operands, though not for those that were tried."""
 
     place: Place
     operands: AnyOperands
@@ -265,7 +265,7 @@ class FailsWithOthers(Evidence):
 
 @dataclass(frozen=True)
 class Refutes(Evidence):
-    """A witness against what was proved for all curves."""
+    """A witness against a statement proved for all curves."""
 
     witness: Evidence | None
 
@@ -289,14 +289,14 @@ class AssumptionFails(Evidence):
 
 @dataclass(frozen=True)
 class Undefined(Evidence):
-    """A formula that does not exist on all of this curve."""
+    """A formula that does not exist on the whole curve."""
 
     formula: Name
 
 
 @dataclass(frozen=True)
 class UndefinedAt(Evidence):
-    """A value that is divided by zero on a segment, or with any operands."""
+    """A value with a division by zero on a segment, or for all operands."""
 
     where: On | AnyOperands
 
@@ -306,7 +306,7 @@ class UndefinedAt(Evidence):
 
 @dataclass(frozen=True)
 class Theorem(Evidence):
-    """A theorem that a kernel accepted, and the axioms on which it rests."""
+    """A theorem that a kernel accepted, and the axioms that it uses."""
 
     name: Name
     axioms: tuple[Name, ...] = ()
@@ -319,5 +319,5 @@ class NoTheorem(Evidence):
     error: ExactSplineError
 
 
-#: What a check computes: evidence, or a factor of differential polynomials.
+#: The type of a computed result: evidence, or a factor of differential polynomials.
 Found = Evidence | Factor

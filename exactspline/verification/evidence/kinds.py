@@ -29,7 +29,7 @@ class Sides(Enum):
 
 @dataclass(frozen=True)
 class Difference(Evidence):
-    """By how much two sides differ at one place."""
+    """The difference of two sides at one place."""
 
     of: Sides
     by: mpq
@@ -38,7 +38,7 @@ class Difference(Evidence):
 
 @dataclass(frozen=True)
 class StatedFactor(Evidence):
-    """A factor as a claim states it; `is_one` where it is 1 on this curve."""
+    """A factor as stated in a claim; `is_one` where it is 1 on this curve."""
 
     powers: tuple[tuple[Name, int], ...]
     is_one: bool = False
@@ -70,14 +70,14 @@ class Components(Evidence):
 
 @dataclass(frozen=True)
 class ComponentDiffers(Evidence):
-    """The first component, from 1 on, in which two sides differ."""
+    """The first component (counted from 1) in which two sides differ."""
 
     component: int
 
 
 @dataclass(frozen=True)
 class ComponentNotZero(Evidence):
-    """The first component, from 1 on, that is not zero."""
+    """The first component (counted from 1) that is not zero."""
 
     component: int
 
@@ -91,7 +91,7 @@ class Remainder(Evidence):
 
 @dataclass(frozen=True)
 class NotItsDefinition(Evidence):
-    """A formula is not what defines it."""
+    """A formula that does not equal its definition."""
 
     formula: Name
     definition: Name
@@ -99,7 +99,7 @@ class NotItsDefinition(Evidence):
 
 @dataclass(frozen=True)
 class RationalForm(Evidence):
-    """A formula that is a quotient of polynomials, and what it was said not to be."""
+    """A formula that is a quotient of polynomials, and the definition claimed not to be one."""
 
     formula: Name
     definition: Name
@@ -117,8 +117,8 @@ class RationalOfDegree(Evidence):
 
 @dataclass(frozen=True)
 class DegreeFound(Evidence):
-    """A degree for all d: `grading` are k, m and j; it is as claimed from `start` on; it is another one, or the value
-    0, for single d; `as_written` where the value vanishes on every curve.
+    """A degree for all d: `grading` are k, m and j; it is as claimed for d ≥ `start`; for single exceptional d it
+    differs, or the value is 0; `as_written` where the value vanishes on every curve.
     """
 
     degree: Degree
@@ -131,7 +131,7 @@ class DegreeFound(Evidence):
 
 @dataclass(frozen=True)
 class DegreeHere(Evidence):
-    """The degree of splines, and the number that is claimed of them."""
+    """The degree of splines, and the claimed number."""
 
     degree: int
     claimed: int
@@ -140,7 +140,7 @@ class DegreeHere(Evidence):
 
 @dataclass(frozen=True)
 class ZeroHere(Evidence):
-    """A value that is 0, so that it has no degree, and the number that is claimed of it."""
+    """A value that is 0, so that it has no degree, and the claimed number."""
 
     claimed: int
     relation: Relation
@@ -148,7 +148,9 @@ class ZeroHere(Evidence):
 
 @dataclass(frozen=True)
 class WrongDegree(Evidence):
-    """A degree that is not as claimed, for some degrees of the operands (None: on one curve; none: for all)."""
+    """A degree that differs from the claimed one, for some degrees of the operands (None: on one curve; empty: for
+    all).
+    """
 
     degree: int
     claimed: int
@@ -188,7 +190,7 @@ class ZeroCoefficient(Evidence):
 
 @dataclass(frozen=True)
 class ZeroForDegree(Evidence):
-    """What vanishes for every curve of a degree: one coefficient, or (None) all."""
+    """Coefficients that vanish for every curve of a degree: one, or (None) all."""
 
     degree: int
     index: int | None = None
@@ -206,7 +208,7 @@ class VanishesAlways(Evidence):
 
 @dataclass(frozen=True)
 class VanishesAlone(Evidence):
-    """A zero of one formula that another one has not."""
+    """A zero of one formula that is not a zero of another."""
 
     formula: Name
     place: Place
@@ -251,7 +253,7 @@ class OddPowers(Evidence):
 
 @dataclass(frozen=True)
 class Squares(Evidence):
-    """On how many of all segments a formula is a square up to a constant, and on how many it is 0."""
+    """The number of segments on which a formula is a square up to a constant, and of those on which it is 0."""
 
     formula: Name
     squares: int
@@ -261,7 +263,7 @@ class Squares(Evidence):
 
 @dataclass(frozen=True)
 class SquareOnSegment(Evidence):
-    """A segment on which one of two is a square and the other is not."""
+    """A segment on which one of two formulas is a square and the other is not."""
 
     segment: int
 
@@ -271,14 +273,14 @@ class SquareOnSegment(Evidence):
 
 @dataclass(frozen=True)
 class OneSurface(Evidence):
-    """One surface, but where irreducible factors vanish."""
+    """One surface, except where irreducible factors vanish."""
 
     but: tuple[Name, ...] = ()
 
 
 @dataclass(frozen=True)
 class OneSurfaceBut(Evidence):
-    """One surface, but where the generator of a formula vanishes."""
+    """One surface, except where the generator of a formula vanishes."""
 
     place: Place
     formula: Name
@@ -326,7 +328,9 @@ class Vanishes(Evidence):
 
 @dataclass(frozen=True)
 class DerivativeAt(Evidence):
-    """A derivative by s̄ at s̄ = s that is zero on every curve, or one that is not (at a place, on one curve)."""
+    """A derivative with respect to s̄ at s̄ = s that is zero on every curve, or one that is not (at a place, on one
+    curve).
+    """
 
     order: int
     is_zero: bool = False
@@ -343,7 +347,7 @@ class Weight(Evidence):
 
 @dataclass(frozen=True)
 class UnderMap(Evidence):
-    """What a value is under a map: a multiple of what is claimed, or (None) not proportional to it."""
+    """The value under a map: a multiple of the claimed one, or (None) not proportional to it."""
 
     map: Name
     factor: Factor | None = None

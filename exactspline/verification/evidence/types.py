@@ -1,4 +1,4 @@
-"""Evidence for claims of types: polynomial, rational, or neither; and of what an equation speaks."""
+"""Evidence for claims about types: polynomial, rational, or neither; and about the arguments of an equation."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class TypeOnExample(Evidence):
 
 @dataclass(frozen=True)
 class TypeHere(Evidence):
-    """The type on the curve asked for; `special` where it is a more special one than that of the generic curve."""
+    """The type on the given curve; `special` where it is more special than on the generic curve."""
 
     type: ValueType
     special: bool = False
@@ -36,14 +36,14 @@ class TypeHere(Evidence):
 
 @dataclass(frozen=True)
 class SpeaksOf(Evidence):
-    """The kind of argument of which a formula speaks."""
+    """The kind of argument of a formula."""
 
     kind: Name
 
 
 @dataclass(frozen=True)
 class SpeaksOfAnother(Evidence):
-    """A formula, the kind of which it speaks, and the one for which it is asked."""
+    """A formula, the kind of its argument, and the requested kind."""
 
     formula: Name
     kind: Name

@@ -68,14 +68,14 @@ class Condition(ExampleClaim):
         ]
         if not pairs:
             return vacuous(Fact.NO_COMMON_ZERO)
-        found = Conditions(tuple((a, b) for _, a, b in pairs))
+        conditions = Conditions(tuple((a, b) for _, a, b in pairs))
         if all(a[1] < b[0] for _, a, b in pairs):
-            return Finding(VERIFIED, found)
+            return Finding(VERIFIED, conditions)
         for root, a, b in pairs:
             if a[0] >= b[1]:
                 witness = OnExample(Name(self.example), NotBetter(place_of_root(root)))
-                return Finding(REFUTED, found, witness=witness)
-        return Finding(UNDECIDED, found)
+                return Finding(REFUTED, conditions, witness=witness)
+        return Finding(UNDECIDED, conditions)
 
 
 def _condition(f: BSpline, root: Root) -> Enclosure:

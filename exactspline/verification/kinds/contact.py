@@ -77,13 +77,13 @@ class Contact(Claim):
             return vacuous()
         if is_singular(formula, dimension, polynomial):
             return Finding(UNDECIDED, Fact.NO_CONTACT, witness=Fact.SINGULAR_CONTACT)
-        found = self._order(value, on_diagonal)
-        if found is None:
+        order_found = self._order(value, on_diagonal)
+        if order_found is None:
             return Finding(PROVED, ContactOrder(self.order, self.relation))
-        if found > self.order:
-            return Finding(REFUTED, AtLeast(found), witness=DerivativeAt(found, is_zero=True))
-        witness = self.refuted_on_examples().witness or DerivativeAt(found)
-        return Finding(REFUTED, ContactOrder(found - 1), witness=witness)
+        if order_found > self.order:
+            return Finding(REFUTED, AtLeast(order_found), witness=DerivativeAt(order_found, is_zero=True))
+        witness = self.refuted_on_examples().witness or DerivativeAt(order_found)
+        return Finding(REFUTED, ContactOrder(order_found - 1), witness=witness)
 
     def _order(self, value: list[Any], on_diagonal: Diagonal) -> int | None:
         """None where the contact is as claimed; else the order of the derivative at fault: one that does not vanish, or

@@ -31,13 +31,13 @@ def counts(claimed: str) -> list[tuple[int, Counter]]:
 
     Raises `ClaimError` when it cannot be read.
     """
-    found = []
+    numbers = []
     for part in (part.strip() for part in claimed.replace("−", "-").split(",")):
         number = re.search(r"-?\d+", part)
         if number is None:
             raise ClaimError(f"the count {part!r} has no number", where="claimed", remedy='write "degree 6"')
-        found.append((int(number[0]), word(Counter, part.replace(number[0], "", 1).strip(), "count")))
-    return found
+        numbers.append((int(number[0]), word(Counter, part.replace(number[0], "", 1).strip(), "count")))
+    return numbers
 
 
 def counted(claim: Claim, name: str, value: str) -> str:
@@ -82,14 +82,14 @@ class Count(ExampleClaim):
             return vacuous(Undefined(self.formula))
         if all(p.is_zero for p in numerators):
             return vacuous(Fact.VANISHES)
-        wanted = counts(self.claimed)
-        if not numerators[0].breakpoints[1:-1] and {what for _, what in wanted} & CONTINUITIES:
+        claimed = counts(self.claimed)
+        if not numerators[0].breakpoints[1:-1] and {what for _, what in claimed} & CONTINUITIES:
             return vacuous(Fact.NO_JOINT)
-        numbers = [(self._counted(what, value, own), what) for _, what in wanted]
-        found = Counted(tuple(numbers))
-        if numbers == wanted:
-            return Finding(VERIFIED, found)
-        return Finding(REFUTED, found, witness=OnExample(Name(self.example), found))
+        numbers = [(self._counted(what, value, own), what) for _, what in claimed]
+        counts_here = Counted(tuple(numbers))
+        if numbers == claimed:
+            return Finding(VERIFIED, counts_here)
+        return Finding(REFUTED, counts_here, witness=OnExample(Name(self.example), counts_here))
 
     def _counted(self, what: Counter, value: Any, own: Evaluation) -> int | None:
         """One of the numbers; None where there are infinitely many, or where it is not one of the formula."""
@@ -123,11 +123,11 @@ def count_of_extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
     """
     from exactspline.geometry.analysis import analyse
 
-    found = analyse(own.curve).curvature_extrema
+    extrema = analyse(own.curve).curvature_extrema
     changes = [root for root in zero_set if root.sign_change]
     changes += [jump_root(jump) for jump in zero_set.jumps if jump.sign_change]
-    same = len(found) == len(changes) and all(any(each.root == root for root in changes) for each in found)
-    return len(found) if same and not zero_set.intervals else None
+    same = len(extrema) == len(changes) and all(any(each.root == root for root in changes) for each in extrema)
+    return len(extrema) if same and not zero_set.intervals else None
 
 
 def _at_ends(own: Evaluation) -> int:

@@ -130,8 +130,8 @@ class DegreeClaim(DegreeStatement):
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """For symbolic d."""
-        found = decide(self, dimension, polynomial)
-        return replace(found, relation=self.relation)
+        finding = decide(self, dimension, polynomial)
+        return replace(finding, relation=self.relation)
 
     @property
     def tries_all(self) -> bool:
@@ -153,9 +153,9 @@ class DegreeClaim(DegreeStatement):
             return inapplicable(Fact.LOWER_DEGREE_HERE, here, self.relation)
         holds = self.relation.holds(computed, claimed)
         wrong = None if holds else WrongDegree(computed, claimed, self.relation)
-        found = Finding(VERIFIED if holds else REFUTED, here, witness=wrong, relation=self.relation)
+        finding = Finding(VERIFIED if holds else REFUTED, here, witness=wrong, relation=self.relation)
         along_a_line = self.measure == Measure.LOWEST_TERMS and isinstance(argument, (Pair, Surface))
-        return sampled(found, Fact.ONE_LINE) if holds and along_a_line else found
+        return sampled(finding, Fact.ONE_LINE) if holds and along_a_line else finding
 
     def _claimed(self, argument: Any) -> int:
         degree = parse_degree(self.claimed)

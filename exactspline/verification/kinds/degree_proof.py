@@ -57,8 +57,8 @@ def decide(claim: DegreeStatement, dimension: int, polynomial: bool) -> Finding:
     if claim.measure == Measure.TRUE:
         computed, lower = agreed_degree(formula, dimension, polynomial, _counted(claim))
         return held_against(claim, DegreeFound(computed), lower)
-    found = reduction_of(formula, dimension, polynomial, _counted(claim))
-    part = found.main
+    reduction = reduction_of(formula, dimension, polynomial, _counted(claim))
+    part = reduction.main
     if claim.measure == Measure.HEIGHT:
         height = part.true.j if part.true else -1
         return held_against(claim, DegreeFound(Degree.number(height)))
@@ -69,7 +69,7 @@ def decide(claim: DegreeStatement, dimension: int, polynomial: bool) -> Finding:
             else lower_degrees([j for j in part.reduced if not j.is_zero], part.parameter)
         )
         return held_against(claim, DegreeFound(part.generic, _grading(part.true)), lower, part.cancelled)
-    return _lowest(claim, found)
+    return _lowest(claim, reduction)
 
 
 def _counted(claim: DegreeStatement) -> Parameter:
@@ -123,25 +123,25 @@ def lower_degrees(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -
     generic = generic_degree(jets, parameter)
     parts = [part for jet in jets for part in graded(jet, parameter)]
     suspects = {d for part in parts for d, _ in true_degree(part, parameter).lower}
-    found = {d: degree_at(jets, d, parameter) for d in sorted(suspects)}
-    return {d: n for d, n in found.items() if n != generic.at(dict.fromkeys(generic.names, d))}
+    degrees = {d: degree_at(jets, d, parameter) for d in sorted(suspects)}
+    return {d: n for d, n in degrees.items() if n != generic.at(dict.fromkeys(generic.names, d))}
 
 
-def _lowest(claim: DegreeStatement, found: Reduction) -> Finding:
+def _lowest(claim: DegreeStatement, reduction: Reduction) -> Finding:
     """The value in lowest terms; of a ruled surface directrix and generator over one denominator."""
     parameter = _counted(claim)
-    computed = found.main.generic_lowest if len(found.parts) == 1 else joined_degree(found, parameter)
-    order = max(part.core[0].ring.order for part in found.parts)
-    jets = [jet for jet in found.joined if not jet.is_zero]
+    computed = reduction.main.generic_lowest if len(reduction.parts) == 1 else joined_degree(reduction, parameter)
+    order = max(part.core[0].ring.order for part in reduction.parts)
+    jets = [jet for jet in reduction.joined if not jet.is_zero]
     lower = lower_degrees(jets, parameter)
     for d in range(claim.least_d, order):
-        *tops, bottom = truncated(found.joined, d, parameter)
+        *tops, bottom = truncated(reduction.joined, d, parameter)
         cut = [jet for jet in (*tops, bottom) if not jet.is_zero]
         vanishes = all(jet.is_zero for jet in tops)
         n = -1 if vanishes else degree_at(without_content(cut), d, parameter)
         if n != computed.at(dict.fromkeys(computed.names, d)):
             lower[d] = n
-    return held_against(claim, DegreeFound(computed), lower, found.main.cancelled)
+    return held_against(claim, DegreeFound(computed), lower, reduction.main.cancelled)
 
 
 def held_against(

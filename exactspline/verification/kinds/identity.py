@@ -77,18 +77,18 @@ class Identity(Claim):
         if kind_of(self.curve).adjoins_roots:
             return equation.decide(jets_with_roots(equation.formulas, self.factor, dimension, polynomial=polynomial))
         c = jets_for(equation.formulas, dimension, polynomial=polynomial)
-        found = equation.decide(c)
-        if found.verdict == VACUOUS:
-            return found
+        finding = equation.decide(c)
+        if finding.verdict == VACUOUS:
+            return finding
         if all(x.is_zero for x in split(equation.right(c))[0]):
             return Finding(REFUTED, Fact.NOT_PROPORTIONAL, witness=Fact.RIGHT_SIDE_VANISHES)
         factor = factor_of(equation.left, equation.right, dimension, polynomial=polynomial)
         if factor is None:
             witness = self.refuted_on_examples().witness or Fact.POLYNOMIALS_NOT_PROPORTIONAL
             return Finding(REFUTED, Fact.NOT_PROPORTIONAL, witness=witness)
-        differ = found.computed is Fact.NOT_IDENTICAL
+        differ = finding.computed is Fact.NOT_IDENTICAL
         return replace(
-            found, computed=factor, factor=factor, witness=ExactQuotient(factor) if differ else found.witness
+            finding, computed=factor, factor=factor, witness=ExactQuotient(factor) if differ else finding.witness
         )
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
@@ -142,9 +142,9 @@ class Vanishing(Claim):
         roots = kind_of(self.curve).adjoins_roots
         jets = jets_with_roots((formula,), "1", dimension, polynomial=polynomial) if roots else None
         c = jets or jets_for((formula,), dimension, polynomial=polynomial)
-        found = self.equality.decide(c)
-        if roots or found.verdict != REFUTED:
-            return found
+        finding = self.equality.decide(c)
+        if roots or finding.verdict != REFUTED:
+            return finding
         rest = next(x for x in split(formula(c))[0] if not x.is_zero)
         witness = self.refuted_on_examples().witness or Fact.POLYNOMIAL_NOT_ZERO
         return Finding(REFUTED, Remainder(Jet(rest.ring, rest.top)), witness=witness)

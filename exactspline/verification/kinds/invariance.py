@@ -144,8 +144,8 @@ class Invariance(Claim):
         moved, expected = statement.sides(curve)
         short = sum(len(x.top) + len(x.bottom) for x in (*moved, *expected)) < SHORT
         factor = find_factor(moved, expected) if short and any(not x.is_zero for x in expected) else None
-        told = UnderMap(Name(name), factor)
-        return Finding(REFUTED, told, witness=self.refuted_on_examples().witness or told)
+        changed = UnderMap(Name(name), factor)
+        return Finding(REFUTED, changed, witness=self.refuted_on_examples().witness or changed)
 
     @property
     def tries_all(self) -> bool:
@@ -166,12 +166,12 @@ class Invariance(Claim):
             for segment in on_segments(kind, curve, order_of(formula, curve.dimension)):
                 statement = self._statement(formula, name, partial(_differs_under, Name(name), segment))
                 try:
-                    found = statement.decide(segment.argument, VERIFIED)
+                    finding = statement.decide(segment.argument, VERIFIED)
                 except VanishingDivisorError:
                     return vacuous(UndefinedAt(segment.interval))
-                if found.verdict == REFUTED:
-                    return found
-                nothing = nothing and found.verdict == VACUOUS
+                if finding.verdict == REFUTED:
+                    return finding
+                nothing = nothing and finding.verdict == VACUOUS
         return vacuous() if nothing else Finding(VERIFIED, Weight(self.under, self.weight))
 
     def _statement(self, formula: Formula, name: str, where: Callable[[Any], Evidence]) -> Changed:

@@ -76,12 +76,12 @@ class SignClaim(Claim):
         if value.is_zero:
             return vacuous()
         if squares:
-            found = SquaresAddUp(formula, squares, self.factor, self.sign.direction, self.find).decide(c)
-            if found.verdict == PROVED:
-                return self._strict([square(c) for square in squares]) if self.sign.strict else found
+            finding = SquaresAddUp(formula, squares, self.factor, self.sign.direction, self.find).decide(c)
+            if finding.verdict == PROVED:
+                return self._strict([square(c) for square in squares]) if self.sign.strict else finding
         refuted = self.refuted_on_examples()
-        told = Fact.OTHER_SQUARES if squares else Fact.NO_SQUARES
-        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=told)
+        reason = Fact.OTHER_SQUARES if squares else Fact.NO_SQUARES
+        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=reason)
 
     def _strict(self, squares: list[Any]) -> Finding:
         """One of the squares has no zero by assumption: neither it nor a factor."""

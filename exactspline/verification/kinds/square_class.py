@@ -58,10 +58,10 @@ class SquareClass(Claim):
         quotient = Quotients(self.formula, ((self.right, factor),))
         if factor is not None and not odd:
             return Finding(PROVED, Fact.SQUARE, quotient)
-        told = Fact.NOT_PROPORTIONAL if factor is None else OddPowers(odd)
+        difference = Fact.NOT_PROPORTIONAL if factor is None else OddPowers(odd)
         refuted = self.refuted_on_examples()
         verdict = REFUTED if refuted.verdict == REFUTED else UNDECIDED
-        return Finding(verdict, told, quotient, refuted.witness or told)
+        return Finding(verdict, difference, quotient, refuted.witness or difference)
 
     @property
     def asks_for_zeros(self) -> bool:

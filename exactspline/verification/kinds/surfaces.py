@@ -69,23 +69,23 @@ class SameSurface(Claim):
         for name, surface in ((self.left, a), (self.right, b)):
             if not isinstance(surface, RuledSurface):
                 raise ClaimError(f"{name!r} is not a ruled surface", where=self.key, remedy="name one")
-        found = self.equality.decide(c)
-        if found.verdict == VACUOUS:
-            return found
-        if found.verdict == REFUTED:
-            return replace(found, witness=self.refuted_on_examples().witness or found.witness)
-        rulings = found.factor
+        finding = self.equality.decide(c)
+        if finding.verdict == VACUOUS:
+            return finding
+        if finding.verdict == REFUTED:
+            return replace(finding, witness=self.refuted_on_examples().witness or finding.witness)
+        rulings = finding.factor
         assert isinstance(rulings, Rulings)
         bad, used = harmful(rulings.scale, self.assumes)
         also, others = ([], ()) if rulings.shift is None else harmful(_poles(rulings.shift), self.assumes)
         bad = list(dict.fromkeys([*bad, *also]))
-        return replace(found, computed=OneSurface(tuple(bad)), assumptions=tuple(dict.fromkeys([*used, *others])))
+        return replace(finding, computed=OneSurface(tuple(bad)), assumptions=tuple(dict.fromkeys([*used, *others])))
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""
-        found = self.equality.decide(argument, VERIFIED)
-        but = self._but(argument) if found.verdict == VERIFIED else None
-        return replace(found, computed=but) if but else found
+        finding = self.equality.decide(argument, VERIFIED)
+        but = self._but(argument) if finding.verdict == VERIFIED else None
+        return replace(finding, computed=but) if but else finding
 
     def residues(self, c: Evaluated) -> list[JetFraction]:
         """The vector products with a generator."""
@@ -152,9 +152,9 @@ class IsoCurve(Claim):
         """As quotients of differential polynomials."""
         reading = RationalJetReading(self.highest_derivative(dimension))
         c = reading.argument(self.find(self.left).kind, dimension, polynomial=polynomial)
-        found = self.equality.decide(c)
-        witness = self.refuted_on_examples().witness if found.verdict == REFUTED else None
-        return replace(found, witness=witness or found.witness)
+        finding = self.equality.decide(c)
+        witness = self.refuted_on_examples().witness if finding.verdict == REFUTED else None
+        return replace(finding, witness=witness or finding.witness)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The plane curve and the directrix, compared as quotients."""

@@ -70,9 +70,9 @@ class TypeClaim(Claim):
             always = ValueType.POLYNOMIAL
         if always == ValueType.POLYNOMIAL:
             return self._found(always, Fact.DENOMINATOR_DIVIDES_OUT)
-        for name, found in self._types_of_examples(dimension, polynomial):
-            if found == always:
-                return self._found(always, TypeOnExample(found, Name(name), not rooted))
+        for name, type_there in self._types_of_examples(dimension, polynomial):
+            if type_there == always:
+                return self._found(always, TypeOnExample(type_there, Name(name), not rooted))
         if self.claimed == ValueType.NOT_RATIONAL and not rooted:
             return self._found(always, Fact.MADE_BY_ARITHMETIC)
         return Finding(UNDECIDED, witness=Fact.NO_CURVE_OF_THIS_TYPE)
@@ -109,7 +109,7 @@ class TypeClaim(Claim):
 
         Raises `VanishingDivisorError` where the formula does not exist.
         """
-        formula, found = self.find(self.formula), ValueType.POLYNOMIAL
+        formula, type_here = self.find(self.formula), ValueType.POLYNOMIAL
         for segment in on_segments(kind_of(self.curve), curve, self.highest_derivative(curve.dimension)):
             components = split(joined(formula(segment.argument)))[0]
             here = [_type_of(x) for x in components]
@@ -117,8 +117,8 @@ class TypeClaim(Claim):
                 return ValueType.NOT_RATIONAL
             if None in here:
                 return None
-            found = ValueType.RATIONAL if ValueType.RATIONAL in here else found
-        return found
+            type_here = ValueType.RATIONAL if ValueType.RATIONAL in here else type_here
+        return type_here
 
     @property
     def tries_all(self) -> bool:
@@ -133,17 +133,17 @@ class TypeClaim(Claim):
         if isinstance(own.curve, Operands):
             return left(Fact.NO_COMMON_KNOTS)
         try:
-            found = self.type_on(own.curve)
+            type_here = self.type_on(own.curve)
         except VanishingDivisorError:
             return vacuous(Fact.NO_VALUE)
-        if found is None:
+        if type_here is None:
             return Finding(UNDECIDED, witness=Fact.ROOT_IS_RATIONAL)
-        if found == self.claimed:
-            return Finding(VERIFIED, OfType(found))
+        if type_here == self.claimed:
+            return Finding(VERIFIED, OfType(type_here))
         order = list(ValueType)
-        if order.index(found) < order.index(self.claimed):
-            return inapplicable(TypeHere(found, special=True), OfType(found))
-        return Finding(REFUTED, OfType(found), witness=TypeHere(found))
+        if order.index(type_here) < order.index(self.claimed):
+            return inapplicable(TypeHere(type_here, special=True), OfType(type_here))
+        return Finding(REFUTED, OfType(type_here), witness=TypeHere(type_here))
 
 
 def _coefficients(value: Any) -> list[Any]:

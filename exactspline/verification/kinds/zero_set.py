@@ -69,9 +69,11 @@ class ZeroSet(Claim):
             as_they_come = [
                 factor_of_numerators(formulas[0], other, dimension, polynomial=polynomial) for other in formulas[1:]
             ]
-            told = [harmful(factor, self.assumes) for factor in (*factors, *as_they_come) if factor is not None]
-            if not any(bad for bad, _ in told):
-                used = tuple(dict.fromkeys(name for _, names_used in told for name in names_used))
+            harmful_parts = [
+                harmful(factor, self.assumes) for factor in (*factors, *as_they_come) if factor is not None
+            ]
+            if not any(bad for bad, _ in harmful_parts):
+                used = tuple(dict.fromkeys(name for _, names_used in harmful_parts for name in names_used))
                 return Finding(PROVED, Fact.ONE_ZERO_SET, quotients, assumptions=used)
         refuted = self.refuted_on_examples()
         if refuted.verdict == REFUTED:
