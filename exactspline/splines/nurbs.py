@@ -129,8 +129,8 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     >>> arc == arc.insert_knot("1/3").elevate_degree(), arc == arc.reverse()
     (True, False)
 
-    Raises `ShapeError`, `KnotError`, `NumberError` with the place at fault, and `WeightError` when the denominator has
-    a zero on the domain, with the parameter (or an interval around it) as witness.
+    Raises `ShapeError`, `KnotError`, `NumberError` with the place of the error, and `WeightError` when the denominator
+    has a zero on the domain, with the parameter (or an interval around it) as witness.
     """
 
     degree: int
