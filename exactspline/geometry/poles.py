@@ -17,8 +17,8 @@ from exactspline.errors import ShapeError
 from exactspline.formulas.lifted import critical_curvature_lifted, inflections_lifted, tangent_lifted_squared
 from exactspline.geometry.analysis import Analysis, analyse
 from exactspline.geometry.derived import Derived, Piece
-from exactspline.geometry.facts import Feature
 from exactspline.geometry.joints import Joint
+from exactspline.geometry.kinds import Feature
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational

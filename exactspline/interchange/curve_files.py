@@ -15,15 +15,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError, as_path, as_text
+from exactspline.errors import CurveFileError, as_path, as_text
 from exactspline.interchange.json_files import (
     CURVE,
     MAX_BYTES,
     check_fields,
+    from_file,
     json_object,
     number_of,
     points_of,
-    text_of_file,
     whole_degree,
     written_point,
 )
@@ -44,11 +44,7 @@ def read_curve(path: str | os.PathLike[str]) -> Nurbs:
     Raises `CurveFileError` (file missing, a directory, unreadable, too large, not JSON; a field missing or unknown) or
     the error for an invalid field, preceded by the name of the file.
     """
-    place, text = text_of_file(path)
-    try:
-        return curve_from_text(text, place.stem)
-    except ExactSplineError as error:
-        raise error.at(f"{place}: ") if error.where.startswith("[") else error.at(str(place)) from None
+    return from_file(path, curve_from_text)
 
 
 def curve_from_text(text: str, name: str = "") -> Nurbs:

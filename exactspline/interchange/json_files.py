@@ -5,14 +5,16 @@ from __future__ import annotations
 import json
 import os
 import stat
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import NoReturn, cast
+from typing import NoReturn, TypeVar, cast
 
-from exactspline.errors import CurveFileError, NumberError, as_text
+from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_text
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.exact import text as text_of
 from exactspline.splines.control_points import Direction
+
+T = TypeVar("T")
 
 #: The fields of a curve and of a surface.
 REQUIRED = ("degree", "knots", "control_points")
@@ -22,7 +24,7 @@ CURVE, SURFACE = "a curve", "a surface"
 MAX_BYTES = 8 * 1024 * 1024
 
 
-def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
+def _text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
     """The text of a file, and its path.
 
     Raises `CurveFileError` for a file that is missing, a directory, unreadable or too large.
@@ -44,6 +46,18 @@ def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
             where=str(place),
             remedy="name a file, or an example (see `exactspline list curves`)",
         ) from None
+
+
+def from_file(path: str | os.PathLike[str], read: Callable[[str, str], T]) -> T:
+    """What a file holds, read from its text and its name by `read`, whose errors are given the file's place.
+
+    Raises `CurveFileError` for a file that is missing, a directory, unreadable or too large.
+    """
+    place, text = _text_of_file(path)
+    try:
+        return read(text, place.stem)
+    except ExactSplineError as error:
+        raise error.at(f"{place}: ") if error.where.startswith("[") else error.at(str(place)) from None
 
 
 def json_object(text: str, remedy: str) -> dict[str, object]:

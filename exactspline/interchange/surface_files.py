@@ -15,10 +15,10 @@ from exactspline.interchange.curve_files import write_json
 from exactspline.interchange.json_files import (
     SURFACE,
     check_fields,
+    from_file,
     json_object,
     number_of,
     points_of,
-    text_of_file,
     whole_degree,
     written_point,
 )
@@ -36,11 +36,7 @@ def read_surface(path: str | os.PathLike[str]) -> NurbsSurface:
     Raises `CurveFileError` (file missing, a directory, unreadable, too large, not JSON; a field missing or unknown) or
     the error for an invalid field, preceded by the name of the file.
     """
-    place, text = text_of_file(path)
-    try:
-        return surface_from_text(text, place.stem)
-    except ExactSplineError as error:
-        raise error.at(f"{place}: ") if error.where.startswith("[") else error.at(str(place)) from None
+    return from_file(path, surface_from_text)
 
 
 def surface_from_text(text: str, name: str = "") -> NurbsSurface:

@@ -11,8 +11,7 @@ import pytest
 import exactspline
 from exactspline.classroom.answers import Finding as StudentFinding
 from exactspline.classroom.differences import Difference
-from exactspline.display.evidence import worded, words
-from exactspline.display.evidence.general import FACTS
+from exactspline.display.evidence import FACTS, worded, words
 from exactspline.display.ledger import found, row_data, witness
 from exactspline.errors import ExactSplineError
 from exactspline.interchange.examples import example, example_names

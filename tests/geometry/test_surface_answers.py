@@ -19,6 +19,7 @@ from exactspline.geometry.surface.umbilics import UmbilicKind
 from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.numbers.exact import mpq
 from exactspline.splines.surface import Along
+from tests.support.sampled import sample
 from tests.support.surface_oracle import forms, gaussian_curvature, shape_operator, umbilicity
 
 BIQUADRATIC = [0] * 3 + [1] * 3
@@ -288,7 +289,7 @@ def test_curves_without_tangent_planes_are_told_and_are_not_parabolic():
 # ---- against the oracle
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", sample(range(5), 2))
 @pytest.mark.parametrize("weights", [False, True])
 def test_the_sign_of_the_curvature_at_sampled_points(seed, weights):
     surface = seeded(seed, 2, weights)
@@ -371,7 +372,7 @@ def test_no_umbilic_is_found_that_was_not_certified(surface):
         assert umbilicity(surface, u * 0.97, v, float) > 1e-9
 
 
-@pytest.mark.parametrize("seed", [0, 1, 3, 6])
+@pytest.mark.parametrize("seed", sample([0, 1, 3, 6], 2))
 def test_singular_points_and_nodes_of_the_parabolic_curve(seed):
     surface = seeded(seed)
     found = inspect_surface(surface)

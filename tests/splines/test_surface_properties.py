@@ -27,7 +27,7 @@ from tests.support.strategies import (
 )
 
 #: Every example of these looks at every patch at many places.
-FEWER = settings(max_examples=40)
+FEWER = settings(max_examples=20)
 
 # ---- what is printed is the function
 

@@ -265,7 +265,7 @@ def test_generators_lose_any_factor():
     part = reduce(surface, dimension=3).main
     assert part.role == GENERATOR
     assert part.text == "D1"
-    assert "may have roots" in next(p.meaning for p in part.powers if p.name.startswith("("))
+    assert "may have zeros" in next(p.meaning for p in part.powers if p.name.startswith("("))
 
 
 @pytest.mark.parametrize(

@@ -35,7 +35,7 @@ class Existence(Claim):
     definition: Name = field(metadata=read(formula_name))
 
     def kind_of_field(self, name: str) -> Kind:
-        """A definition may have roots."""
+        """A definition may have zeros."""
         own = super().kind_of_field(name)
         if name != "definition" or type(own) is not CurveKind or own.constants:
             return own
