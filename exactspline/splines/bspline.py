@@ -68,7 +68,7 @@ class _Parts:
     _points: tuple[mpq, ...] | None
 
 
-class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
+class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
     """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
 
     `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump).

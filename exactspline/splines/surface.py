@@ -126,7 +126,7 @@ class Along(StrEnum):
         return 0 if self is Along.U else 1
 
 
-class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
+class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     """A polynomial or rational tensor-product B-spline surface with exact data.
 
     ``control_points[i][j]`` with i along u and j along v: Cartesian, all of one dimension, or a `Direction`; `weights`
