@@ -30,6 +30,7 @@ WRITTEN = (
     "surfaces",
     "bisectors",
     "conditioning",
+    "approximated",
     "certified-filter",
     "scoreboard",
 )
