@@ -140,6 +140,7 @@ WAYS = {
     "geometry/derived.py: torsion_function": "torsion as a function",
     "geometry/joints.py: Joint.same_curvature": "a comparison",
     "geometry/joints.py: curvature_of": "curvature of one side of a knot, from its derivatives",
+    "geometry/poles.py: BetweenPoles.curvature_extrema": "the extrema of the pieces between poles, joined",
     "geometry/space_features.py: SpaceFacts.reduced_torsion": "what torsion(curve, t) evaluates",
     "geometry/space_features.py: SpaceFacts.torsion_numerator": "a form, whose zeros are asked for",
     "geometry/space_features.py: torsion_zeros": "the answer of the question torsion_zeros",
@@ -184,6 +185,9 @@ BARE_LISTS = {
     "geometry/plane_features.py: inflections": "the points of an entry's answer, which adds the pieces",
     "geometry/space_features.py: critical_points": "the points of an entry's answer, which adds the pieces",
     "geometry/space_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
+    "geometry/poles.py: BetweenPoles.curvature_extrema": "the points of the pieces between poles, joined",
+    "geometry/poles.py: BetweenPoles.inflections": "the points of the pieces between poles, joined",
+    "geometry/poles.py: BetweenPoles.singular_points": "the points of the pieces between poles, joined",
     "geometry/space_features.py: torsion_zeros": "the points of an entry's answer, which adds the pieces",
     "geometry/surface/merged.py: merged_places": "the points of an entry's answer, which adds the parts of patches",
     "geometry/surface/merged.py: merged_umbilics": "the points of an entry's answer, which adds the parts of patches",
@@ -219,9 +223,9 @@ ROUNDED = {
     "geometry/balls.py: degrees": "digits that are shown",
     "geometry/floats.py: place_of": "rounds to a double, on request",
     "geometry/many_curves.py: _double": "the certified filter",
-    "geometry/many_curves.py: _operands": "the certified filter",
+    "geometry/many_curves.py: scaled_operands": "the certified filter",
     "interchange/rhino_process.py: _hex": "doubles of a file, bit by bit",
-    "programs/doubles.py: _bounded": "the certified filter",
+    "programs/doubles.py: bounded_by": "the certified filter",
     "programs/doubles.py: _carried_out": "the certified filter",
     "polynomials/doubles.py: ordinates": "a guess, certified afterwards",
     "verification/conditioning/search.py: search_witnesses": "chooses by a seed",
@@ -289,7 +293,7 @@ UNBOUNDED = {
     "splines/lowest_terms.py: primitive": "integers",
     "splines/blossom.py: common_forms": "integers",
     "splines/tensor_lowest_terms.py: in_lowest_terms": "integers",
-    "verification/minimality.py: _bezout": "modulo a prime, in one variable",
+    "verification/minimality.py: bezout_combination": "modulo a prime, in one variable",
 }
 
 
