@@ -29,6 +29,7 @@ WRITTEN = (
     "surfaces",
     "bisectors",
     "conditioning",
+    "approximated",
     "certified-filter",
     "scoreboard",
 )
