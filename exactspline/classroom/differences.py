@@ -1,4 +1,4 @@
-"""What is wrong in an answer, as data; `exactspline.display.evidence.classroom` puts it into words."""
+"""What is wrong in an answer, as data; `exactspline.display.evidence` puts it into words."""
 
 from __future__ import annotations
 

@@ -19,11 +19,10 @@ from exactspline.papers import all_formulas, find
 from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
-from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification import judges
-from exactspline.verification.check_arguments import beginning, with_hodograph
+from exactspline.verification.check_arguments import with_hodograph
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.curve_check import extra_zero, table_1_splines
 from exactspline.verification.degree_tables import construction_table, formula_degrees
@@ -32,7 +31,7 @@ from exactspline.verification.errata import check, unrecorded
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import At, AtKnot, Between, Fact, Isolated
 from exactspline.verification.generic_proof import factor_of, factor_of_numerators
-from exactspline.verification.kinds import Contact, Count, DegreeClaim, Existence, IsoCurve, SquareClass
+from exactspline.verification.kinds import Contact, Count, Existence, IsoCurve, SquareClass
 from exactspline.verification.kinds.coefficients import Coefficients, is_decided
 from exactspline.verification.kinds.condition import place_of_root
 from exactspline.verification.kinds.identity import Identity, Vanishing
@@ -197,21 +196,6 @@ def test_a_curve_with_the_name_of_an_example_is_none():
     assert told.as_recorded
     own = checked(one, Evaluation(example("circle")), "circle", Proofs())
     assert (own.verdict, own.expected) == (VERIFIED, (VERIFIED,))
-
-
-def test_a_profile_is_taken_inside_the_domain():
-    """Two curves over [0, 2] and [5, 8]: lines of either parameter are at a parameter of the other."""
-    first, second = (
-        beginning(Nurbs(3, [a] * 4 + [b] * 4, [(0, 0, 0), (1, 2, 3), (4, 1, 7), (a, 8, 1)], [1, 2, 5, 3]))
-        for a, b in ((0, 2), (5, 8))
-    )
-    value = find("bisector_determinant_symmetric")(surface_pair(first, second))
-    assert not value.is_zero
-    degrees = [c for c in all_claims() if isinstance(c, DegreeClaim) and c.of_pair]
-    assert {one.parameter for one in degrees} == {"s", "s̄"}
-    for one in degrees:
-        line = value.at_t(5 + mpq(6, 7)) if one.parameter == "s" else value.at_s(mpq(4, 7))
-        assert split(one._profile(value))[0] == split(line)[0]
 
 
 def test_contact_of_too_high_an_order_is_refuted_with_the_true_one():

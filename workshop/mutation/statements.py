@@ -1,8 +1,8 @@
-"""``python -m workshop.mutation.statements``: every printed statement of a paper, changed on purpose, and what the
-ledger says of it then.
+"""``python -m workshop.mutation.statements``: every printed statement of a paper is changed on purpose, and the ledger
+decides the changed statement.
 
-A statement is changed in what its claim says (a degree by one, an exponent, a sign, an index, its type, two sides
-exchanged, a condition dropped) or in the formula that it prints, where it alone gets the changed copy: a sign, an order
+A statement is changed in its claim (a degree by one, an exponent, a sign, an index, its type, two sides exchanged, a
+condition dropped) or in the formula that it prints, where only this statement uses the changed copy: a sign, an order
 of derivative, an operand, a term. The claims decide, first that of the statement. A change after which its verdict is
 the same must say the same (equal in the jets and in naive degrees), or something else that is true and proved; what
 remains is *open*. A statement that is false as it is printed may stay false.
@@ -47,11 +47,13 @@ RECORD = Path(__file__).with_name("statements.jsonl")
 PAGE = ROOT / "docs" / "mutation.md"
 #: Between these lines of the page stands the table.
 BEGIN, END = "<!-- written by python -m workshop.mutation.statements --record -->\n", "<!-- end of statements -->\n"
-SEED, EACH, SECONDS = 20, 4, 40
+SEED, EACH, SECONDS = 20, 3, 40
 #: The fields in which a claim names formulas.
 NAMED = ("left", "right", "formula", "formulas")
-#: What a printed entry has beside what it claims.
+#: The fields of a printed entry in addition to its claim.
 BESIDE = ("words", "place", "error", "vacuous", "witness", "note", "expected", "section")
+#: What is assumed of every curve, and is no condition of the statement.
+CONVENTIONS = ("w", "γ′")
 #: Kinds of changes of formulas by those of mutants.
 KIND = {"operand": "symbols exchanged", "order": "derivative", "operation": "operation", "dropped": "term dropped"}
 VERDICTS = (
@@ -108,7 +110,8 @@ def _of_claimed(key: str, entry: dict[str, Any]) -> Iterator[Change]:
     for match in re.finditer(r"(?<![a-z])\d+", claimed) if entry["kind"] in ("degree", "count") else ():
         for by in (1, -1):
             new = f"{claimed[: match.start()]}{max(int(match[0]) + by, 0)}{claimed[match.end() :]}"
-            yield Change(key, kind, f"{claimed} → {new}", {"claimed": new})
+            if new != claimed:
+                yield Change(key, kind, f"{claimed} → {new}", {"claimed": new})
     if entry["kind"] == "degree":
         for new, said in ((f"{claimed} + 1", "degree"), (f"{claimed} − 1", "degree")):
             yield Change(key, said, f"{claimed} → {new}", {"claimed": new})
@@ -123,6 +126,8 @@ def _of_claimed(key: str, entry: dict[str, Any]) -> Iterator[Change]:
             if value != claimed:
                 yield Change(key, "type", f"{claimed} → {value}", {"claimed": str(value)})
     for each in entry.get("assumes", ()):
+        if each in CONVENTIONS:
+            continue
         rest = [one for one in entry["assumes"] if one != each]
         yield Change(key, "condition", f"without {each}", {"assumes": rest})
     if entry["kind"] in ("condition", "same surface", "iso-curve", "identity") and "right" in entry:
@@ -141,8 +146,8 @@ def _of_factor(key: str, entry: dict[str, Any]) -> Iterator[Change]:
     for i, (name, exponent) in enumerate(parts):
         for by in (1, -1) if name[0].isalpha() else ():
             new = [*parts[:i], (name, exponent + by), *parts[i + 1 :]]
-            told = " ".join(f"{n}^{k}" for n, k in new if k) or "1"
-            yield Change(key, "exponent", f"factor {text} → {told}", {"factor": told})
+            changed_text = " ".join(f"{n}^{k}" for n, k in new if k) or "1"
+            yield Change(key, "exponent", f"factor {text} → {changed_text}", {"factor": changed_text})
     if entry.get("of") != "polynomial" and entry.get("curve") != "table":
         for power in (1, -1):
             yield Change(key, "exponent", f"factor {text} → {text} w^{power}", {"factor": f"{text} w^{power}"})
@@ -175,9 +180,9 @@ def _of_formulas(key: str, entry: dict[str, Any]) -> Iterator[Change]:
             for number, (_, (kind, says, new)) in enumerate(changes(node)):
                 if isinstance(new, ast.Name) and not _is_known(new.id, formula):
                     continue
-                told = KIND.get(kind, kind)
-                told = "derivative" if kind == "constant" and _is_order(node, number) else told
-                yield Change(key, told, f"{name}: {says} (change {number})", {}, f"{side} {name}", number)
+                changed_text = KIND.get(kind, kind)
+                changed_text = "derivative" if kind == "constant" and _is_order(node, number) else changed_text
+                yield Change(key, changed_text, f"{name}: {says} (change {number})", {}, f"{side} {name}", number)
 
 
 def _is_known(name: str, formula: Formula) -> bool:
@@ -194,7 +199,7 @@ def _is_order(node: ast.FunctionDef, number: int) -> bool:
 
 
 def _formula(name: str) -> Formula | None:
-    """The formula of the paper with that name, where it stands as a function of its own in a file of the library."""
+    """The formula of the paper with that name, where it is a separate function in a file of the library."""
     try:
         found = paper(PAPER).find(name)
         node_of(found.function.__module__.replace(".", "/") + ".py", found.function.__name__)
@@ -238,10 +243,10 @@ def changed_claim(change: Change) -> Claim:
 
 
 def _read(source: Paper, place: str, entry: dict[str, Any]) -> Claim:
-    """An entry as a claim that is recorded as refuted, so that no proof is wanted where a curve refutes it."""
+    """An entry as a claim that is recorded as refuted, so that no proof is required where a curve refutes it."""
     begin = re.sub(r"[ .]+", "", str(entry["id"]))
-    told = {"status": "ours", "expected": "REFUTED", "key": f"{begin}-{entry['kind']}".replace(" ", "-")}
-    return claim_of(Table(place, entry | told), source)
+    changed_text = {"status": "ours", "expected": "REFUTED", "key": f"{begin}-{entry['kind']}".replace(" ", "-")}
+    return claim_of(Table(place, entry | changed_text), source)
 
 
 def _renamed(names: Any, name: str, other: str) -> Any:
@@ -279,10 +284,10 @@ def judge(change: Change) -> Result:
     before = next(claim for claim in claims_of(PAPER) if claim.key == change.claim)
     try:
         claim = changed_claim(change)
-    except ClaimError as error:
+        # without a condition it must hold on every curve that there is, cusps and flat points included
+        after = verdict(claim, example_names() if "assumes" in change.fields else CURVES)
+    except (ClaimError, TypeError, AttributeError, IndexError) as error:  # a vector less a number
         return {"verdict": "refused", "by": str(error)[:120]}
-    # without a condition it must hold on every curve that there is, cusps and flat points included
-    after = verdict(claim, example_names() if "assumes" in change.fields else CURVES)
     if after != before.expected:
         return {"verdict": "killed", "by": str(after)}
     if after == Verdict.REFUTED:
