@@ -25,16 +25,8 @@ from .reals.real import square_root as square_root
 # files and examples
 from .interchange.files import read as read
 from .interchange.files import write as write
-from .interchange.curve_files import curve_from_text as curve_from_text
-from .interchange.curve_files import save as save
-from .interchange.surface_files import save_surface as save_surface
-from .interchange.surface_files import surface_from_text as surface_from_text
 from .interchange.examples import example as example
-from .interchange.examples import example_names as example_names
-from .interchange.examples import example_surface as example_surface
-from .interchange.examples import example_surface_names as example_surface_names
-from .interchange.examples import load as load
-from .interchange.examples import load_surface as load_surface
+from .interchange.examples import examples as examples
 
 # evaluation
 from .roots.values import at as at
@@ -50,14 +42,10 @@ from .roots.zero_set import ZeroSet as ZeroSet
 from .roots.zero_set import zeros as zeros
 from .roots.root import Root as Root
 from .certificates import check_certificate as check_certificate
-from .geometry.zero_forms import zero_form as zero_form
 
 # analysis
 from .geometry.analysis import analyse as analyse
 from .geometry.inspection import Approach as Approach
-from .geometry.inspection import inspect_curve as inspect_curve
-from .geometry.surface.inspection import inspect_surface as inspect_surface
-from .geometry.surface.planar_maps import jacobian_sign as jacobian_sign
 from .geometry.many_splines import features_of_curves as features_of_curves
 from .geometry.many_curves import features_of_many as features_of_many
 from .batch.oracle import oracle as oracle
@@ -73,7 +61,6 @@ from .geometry.constructions import Variant as Variant
 from .geometry.constructions import construction as construction
 from .geometry.ruled_surfaces import ruled_surface as ruled_surface
 from .geometry.bisector.any_pair import bisector as bisector
-from .geometry.bisector.trimmed import trimmed_bisector as trimmed_bisector
 
 # pictures
 from .display.plot.anything import plot as plot

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 #: From the name of a format (``html``, ``latex``, ``short``, ``words``) and an object to a text, None where there is
 #: none.
@@ -25,7 +25,9 @@ def set_printers(printers: Printers) -> None:
 
 def set_functions(names: Iterable[str]) -> None:
     """Let the errors of missing methods name these functions of the front door."""
-    _functions.update(names)
+    for name in names:
+        _functions.add(name)
+        setattr(FunctionsOutside, name, _FunctionOutside(name))
 
 
 class Writer(Protocol):
@@ -59,15 +61,31 @@ class Worded:
         return _printers[0]("words", self) or repr(self)
 
 
+class _FunctionOutside:
+    """An attribute that there is not, and a function of its name that there is."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def __get__(self, instance: object, owner: type) -> object:
+        """Refuse it, naming the function."""
+        problem = f"{owner.__name__!r} object has no attribute {self.name!r}"
+        raise AttributeError(f"{problem}; use the function exactspline.{self.name}", name=self.name, obj=instance)
+
+
 class FunctionsOutside:
-    """An object that functions of the front door take: ``exactspline.plot(curve)``, not ``curve.plot()``."""
+    """An object that functions of the front door take: ``exactspline.plot(curve)``, not ``curve.plot()``. The last of
+    the bases, so that its attributes come after all others.
+
+    There is no ``__getattr__``: with one, every attribute of a class is found more slowly.
+    """
 
     __slots__ = ()
 
-    if not TYPE_CHECKING:  # checkers know what there is
+    def __dir__(self) -> list[str]:
+        missing = {name for name in _functions if isinstance(_found(type(self), name), _FunctionOutside)}
+        return [name for name in super().__dir__() if name not in missing]
 
-        def __getattr__(self, name):
-            """Refuse an attribute that there is not, naming the function of that name."""
-            problem = f"{type(self).__name__!r} object has no attribute {name!r}"
-            remedy = f"; use the function exactspline.{name}" if name in _functions else ""
-            raise AttributeError(problem + remedy, name=name, obj=self)
+
+def _found(owner: type, name: str) -> object:
+    return next((each.__dict__[name] for each in owner.__mro__ if name in each.__dict__), None)

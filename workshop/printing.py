@@ -18,8 +18,8 @@ VERSION = 2
 def add_formats(parser: argparse.ArgumentParser) -> None:
     """Add the options that choose the format."""
     formats = parser.add_mutually_exclusive_group()
-    for name, told in (("json", "JSON (see schema.json)"), ("csv", "comma-separated values"), ("markdown", "Markdown")):
-        formats.add_argument(f"--{name}", dest="format", action="store_const", const=name, help=f"print {told}")
+    for name, form in (("json", "JSON (see schema.json)"), ("csv", "comma-separated values"), ("markdown", "Markdown")):
+        formats.add_argument(f"--{name}", dest="format", action="store_const", const=name, help=f"print {form}")
     parser.add_argument("-q", "--quiet", action="store_true", help="no progress bar, no comments")
 
 

@@ -21,6 +21,7 @@ BUILD = PROJECT / "build" / "site"
 #: The pages that are written by hand, in reading order.
 WRITTEN = (
     "first-hour",
+    "concepts",
     "teaching",
     "what-is-trusted",
     "ten-claims",

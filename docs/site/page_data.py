@@ -103,7 +103,7 @@ def surfaces() -> list[dict[str, Any]]:
     caption = "All points as far from one line as from the other: a hyperbolic paraboloid."
     made.append(_turned("lines", "The bisector of two lines", caption, [Scene("", saddle, list(map(_runs, lines)))]))
     for name, title in TITLES.items():
-        found = xs.inspect_surface(xs.example_surface(name))
+        found = xs.analyse(xs.example(name))
         caption = "Where the Gaussian curvature is positive, and where negative; lines of curvature, umbilics."
         made.append({"name": name, "title": title, "caption": caption, "scenes": [inspected_scene(found)]})
     return made
@@ -132,7 +132,7 @@ def claims() -> list[dict[str, Any]]:
 
 def _witness(found: Evidence | None) -> xs.Nurbs | None:
     """The plane example curve that a witness names."""
-    if not isinstance(found, OnExample) or found.surface or found.name not in xs.example_names():
+    if not isinstance(found, OnExample) or found.surface or found.name not in xs.examples("curves"):
         return None
     curve = xs.example(found.name)
     return curve if curve.dimension == 2 else None

@@ -9,6 +9,7 @@ import sys
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from itertools import groupby
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -37,12 +38,12 @@ DRAWN = {
 
 
 def reference(folder: Path) -> list[str]:
-    """A page a topic: the names of the front door under the headings that they have there."""
+    """One page per topic: the names of the front door under the headings of its stub, then those of each room."""
     folder.mkdir(parents=True, exist_ok=True)
     pages = []
     for number, (heading, names) in enumerate(topics().items(), 1):
         title = heading.capitalize()
-        blocks = [f"# {title}", *(_documented(name) for name in names)]
+        blocks = [f"# {title}", *map(_documented, names)]
         page = f"reference/{number:02}-{'-'.join(re.findall('[a-z]+', heading.lower()))}"
         (folder.parent / f"{page}.md").write_text("\n\n".join(blocks) + "\n", encoding="utf-8")
         pages.append(page)
@@ -50,19 +51,24 @@ def reference(folder: Path) -> list[str]:
 
 
 def topics() -> dict[str, list[str]]:
-    """The front door as its source groups it: the comments are the headings."""
-    source = inspect.getsource(xs).partition("_HOMES = {")[2].partition("\n}")[0]
+    """The front door as its stub groups it: the comments are the headings; then the rooms that it names."""
     found: dict[str, list[str]] = {}
-    for line in map(str.strip, source.splitlines()):
+    rooms: list[str] = []
+    for line in Path(xs.__file__).with_name("__init__.pyi").read_text(encoding="utf-8").splitlines():
+        words = line.split()
         if line.startswith("# "):
             names = found.setdefault(line[2:], [])
-        elif line.startswith('"'):
-            names.append(line.split('"')[1])
-    return found
+        elif line.startswith("from . import"):
+            rooms.append(words[-1])
+        elif line.startswith("from "):
+            names.append(words[-1])
+    for room in rooms:
+        found[room] = [f"{room}.{name}" for name in getattr(xs, room).__all__]
+    return {heading: names for heading, names in found.items() if names}
 
 
 def _documented(name: str) -> str:
-    value = getattr(xs, name)
+    value = attrgetter(name)(xs)
     kind = "autoclass" if inspect.isclass(value) else "autofunction" if inspect.isroutine(value) else "autodata"
     options = "   :members:\n" if kind == "autoclass" else ""
     return f"## {name}\n\n```{{eval-rst}}\n.. {kind}:: exactspline.{name}\n{options}```"

@@ -78,6 +78,9 @@ class Line:
     #: How the certified filter decided; None where it was not used, and for lines that were read.
     way: Way | None = field(default=None, compare=False)
 
+    def __repr__(self) -> str:
+        return f"<Line {self.index}: {self.curve}>"
+
     def data(self) -> dict[str, object]:
         """The line as data, as `line_schema` describes it."""
         fields = {name: getattr(self, name) for name in DATA}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from exactspline.errors import ExactSplineError
+from exactspline.errors import ExactSplineError, counted
 from exactspline.geometry.analysis import QUESTIONS, analyse
 from exactspline.numbers.exact import mpq, rational, text
 from exactspline.numbers.intervals import rounded_outwards
@@ -39,6 +39,9 @@ class Answer:
     question: str
     items: tuple[Item, ...]
     certificates: tuple[dict[str, object], ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<Answer to {self.question}: {counted(len(self.items), 'item')}>"
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,9 @@ class Exercise:
     answer: Answer
     solution: tuple[Part, ...]
 
+    def __repr__(self) -> str:
+        return f"<Exercise {self.topic}, seed {self.seed}>"
+
 
 #: The result of one draw of a topic: task, answer and solution; or None if the numbers are not simple enough, and the
 #: draw is to be repeated.

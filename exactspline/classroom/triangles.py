@@ -55,6 +55,9 @@ class Triangle:
     knots: KnotVector | None = None
     made: tuple[Row, ...] = ()
 
+    def __repr__(self) -> str:
+        return f"<Triangle of {self.method}: degree {self.degree}>"
+
     @property
     def tip(self) -> Point:
         """The point at the parameter, in Cartesian coordinates: the only one of the last column of de Boor's triangle.

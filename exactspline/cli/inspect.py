@@ -191,7 +191,7 @@ def _inspected(read: Read, approach: str, digits: int, coordinates: bool) -> tup
     c = read.curve
     found = inspect_curve(c, "minimal" if approach == ALL else approach)
     with _ticking(sum(len(answer) for answer in found.answers.values() if isinstance(answer, Places))) as tick:
-        data = {"key": f"{c.name} in R{c.dimension}"} | read.data() | inspection_data(c, found, digits, tick)
+        data = {"key": f"{c.name} in R{c.dimension}"} | read.data() | inspection_data(c, found.approach, digits, tick)
     if coordinates:
         data["coordinate_extrema"] = coordinate_extrema_data(c, digits)
     if approach == ALL:

@@ -19,11 +19,15 @@ from exactspline.display.quotations import quoted
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import counted
+from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.derived import Derived
+from exactspline.geometry.surface.inspection import SurfaceInspection
+from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
+from exactspline.questions.entry import Of, questions_of
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
@@ -36,6 +40,8 @@ from exactspline.verification.statement import Side, Statement, latex_of, sides
 #: How many numbers of a list are written out, and the number of control points above which a spline is described
 #: instead.
 SHOWN, LONG = 8, 24
+#: Characters of an answer that a table of answers shows.
+LONGEST = 200
 #: Dots per inch of pictures in a notebook.
 RESOLUTION = 80
 
@@ -157,6 +163,30 @@ def _(d: Derived) -> str:
         f"{d.name}, {d.variant}",
         lines + [(f"missing on [{text(a)}, {text(b)}]", escape(reason.words)) for (a, b), reason in d.missing],
     )
+
+
+@html.register(Analysis)
+@html.register(SurfaceInspection)
+@html.register(MapInspection)
+def _(found: Any) -> str:
+    of = found.curve if isinstance(found, Analysis) else found.surface
+    lines = [
+        (name.replace("_", " "), escape(_cut(repr(entry.answer(found)))))
+        for name, entry in questions_of(type(found)).items()
+        if not entry.about.part_of and not entry.about.argument and _kind(found) in entry.about.of
+    ]
+    return facts(repr(of)[1:-1], lines, curve_picture(of) if isinstance(found, Analysis) else "")
+
+
+def _kind(found: Any) -> Of:
+    """What an analysis is of."""
+    if isinstance(found, Analysis):
+        return Of.SPACE_CURVE if found.in_space else Of.PLANE_CURVE
+    return Of.SURFACE if isinstance(found, SurfaceInspection) else Of.PLANAR_MAP
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]} …"
 
 
 def _piece(value: Any) -> str:

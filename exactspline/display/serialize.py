@@ -10,7 +10,7 @@ from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.derived import Derived
-from exactspline.geometry.inspection import Inspection
+from exactspline.geometry.inspection import Approach, inspect_curve
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
 from exactspline.geometry.planarity import Plane
@@ -119,22 +119,19 @@ def value_of(quantity: Callable[[Nurbs, Root, Side | str], Real], curve: Nurbs, 
 
 
 def inspection_data(
-    curve: Nurbs, inspection: Inspection, digits: int, tick: Callable[[], None] = lambda: None
+    curve: Nurbs, approach: Approach | str = Approach.MINIMAL, digits: int = 20, tick: Callable[[], None] = lambda: None
 ) -> dict[str, object]:
-    """The whole inspection as data, with each answer under the name of its question (see `answer_data`); `tick` is
-    called after every feature.
+    """What a curve has as data, its critical points by an approach, each answer under the name of its question (see
+    `answer_data`); `tick` is called after every feature.
+
+    Raises `ExactSplineError` for what is neither a plane nor a space curve, and for an unknown approach.
     """
     curve, digits = curve_of(curve), as_integer(digits, "a number of digits", 1)
     if not callable(tick):
         raise ShapeError(f"{a_kind(tick)}, where a function without arguments is expected", remedy="leave it out")
-    inspection = as_instance(inspection, Inspection, "an inspection", "give the result of exactspline.inspect_curve")
-    data: dict[str, Any] = {
-        "curve": curve.name,
-        "approach": inspection.approach,
-        "closed": curve.closed,
-        "digits": digits,
-    }
-    return data | {name: answer_data(curve, answer, digits, tick) for name, answer in inspection.answers.items()}
+    found = inspect_curve(curve, approach)
+    data: dict[str, Any] = {"curve": curve.name, "approach": found.approach, "closed": curve.closed, "digits": digits}
+    return data | {name: answer_data(curve, answer, digits, tick) for name, answer in found.answers.items()}
 
 
 def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], None] = lambda: None) -> object:

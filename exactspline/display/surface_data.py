@@ -59,8 +59,8 @@ INCOMPLETE = " – incomplete: see the rows that are undecided"
 def described_surface(surface: NurbsSurface) -> str:
     """A surface in one line.
 
-    >>> from exactspline import example_surface
-    >>> described_surface(example_surface("torus"))
+    >>> from exactspline import example
+    >>> described_surface(example("torus"))
     'rational, degree 2 × 2, 4 × 4 patches, 9 × 9 control points in R3'
     """
     (m, n), (rows, columns) = surface.degree, surface.patches

@@ -19,9 +19,9 @@ def surface_value_data(formula: Formula, surface: NurbsSurface, name: str) -> di
     """The value of a formula on a surface, exactly: a quotient in lowest terms by homogeneous control points ``(w f,
     w)``, a polynomial by its control points.
 
-    >>> from exactspline import example_surface
+    >>> from exactspline import example
     >>> from exactspline.papers import find
-    >>> data = surface_value_data(find("surfaces:gaussian_curvature"), example_surface("sphere"), "sphere")
+    >>> data = surface_value_data(find("surfaces:gaussian_curvature"), example("sphere"), "sphere")
     >>> data["degree"], data["homogeneous_control_net"][0][0]
     ([0, 0], ['1', '1'])
 

@@ -73,8 +73,11 @@ class Grid(Displayed):
         i = self.columns.index(column)
         return [row[i] for row in self.rows]
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         return self.sheet.text(console.width())
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} of {', '.join(self.columns)}: {counted(len(self.rows), 'row')}>"
 
     @property
     def sheet(self) -> Sheet:

@@ -6,6 +6,7 @@ threads may share it. An analysis is not part of the curve's value: it is not co
 from __future__ import annotations
 
 from threading import Lock
+from typing import TYPE_CHECKING, overload
 
 from exactspline.errors import ShapeError
 from exactspline.geometry import plane_features, space_features
@@ -16,6 +17,7 @@ from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
 from exactspline.geometry.space_features import SpaceFacts
+from exactspline.hooks import Displayed
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
@@ -25,11 +27,16 @@ from exactspline.roots.root import knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
+
+if TYPE_CHECKING:
+    from exactspline.geometry.surface.inspection import SurfaceInspection
+    from exactspline.geometry.surface.planar_maps import MapInspection
 
 _LOCK = Lock()
 
 
-class Analysis(SpaceFacts):
+class Analysis(SpaceFacts, Displayed):
     """Everything that can be computed of one curve in the plane or in space. Its questions are the entries of the
     registry (`exactspline.questions.entry.questions_of`).
 
@@ -41,6 +48,9 @@ class Analysis(SpaceFacts):
     >>> [f.kind.value for f in found.curvature_extrema], found.inflections, found.corners
     (['maximum', 'minimum', 'maximum', 'minimum'], nowhere, ())
     """
+
+    def __repr__(self) -> str:
+        return f"<Analysis of {self.curve!r}>"
 
     @property
     def in_space(self) -> bool:
@@ -268,15 +278,29 @@ class Analysis(SpaceFacts):
         return self.bending if self.in_space else self.zero_form("zero_curvature")
 
 
-def analyse(curve: Nurbs) -> Analysis:
-    """The analysis of a curve: made once, kept with the curve.
+@overload
+def analyse(given: Nurbs) -> Analysis: ...
+@overload
+def analyse(given: NurbsSurface) -> SurfaceInspection | MapInspection: ...
+def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapInspection:
+    """Everything that can be computed of a curve, of a surface in space, or of a map of a rectangle into the plane.
+    Each question is answered when it is first asked. The analysis of a curve is made once and kept with the curve.
 
     >>> from exactspline.interchange.examples import example
     >>> curve = example("cusp")
     >>> analyse(curve) is analyse(curve), [f.kind.value for f in analyse(curve).singular_points]
     (True, ['cusp'])
+    >>> analyse(example("ellipsoid"))
+    <SurfaceInspection of <NurbsSurface ellipsoid: rational, degree 2 × 2, 9 × 5 control points in R3>>
+
+    Raises `ShapeError` for anything else, and for a surface that is neither in space nor in the plane.
     """
-    curve = curve_of(curve)
+    if isinstance(given, NurbsSurface):
+        from exactspline.geometry.surface.inspection import SurfaceInspection
+        from exactspline.geometry.surface.planar_maps import MapInspection
+
+        return MapInspection(given) if given.dimension == 2 else SurfaceInspection(given)
+    curve = curve_of(given)
     with _LOCK:
         if curve._analysis is None:
             object.__setattr__(curve, "_analysis", Analysis(curve))

@@ -82,6 +82,9 @@ class Construction:
     #: The formula of the minimal form, where it is not the lifted one.
     lowest: str = ""
 
+    def __repr__(self) -> str:
+        return f"<Construction {self.name} of a {self.curve} curve>"
+
     @property
     def all_variants(self) -> tuple[Variant, ...]:
         """The names of the variants, the one of lowest degree last."""

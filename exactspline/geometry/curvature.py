@@ -31,6 +31,9 @@ class CurvaturePiece:
     value: Rational[BSpline] | BSpline | None
     reason: str = ""
 
+    def __repr__(self) -> str:
+        return f"<CurvaturePiece on [{self.interval[0]}, {self.interval[1]}]>"
+
 
 def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
     """Signed curvature (positive where the curve turns left), segment by segment, where it is rational up to a constant

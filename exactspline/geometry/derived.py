@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from exactspline.errors import FormulaError, ShapeError, shown
+from exactspline.errors import FormulaError, ShapeError, counted, shown
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import Absence, Construction, Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
@@ -35,6 +35,9 @@ class Piece:
     interval: Interval
     value: Any
 
+    def __repr__(self) -> str:
+        return f"<Piece on {_shown(self.interval)}>"
+
 
 @dataclass(frozen=True)
 class Derived(Displayed):
@@ -46,6 +49,9 @@ class Derived(Displayed):
     missing: tuple[tuple[Interval, Absence], ...]
     #: Whether it is a ruled surface; the values are then those of the directrix and the generator.
     ruled: bool = False
+
+    def __repr__(self) -> str:
+        return f"<Derived {self.name}, {self.variant}: {counted(len(self.pieces), 'piece')}>"
 
     @property
     def degree(self) -> int:

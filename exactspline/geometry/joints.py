@@ -55,6 +55,9 @@ class Joint:
     gap: Real | None = None
     curvatures: tuple[Real, Real] | None = None
 
+    def __repr__(self) -> str:
+        return f"<Joint at {self.parameter}: {self.kind}>"
+
     @property
     def tangent_continuous(self) -> bool:
         """Whether γ′ ≠ 0 on both sides, with the same direction."""

@@ -80,6 +80,9 @@ class Feature:
     by_jump: bool = False
     of_absolute: FeatureKind | None = None
 
+    def __repr__(self) -> str:
+        return f"<{self.kind} at {self.root.shortly()}{', by a jump' if self.by_jump else ''}>"
+
     @property
     def at_knot(self) -> bool:
         """Whether the parameter is a knot."""

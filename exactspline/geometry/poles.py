@@ -30,7 +30,7 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
-#: The digits to which a pole is known at first, and the most before two zeros are given up.
+#: The initial precision (digits) of a pole, and the refinement limit (digits) for separating two zeros.
 FIRST_DIGITS, MOST_DIGITS = 6, 4096
 
 

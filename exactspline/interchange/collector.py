@@ -9,6 +9,7 @@ from exactspline.interchange.limits import work
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 
 Points = Sequence[Sequence[mpq]]
 
@@ -19,18 +20,19 @@ class Collector:
     def __init__(self, format_name: str, source: Source) -> None:
         self.format, self.source, self.limits = format_name, source, source.limits
         self.curves: list[NamedCurve] = []
+        self.surfaces: list[NurbsSurface] = []
         self.skipped: list[Skipped] = []
         self._notes: dict[str, None] = {}
         self._objects = 0
 
     def reading(self) -> Reading:
         """Everything collected so far."""
-        return Reading(self.format, tuple(self.curves), tuple(self.skipped), tuple(self._notes))
+        return Reading(self.format, tuple(self.curves), tuple(self.skipped), tuple(self._notes), tuple(self.surfaces))
 
     def taken(self) -> Reading:
         """Everything collected since the last call."""
         collected = self.reading()
-        self.curves, self.skipped, self._notes = [], [], {}
+        self.curves, self.surfaces, self.skipped, self._notes = [], [], [], {}
         return collected
 
     def skip(self, what: str, where: str, why: str, *, curve: bool = True) -> None:
@@ -68,6 +70,8 @@ class Collector:
         name: str = "",
         notes: Sequence[str] = (),
         within: tuple[mpq, mpq] | None = None,
+        source: str | None = None,
+        note: str = "",
     ) -> None:
         """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`; `within` is the part of its
         domain that the file uses. Data that do not define a curve are recorded as skipped, with the reason.
@@ -76,11 +80,11 @@ class Collector:
         try:
             self.count(len(points) + len(knots))
             self._check(degree, knots, points, weights or ())
-            source = f"{self.source.name} {where}".strip()
+            source = f"{self.source.name} {where}".strip() if source is None else source
             if homogeneous:
-                curve = Nurbs.from_homogeneous(degree, knots, points, name=name, source=source)
+                curve = Nurbs.from_homogeneous(degree, knots, points, name=name, source=source, note=note)
             else:
-                curve = Nurbs(degree, knots, points, weights=weights, name=name, source=source)
+                curve = Nurbs(degree, knots, points, weights=weights, name=name, source=source, note=note)
             if within is not None and within != curve.domain:
                 curve = curve.restrict(*within)
         except ExactSplineError as error:

@@ -175,10 +175,10 @@ def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
     """Write a curve to a curve file, with numbers as exact text; the file is written atomically.
 
     >>> import tempfile
-    >>> from exactspline import example, load
+    >>> from exactspline import example, read
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     save(example("circle"), f"{folder}/circle.json")
-    ...     load(f"{folder}/circle.json") == example("circle")
+    ...     read(f"{folder}/circle.json").curve == example("circle")
     True
 
     Raises `ExactSplineError` if the file cannot be written.

@@ -5,9 +5,9 @@ from __future__ import annotations
 from functools import cache
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, overload
 
-from exactspline.errors import CurveFileError, as_path, as_text, nearest
+from exactspline.errors import CurveFileError, FormulaError, as_path, as_text, nearest
 from exactspline.interchange.curve_files import curve_from_text, read_curve, write_json
 from exactspline.splines.nurbs import Nurbs
 
@@ -20,6 +20,7 @@ __all__ = [
     "example_names",
     "example_surface",
     "example_surface_names",
+    "examples",
     "load",
     "load_surface",
     "read_curve",
@@ -37,24 +38,70 @@ def example_names() -> tuple[str, ...]:
     return _names("example_curves")
 
 
-@cache
-def example(name: str) -> Nurbs:
-    """The example curve with this name.
+#: The example surfaces, for type checkers: any other name is that of a curve.
+SurfaceName = Literal[
+    "bicubic",
+    "biquadratic",
+    "cone",
+    "cross_cap",
+    "cyclide",
+    "cylinder",
+    "developable",
+    "ellipsoid",
+    "enneper",
+    "folded_map",
+    "hyperbolic_paraboloid",
+    "monkey_saddle",
+    "paraboloid",
+    "planar_map",
+    "rational_biquadratic",
+    "sphere",
+    "torus",
+]
+
+
+def examples(of: str = "") -> tuple[str, ...]:
+    """The names of the example ``curves`` or ``surfaces``, of both without a word.
+
+    >>> "circle" in examples("curves"), "torus" in examples("surfaces"), "circle" in examples()
+    (True, True, True)
+
+    Raises `FormulaError` for another word.
+    """
+    known = {"curves": example_names(), "surfaces": example_surface_names()}
+    if of and of not in known:
+        raise FormulaError(f"there are no examples of {of!r}", remedy="there are curves and surfaces")
+    return known[of] if of else tuple(name for names in known.values() for name in names)
+
+
+@overload
+def example(name: SurfaceName) -> NurbsSurface: ...  # type: ignore[overload-overlap]  # the other names are curves'
+@overload
+def example(name: str) -> Nurbs: ...
+def example(name: str) -> Nurbs | NurbsSurface:
+    """The example curve or surface with this name (see `examples`).
 
     >>> example("circle")("1/2")
     (mpq(3,5), mpq(4,5))
+    >>> example("sphere")(0, 1)
+    (mpq(1,1), mpq(0,1), mpq(0,1))
 
     Raises `CurveFileError` with the nearest names.
     """
+    return example_surface(name) if name in example_surface_names() else _example_curve(name)
+
+
+@cache
+def _example_curve(name: str) -> Nurbs:
     if as_text(name, "the name of a curve") not in example_names():
-        remedy = nearest(name, example_names(), listed_by="list curves")
-        raise CurveFileError(f"there is neither a file nor an example curve called {name!r}", remedy=remedy)
-    return curve_from_text(example_text(name), name)
+        remedy = nearest(name, examples(), listed_by="list curves")
+        raise CurveFileError(f"there is neither a file nor an example called {name!r}", remedy=remedy)
+    return curve_from_text(_text("example_curves", name), name)
 
 
 def example_text(name: str) -> str:
-    """The curve file of an example."""
-    return _text("example_curves", name)
+    """The file of an example."""
+    return _text("example_surfaces" if name in example_surface_names() else "example_curves", name)
 
 
 @cache
@@ -105,7 +152,7 @@ def load(name_or_path: str) -> Nurbs:
     """
     name_or_path = as_path(name_or_path)
     is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()
-    return example(name_or_path) if name_or_path in example_names() or is_name else read_curve(name_or_path)
+    return _example_curve(name_or_path) if name_or_path in example_names() or is_name else read_curve(name_or_path)
 
 
 def _names(folder: str) -> tuple[str, ...]:

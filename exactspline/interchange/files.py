@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import stat
 import sys
@@ -10,12 +11,14 @@ from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, as_instance, as_items, as_path, as_text, written
-from exactspline.interchange.examples import example_names, example_text
+from exactspline.interchange.examples import example_text, examples
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
+from exactspline.interchange.surface_files import surface_data
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 
 #: How many bytes of a file are used to recognize its format.
 HEAD = 16_384
@@ -30,7 +33,8 @@ def read(
     knots: Sequence[object] | None = None,
     limits: Limits | None = None,
 ) -> Reading:
-    """The curves of a file (``-`` for standard input, ``font.ttf:ampersand`` for a part) or of bytes.
+    """The curves of a file, and the surfaces of our JSON (``-`` for standard input, ``font.ttf:ampersand`` for a part),
+    or of bytes.
 
     The format is recognized by the content, then by the suffix, unless it is named. `degree` and `knots` are for
     formats that hold only control points.
@@ -96,13 +100,21 @@ def _located(
 
 
 def write(
-    curves: Iterable[Nurbs | NamedCurve],
+    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve],
     place: str | os.PathLike[str],
     format: str | None = None,
     *,
     rounding: bool = False,
 ) -> tuple[str, ...]:
-    """Write curves in a format (by default chosen by the suffix) and return notes on what was lost.
+    """Write a curve, curves, or (as JSON) a surface in a format (by default chosen by the suffix) and return notes on
+    what was lost.
+
+    >>> import tempfile
+    >>> from exactspline.interchange.examples import example
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     notes = write(example("torus"), f"{folder}/torus.json")
+    ...     read(f"{folder}/torus.json").surface == example("torus")
+    True
 
     Every number is written exactly, or the file is not written: raises `NumberError` for a number that the format
     cannot represent, unless `rounding` requests the nearest doubles, and another `ExactSplineError` for anything else
@@ -111,15 +123,25 @@ def write(
     place = as_path(place)
     chosen = _by_suffix(place) if format is None else named_format(format)
     try:
-        data, notes = encoded(curves, chosen.name, rounding=rounding)
+        data, notes = _encoded(given, chosen, rounding)
     except ExactSplineError as error:
         raise error.at(os.fspath(place)) from None
     write_atomically(place, lambda stream: stream.write(data))
     return notes
 
 
+def _encoded(
+    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve], chosen: Format, rounding: bool
+) -> tuple[bytes, tuple[str, ...]]:
+    if not isinstance(given, NurbsSurface):
+        return encoded(given, chosen.name, rounding=rounding)
+    if chosen.name != "json":
+        raise CurveFileError(f"{chosen.title}: curves, no surfaces", remedy="surfaces are written as *.json")
+    return (json.dumps(surface_data(given), indent=1, ensure_ascii=False) + "\n").encode(), ()
+
+
 def encoded(
-    curves: Iterable[Nurbs | NamedCurve], format: str, *, rounding: bool = False
+    curves: Nurbs | Iterable[Nurbs | NamedCurve], format: str, *, rounding: bool = False
 ) -> tuple[bytes, tuple[str, ...]]:
     """The bytes that `write` writes, and notes on what was lost."""
     chosen = named_format(format)
@@ -174,7 +196,7 @@ def _bytes(path: str, limits: Limits) -> tuple[bytes, str, str]:
     if path == "-":
         return sys.stdin.buffer.read(most), "standard input", ""
     part = ""
-    if not os.path.lexists(path) and path in example_names():
+    if not os.path.lexists(path) and path in examples():
         return example_text(path).encode(), f"{path}.json", ""
     if not os.path.lexists(path) and ":" in path:
         path, _, part = path.partition(":") if path.count(":") == 1 else path.rpartition(":")

@@ -6,8 +6,10 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
+from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.limits import Limits
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 
 if TYPE_CHECKING:
     from exactspline.interchange.numbers import NumberText
@@ -39,14 +41,41 @@ class Skipped:
 
 @dataclass(frozen=True)
 class Reading:
-    """The curves of a file in their order, what was skipped, and notes that apply to all curves (such as the unit of
-    length).
+    """The curves of a file in their order, its surfaces (of our JSON), what was skipped, and notes that apply to all of
+    them (such as the unit of length).
     """
 
     format: str
     curves: tuple[NamedCurve, ...]
     skipped: tuple[Skipped, ...] = ()
     notes: tuple[str, ...] = ()
+    surfaces: tuple[NurbsSurface, ...] = ()
+
+    @property
+    def curve(self) -> Nurbs:
+        """The only curve; `CurveFileError` where there are none or several."""
+        if len(self.curves) != 1:
+            raise self._not_one(len(self.curves), "curve", ".curves")
+        return self.curves[0].curve
+
+    @property
+    def surface(self) -> NurbsSurface:
+        """The only surface; `CurveFileError` where there are none or several."""
+        if len(self.surfaces) != 1:
+            raise self._not_one(len(self.surfaces), "surface", ".surfaces")
+        return self.surfaces[0]
+
+    def _not_one(self, count: int, what: str, all_of_them: str) -> CurveFileError:
+        if count or not self.skipped:
+            return CurveFileError(f"{counted(count, what)}, where one is wanted", remedy=f"take {all_of_them}")
+        first = self.skipped[0]
+        return CurveFileError(f"the {first.what} is skipped: {first.why}", where=first.where, remedy="correct the file")
+
+    def __repr__(self) -> str:
+        parts = [counted(len(self.curves), "curve")] if self.curves or not self.surfaces else []
+        parts += [counted(len(self.surfaces), "surface")] if self.surfaces else []
+        parts += [f"{len(self.skipped)} skipped"] if self.skipped else []
+        return f"<Reading of {self.format}: {', '.join(parts)}>"
 
     @property
     def complete(self) -> bool:

@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError
@@ -46,7 +47,13 @@ def surface_from_text(text: str, name: str = "") -> NurbsSurface:
     ...     "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0.1]]]}''')(1, 1)
     (mpq(1,1), mpq(1,1), mpq(1,10))
     """
-    data = json_object(text, 'write {"degree": [m, n], "knots": [[…], […]], "control_points": [[…], …]}')
+    remedy = 'write {"degree": [m, n], "knots": [[…], […]], "control_points": [[…], …]}'
+    return surface_from_data(json_object(text, remedy), name)
+
+
+def surface_from_data(given: Mapping[str, object], name: str = "") -> NurbsSurface:
+    """The surface in JSON data, numbers as text (`exactspline.interchange.json_files.parsed`)."""
+    data = dict(given)
     if NET in data and "control_points" not in data:
         data["control_points"] = data.pop(NET)
     check_fields(data, SURFACE)

@@ -21,6 +21,9 @@ class Callee(Protocol):
 class Argument(Displayed, ABC):
     """The argument of a formula."""
 
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} argument>"
+
     @abstractmethod
     def calls(self, formula: Callee) -> object:
         """The value of a formula."""

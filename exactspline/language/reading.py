@@ -20,6 +20,10 @@ class Reading(ABC):
     name: ClassVar[str]
     proves: ClassVar[str]
 
+    def __repr__(self) -> str:
+        told = ", ".join(str(x) for x in vars(self).values() if isinstance(x, int | str))
+        return f"<{type(self).__name__}{' of ' * bool(told)}{told}>"
+
     @abstractmethod
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Argument:
         """The argument for formulas of a kind in a dimension; polynomial curves have no denominator."""

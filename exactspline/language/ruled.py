@@ -30,6 +30,9 @@ class RuledSurface(Immutable, Displayed, Generic[T_co]):
     def __init__(self, directrix: T_co, generator: T_co) -> None:
         fill(self, directrix=directrix, generator=generator)
 
+    def __repr__(self) -> str:
+        return "<RuledSurface>"
+
     def __reduce__(self) -> tuple[object, ...]:
         return RuledSurface, (self.directrix, self.generator)
 

@@ -87,6 +87,9 @@ class Paper:
     importable: Importable = dict
     _kept: dict[str, dict[str, Formula]] = field(default_factory=dict, repr=False)
 
+    def __repr__(self) -> str:
+        return f"<Paper {self.name}: {self.title}>"
+
     @property
     def formulas(self) -> dict[str, Formula]:
         """The formulas of this paper by name, in the order of the source."""

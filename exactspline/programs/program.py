@@ -86,8 +86,8 @@ class Program:
         loads = [i for i in loads if reading.recorder.parameters[listed[i].numbers[0]] == own]
         operands = tuple([listed[i].numbers[0] for i in loads])
         groups = tuple([k for k in self.groups if reading.recorder.parameters[k] == own])
-        wanted = [(listed[i].arguments[0], ONE) for i in spread]
-        return Stage(compiled(listed, wanted, loads, groups, reading.recorder.multipliers), operands, groups, spread)
+        required = [(listed[i].arguments[0], ONE) for i in spread]
+        return Stage(compiled(listed, required, loads, groups, reading.recorder.multipliers), operands, groups, spread)
 
     def __call__(self, argument: Evaluated) -> SplineValue:
         """The value on an argument with the program's signature, without provenance.

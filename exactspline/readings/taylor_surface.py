@@ -139,10 +139,10 @@ def double_taylor(spline: Function, u: Number, v: Number, terms: int) -> DoubleS
 class DoubleTaylorReading(Reading):
     """A surface made of splines, expanded at a point to this many terms.
 
-    >>> from exactspline import example_surface
+    >>> from exactspline import example
     >>> from exactspline.language.kinds import SURFACE
     >>> from exactspline.papers import find
-    >>> sphere = DoubleTaylorReading(example_surface("sphere"), "1/3", "1/4", 3).argument(SURFACE, 3)
+    >>> sphere = DoubleTaylorReading(example("sphere"), "1/3", "1/4", 3).argument(SURFACE, 3)
     >>> find("surfaces:gaussian_curvature")(sphere).value
     mpq(1,1)
     """

@@ -68,7 +68,7 @@ class _Parts:
     _points: tuple[mpq, ...] | None
 
 
-class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
+class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
     """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
 
     `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump).
@@ -79,7 +79,7 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
     >>> f(1), (f * f).degree, f.d().control_points
     (mpq(1,2), 4, (mpq(2,1), mpq(-1,1), mpq(1,1)))
 
-    Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
+    Raises `ShapeError`, `KnotError` or `NumberError` with the place of the error.
     """
 
     equals_quotients: ClassVar[bool] = True

@@ -38,7 +38,7 @@ def surface_of(given: object) -> NurbsSurface:
     """The surface itself; `ShapeError` for anything else."""
     if isinstance(given, NurbsSurface):
         return given
-    raise _refused(given, "a surface", 'give a NurbsSurface, such as exactspline.example_surface("torus")')
+    raise _refused(given, "a surface", 'give a NurbsSurface, such as exactspline.example("torus")')
 
 
 def _refused(given: object, expected: str, remedy: str) -> ShapeError:

@@ -41,7 +41,7 @@ def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq
     return found
 
 
-class ValuesAlong(FunctionsOutside):
+class ValuesAlong:
     """The methods of a `Nurbs` that take a parameter."""
 
     __slots__ = ()
@@ -112,7 +112,7 @@ def _normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
     return tuple(x * inverse for x in v)
 
 
-class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
+class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
     """A polynomial or rational B-spline curve with exact data.
 
     `control_points` are Cartesian, all of one dimension, or a `Direction`; `weights` are optional. The curve is ``Σ wᵢ
@@ -129,8 +129,8 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     >>> arc == arc.insert_knot("1/3").elevate_degree(), arc == arc.reverse()
     (True, False)
 
-    Raises `ShapeError`, `KnotError`, `NumberError` with the place at fault, and `WeightError` when the denominator has
-    a zero on the domain, with the parameter (or an interval around it) as witness.
+    Raises `ShapeError`, `KnotError`, `NumberError` with the place of the error, and `WeightError` when the denominator
+    has a zero on the domain, with the parameter (or an interval around it) as witness.
     """
 
     degree: int

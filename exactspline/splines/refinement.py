@@ -172,8 +172,8 @@ def remove_knot(f: S, t: mpq, times: int) -> S:
             knot=t,
         )
     position = f.mesh.breaks.index(t) - 1
-    wanted, have = f.continuity[position] + times, continuity_at(f, t)
-    if have < min(wanted, f.degree):
+    required, have = f.continuity[position] + times, continuity_at(f, t)
+    if have < min(required, f.degree):
         jump = f.d(have + 1)
         raise ReductionError(
             f"the derivative of order {have + 1} jumps at {text(t)} by {text(jump(t) - jump(t, 'left'))}",
@@ -182,7 +182,7 @@ def remove_knot(f: S, t: mpq, times: int) -> S:
             continuity=have,
         )
     return _without_smooth_knots(
-        type(f).from_forms(f.degree, f.mesh, _replaced(f.continuity, position, wanted), f.forms)
+        type(f).from_forms(f.degree, f.mesh, _replaced(f.continuity, position, required), f.forms)
     )
 
 

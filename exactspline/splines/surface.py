@@ -126,7 +126,7 @@ class Along(StrEnum):
         return 0 if self is Along.U else 1
 
 
-class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
+class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     """A polynomial or rational tensor-product B-spline surface with exact data.
 
     ``control_points[i][j]`` with i along u and j along v: Cartesian, all of one dimension, or a `Direction`; `weights`
@@ -142,8 +142,8 @@ class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
     >>> saddle == saddle.insert_knot("u", "1/3").elevate_degree(0, 2), saddle == saddle.transposed().transposed()
     (True, True)
 
-    Raises `ShapeError`, `KnotError`, `NumberError` with the place at fault, and `WeightError` where the denominator has
-    a zero on the domain, with a place.
+    Raises `ShapeError`, `KnotError`, `NumberError` with the place of the error, and `WeightError` where the denominator
+    has a zero on the domain, with a place.
     """
 
     #: The degrees in u and v.

@@ -65,7 +65,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
     >>> f("1/2", "1/2"), tuple((f * f).degree), f.partial(0, 1)(1, "1/2")
     (mpq(1,2), (2, 4), mpq(4,1))
 
-    Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
+    Raises `ShapeError`, `KnotError` or `NumberError` with the place of the error.
     """
 
     equals_quotients: ClassVar[bool] = True

@@ -51,6 +51,9 @@ class Factor(Displayed):
     powers: Factorization[Named]
     ring: JetRing
 
+    def __repr__(self) -> str:
+        return f"<Factor {self}>"
+
     def __reduce__(self) -> tuple[object, ...]:
         powers = tuple((base.name, terms_of(base.polynomial), e) for base, e in self.powers)
         return _factor, (self.constant, powers, self.ring)

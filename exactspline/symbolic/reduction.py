@@ -250,6 +250,9 @@ class Reduction:
     parts: tuple[Part, ...]
     kind: Kind
 
+    def __repr__(self) -> str:
+        return f"<Reduction of {self.name} in R{self.dimension}>"
+
     @property
     def joined(self) -> list[Jet]:
         """The components of all parts over their least common denominator, followed by this denominator."""

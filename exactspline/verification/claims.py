@@ -1,7 +1,7 @@
 """The claims of the papers as data: what is claimed of which formulas, its place in the source, and the recorded
 verdict.
 
-The tables are stored beside the formulas of each paper. An entry names formulas of `exactspline.papers` and never
+The tables are stored next to the formulas of each paper. An entry names formulas of `exactspline.papers` and never
 transcribes one; it is read as an object of its kind (`exactspline.verification.kinds`), and anything without meaning is
 refused. Several entries may share the id of the paper's claim; each has a unique key.
 """

@@ -1,8 +1,8 @@
-"""Whether two sides are equal: decided in one place, whatever they are made of (differential polynomials, splines,
-expressions of sympy). Two sides that vanish say nothing, and neither does what is divided by zero.
+"""Whether two sides are equal: decided in one place, for values of any kind (differential polynomials, splines,
+expressions of sympy). Nothing is decided where both sides vanish, or where there is a division by zero.
 
-Every claim kind that says of two values that they are one states it here: identities and what vanishes, ruled surfaces,
-directrices, values on changed curves, sums of squares.
+Every kind of claim that states the equality of two values is decided here: identities and vanishing values, ruled
+surfaces, directrices, values on changed curves, sums of squares.
 """
 
 from __future__ import annotations
@@ -46,15 +46,15 @@ class Outcome(Enum):
     """How two sides compare."""
 
     EQUAL = auto()
-    #: They differ; the component in which they do is known, and the difference there.
+    #: They differ; the component in which they differ is known, and the difference there.
     DIFFERENT = auto()
-    #: They are vectors of different numbers of components.
+    #: They are vectors with different numbers of components.
     UNLIKE = auto()
     #: Both vanish: 0 = 0.
     NOTHING = auto()
-    #: A side does not exist (on a whole segment, or anywhere): it is divided by zero.
+    #: A side does not exist (on a whole segment, or anywhere), because of a division by zero.
     NO_SIDE = auto()
-    #: The factor does not exist (on a whole segment, or anywhere): it is divided by zero.
+    #: The factor does not exist (on a whole segment, or anywhere), because of a division by zero.
     NO_FACTOR = auto()
 
 
@@ -68,11 +68,11 @@ class Decision:
 
 
 class Statement(Protocol):
-    """What can be decided of an argument of formulas in any reading that is exact."""
+    """A statement that can be decided for an argument of formulas in any exact reading."""
 
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
-        """The finding, `holds` where the statement is true. A factor that exists for no curve makes it false; one that
-        does not exist on one curve says nothing there.
+        """The finding, `holds` where the statement is true. A factor that exists for no curve makes it false; where it
+        does not exist on one curve, nothing is decided there.
         """
 
 
@@ -144,7 +144,9 @@ class Zero:
 
 @dataclass(frozen=True)
 class OneRuledSurface:
-    """Two ruled surfaces are one: parallel generators, and directrices that differ along them."""
+    """Two ruled surfaces are equal: their generators are parallel, and their directrices differ by a multiple
+    of these.
+    """
 
     left: Formula
     right: Formula
@@ -170,8 +172,8 @@ class OneRuledSurface:
 
     @staticmethod
     def _by_quotients(a: Any, b: Any, holds: Verdict) -> Finding:
-        """With the relation of the ruling parameters: vectors that are parallel to one that does not vanish are
-        multiples of it, and a quotient is found sooner than a product is multiplied out.
+        """The same with the relation of the ruling parameters: vectors parallel to a nonvanishing one are multiples of
+        it, and a quotient is computed faster than a product.
         """
         offset = b.directrix - a.directrix
         scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
@@ -208,8 +210,8 @@ class DirectrixOf:
 
 @dataclass(frozen=True)
 class Changed:
-    """A value on a changed curve is what is claimed of it: `sides` gives both, component by component, `evidence` is
-    reported where they are equal, and `where` tells of a difference where it is.
+    """A value on a changed curve equals the claimed one: `sides` gives both, component by component, `evidence` is
+    reported where they are equal, and `where` gives the place of a difference.
     """
 
     sides: Callable[[Evaluated], tuple[Vector[Any], Vector[Any]]]
@@ -217,7 +219,7 @@ class Changed:
     where: Callable[[Any], Evidence]
 
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
-        """The finding on an argument of a reading that can divide."""
+        """The finding on an argument of a reading with division."""
         found = decide_identity(*self.sides(c))
         if found.outcome is Outcome.NOTHING:
             return vacuous()
@@ -228,7 +230,8 @@ class Changed:
 
 @dataclass(frozen=True)
 class SquaresAddUp:
-    """A formula, or its negative, is a factor times the sum of the squares of others (of a vector the squared length).
+    """A formula, or its negative, is a factor times the sum of the squares of others (for a vector, its squared
+    length).
 
     >>> from exactspline.papers import find
     >>> from exactspline.symbolic.factorization import jets_for

@@ -41,6 +41,9 @@ class Refuted:
     witness: Evidence | None
     check: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        return f"<Refuted {self.id}: {self.statement}>"
+
 
 @dataclass(frozen=True)
 class Erratum(Displayed):
@@ -52,6 +55,9 @@ class Erratum(Displayed):
     statements: tuple[Refuted, ...]
     truth: tuple[str, ...]
     why: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        return f"<Erratum {self.id}: {self.title}>"
 
     @property
     def id(self) -> str:

@@ -48,6 +48,9 @@ class Proof(Worded):
     #: Whether roots are adjoined: then a quotient is not a product of polynomials.
     roots: bool = False
 
+    def __repr__(self) -> str:
+        return f"<Proof {self.verdict}: {self.left} = {self.factor} {self.right} in R{self.dimension}>"
+
     @property
     def verdict(self) -> Verdict:
         """PROVED, REFUTED, or VACUOUS where both sides vanish for every curve: 0 = 0 is not a success."""
@@ -80,6 +83,9 @@ class Check(Worded):
     right: str
     factor: str
     finding: Finding
+
+    def __repr__(self) -> str:
+        return f"<Check {self.verdict}: {self.left} = {self.factor} {self.right}>"
 
     @property
     def verdict(self) -> Verdict:

@@ -30,6 +30,9 @@ class Row(Displayed):
     seconds: float
     beside: Evidence | None = None
 
+    def __repr__(self) -> str:
+        return f"<Row {self.claim.key}: {self.finding.verdict}>"
+
     @property
     def id(self) -> str:
         """The id of the claim."""

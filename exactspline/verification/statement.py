@@ -60,6 +60,9 @@ class Statement(Displayed):
     reading: Name
     finding: Finding
 
+    def __repr__(self) -> str:
+        return f"<Statement {self.claim.key}: {self.finding.verdict}>"
+
     @property
     def as_recorded(self) -> bool:
         """Whether the verdict is the recorded one."""

@@ -242,7 +242,7 @@ def test_a_defect_of_the_program_is_a_line_and_an_alarm(monkeypatch, tmp_path):
     assert summary.alarms == 2
     assert not summary.as_expected
     # an example's corners may be known already
-    xs.save(xs.Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (5, 1), (2, 0)]), tmp_path / "fresh.json")
+    xs.write(xs.Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (5, 1), (2, 0)]), tmp_path / "fresh.json")
     assert run(tmp_path / "fresh.json", "--find", "corners").exit_code == 1
 
 

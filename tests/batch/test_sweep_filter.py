@@ -132,9 +132,9 @@ def test_polygons_have_no_curvature(dimension):
 
 
 def test_examples_and_curves_in_space():
-    ways = same_lines(xs.example_names(), find=["all"])
+    ways = same_lines(xs.examples("curves"), find=["all"])
     assert ways[Way.DECIDED] > 2
-    assert ways[None] >= sum(xs.example(name).dimension == 3 for name in xs.example_names()) > 0
+    assert ways[None] >= sum(xs.example(name).dimension == 3 for name in xs.examples("curves")) > 0
 
 
 @pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real curves at hand")

@@ -19,7 +19,7 @@ from random import Random
 
 from gmpy2 import mpq
 
-from exactspline import NurbsSurface, TensorSpline, inspect_surface
+from exactspline import NurbsSurface, TensorSpline, analyse
 from exactspline.geometry.surface.inspection import PatchKind
 from tests.support.surface_oracle import forms, gaussian_curvature
 
@@ -148,7 +148,7 @@ CEILING, CEILINGS = 1, {corners.__name__: 900}
 
 def contradictions(surface: NurbsSurface) -> tuple[list[str], bool]:
     """Where an inspection and the oracle differ, and whether the inspection is complete."""
-    found = inspect_surface(surface)
+    found = analyse(surface)
     told: list[str] = []
     for one in found.patches:
         allowed = ALLOWED.get(one.kind)

@@ -10,7 +10,7 @@ import jsonschema
 import pytest
 from click.testing import CliRunner
 
-from exactspline import example_surface, inspect_surface, save_surface
+from exactspline import analyse, example, write
 from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.cli.schema import schema_of
@@ -58,7 +58,7 @@ def test_the_list_of_surfaces():
 
 def test_files_of_surfaces(tmp_path):
     good, bad = tmp_path / "good.json", tmp_path / "bad.json"
-    save_surface(example_surface("monkey_saddle"), good)
+    write(example("monkey_saddle"), good)
     bad.write_text('{"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]], "points": [[[0, 0], [0, 1]], [[1]]]}')
     found = run("inspect", bad, good)
     assert found.exit_code == 2
@@ -104,7 +104,7 @@ def test_a_page_that_turns_has_the_regions_the_parabolic_curve_and_the_umbilics(
     assert run("inspect", "bicubic", "--plot", path).exit_code == 0
     [data] = json.loads(re.search(r"^turning\(document.*?, (\[.*\])\);$", path.read_text(), re.MULTILINE)[1])
     assert [one["label"] for one in data["surfaces"]] == ["K > 0", "K < 0"]
-    found = inspect_surface(example_surface("bicubic"))
+    found = analyse(example("bicubic"))
     [umbilics] = [one for one in data["dots"] if one["label"] == "umbilics"]
     assert len(umbilics["places"]) == len(found.umbilics) == 4
     [curve] = [one for one in data["lines"] if one["label"] == "parabolic curve"]

@@ -11,7 +11,7 @@ from click.testing import CliRunner
 from gmpy2 import isqrt, mpq
 
 import exactspline as xs
-from exactspline import example_surface, load_paper, paper
+from exactspline import example, load_paper, paper
 from exactspline.cli import app
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
@@ -58,7 +58,7 @@ def at(name, surface, u, v, terms=4):
 @pytest.mark.parametrize("place", PLACES)
 def test_curvatures_are_those_of_the_shape_operator(name, place):
     """The normal is differentiated, its derivatives are written in the tangents by a linear system."""
-    surface = example_surface(name)
+    surface = example(name)
     u, v = inside(surface, place)
     d = partials(surface, u, v)
     a, b = d[1, 0], d[0, 1]
@@ -83,7 +83,7 @@ def test_curvatures_are_those_of_the_shape_operator(name, place):
 @pytest.mark.parametrize("direction", [(1, 0), (0, 1), (2, -3)])
 def test_normal_curvature_is_that_of_curves_on_the_surface(name, direction):
     """A line of parameters is a space curve: its curvature by the formula of curves, its acceleration on the normal."""
-    surface = example_surface(name)
+    surface = example(name)
     u, v = inside(surface, PLACES[1])
     alpha, beta = direction
 
@@ -115,22 +115,22 @@ LINES = ("line_coefficient_uu_projective", "line_coefficient_uv_projective", "li
 
 
 def test_known_surfaces():
-    sphere, cylinder, cone = map(example_surface, ("sphere", "cylinder", "cone"))
+    sphere, cylinder, cone = map(example, ("sphere", "cylinder", "cone"))
     curvature = value("gaussian_curvature", sphere)
     assert all(value(name, sphere).is_zero for name in LINES)
     assert (curvature.numerator - curvature.denominator).is_zero
-    for flat in (cylinder, cone, example_surface("developable")):
+    for flat in (cylinder, cone, example("developable")):
         assert value("parabolic_lifted", flat).is_zero
         assert not value("minimality_lifted", flat).is_zero
-    assert value("minimality", example_surface("enneper")).is_zero
-    saddle = example_surface("hyperbolic_paraboloid")
+    assert value("minimality", example("enneper")).is_zero
+    saddle = example("hyperbolic_paraboloid")
     assert at("gaussian_curvature", saddle, *inside(saddle, PLACES[0])) < 0
 
 
 def test_centres_of_curvature():
     """Of a sphere its centre, twice; of a torus one on its axis and one on the circle of centres of its tubes."""
     for name in ("sphere", "torus"):
-        surface = example_surface(name)
+        surface = example(name)
         u, v = inside(surface, PLACES[0])
         k, h, a = (at(x, surface, u, v) for x in ("parabolic_lifted", "minimality_lifted", "area_squared_lifted"))
         w, normal = surface.w(u, v), tangent_normal(surface, u, v)
@@ -179,8 +179,8 @@ def test_ridges_of_known_surfaces():
     symmetry, which its patch borders lie in, and elsewhere almost nowhere.
     """
     for name in ("torus", "cyclide"):
-        assert value("ridges_lifted", example_surface(name)).is_zero
-    ellipsoid = example_surface("ellipsoid")
+        assert value("ridges_lifted", example(name)).is_zero
+    ellipsoid = example("ellipsoid")
     ridges = value("ridges_lifted", ellipsoid)
     (a, _), (c, _) = ellipsoid.domain
     assert not ridges.is_zero
@@ -190,7 +190,7 @@ def test_ridges_of_known_surfaces():
 
 
 def test_the_lifted_ridges_are_those_of_the_definition():
-    surface = example_surface("rational_biquadratic")
+    surface = example("rational_biquadratic")
     for place in PLACES:
         u, v = inside(surface, place)
         lifted, plain = at("ridges_lifted", surface, u, v), at("ridges", surface, u, v)
@@ -199,7 +199,7 @@ def test_the_lifted_ridges_are_those_of_the_definition():
 
 @pytest.mark.parametrize("name", ["parabolic", "minimality", "ridges"])
 def test_the_spline_reading_and_the_series_agree(name):
-    surface = example_surface("biquadratic")
+    surface = example("biquadratic")
     whole = value(name, surface)
     for place in PLACES:
         u, v = inside(surface, place)

@@ -26,15 +26,34 @@ PHRASES = {
         "is not a …",
     r"(?<!there )are no (splines|curves|numbers|zeros|points|polynomials|doubles|arrays?)": "are not …",
 }  # fmt: skip
+#: The same for code in these folders alone, where also names of variables count.
+IN_CODE = {
+    r"_?told": "reported, shown; a variable is named by what it holds: message, rows, data, …",
+    r"tells (of|whether|how|why|what)": "states whether …",
+    r"wanted": "required, requested",
+    r"given up": "refinement limit for …",
+    r"at fault": "the place of the error",
+    r"(as it stands|as they stand)": "as written, unchanged",
+    r"speaks? of(?! it\. \*)": "applies to, is about",
+    r"what is left": "the remaining …",
+    r"says? nothing": "decides nothing, does not apply",
+    r"from so many on": "≥ this many",
+    r"left to exact": "decided by exact arithmetic",
+    r"beside (the|its|it|their|them|each|one)": "next to, in addition to",
+}  # fmt: skip
+FOLDERS = (
+    "workshop/",
+    *(f"exactspline/{room}/" for room in ("batch", "display", "geometry", "programs", "splines", "verification")),
+)
 TEXTS = ("*.py", "*.pyi", "*.md", "*.ipynb", "*.js", "*.html")
 
 
-def phrases_in(text: str) -> list[str]:
-    """What stands in a text and should not, with what to write instead."""
+def phrases_in(text: str, phrases: dict[str, str] = PHRASES) -> list[str]:
+    """The phrases in a text, with what to write instead."""
     plain = re.sub(r"\s+(#:? )?", " ", text)
     return [
         f"{found[0]!r}: write {instead}"
-        for phrase, instead in PHRASES.items()
+        for phrase, instead in phrases.items()
         for found in re.finditer(rf"\b{phrase}(?!\w)", plain, re.IGNORECASE)
     ]
 
@@ -53,6 +72,21 @@ def test_texts_are_plain():
         f"{path.relative_to(ROOT)}: {each}" for path in texts() for each in phrases_in(path.read_text(encoding="utf8"))
     ]
     assert not wrong, "\n".join(wrong)
+
+
+def test_code_is_plain():
+    wrong = [
+        f"{path.relative_to(ROOT)}: {each}"
+        for path in texts()
+        if path.suffix == ".py" and path.relative_to(ROOT).as_posix().startswith(FOLDERS)
+        for each in phrases_in(path.read_text(encoding="utf8"), IN_CODE)
+    ]
+    assert not wrong, "\n".join(wrong)
+
+
+@pytest.mark.parametrize("planted", ["told = []", "def _told(x):", '"""What the\n    formula speaks\n    of."""'])
+def test_a_phrase_in_code_is_found(planted):
+    assert phrases_in(planted, IN_CODE)
 
 
 @pytest.mark.parametrize(

@@ -132,7 +132,7 @@ def test_all_parts_of_an_answer_draw_from_one_bound():
     found = curve_bisector(*plane_curves(7, lambda random: random.randint(-9, 9)))
     assert found.left_out == ("isolated real pairs of equation of degree 20 × 20 on [0, 1] × [0, 1], if there are any",)
     assert len(found.lines) == 1  # the branches come first
-    assert found.budget.left < found.budget.total
+    assert found.budget.remaining < found.budget.total
     assert time.process_time() - start < 20
 
 

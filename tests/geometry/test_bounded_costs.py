@@ -4,7 +4,7 @@ import pytest
 from flint import fmpz_poly
 from gmpy2 import mpq
 
-from exactspline import example_surface
+from exactspline import example
 from exactspline.errors import ReachError
 from exactspline.geometry.surface import inspection
 from exactspline.geometry.surface.inspection import PatchKind, inspect_surface
@@ -28,7 +28,7 @@ def test_a_patch_out_of_reach_is_open(monkeypatch):
         raise ReachError("the factorization")
 
     monkeypatch.setattr(inspection, "inspect_patch", refuse)
-    found = inspect_surface(example_surface("ellipsoid"))
+    found = inspect_surface(example("ellipsoid"))
     assert not found.complete
     assert {one.kind for one in found.patches} == {PatchKind.UNDECIDED}
     assert all(one.open_boxes == (one.sides,) for one in found.patches)

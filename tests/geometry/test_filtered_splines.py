@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 
-from exactspline import Nurbs, analyse, example, example_names
+from exactspline import Nurbs, analyse, example, examples
 from exactspline.batch.families import Family
 from exactspline.errors import ExactSplineError, NumberError, ShapeError
 from exactspline.numbers.exact import mpq
@@ -115,7 +115,7 @@ def test_the_jump_of_curvature_at_a_knot_decides():
 
 
 def test_the_examples_and_one_that_is_no_plane_curve():
-    curves = [example(name) for name in example_names()]
+    curves = [example(name) for name in examples("curves")]
     found = features_of_curves(curves)
     assert sorted(found.refused) == [i for i, curve in enumerate(curves) if curve.dimension != 2] != []
     assert {type(error) for error in found.refused.values()} == {ShapeError}

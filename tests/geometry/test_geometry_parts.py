@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mpmath.libmp import to_rational
 
-from exactspline import BSpline, Nurbs, NurbsSurface, example_surface, zeros
+from exactspline import BSpline, Nurbs, NurbsSurface, zeros
 from exactspline.errors import FormulaError, OpenError
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.bisector import cusps
@@ -442,7 +442,7 @@ def test_lowest_degrees_are_the_true_ones(rows):
 
 def test_a_zero_of_two_components_alone_is_no_singular_point(monkeypatch):
     """Of the normal (f, g, h) with f = g = 0 at the middle, whether h vanishes there decides."""
-    surface = example_surface("monkey_saddle")
+    surface = example("monkey_saddle")
     normal = [PatchForm.of_net([[-1, -1], [1, 1]]), PatchForm.of_net([[-1, 1], [-1, 1]]), None]
     for verdict, count, left in ((True, 1, 0), (False, 0, 0), (None, 0, 1)):
         monkeypatch.setattr(singular, "_is_singular", lambda zero, components, third, told=verdict: told)

@@ -11,7 +11,7 @@ from exactspline.errors import ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.numbers.exact import mpq
 
-PLANE = [name for name in xs.example_names() if xs.example(name).dimension == 2]
+PLANE = [name for name in xs.examples("curves") if xs.example(name).dimension == 2]
 
 
 def speeds(curve, distance, samples=400):

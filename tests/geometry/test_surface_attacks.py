@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 from gmpy2 import mpq
 
-from exactspline import NurbsSurface, TensorSpline, example_surface, inspect_surface, jacobian_sign
+from exactspline import NurbsSurface, TensorSpline, analyse, example
 from exactspline.display.surface_data import surface_inspection_data
 from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.inspection import PatchKind
@@ -25,10 +25,10 @@ def parameters(low=-1, high=1):
 @pytest.mark.parametrize("name", ["hyperbolic_paraboloid", "monkey_saddle", "paraboloid", "cross_cap", "developable"])
 def test_knots_of_raised_degrees_change_nothing(name):
     """A raised degree leaves knots behind across which everything is smooth: forms of a lower degree lose them."""
-    surface = example_surface(name)
+    surface = example(name)
     (a, b), (c, d) = surface.domain
     cut = surface.elevate_degree(2, 2).insert_knot("u", (2 * a + b) / 3).insert_knot("v", (c + 2 * d) / 3)
-    found, plain = inspect_surface(cut), inspect_surface(surface)
+    found, plain = analyse(cut), analyse(surface)
     assert found.complete
     assert [one.place.exact for one in found.umbilics] == [one.place.exact for one in plain.umbilics]
     assert [place.exact for place in found.singular_points] == [place.exact for place in plain.singular_points]
@@ -37,11 +37,11 @@ def test_knots_of_raised_degrees_change_nothing(name):
 
 
 def test_patches_of_a_planar_map_that_is_less_than_its_degree():
-    surface = example_surface("planar_map").elevate_degree(2, 2).insert_knot("u", "1/2").insert_knot("v", "1/2")
-    assert jacobian_sign(surface).kind is MapKind.POSITIVE
+    surface = example("planar_map").elevate_degree(2, 2).insert_knot("u", "1/2").insert_knot("v", "1/2")
+    assert analyse(surface).kind is MapKind.POSITIVE
     u, v = parameters()
     shear = NurbsSurface.from_splines([u, v + u * u]).elevate_degree(1, 2).insert_knot("u", 0).insert_knot("v", 0)
-    assert jacobian_sign(shear).kind is MapKind.POSITIVE
+    assert analyse(shear).kind is MapKind.POSITIVE
 
 
 def test_places_of_both_signs_are_where_the_determinant_has_them():
@@ -51,7 +51,7 @@ def test_places_of_both_signs_are_where_the_determinant_has_them():
     net = [[(0, 0), (0, 1), (0, 1), (0, 2)], [(1, 0), (-1, 1), (1, 1), (1, 2)]]
     folded = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1, 2, 2], net)
     for surface in (folded, folded.transposed()):
-        found = jacobian_sign(surface)
+        found = analyse(surface)
         assert found.kind is MapKind.FOLDED
         for place, sign in ((found.positive, 1), (found.negative, -1)):
             (a, b), (c, d) = surface.partial(1, 0, *place), surface.partial(0, 1, *place)
@@ -68,10 +68,10 @@ def sphere(a, b):
 
 def test_a_sphere_without_a_tangent_plane_in_the_middle_of_a_patch():
     u, v = parameters()
-    folded = inspect_surface(sphere(u * u * u, v))
+    folded = analyse(sphere(u * u * u, v))
     assert [(one.kind, one.radius_squared) for one in folded.patches] == [(PatchKind.SPHERICAL, 1)]
     assert folded.patches[0].singular.along_curve
-    branched = inspect_surface(sphere(u * u - v * v, 2 * u * v))
+    branched = analyse(sphere(u * u - v * v, 2 * u * v))
     assert [(one.kind, one.radius_squared) for one in branched.patches] == [(PatchKind.SPHERICAL, 1)]
     assert [place.exact for place in branched.singular_points] == [(0, 0)]
     assert not branched.patches[0].singular.along_curve
@@ -83,7 +83,7 @@ def test_a_branch_point_is_a_point_and_no_curve(height):
     u, v = parameters()
     s, t = u - mpq(1, 3), v - mpq(1, 5)
     a, b = s * s - t * t, 2 * s * t
-    found = inspect_surface(NurbsSurface.from_splines([a, b, height(a, b)]))
+    found = analyse(NurbsSurface.from_splines([a, b, height(a, b)]))
     assert [place.exact for place in found.singular_points] == [(mpq(1, 3), mpq(1, 5))]
     assert not surface_inspection_data(found, 5)["patches"][0]["singular_curve"]
     assert (found.umbilics.points, found.complete) == ((), True)
@@ -97,7 +97,7 @@ def test_a_singular_point_is_no_parabolic_one(bend, kind, corner):
     """(p, pq, q² ± p² + …) near p = q = 0: K has one sign wherever there is a tangent plane."""
     u, v = parameters(0)
     p, q = (u + v, u - v) if corner else (u - mpq(1, 2), v - mpq(1, 2))
-    found = inspect_surface(NurbsSurface.from_splines([p, p * q, q * q + p * p * bend + p * p * p * bend / 9]))
+    found = analyse(NurbsSurface.from_splines([p, p * q, q * q + p * p * bend + p * p * p * bend / 9]))
     assert [place.exact for place in found.singular_points] == [(0, 0) if corner else (mpq(1, 2), mpq(1, 2))]
     signs = {(x > 0) - (x < 0) for x in curvatures(found.surface)}
     assert signs == {1 if kind is PatchKind.ELLIPTIC else -1}
@@ -123,7 +123,7 @@ def bowl(profile, at=(0, 0)):
 @pytest.mark.parametrize("at", [(0, 0), (mpq(1, 3), mpq(1, 5))])
 def test_a_single_umbilic_is_no_curve_of_umbilics(at):
     """z = r⁴ + r²: the curvatures of a surface of revolution, z″/(1 + z′²) and z′/r, are equal for r = 0 alone."""
-    found = inspect_surface(bowl(lambda square: square * square + square, at))
+    found = analyse(bowl(lambda square: square * square + square, at))
     assert [one.place.exact for one in found.umbilics] == [at]
     assert found.patches[0].umbilics.curve is None
     assert not surface_inspection_data(found, 5)["patches"][0]["curve_of_umbilics"]
@@ -132,7 +132,7 @@ def test_a_single_umbilic_is_no_curve_of_umbilics(at):
 
 def test_a_circle_of_umbilics_that_leaves_the_patch_has_no_single_ones():
     """z = r⁴: the curvatures are equal where 16 r⁶ = 2; the circle crosses the edge u = 1 twice."""
-    found = inspect_surface(bowl(lambda square: square * square, (mpq(1, 3), mpq(1, 5))))
+    found = analyse(bowl(lambda square: square * square, (mpq(1, 3), mpq(1, 5))))
     assert [one.place.exact for one in found.umbilics] == [(mpq(1, 3), mpq(1, 5))]
     assert found.patches[0].umbilics.curve is not None
 
@@ -142,7 +142,7 @@ def test_the_ends_of_an_edge_of_umbilics_are_no_single_ones():
     u, v = parameters(0)
     edge = NurbsSurface.from_splines([u, v, (1 - v) * (1 - v) * (1 - v)])
     for surface in (edge, edge.insert_knot("u", "3/7")):
-        found = inspect_surface(surface)
+        found = analyse(surface)
         assert found.umbilics.points == ()
         assert len(found.umbilics.everywhere) == len(found.patches)
         assert all(one.umbilics.edges == (Edge(1, 1),) for one in found.patches)
@@ -165,12 +165,12 @@ def strips(*heights):
 def test_a_parabolic_line_seen_from_one_side_only():
     """z = u³ + v² for u ≤ 0 and u² + v² for u ≥ 0 have one tangent plane, but K = 0 on one side of u = 0 alone."""
     cubic, square = (-1, 0, 0, 0), (0, 0, mpq(1, 3), 1)
-    found = inspect_surface(strips(cubic, square))
+    found = analyse(strips(cubic, square))
     assert [(line.value, line.one_sided) for line in found.parabolic_lines] == [(0, True)]
     assert surface_inspection_data(found, 5)["parabolic_lines"][0]["one_sided"]
-    both = inspect_surface(strips(cubic, (0, 0, 0, 1)))
+    both = analyse(strips(cubic, (0, 0, 0, 1)))
     assert [(line.value, line.one_sided) for line in both.parabolic_lines] == [(0, False)]
     # a cylinder behind: K = 0 on both sides
-    flat = inspect_surface(strips(cubic, (0, 0, 0, 0)))
+    flat = analyse(strips(cubic, (0, 0, 0, 0)))
     assert [(line.value, line.one_sided) for line in flat.parabolic_lines] == [(0, False)]
-    assert all(not line.one_sided for line in inspect_surface(example_surface("torus")).parabolic_lines)
+    assert all(not line.one_sided for line in analyse(example("torus")).parabolic_lines)

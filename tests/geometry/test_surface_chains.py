@@ -5,7 +5,7 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import NurbsSurface, example_surface, inspect_surface
+from exactspline import NurbsSurface, analyse, example
 from exactspline.geometry.surface.zero_curve import Shape
 
 
@@ -19,14 +19,14 @@ def pieces(found):
 
 @pytest.mark.parametrize("name", ["bicubic", "biquadratic", "rational_biquadratic"])
 def test_knots_cut_nothing_apart(name):
-    surface = example_surface(name)
-    plain = inspect_surface(surface)
+    surface = example(name)
+    plain = analyse(surface)
     assert plain.complete
     for cuts in ([("u", mpq(1, 3))], [("u", mpq(1, 3)), ("v", mpq(2, 5)), ("u", mpq(3, 5))]):
         cut = surface
         for along, at in cuts:
             cut = cut.insert_knot(along, at)
-        found = inspect_surface(cut)
+        found = analyse(cut)
         assert shapes(found) == shapes(plain)
         assert len(found.umbilics) == len(plain.umbilics)
     assert pieces(found) > pieces(plain)
@@ -42,7 +42,7 @@ def tube(shift, seed=5, count=5):
 
 
 def test_where_a_closed_surface_is_cut_open_does_not_matter():
-    found = [inspect_surface(tube(shift)) for shift in range(3)]
+    found = [analyse(tube(shift)) for shift in range(3)]
     assert [one.closed[0].value for one in found] == ["u"] * 3
     assert all(one.complete for one in found)
     assert shapes(found[0]) == shapes(found[1]) == shapes(found[2])
@@ -54,18 +54,18 @@ def test_where_the_curvature_jumps_the_curves_end():
     """Quadratic splines: K of one patch is not that of the next one on the knot between them."""
     random = Random(3)
     net = [[(i, j, random.randint(-3, 3)) for j in range(3)] for i in range(4)]
-    found = inspect_surface(NurbsSurface((2, 2), [0, 0, 0, 1, 2, 2, 2], [0, 0, 0, 1, 1, 1], net))
+    found = analyse(NurbsSurface((2, 2), [0, 0, 0, 1, 2, 2, 2], [0, 0, 0, 1, 1, 1], net))
     assert Shape.BROKEN in shapes(found)
     assert all(len(curve.patches) == 1 for curve in found.parabolic_curves if curve.shape is Shape.BROKEN)
 
 
 def test_ends_that_differ_are_not_joined():
     """The two halves of a cut surface, the second one moved: its curves end elsewhere on the border."""
-    surface = example_surface("bicubic")
+    surface = example("bicubic")
     cut = surface.insert_knot("u", mpq(3, 5), 3)
-    plain = inspect_surface(cut)
+    plain = analyse(cut)
     rows = [[p if i < 5 else (p[0], p[1], p[2] * 2) for p in row] for i, row in enumerate(cut.control_points)]
-    bent = inspect_surface(NurbsSurface(cut.degree, *cut.knots, rows))
-    assert shapes(plain) == shapes(inspect_surface(surface))
+    bent = analyse(NurbsSurface(cut.degree, *cut.knots, rows))
+    assert shapes(plain) == shapes(analyse(surface))
     assert shapes(bent) != shapes(plain)
     assert Shape.BROKEN in shapes(bent)

@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner
 from gmpy2 import isqrt, mpq
 
-from exactspline import NurbsSurface, example_surface, inspect_surface
+from exactspline import NurbsSurface, analyse, example
 from exactspline.cli import app
 from exactspline.geometry.surface.constant import constant_curvature, has_curvature
 from exactspline.geometry.surface.forms import SurfaceForms
@@ -54,25 +54,25 @@ def turned(surface, radius=1):
 @pytest.mark.parametrize("name", ["sphere", "cylinder", "cone", "developable", "torus", "ellipsoid", "enneper"])
 def test_the_curvature_is_constant_exactly_where_it_is_that_of_two_places(name):
     """Held against K at places by its Taylor series there."""
-    surface = example_surface(name)
+    surface = example(name)
     values = set()
     for place in (PLACE, (mpq(3, 5), mpq(4, 7)), (mpq(1, 9), mpq(8, 9))):
         series = DoubleTaylorReading(surface, *inside(surface, place), 4).argument(SURFACE, 3)
         values.add(formula("gaussian_curvature")(series).value)
-    found = inspect_surface(surface).curvature
+    found = analyse(surface).curvature
     assert (found is not None) == (len(values) == 1) == (name in ("sphere", "cylinder", "cone", "developable"))
     assert found is None or values == {found}
 
 
 @pytest.mark.parametrize("radius", [1, mpq(7, 3)])
 def test_a_sphere_has_one_over_its_squared_radius_wherever_it_is(radius):
-    found = inspect_surface(turned(example_surface("sphere"), radius))
+    found = analyse(turned(example("sphere"), radius))
     assert found.curvature == 1 / radius**2 == 1 / found.patches[0].radius_squared
     assert {one.curvature for one in found.patches} == {found.curvature}
 
 
 def test_no_constant_is_told_of_a_patch_that_agrees_in_points_only():
-    forms = SurfaceForms(example_surface("torus"))
+    forms = SurfaceForms(example("torus"))
     surface = forms.surface
     for place in (PLACE, (mpq(1, 11), mpq(5, 6))):
         value = formula("gaussian_curvature_lifted")(surface)(*inside(surface, place))
@@ -83,7 +83,7 @@ def test_no_constant_is_told_of_a_patch_that_agrees_in_points_only():
 def test_patches_of_two_curvatures_have_none_in_common():
     """A flat patch beside one of a hyperbolic paraboloid, torn apart."""
     flat, saddle = [[(i, j, 0) for j in (0, 1)] for i in (-2, -1)], [[(i, j, i * j) for j in (0, 1)] for i in (0, 1)]
-    found = inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], flat + saddle))
+    found = analyse(NurbsSurface((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], flat + saddle))
     assert [one.curvature for one in found.patches] == [0, None]
     assert found.curvature is None
 
@@ -91,10 +91,10 @@ def test_patches_of_two_curvatures_have_none_in_common():
 @pytest.mark.parametrize("name", ["paraboloid", "monkey_saddle", "enneper", "hyperbolic_paraboloid"])
 def test_more_knots_change_nothing(name):
     """Forms may need no knots any more where the surface does."""
-    surface = example_surface(name)
+    surface = example(name)
     (a, b), (c, d) = surface.domain
     more = surface.insert_knot("u", (a + b) / 2).insert_knot("v", (3 * c + d) / 4)
-    before, after = inspect_surface(surface), inspect_surface(more)
+    before, after = analyse(surface), analyse(more)
     assert after.complete
     assert len(after.patches) == 4
     assert [one.place.exact for one in after.umbilics] == [one.place.exact for one in before.umbilics]
@@ -124,7 +124,7 @@ def coefficients(surface, u, v):
 @pytest.mark.parametrize("name", CURVED)
 def test_asymptotic_directions_where_the_root_is_rational(name):
     """Forms with the values of a surface but for N, which makes δ a square."""
-    surface = example_surface(name)
+    surface = example(name)
     _, (first, mixed, _) = coefficients(surface, *inside(surface))
     first = first or mpq(1)
     last = (mixed**2 - 9) / first
@@ -136,7 +136,7 @@ def test_asymptotic_directions_where_the_root_is_rational(name):
 
 
 def test_asymptotic_directions_of_the_saddle_are_its_rulings():
-    surface = example_surface("hyperbolic_paraboloid")
+    surface = example("hyperbolic_paraboloid")
     _, (first, mixed, last) = coefficients(surface, *inside(surface))
     assert first == last == 0 != mixed
 
@@ -179,7 +179,7 @@ def test_the_other_sign_of_the_root_in_the_wrong_place_is_noticed():
 @pytest.mark.parametrize(("du", "dv"), [(1, 0), (0, 1), (2, -3)])
 def test_the_normal_curvature_along_a_line_of_parameters_is_that_of_its_bending(name, du, dv):
     """``(γ″ · n)²/(‖γ′‖⁴ ‖n‖²)`` for γ(t) = S(u + t du, v + t dv)."""
-    surface = example_surface(name)
+    surface = example(name)
     u, v = inside(surface)
     at, _ = coefficients(surface, u, v)
     n = cross(at[1, 0], at[0, 1])
@@ -200,7 +200,7 @@ def test_the_normal_curvature_along_a_line_of_parameters_is_that_of_its_bending(
 
 
 def test_a_surface_on_standard_input():
-    text = json.dumps(surface_data(example_surface("sphere")))
+    text = json.dumps(surface_data(example("sphere")))
     told = CliRunner().invoke(app, ["inspect", "-", "-q"], input=text)
     assert told.exit_code == 0
     assert "K = 1, every point is an umbilic" in told.output
@@ -226,7 +226,7 @@ def test_the_apex_of_a_cone_that_is_parametrized_by_squares(ends):
     surface = NurbsSurface((2, 2), [a] * 3 + [b] * 3, [a] * 3 + [b] * 3, net)
     x, y, z = surface(b, (a + b) / mpq(2))
     assert x * y == z * z
-    found = inspect_surface(surface)
+    found = analyse(surface)
     assert found.complete
     assert found.curvature == 0
     assert [place.exact for place in found.singular_points] == [(0, 0)]

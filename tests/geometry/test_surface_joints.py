@@ -9,7 +9,7 @@ import pytest
 from click.testing import CliRunner
 from gmpy2 import mpq
 
-from exactspline import NurbsSurface, example_surface, inspect_surface
+from exactspline import NurbsSurface, analyse, example
 from exactspline.cli import app
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.joints import SurfaceJointKind
@@ -56,7 +56,7 @@ def test_joints_that_are_known(kind, setting):
     """Passed before: a crease is no crease, and what is smooth is a "C⁻¹ knot" if its multiplicity is full."""
     surface = dialled(sheets(*KNOWN[kind]), setting)
     for one, across in ((surface, Along.U), (surface.transposed(), Along.V)):
-        (joint,) = inspect_surface(one).joints
+        (joint,) = analyse(one).joints
         assert (joint.across, joint.value, joint.kind, joint.at_seam) == (across, 1, kind, False)
 
 
@@ -75,7 +75,7 @@ def test_the_parametrization_does_not_matter():
         left = [[_bowl(i, j, 1, 0, 1) for j in range(3)] for i in range(3)]
         right = [[_bowl(i, j, stretch, shear, bend, behind=True) for j in range(3)] for i in range(3)]
         surface = NurbsSurface((2, 2), [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 0, 1, 1, 1], left + right)
-        (joint,) = inspect_surface(surface).joints
+        (joint,) = analyse(surface).joints
         assert joint.kind is kind
 
 
@@ -95,29 +95,29 @@ def squares(second):
 
 def test_two_squares_at_a_right_angle():
     """Passed before: a folded sheet of paper is "planar, K = H = 0" and nothing else."""
-    bent = inspect_surface(squares([(1, 0, 1), (1, 1, 1)]))
+    bent = analyse(squares([(1, 0, 1), (1, 1, 1)]))
     (joint,) = bent.joints
     assert (joint.kind, joint.order, joint.angle.cosine) == (SurfaceJointKind.CREASE, 0, 0)
     assert bent.kinds == (PatchKind.PLANAR,)
-    (joint,) = inspect_surface(squares([(2, 0, 0), (2, 1, 0)])).joints
+    (joint,) = analyse(squares([(2, 0, 0), (2, 1, 0)])).joints
     assert joint.order == 2
     # the second square lies on the first one
-    (joint,) = inspect_surface(squares([(mpq(1, 2), 0, 0), (mpq(1, 2), 1, 0)])).joints
+    (joint,) = analyse(squares([(mpq(1, 2), 0, 0), (mpq(1, 2), 1, 0)])).joints
     assert (joint.kind, joint.order) == (SurfaceJointKind.FOLD, 0)
     # the second one is twisted: the angle is another one at each point
-    (joint,) = inspect_surface(squares([(2, 0, 0), (2, 1, 1)])).joints
+    (joint,) = analyse(squares([(2, 0, 0), (2, 1, 1)])).joints
     assert (joint.kind, joint.angle) == (SurfaceJointKind.CREASE, None)
     # a side without tangent planes, behind and before
     thin = squares([(1, 5, 0), (1, 6, 0)])
     for one in (thin, NurbsSurface(thin.degree, *thin.knots, thin.control_points[::-1])):
-        (joint,) = inspect_surface(one).joints
+        (joint,) = analyse(one).joints
         assert (joint.kind, joint.order) == (SurfaceJointKind.SINGULAR, None)
 
 
 @pytest.mark.parametrize("name", ["sphere", "torus", "cylinder", "ellipsoid", "cyclide"])
 def test_closed_examples_are_smooth_at_knots_and_seams(name):
     """Rational arcs with double knots are of continuous curvature; passed before: nothing was said."""
-    found = inspect_surface(example_surface(name))
+    found = analyse(example(name))
     assert found.joints
     assert {joint.order for joint in found.joints} == {2}
     assert {joint.across for joint in found.joints if joint.at_seam} == set(found.closed)
@@ -133,7 +133,7 @@ def test_a_seam_may_be_a_crease():
     drop = [(0, 0), (2, 2), (2, -2), (0, 0)]
     net = [[(x, y, z) for z in (0, 1)] for x, y in drop]
     tube = NurbsSurface((2, 1), [0, 0, 0, 1, 2, 2, 2], [0, 0, 1, 1], net)
-    joints = inspect_surface(tube).joints
+    joints = analyse(tube).joints
     assert [(joint.at_seam, joint.value, joint.order) for joint in joints] == [(True, 0, 0), (False, 1, 2)]
     assert joints[0].angle.cosine == 0
 
@@ -143,7 +143,7 @@ def test_edges_of_different_kinds_are_reported_one_by_one():
     flat, up = [(x, y, 0) for x in (0,) for y in range(3)], [(2, 0, 0), (2, 1, 0), (2, 2, 1)]
     net = [[(0, y, 0) for y in range(3)], [(1, y, 0) for y in range(3)], up]
     assert flat == net[0]
-    found = inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 2, 2], [0, 0, 1, 2, 2], net))
+    found = analyse(NurbsSurface((1, 1), [0, 0, 1, 2, 2], [0, 0, 1, 2, 2], net))
     told = [(one.across, one.interval, one.order) for one in found.joints if one.across is Along.U]
     assert told == [(Along.U, (0, 1), 2), (Along.U, (1, 2), 0)]
 
@@ -183,7 +183,7 @@ def test_the_angle_of_a_crease_is_that_of_the_normals(x, cosine, factor, axes):
     surfaces = [squares(second).transform(turned) for second in (even, growing)]
     surfaces += [NurbsSurface(one.degree, *one.knots, one.control_points[::-1]) for one in surfaces]
     for surface in surfaces:
-        (joint,) = inspect_surface(surface).joints
+        (joint,) = analyse(surface).joints
         assert joint.kind is SurfaceJointKind.CREASE
         assert joint.angle.cosine == cosine
 
@@ -194,7 +194,7 @@ def turning_back(second, *, behind):
     """
     net = [[(0, 0, 0), (2, 1, 0)], [(1, 0, 0), (1, 1, 0)], second]
     surface = NurbsSurface((1, 1), [0, 0, 1, 2, 2], [0, 0, 1, 1], net[::-1] if behind else net)
-    (joint,) = inspect_surface(surface).joints
+    (joint,) = analyse(surface).joints
     return joint.kind, joint.order, joint.angle
 
 
@@ -211,14 +211,14 @@ def test_a_normal_may_vanish_in_the_middle_of_a_crease(behind):
     rows = [[(x, mpq(j, 2), 0) for j in range(3)] for x in (0, 1)]
     net = [*rows, [(1 + 3 * c, mpq(j, 2), 4 * c) for j, c in enumerate((1, -1, 1))]]
     surface = NurbsSurface((1, 2), [0, 0, 1, 2, 2], [0, 0, 0, 1, 1, 1], net[::-1] if behind else net)
-    (joint,) = inspect_surface(surface).joints
+    (joint,) = analyse(surface).joints
     assert (joint.kind, joint.angle.cosine) == (SurfaceJointKind.CREASE, mpq(3, 5))
 
 
 def test_neighbouring_edges_that_are_alike_are_one():
     """Three by three patches of a roof: one crease and smooth lines, each from end to end."""
     net = [[(x, y, z) for y in range(4)] for x, z in ((0, 0), (1, 0), (2, 1), (3, 2))]
-    told = inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 2, 3, 3], [0, 0, 1, 2, 3, 3], net)).joints
+    told = analyse(NurbsSurface((1, 1), [0, 0, 1, 2, 3, 3], [0, 0, 1, 2, 3, 3], net)).joints
     assert [(one.across, one.value, one.interval, one.order) for one in told] == [
         (Along.U, 1, (0, 3), 0),
         (Along.U, 2, (0, 3), 2),
@@ -234,5 +234,5 @@ def test_weights_times_a_number_are_the_same_surface(kind, factor):
     plain = sheets(*KNOWN[kind])
     weights = [[1] * 3] * 4 + [[factor] * 3] * 4
     surface = NurbsSurface((3, 2), KNOTS, [0, 0, 0, 1, 1, 1], plain.control_points, weights)
-    (joint,) = inspect_surface(surface).joints
+    (joint,) = analyse(surface).joints
     assert (joint.value, joint.kind) == (1, kind)

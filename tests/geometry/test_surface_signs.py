@@ -14,7 +14,7 @@ import pytest
 from click.testing import CliRunner
 from gmpy2 import mpq
 
-from exactspline import NurbsSurface, TensorSpline, example_surface, inspect_surface, jacobian_sign
+from exactspline import NurbsSurface, TensorSpline, analyse, example
 from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.display.surface_data import map_sheet, surface_inspection_data, surface_sheet
@@ -123,7 +123,7 @@ def test_a_surface_that_is_flat_at_its_corners_alone(factor):
         bump = [(t - t * t) * (t - t * t) for t in (u, v)]
         return (a[0] + a[1] + bump[0] * bump[1] * mpq(1, 16)) * factor
 
-    found = inspect_surface(graph(height))
+    found = analyse(graph(height))
     assert (found.kinds, is_complete(found, factor)) == ((PatchKind.ELLIPTIC_BUT,), True)
     assert {place.exact for place in found.parabolic_points} == {(0, 0), (0, 1), (1, 0), (1, 1)}
 
@@ -147,12 +147,12 @@ def test_lines_of_zeros_on_borders_and_inside(height, kind, lines, factor):
 
     Passed before: the line inside was a "parabolic curve", with a knot there a "parabolic line".
     """
-    found = inspect_surface(graph(lambda u, v: height(u, v) * factor))
+    found = analyse(graph(lambda u, v: height(u, v) * factor))
     assert (found.kinds, is_complete(found, factor), found.parabolic_curves) == ((kind,), True, ())
     assert [getattr(line.value, "exact", line.value) for line in found.parabolic_lines] == lines
     for line in found.parabolic_lines:
         if isinstance(line.value, type(mpq(0))) and 0 < line.value < 1:
-            cut = inspect_surface(found.surface.insert_knot("u", line.value))
+            cut = analyse(found.surface.insert_knot("u", line.value))
             assert [(one.along, one.value, one.interval) for one in cut.parabolic_lines][-1] == (
                 line.along,
                 line.value,
@@ -169,14 +169,14 @@ def test_a_map_that_is_folded_between_patches():
     # x_u y_v − x_v y_u = (u − u²) + (v − v²)
     x = u * u * mpq(1, 2) - u * u * u * mpq(1, 3) + u * (v - v * v)
     first = NurbsSurface.from_splines([x, v])
-    assert jacobian_sign(first).kind is MapKind.SINGULAR
-    assert jacobian_sign(first).positive is not None
-    assert jacobian_sign(first).negative is None
+    assert analyse(first).kind is MapKind.SINGULAR
+    assert analyse(first).positive is not None
+    assert analyse(first).negative is None
     rows = [list(row) for row in first.elevate_degree(3 - first.degree[0], 0).control_points]
     folded = [[(x - mpq(k, 3), y) for x, y in rows[-1]] for k in range(4)]
     n = first.degree[1]
     knots = [[0] * 4 + [1] * 4 + [2] * 4, [0] * (n + 1) + [1] * (n + 1)]
-    found = jacobian_sign(NurbsSurface((3, n), *knots, rows + folded))
+    found = analyse(NurbsSurface((3, n), *knots, rows + folded))
     assert found.kind is MapKind.FOLDED
     assert found.positive not in [place.exact for place in found.zeros]
     assert found.negative not in [place.exact for place in found.zeros]
@@ -272,7 +272,7 @@ def test_incomplete_answers_say_so():
             + (u * 4 - 1) * (u * 4 - 1) * (v * 4 - 1) * (v * 4 - 1) * (v * 4 - 1)
         )
     )
-    found = inspect_surface(cusp)
+    found = analyse(cusp)
     data = surface_inspection_data(found, 5)
     boxes = [box for patch in data["patches"] for box in patch["undecided"]]
     assert len(boxes) == sum(len(one.open_boxes) for one in found.patches)
@@ -312,11 +312,11 @@ def test_an_umbilic_at_the_border_of_a_plane_has_all_its_sides():
     left = [[(mpq(i, 2) - 1, mpq(j, 2), 0) for j in range(3)] for i in range(3)]
     right = [[(mpq(i, 2), mpq(j, 2), heights[i][j]) for j in range(3)] for i in range(3)]
     surface = NurbsSurface((2, 2), [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 0, 1, 1, 1], left + right)
-    found = inspect_surface(surface)
+    found = analyse(surface)
     assert found.kinds[0] is PatchKind.PLANAR
     assert [one.place.exact for one in found.umbilics] == [(1, mpq(1, 3))]
     assert [one.one_sided for one in found.umbilics] == [False]
-    assert [one.one_sided for one in inspect_surface(surface.insert_knot("v", mpq(1, 3))).umbilics] == [False]
+    assert [one.one_sided for one in analyse(surface.insert_knot("v", mpq(1, 3))).umbilics] == [False]
 
 
 def test_one_sided_does_not_depend_on_knots():
@@ -329,10 +329,10 @@ def test_one_sided_does_not_depend_on_knots():
     net[1][1] = (2, 2, 1)
     net[0][1] = net[3][1] = (-1, 0, 1)
     surface = NurbsSurface((3, 2), [0] * 4 + [1] * 4, [0] * 3 + [1] * 3, net)
-    plain = inspect_surface(surface)
+    plain = analyse(surface)
     assert plain.closed
     for along, at in (("u", mpq(1, 2)), ("u", mpq(1, 3)), ("v", mpq(1, 2)), ("v", mpq(2, 7))):
-        cut = inspect_surface(surface.insert_knot(along, at))
+        cut = analyse(surface.insert_knot(along, at))
         assert sorted(one.one_sided for one in cut.umbilics) == sorted(one.one_sided for one in plain.umbilics)
         assert sorted(one.order for one in cut.joints if one.at_seam) == sorted(
             one.order for one in plain.joints if one.at_seam
@@ -345,11 +345,11 @@ def test_a_singular_point_on_a_seam_is_one():
     for row in (1, 4):
         net[row][1] = (1, (1 if row == 1 else -1), 1)
     surface = NurbsSurface((5, 1), [0] * 6 + [1] * 6, [0, 0, 1, 1], net)
-    found = inspect_surface(surface)
+    found = analyse(surface)
     assert found.closed
     spots = [place.exact for place in found.singular_points]
     assert spots == [(0, 0)]
-    cut = inspect_surface(surface.insert_knot("u", mpq(1, 2)))
+    cut = analyse(surface.insert_knot("u", mpq(1, 2)))
     assert [place.exact for place in cut.singular_points] == spots
 
 
@@ -381,7 +381,7 @@ def test_a_kind_that_is_undecided_has_a_remark(tmp_path):
     """Passed before: "undecided" and an empty remark."""
     from dataclasses import replace
 
-    found = inspect_surface(example_surface("bicubic"))
+    found = analyse(example("bicubic"))
     (patch,) = found.patches
     vars(found)["patches"] = (replace(patch, kind=PatchKind.UNDECIDED),)
     sheet = surface_sheet(found, 5)

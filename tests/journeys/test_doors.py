@@ -54,7 +54,7 @@ VALUES = {
     "one point": STILL,
     "weight 0": AT_INFINITY,
     "knots": xs.KnotVector([0, 0, 1, 1]),
-    "surface": xs.example_surface("torus"),
+    "surface": xs.example("torus"),
     "tensor spline": xs.TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, 1], [2, 3]]),
     "evolute": xs.evolute(CUSP),
     "piece": xs.evolute(CUSP).pieces[0],
@@ -75,7 +75,8 @@ VALUES = {
     "array without dimensions": numpy.array(3.0),
     "claim": xs.claims("C4.1a")[0],
     "paper": xs.paper("lifted"),
-    "inspection": xs.inspect_curve(CUSP),
+    "analysis": xs.analyse(CUSP),
+    "analysis of a surface": xs.analyse(xs.example("torus")),
 }
 #: What stands in the other places while one of them is varied.
 OTHERS = ("plane curve", "space curve", "surface", "spline", "int", "text", "formula", "claim", "points")
@@ -155,7 +156,7 @@ BY_NAME = [
     ("at", (T, "1/2"), "side"),
     ("at_floats", (CUSP, [0]), "order"),
     ("plot_approaches", (CUSP,), "forms"),
-    ("inspect_curve", (CUSP,), "approach"),
+    ("inspection_data", (CUSP,), "approach"),
 ]
 
 
@@ -465,7 +466,7 @@ def test_examples_by_name_where_files_are_wanted(tmp_path):
     """Before: "cannot be read (No such file or directory)" before."""
     done = run("convert", "ellipse", tmp_path / "e.json")
     assert done.returncode == 0
-    assert xs.load(str(tmp_path / "e.json")) == xs.example("ellipse")
+    assert xs.read(str(tmp_path / "e.json")).curve == xs.example("ellipse")
     assert xs.read("ellipse").curves[0].curve == xs.example("ellipse")
     with pytest.raises(xs.ExactSplineError, match="a file or an example"):
         xs.read("ellipze")

@@ -21,11 +21,12 @@ README = Path(__file__).resolve().parents[2] / "README.md"
 
 
 @pytest.mark.skipif(not README.exists(), reason="the README is in the checkout only")
-def test_python_blocks_of_the_readme_run():
-    blocks = re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+@pytest.mark.parametrize("page", ["README.md", "docs/concepts.md"])
+def test_python_blocks_of_a_page_run(page):
+    """One after the other, as they are read."""
+    blocks = re.findall(r"```python\n(.*?)```", (README.parent / page).read_text(encoding="utf-8"), re.DOTALL)
     assert blocks
-    for block in blocks:
-        subprocess.run([sys.executable, "-c", block], check=True)
+    subprocess.run([sys.executable, "-c", "\n".join(blocks)], check=True)
 
 
 @pytest.mark.skipif(not README.exists(), reason="the README is in the checkout only")

@@ -70,10 +70,10 @@ def test_of_a_pair_every_question_of_the_registry_is_answered():
 
 def test_of_a_sphere_every_point_is_an_umbilic_and_of_a_plane_parabolic():
     """Passed before: a sphere, a torus and a surface whose umbilics were not found had the same answer."""
-    sphere, torus = (xs.inspect_surface(xs.example_surface(name)) for name in ("sphere", "torus"))
+    sphere, torus = (xs.analyse(xs.example(name)) for name in ("sphere", "torus"))
     assert len(sphere.umbilics.everywhere) == len(sphere.patches)
     assert not torus.umbilics
-    flat = xs.inspect_surface(xs.NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], FLAT))
+    flat = xs.analyse(xs.NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], FLAT))
     assert str(flat.parabolic_points) == str(flat.umbilics) == "everywhere on [0, 1] × [0, 1]"
     assert flat.singular_points == type(flat.singular_points)(())
 
@@ -85,7 +85,7 @@ def test_what_is_undecided_is_not_nowhere(monkeypatch):
         raise ReachError("too long")
 
     monkeypatch.setattr(inspection, "inspect_patch", out_of_reach)
-    found = xs.inspect_surface(xs.example_surface("paraboloid"))
+    found = xs.analyse(xs.example("paraboloid"))
     assert not found.complete
     for answer in (found.umbilics, found.parabolic_points, found.singular_points):
         assert answer.undecided
@@ -94,7 +94,7 @@ def test_what_is_undecided_is_not_nowhere(monkeypatch):
 
 
 def test_zeros_of_a_folded_map_are_not_said_to_be_none():
-    assert xs.jacobian_sign(xs.example_surface("folded_map")).zeros.undecided
+    assert xs.analyse(xs.example("folded_map")).zeros.undecided
 
 
 def test_every_list_of_questions_is_that_of_the_registry():

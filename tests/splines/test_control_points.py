@@ -5,9 +5,9 @@ import json
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Direction, Nurbs, curve_from_text, load, save
+from exactspline import Direction, Nurbs, read, write
 from exactspline.errors import CurveFileError, NumberError, ShapeError, WeightError
-from exactspline.interchange.curve_files import curve_data
+from exactspline.interchange.curve_files import curve_data, curve_from_text
 
 KNOTS = [0, 0, 0, 1, 1, 1]
 POINTS = [(0, 0), (5, 7), (1, 0)]
@@ -93,8 +93,8 @@ CURVES = {
 @pytest.mark.parametrize("name", CURVES)
 def test_a_curve_is_read_back_as_it_was_written(name, tmp_path):
     curve = CURVES[name]
-    save(curve, tmp_path / "curve.json")
-    back = load(str(tmp_path / "curve.json"))
+    write(curve, tmp_path / "curve.json")
+    back = read(str(tmp_path / "curve.json")).curve
     assert back == curve
     assert (back.knots, back.control_points, back.name) == (curve.knots, curve.control_points, curve.name)
     assert (back.source, back.note) == (curve.source, curve.note)

@@ -9,7 +9,7 @@ import exactspline as xs
 from exactspline.language.rational import MOST_FACTORS
 from exactspline.splines.tensor import surface_pair
 
-TORUS, CUBIC = xs.example_surface("torus"), xs.example("rational_space_cubic")
+TORUS, CUBIC = xs.example("torus"), xs.example("rational_space_cubic")
 PAIR = surface_pair(xs.example("twisted_cubic"), CUBIC)
 BOTH = PAIR.first.p[0] * PAIR.second.w
 RAW = xs.TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, 1], [2, 3]])
@@ -40,7 +40,7 @@ def test_surfaces_have_no_s(f):
     """Passed before: ∂S/∂s of a surface was ∂S/∂u, called by hand on splines."""
     for each in made_of(f):
         for letter in ("s", "s̄", "t"):
-            with pytest.raises(xs.ExactSplineError, match="a derivative by"):
+            with pytest.raises(xs.ExactSplineError, match="a derivative with respect to"):
                 each.d(1, by=letter)
         assert {each.d(1, by=letter).domain for letter in "uv"} == {each.domain}
     assert f.d(1, by="u") == f.partial(1, 0)
@@ -53,7 +53,7 @@ def test_surfaces_have_no_s(f):
 def test_quotients_and_vectors_of_surfaces_have_no_s():
     for value in (TORUS.S, TORUS.p, TORUS.p[0] / TORUS.w):
         value.d(1, by="u")
-        with pytest.raises(xs.ExactSplineError, match="a derivative by 's' of a function of u and v"):
+        with pytest.raises(xs.ExactSplineError, match="a derivative with respect to 's' of a function of u and v"):
             value.d(1, by="s")
 
 

@@ -16,12 +16,12 @@ from exactspline import (
     ExactSplineError,
     Nurbs,
     NurbsSurface,
-    example_surface,
-    example_surface_names,
+    example,
+    examples,
     load_surface,
     rational,
-    save_surface,
     surface_from_text,
+    write,
 )
 from exactspline.errors import (
     CurveFileError,
@@ -129,21 +129,21 @@ def test_mixed_derivatives_by_interpolation():
 
 
 def test_a_surface_is_a_value():
-    sphere = example_surface("sphere")
+    sphere = example("sphere")
     assert copy.deepcopy(sphere) is sphere
     assert pickle.loads(pickle.dumps(sphere)) == sphere
-    assert len({sphere, sphere.elevate_degree(), example_surface("torus")}) == 2
+    assert len({sphere, sphere.elevate_degree(), example("torus")}) == 2
     with pytest.raises(AttributeError):
         sphere.name = "ball"
-    assert sphere != example_surface("ellipsoid")
+    assert sphere != example("ellipsoid")
     assert sphere != "sphere"
     assert NurbsSurface((1, 1), UNIT, UNIT, SQUARE, [[3, 3], [3, 3]]).polynomial
     assert NurbsSurface((1, 1), UNIT, UNIT, SQUARE, [[-3, -3], [-3, -3]]) == NurbsSurface((1, 1), UNIT, UNIT, SQUARE)
 
 
 def test_images():
-    sphere = example_surface("sphere")
-    assert sphere.transform([[3, 0, 0], [0, 2, 0], [0, 0, 1]]) == example_surface("ellipsoid")
+    sphere = example("sphere")
+    assert sphere.transform([[3, 0, 0], [0, 2, 0], [0, 0, 1]]) == example("ellipsoid")
     moved = sphere.transform([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0]])
     assert moved(0, 1) == (6, 0, 0)
     with pytest.raises(WeightError):
@@ -168,7 +168,7 @@ def test_images():
     ],
 )
 def test_examples_lie_on_their_equations(name, equation):
-    surface = example_surface(name)
+    surface = example(name)
     (a, b), (c, d) = surface.domain
     for i in range(9):
         for j in range(9):
@@ -178,11 +178,11 @@ def test_examples_lie_on_their_equations(name, equation):
 # ---- files
 
 
-@pytest.mark.parametrize("name", example_surface_names())
+@pytest.mark.parametrize("name", examples("surfaces"))
 def test_files_round_trip_and_fit_the_schema(name, tmp_path):
     surface = load_surface(name)
     path = tmp_path / "s.json"
-    save_surface(surface, path)
+    write(surface, path)
     again = load_surface(str(path))
     assert (again, again.name, again.note, again.degree) == (surface, surface.name, surface.note, surface.degree)
     schema = json.loads(resources.files("exactspline.interchange").joinpath("surface.schema.json").read_text("utf-8"))

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs, analyse, example, example_names
+from exactspline import BSpline, Nurbs, analyse, example, examples
 from exactspline.errors import KnotError, ShapeError
 from exactspline.numbers.exact import mpq
 from exactspline.splines import blossom
@@ -92,7 +92,7 @@ def test_corners_are_those_of_the_joints(dimension):
 
 
 def test_corners_of_examples_and_of_curves_with_points_at_infinity():
-    for name in example_names():
+    for name in examples("curves"):
         same_corners(example(name))
     lens = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(1, 0), Direction(0, 1), (-1, 0), Direction(0, -1), (1, 0)])
     sharp = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(1, 0), Direction(0, 1), (-1, 0), (0, -2), (1, 0)])

@@ -26,5 +26,6 @@ def drawn(number: int) -> Any:
 @cache
 def figure(number: int) -> Made:
     """A figure with its caption and its files."""
-    with mock.patch.dict(FIGURES, {number: lambda: drawn(number)}):
+    found = drawn(number)
+    with mock.patch.dict(FIGURES, {number: lambda: found}):
         return make(number, _folder())

@@ -101,8 +101,8 @@ ZERO_SET = {key: DEGREE[key] for key in ("id", "key", "status", "source", "state
     [
         (DEGREE, {"parameter": "s̄"}, "no parameter s̄"),
         (DEGREE, {"counting": "part by part", "measure": "true"}, "only nominal degrees"),
-        (DEGREE, {"formula": "D1_D2_D3"}, "one of 'space'"),
-        (DEGREE, {"claimed": "3e − 3"}, "speaks of 'e'"),
+        (DEGREE, {"formula": "D1_D2_D3"}, "of the kind 'space'"),
+        (DEGREE, {"claimed": "3e − 3"}, "contains 'e'"),
         (DEGREE, {"measure": "height"}, "a height is a number"),
         (DEGREE, {"least_d": 0}, "not a number ≥ 1"),
         (DEGREE, {"assumes": ["γ′×γ″"]}, "does not apply to 'plane'"),

@@ -8,7 +8,7 @@ from functools import cache
 import pytest
 from click.testing import CliRunner
 
-from exactspline import example_surface, paper, save_surface
+from exactspline import example, paper, write
 from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.display.evidence import worded
@@ -28,7 +28,7 @@ def on(name):
 
 
 def checked(name, claims):
-    return list(audit(claims, [example_surface(name)]))
+    return list(audit(claims, [example(name)]))
 
 
 def named(key):
@@ -61,7 +61,7 @@ def test_what_is_not_multiplied_out_is_undecided_and_not_said_to_be_outside_of_t
 
 def test_curves_are_named_by_what_they_are_where_claims_say_nothing_of_a_surface():
     claims = claims_of(paper("chen_riesenfeld_cohen_2007"))
-    torus = example_surface("torus")
+    torus = example("torus")
     silent = [claim for claim in claims if not claim.speaks_of(3, False, surface=True)]
     told = reasons(silent, torus)
     assert "both" not in told
@@ -97,7 +97,7 @@ def test_a_proof_that_fails_on_a_surface_is_a_contradiction(monkeypatch):
 
 def test_the_command(tmp_path):
     path = tmp_path / "own.json"
-    save_surface(example_surface("biquadratic"), path)
+    write(example("biquadratic"), path)
     told = CliRunner().invoke(app, ["prove", "--surface", str(path), "--surface", "cone", "--json"])
     assert told.exit_code == 0
     rows = json.loads(told.output)["rows"]

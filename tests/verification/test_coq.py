@@ -20,7 +20,7 @@ from random import Random
 import pytest
 
 from docs import ten_claims
-from exactspline import example, example_names, zeros
+from exactspline import example, examples, zeros
 from exactspline.display.evidence import opinion
 from exactspline.papers import find, papers
 from exactspline.splines.nurbs import Nurbs
@@ -126,7 +126,7 @@ def test_without_coq_the_column_says_so(monkeypatch: pytest.MonkeyPatch) -> None
     assert [each.verdict for each in found.values()] == ["UNDECIDED"] * 2
 
 
-@pytest.mark.parametrize("name", example_names())
+@pytest.mark.parametrize("name", examples("curves"))
 def test_answers_are_what_the_zero_sets_say(name: str) -> None:
     curve = example(name)
     for answer in answers(curve):
@@ -206,7 +206,7 @@ def corrupted(text: str, chance: Random) -> str:
 @needs_coq
 def test_corrupted_certificates_never_compile(room: Path) -> None:
     chance = Random(16)
-    names = [name for name in example_names() if example(name).dimension == 2]
+    names = [name for name in examples("curves") if example(name).dimension == 2]
     for _ in range(int(os.environ.get("EXACTSPLINE_COQ_MUTANTS", "4"))):
         text = theorem_of(example(chance.choice(names)))
         broken = corrupted(text, chance)

@@ -92,7 +92,7 @@ def test_a_wrong_factor_is_neither_proved_nor_verified(factor):
 def test_a_curve_file_that_means_no_curve_is_refused(text, told):
     """Of two fields of one name neither is meant more than the other."""
     with pytest.raises(xs.ExactSplineError, match=told):
-        xs.curve_from_text(text)
+        _ = xs.read(text.encode()).curve
 
 
 def test_sides_that_are_not_proportional_have_no_factor():

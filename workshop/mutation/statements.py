@@ -1,8 +1,8 @@
-"""``python -m workshop.mutation.statements``: every printed statement of a paper, changed on purpose, and what the
-ledger says of it then.
+"""``python -m workshop.mutation.statements``: every printed statement of a paper is changed on purpose, and the ledger
+decides the changed statement.
 
-A statement is changed in what its claim says (a degree by one, an exponent, a sign, an index, its type, two sides
-exchanged, a condition dropped) or in the formula that it prints, where it alone gets the changed copy: a sign, an order
+A statement is changed in its claim (a degree by one, an exponent, a sign, an index, its type, two sides exchanged, a
+condition dropped) or in the formula that it prints, where only this statement uses the changed copy: a sign, an order
 of derivative, an operand, a term. The claims decide, first that of the statement. A change after which its verdict is
 the same must say the same (equal in the jets and in naive degrees), or something else that is true and proved; what
 remains is *open*. A statement that is false as it is printed may stay false.
@@ -50,7 +50,7 @@ BEGIN, END = "<!-- written by python -m workshop.mutation.statements --record --
 SEED, EACH, SECONDS = 20, 3, 40
 #: The fields in which a claim names formulas.
 NAMED = ("left", "right", "formula", "formulas")
-#: What a printed entry has beside what it claims.
+#: The fields of a printed entry in addition to its claim.
 BESIDE = ("words", "place", "error", "vacuous", "witness", "note", "expected", "section")
 #: What is assumed of every curve, and is no condition of the statement.
 CONVENTIONS = ("w", "γ′")
@@ -147,8 +147,8 @@ def _of_factor(key: str, entry: dict[str, Any]) -> Iterator[Change]:
     for i, (name, exponent) in enumerate(parts):
         for by in (1, -1) if name[0].isalpha() else ():
             new = [*parts[:i], (name, exponent + by), *parts[i + 1 :]]
-            told = " ".join(f"{n}^{k}" for n, k in new if k) or "1"
-            yield Change(key, "exponent", f"factor {text} → {told}", {"factor": told})
+            changed_text = " ".join(f"{n}^{k}" for n, k in new if k) or "1"
+            yield Change(key, "exponent", f"factor {text} → {changed_text}", {"factor": changed_text})
     if entry.get("of") != "polynomial" and entry.get("curve") != "table":
         for power in (1, -1):
             yield Change(key, "exponent", f"factor {text} → {text} w^{power}", {"factor": f"{text} w^{power}"})
@@ -194,9 +194,9 @@ def _of_body(key: str, formula: Formula, side: str) -> Iterator[Change]:
     for number, (_, (kind, says, new)) in enumerate(changes(node)):
         if isinstance(new, ast.Name) and not _is_known(new.id, formula):
             continue
-        told = KIND.get(kind, kind)
-        told = "derivative" if kind == "constant" and _is_order(node, number) else told
-        yield Change(key, told, f"{side.split(' ')[1]}: {says} (change {number})", {}, side, number)
+        changed_text = KIND.get(kind, kind)
+        changed_text = "derivative" if kind == "constant" and _is_order(node, number) else changed_text
+        yield Change(key, changed_text, f"{side.split(' ')[1]}: {says} (change {number})", {}, side, number)
 
 
 def _file(function: Any) -> str:
@@ -218,7 +218,7 @@ def _is_order(node: ast.FunctionDef, number: int) -> bool:
 
 
 def _formula(name: str) -> Formula | None:
-    """The formula of the paper with that name, where it stands as a function of its own in a file of the library."""
+    """The formula of the paper with that name, where it is a separate function in a file of the library."""
     try:
         found = paper(PAPER).find(name)
         node_of(_file(found.function), found.function.__name__)
@@ -263,10 +263,10 @@ def changed_claim(change: Change) -> Claim:
 
 
 def _read(source: Paper, place: str, entry: dict[str, Any]) -> Claim:
-    """An entry as a claim that is recorded as refuted, so that no proof is wanted where a curve refutes it."""
+    """An entry as a claim that is recorded as refuted, so that no proof is required where a curve refutes it."""
     begin = re.sub(r"[ .]+", "", str(entry["id"]))
-    told = {"status": "ours", "expected": "REFUTED", "key": f"{begin}-{entry['kind']}".replace(" ", "-")}
-    return claim_of(Table(place, entry | told), source)
+    changed_text = {"status": "ours", "expected": "REFUTED", "key": f"{begin}-{entry['kind']}".replace(" ", "-")}
+    return claim_of(Table(place, entry | changed_text), source)
 
 
 def _renamed(names: Any, name: str, other: str) -> Any:

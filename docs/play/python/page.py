@@ -67,7 +67,8 @@ def forms(data: dict[str, Any]) -> list[dict[str, Any]]:
     curve = _curve(data["curve"])
     told = []
     for variant in data["variants"]:
-        form, found = xs.zero_form(curve, "critical_curvature", variant)
+        solved = xs.analyse(curve).zero_form("critical_curvature", variant)
+        form, found = solved.form, solved.zeros
         largest = max((abs(c) for c in form.control_points), default=0) or 1
         told.append(
             {
@@ -104,7 +105,7 @@ def reduce(data: dict[str, Any]) -> dict[str, Any]:
 def bisector(data: dict[str, Any]) -> dict[str, Any]:
     """The trimmed bisector of a curve and a point: its pieces with certified ends, drawn in doubles."""
     curve = _curve(data["curve"])
-    found = xs.trimmed_bisector(curve, data["point"])
+    found = xs.bisector(curve, data["point"])
     return {"pieces": [_piece(curve, piece) for piece in found.pieces], "missing": list(found.missing)}
 
 

@@ -5,11 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from exactspline.display.plot.canvas import axes_for
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.functions import plot_function
 from exactspline.display.plot.options import check_names
-from exactspline.display.plot.surfaces import plot_ruled_surface, plot_surface
+from exactspline.display.plot.patches import surface_figure
+from exactspline.display.plot.surfaces import plot_bisector, plot_ruled_surface, plot_surface
 from exactspline.errors import ShapeError
+from exactspline.geometry.bisector.point_and_curve import PointBisector, RuledPiece
+from exactspline.geometry.bisector.two_curves import CurveBisector
+from exactspline.geometry.derived import Derived
+from exactspline.geometry.surface.inspection import SurfaceInspection
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
@@ -24,8 +30,9 @@ if TYPE_CHECKING:
 
 
 def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
-    """Draw a curve, a function, a zero set, a derived curve or a surface into matplotlib's axes (None: those of a new
-    figure), which are returned. `how` is passed to the function of `exactspline.display.plot` for this type of object.
+    """Draw a curve, a function, a zero set, a derived curve, a surface, its analysis (in a figure of its own) or a
+    bisector into matplotlib's axes (None: those of a new figure), which are returned. `how` is passed to the function
+    of `exactspline.display.plot` for this type of object.
 
     >>> from exactspline import BSpline, example, zeros
     >>> f = BSpline.bezier([1, -1, 1])
@@ -34,6 +41,16 @@ def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
 
     Raises `PlotError` without matplotlib and for options that it does not have, `ShapeError` for other objects.
     """
+    if isinstance(thing, SurfaceInspection) and ax is None and not how:
+        return surface_figure(thing).axes[0]
+    if isinstance(thing, CurveBisector):
+        of_two: Callable[..., Axes] = plot_bisector
+        check_names(of_two, how)
+        return of_two(*thing.curves, ax, **how)
+    if isinstance(thing, PointBisector | Derived):
+        for piece in thing.pieces:
+            ax = plot(piece.surface if isinstance(piece, RuledPiece) else piece.value, ax, **how)
+        return axes_for(ax)
     draw, shown = _way_to_draw(thing)
     check_names(draw, how)
     if isinstance(thing, ZeroSet):

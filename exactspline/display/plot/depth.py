@@ -77,7 +77,7 @@ class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has n
 
     @allow_rasterization
     def draw(self, renderer: RendererBase) -> None:
-        """All surfaces, lines and dots of the axes at once, by the first of their surfaces."""
+        """Draw all surfaces, lines and dots of the axes together; called for the first of their surfaces."""
         space: Any = self.axes
         parallel = np.allclose(space.M[3, :3], 0) if space.M is not None else False
         if not (knows_depth() and parallel):

@@ -40,8 +40,8 @@ POINTS, SIDES_OF_DOT, EDGE = 230, 16, 0.2
 def surface_figure(inspection: SurfaceInspection) -> Figure:
     """The picture of an inspected surface: in space, and in the plane of its parameters.
 
-    >>> from exactspline import example_surface, inspect_surface
-    >>> [ax.name for ax in surface_figure(inspect_surface(example_surface("biquadratic"))).axes]
+    >>> from exactspline import analyse, example
+    >>> [ax.name for ax in surface_figure(analyse(example("biquadratic"))).axes]
     ['3d', 'rectilinear']
 
     Raises `PlotError` without matplotlib.

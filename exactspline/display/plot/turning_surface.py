@@ -33,8 +33,8 @@ LABELS = {ELLIPTIC: "K > 0", HYPERBOLIC: "K < 0", FLAT: "K = 0"}
 def inspected_scene(inspection: SurfaceInspection) -> SceneData:
     """An inspected surface as the data of an interactive scene.
 
-    >>> from exactspline import example_surface, inspect_surface
-    >>> scene = inspected_scene(inspect_surface(example_surface("torus")))
+    >>> from exactspline import analyse, example
+    >>> scene = inspected_scene(analyse(example("torus")))
     >>> [one["label"] for one in scene["surfaces"]], [one["label"] for one in scene["lines"]]
     (['K > 0', 'K < 0'], ['lines of curvature', 'lines of curvature', 'parabolic curve'])
 

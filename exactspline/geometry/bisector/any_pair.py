@@ -3,36 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import overload
 
 from exactspline.errors import ShapeError
-from exactspline.geometry.bisector.point_and_curve import PointBisector, exact_point, point_bisector, refuse_point
+from exactspline.geometry.bisector.common import Bisector
+from exactspline.geometry.bisector.point_and_curve import PointBisector, point_bisector, refuse_point
+from exactspline.geometry.bisector.trimmed import TrimmedBisector, trimmed_bisector
 from exactspline.geometry.bisector.two_curves import CurveBisector, curve_bisector
-from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number
-from exactspline.papers import find
-from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
-from exactspline.splines.lowest_terms import where_it_exists
 from exactspline.splines.nurbs import Nurbs
 
 
-def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> CurveBisector | PointBisector | Rational[BSpline]:
-    """The points of equal *critical* distances to a curve and to another curve or a point (its coordinates).
+@overload
+def bisector(first: Nurbs, second: Nurbs) -> CurveBisector: ...
+@overload
+def bisector(first: Nurbs, second: Iterable[Number]) -> PointBisector | TrimmedBisector: ...
+def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
+    """The bisector of a curve and another curve, or a point (its coordinates), in pieces.
 
-    For two space curves it is a surface in patches; for a space curve and a point, ruled surfaces in pieces; for a
-    plane curve and a point, a plane curve ``p/w`` (0/1 where there is none), of which `exactspline.trimmed_bisector`
-    keeps the points of equal distances.
+    Of two space curves a surface in patches, of equal *critical* distances, with lines, planes and single pairs; of a
+    space curve and a point ruled surfaces; of a plane curve and a point the curves of equal distances.
 
     >>> from exactspline import example
-    >>> type(bisector(example("twisted_cubic"), example("rational_space_cubic"))).__name__
-    'CurveBisector'
-    >>> type(bisector(example("ellipse_in_space"), (1, 1, 2))).__name__
-    'PointBisector'
+    >>> bisector(example("twisted_cubic"), example("rational_space_cubic"))
+    <CurveBisector: 1 piece>
+    >>> bisector(example("ellipse_in_space"), (1, 1, 2))
+    <PointBisector: 3 pieces>
     >>> line = Nurbs(1, [0, 0, 1, 1], [(-1, 0), (1, 0)])
-    >>> bisector(line, (0, 2))("1/2")
+    >>> bisector(line, (0, 2)).pieces[0]("1/2")
     (mpq(0,1), mpq(1,1))
 
-    Raises `ShapeError` where the dimensions do not match.
+    Raises `ShapeError` where dimensions do not fit, and for a point on a plane curve.
     """
     first = curve_of(first)
     if isinstance(second, Nurbs):
@@ -42,5 +44,4 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> CurveBisector | 
     if first.dimension != 2:
         raise ShapeError(f"a curve in R{first.dimension}", remedy="bisectors need the plane or space")
     refuse_point(first)
-    value: Rational[BSpline] = find("plane_bisector_polynomial")(first.with_point(exact_point(first, second, 2)))
-    return where_it_exists(value)
+    return trimmed_bisector(first, second)

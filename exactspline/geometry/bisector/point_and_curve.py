@@ -14,6 +14,7 @@ from itertools import pairwise, starmap
 from typing import Any
 
 from exactspline.errors import ShapeError, as_items
+from exactspline.geometry.bisector.common import Bisector
 from exactspline.geometry.bisector.missing import STILL, THROUGH, is_zero_on
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
@@ -55,8 +56,8 @@ class RuledPiece:
     surface: SplineSurface
 
 
-@dataclass(frozen=True)
-class PointBisector:
+@dataclass(frozen=True, repr=False)
+class PointBisector(Bisector):
     """The ruled bisector surface of a point and a space curve.
 
     ``singular`` are the parameters at which the generator vanishes (the tangent passes through the point, or the curve

@@ -18,6 +18,7 @@ from flint import fmpz_poly
 
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis import analyse
+from exactspline.geometry.bisector.common import Bisector
 from exactspline.geometry.bisector.conditions import Conditions, Parameter
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
@@ -62,6 +63,9 @@ class TrimmedPiece:
     value: Rational[BSpline]
     foot: mpq | None = None
 
+    def __repr__(self) -> str:
+        return f"<TrimmedPiece: {self.kind}>"
+
     def __call__(self, t: Number) -> tuple[mpq, ...]:
         """The point at a parameter of the piece; raises `ShapeError` outside it, `ZeroDivisionError` at an end at
         infinity.
@@ -87,8 +91,8 @@ def _rational(t: Parameter) -> mpq | None:
     return t.exact if isinstance(t, Root) else t
 
 
-@dataclass(frozen=True)
-class TrimmedBisector:
+@dataclass(frozen=True, repr=False)
+class TrimmedBisector(Bisector):
     """The true bisector in pieces; ``missing`` lists segments without an arc and corners without a line, with the
     reason. ``left_out`` names what would have taken too long; where it is empty the answer is complete.
     """

@@ -12,6 +12,7 @@ from itertools import pairwise, product, starmap
 from typing import Any
 
 from exactspline.errors import ReachError, ShapeError
+from exactspline.geometry.bisector.common import Bisector
 from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
 from exactspline.geometry.bisector.missing import COPLANAR, PARALLEL, STILL, is_zero_on
 from exactspline.geometry.bisector.special_pairs import special_pairs
@@ -58,7 +59,7 @@ CURVE_FORMS = {
 }
 
 
-class CurveBisector(Inspected):
+class CurveBisector(Inspected, Bisector):
     """The bisector of two space curves: the surface in patches, the rectangles on which a general pair does not have
     exactly one point (`missing`), each with the reason, and, computed when first needed, all pairs that have more than
     a point. Its questions are entries of the registry (`exactspline.geometry.registry`).
@@ -73,6 +74,14 @@ class CurveBisector(Inspected):
         self.curves, self.variant = (first, second), variant
         with drawing_on(Budget(QUESTION + PATCH * (first.segments * second.segments - 1))) as self.budget:
             self._patches, self.missing, self.unreduced = _surface(first, second, variant)
+
+    def __repr__(self) -> str:
+        return Bisector.__repr__(self)
+
+    @property
+    def pieces(self) -> tuple[BisectorPatch, ...]:  # type: ignore[override]  # read only
+        """The patches of its surface."""
+        return self.patches
 
     @Fact
     def special(self) -> SpecialPairs:

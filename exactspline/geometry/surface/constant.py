@@ -16,10 +16,10 @@ def constant_curvature(forms: SurfaceForms, patch: Patch) -> mpq | None:
     """The Gaussian curvature of a patch where it is the same at all its points; None where it is not, and on patches
     that are curves or points.
 
-    >>> from exactspline import example_surface
-    >>> constant_curvature(SurfaceForms(example_surface("sphere")), (0, 0))
+    >>> from exactspline import example
+    >>> constant_curvature(SurfaceForms(example("sphere")), (0, 0))
     mpq(1,1)
-    >>> constant_curvature(SurfaceForms(example_surface("torus")), (0, 0))
+    >>> constant_curvature(SurfaceForms(example("torus")), (0, 0))
     """
     values = set(islice(_values(forms, patch), POINTS))
     if len(values) != 1:
@@ -31,8 +31,8 @@ def constant_curvature(forms: SurfaceForms, patch: Patch) -> mpq | None:
 def has_curvature(forms: SurfaceForms, patch: Patch, value: mpq) -> bool:
     """Whether K has this value at all points of a patch that have a tangent plane.
 
-    >>> from exactspline import example_surface
-    >>> has_curvature(SurfaceForms(example_surface("torus")), (0, 0), mpq(1, 3))
+    >>> from exactspline import example
+    >>> has_curvature(SurfaceForms(example("torus")), (0, 0), mpq(1, 3))
     False
     """
     numerator, denominator = forms.curvature

@@ -42,8 +42,8 @@ def formula(name: str) -> Formula:
 class SurfaceForms:
     """The forms of one surface in space, each computed once.
 
-    >>> from exactspline import example_surface
-    >>> forms = SurfaceForms(example_surface("torus"))
+    >>> from exactspline import example
+    >>> forms = SurfaceForms(example("torus"))
     >>> forms.parabolic.degree, forms.lines[0].is_zero
     (Degrees(s=8, t=8), True)
     """

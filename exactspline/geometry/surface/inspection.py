@@ -21,6 +21,7 @@ from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
+from exactspline.hooks import Displayed
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm
@@ -122,12 +123,12 @@ class PatchInspection:
         return not self.open_boxes
 
 
-class SurfaceInspection(Inspected):
+class SurfaceInspection(Inspected, Displayed):
     """Everything that can be computed of a surface in space. Its questions are entries of the registry
     (`exactspline.geometry.registry`); each is answered when it is first asked.
 
-    >>> from exactspline import example_surface
-    >>> found = SurfaceInspection(example_surface("hyperbolic_paraboloid"))
+    >>> from exactspline import example
+    >>> found = SurfaceInspection(example("hyperbolic_paraboloid"))
     >>> found.umbilics, found.singular_points, found.complete
     (nowhere, nowhere, True)
 
@@ -139,12 +140,15 @@ class SurfaceInspection(Inspected):
         self.surface = surface
         self._forms = SurfaceForms(surface)
 
+    def __repr__(self) -> str:
+        return f"<SurfaceInspection of {self.surface!r}>"
+
     @question(Of.SURFACE, answered=Answered.PATCHES)
     def patches(self) -> tuple[PatchInspection, ...]:
         """What is proved of every patch: the sign of the Gaussian curvature, and where it is constant its value.
 
-        >>> from exactspline import example_surface, inspect_surface
-        >>> [one.kind.value for one in inspect_surface(example_surface("hyperbolic_paraboloid")).patches]
+        >>> from exactspline import analyse, example
+        >>> [one.kind.value for one in analyse(example("hyperbolic_paraboloid")).patches]
         ['hyperbolic']
         """
         return tuple(_in_reach(self._forms, patch) for patch in self._forms.patches)
@@ -156,8 +160,8 @@ class SurfaceInspection(Inspected):
         Each once, also where patches or the two ends of a closed surface meet. Everywhere on spheres and planes, and
         along curves of umbilics.
 
-        >>> from exactspline import example_surface, inspect_surface
-        >>> umbilics = inspect_surface(example_surface("ellipsoid")).umbilics
+        >>> from exactspline import analyse, example
+        >>> umbilics = analyse(example("ellipsoid")).umbilics
         >>> len(umbilics), umbilics.everywhere, umbilics[0].kind.value
         (4, (), 'lemon or monstar')
         """
@@ -176,8 +180,8 @@ class SurfaceInspection(Inspected):
     def parabolic_lines(self) -> tuple[ParabolicLine, ...]:
         """The isoparametric lines along which the Gaussian curvature vanishes, on patches that are not developable.
 
-        >>> from exactspline import example_surface, inspect_surface
-        >>> lines = inspect_surface(example_surface("torus")).parabolic_lines
+        >>> from exactspline import analyse, example
+        >>> lines = analyse(example("torus")).parabolic_lines
         >>> [(line.along.value, str(line.value)) for line in lines]
         [('u', '1'), ('u', '3')]
         """
@@ -196,8 +200,8 @@ class SurfaceInspection(Inspected):
 
         Each is followed across borders of patches where K vanishes on both sides.
 
-        >>> from exactspline import example_surface, inspect_surface
-        >>> [curve.shape.value for curve in inspect_surface(example_surface("bicubic")).parabolic_curves]
+        >>> from exactspline import analyse, example
+        >>> [curve.shape.value for curve in analyse(example("bicubic")).parabolic_curves]
         ['arc from border to border', 'arc from border to border', 'arc from border to border', 'closed loop']
         """
         return tuple(curve for curve in self._zeros_of_curvature if curve.shape is not Shape.POINT)
@@ -208,10 +212,10 @@ class SurfaceInspection(Inspected):
 
         Everywhere on developable patches and planes.
 
-        >>> from exactspline import example_surface, inspect_surface
-        >>> inspect_surface(example_surface("paraboloid")).parabolic_points
+        >>> from exactspline import analyse, example
+        >>> analyse(example("paraboloid")).parabolic_points
         nowhere
-        >>> inspect_surface(example_surface("developable")).parabolic_points.points
+        >>> analyse(example("developable")).parabolic_points.points
         ()
         """
         points = _single_points(self.surface, self.patches, self.parabolic_lines, self._zeros_of_curvature, self.closed)
@@ -225,8 +229,8 @@ class SurfaceInspection(Inspected):
         A point on a border of patches or on a seam is listed once. Everywhere on patches that are curves or points,
         along poles and along singular curves.
 
-        >>> from exactspline import example_surface, inspect_surface
-        >>> [place.exact for place in inspect_surface(example_surface("cross_cap")).singular_points]
+        >>> from exactspline import analyse, example
+        >>> [place.exact for place in analyse(example("cross_cap")).singular_points]
         [(mpq(0,1), mpq(0,1))]
         """
         everywhere = []
@@ -243,8 +247,8 @@ class SurfaceInspection(Inspected):
     def poles(self) -> tuple[Pole, ...]:
         """The edges of patches along which the surface has no tangent plane.
 
-        >>> from exactspline import example_surface, inspect_surface
-        >>> len(inspect_surface(example_surface("torus")).poles)
+        >>> from exactspline import analyse, example
+        >>> len(analyse(example("torus")).poles)
         0
         """
         edges = [(one.patch, edge) for one in self.patches for edge in one.singular.edges]
@@ -254,8 +258,8 @@ class SurfaceInspection(Inspected):
     def joints(self) -> tuple[SurfaceJoint, ...]:
         """How patches meet along knot lines and seams: kind, order of geometric continuity, angle of a crease.
 
-        >>> from exactspline import example_surface, inspect_surface
-        >>> {joint.order for joint in inspect_surface(example_surface("sphere")).joints}
+        >>> from exactspline import analyse, example
+        >>> {joint.order for joint in analyse(example("sphere")).joints}
         {2}
         """
         return joints(self._forms, self.closed)
@@ -309,8 +313,8 @@ def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
     """The sign of the Gaussian curvature on every patch of a surface in space, its parabolic curves, all its umbilics,
     poles, singular points, creases and jumps of the curvature along knots, certified.
 
-    >>> from exactspline import example_surface
-    >>> inspection = inspect_surface(example_surface("ellipsoid"))
+    >>> from exactspline import example
+    >>> inspection = inspect_surface(example("ellipsoid"))
     >>> [kind.value for kind in inspection.kinds], len(inspection.umbilics), inspection.complete
     (['elliptic'], 4, True)
 

@@ -14,6 +14,7 @@ from exactspline.geometry.surface.forms import Patch, formula, lowest, on_patch,
 from exactspline.geometry.surface.merged import merged_places
 from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.signs import Point, Sign, sign_on_patch
+from exactspline.hooks import Displayed
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
@@ -36,7 +37,7 @@ class MapKind(StrEnum):
     UNDECIDED = "undecided"
 
 
-class MapInspection(Inspected):
+class MapInspection(Inspected, Displayed):
     """Everything that can be computed of the sign of the Jacobian determinant of a map of the plane. Its questions are
     entries of the registry (`exactspline.geometry.registry`).
 
@@ -48,6 +49,9 @@ class MapInspection(Inspected):
         if surface.dimension != 2:
             raise ShapeError(f"the Jacobian of a map into R{surface.dimension}", remedy="it is defined for planar maps")
         self.surface = surface
+
+    def __repr__(self) -> str:
+        return f"<MapInspection of {self.surface!r}>"
 
     @Fact
     def _found(self) -> _Found:
@@ -61,8 +65,8 @@ class MapInspection(Inspected):
     def kind(self) -> MapKind:
         """What is proved of the sign of the Jacobian determinant on the whole closed rectangle.
 
-        >>> from exactspline import example_surface, jacobian_sign
-        >>> jacobian_sign(example_surface("planar_map")).kind.value
+        >>> from exactspline import analyse, example
+        >>> analyse(example("planar_map")).kind.value
         'orientation kept: det > 0'
         """
         return self._found.kind
@@ -71,8 +75,8 @@ class MapInspection(Inspected):
     def positive(self) -> Point | None:
         """A point at which the Jacobian determinant is positive, where one is found.
 
-        >>> from exactspline import example_surface, jacobian_sign
-        >>> jacobian_sign(example_surface("planar_map")).positive is not None
+        >>> from exactspline import analyse, example
+        >>> analyse(example("planar_map")).positive is not None
         True
         """
         return self._found.positive
@@ -81,8 +85,8 @@ class MapInspection(Inspected):
     def negative(self) -> Point | None:
         """A point at which the Jacobian determinant is negative, where one is found.
 
-        >>> from exactspline import example_surface, jacobian_sign
-        >>> jacobian_sign(example_surface("planar_map")).negative is None
+        >>> from exactspline import analyse, example
+        >>> analyse(example("planar_map")).negative is None
         True
         """
         return self._found.negative
@@ -94,8 +98,8 @@ class MapInspection(Inspected):
         Each with the patches from which it vanishes there; everywhere on patches and their edges on which it vanishes.
         Zeros inside patches on which it has both signs are not computed, but reported as undecided.
 
-        >>> from exactspline import example_surface, jacobian_sign
-        >>> jacobian_sign(example_surface("planar_map")).zeros
+        >>> from exactspline import analyse, example
+        >>> analyse(example("planar_map")).zeros
         nowhere
         """
         findings = self._found
@@ -128,10 +132,10 @@ class MapInspection(Inspected):
 def jacobian_sign(surface: NurbsSurface) -> MapInspection:
     """The sign of the Jacobian determinant of a map of the plane, proved on every closed patch.
 
-    >>> from exactspline import example_surface
-    >>> jacobian_sign(example_surface("planar_map")).kind
+    >>> from exactspline import example
+    >>> jacobian_sign(example("planar_map")).kind
     <MapKind.POSITIVE: 'orientation kept: det > 0'>
-    >>> inspection = jacobian_sign(example_surface("folded_map"))
+    >>> inspection = jacobian_sign(example("folded_map"))
     >>> inspection.kind.value, inspection.regular
     ('folded: det has both signs', False)
 

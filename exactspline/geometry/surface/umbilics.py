@@ -70,8 +70,8 @@ class UmbilicsOfPatch:
 def umbilics_of_patch(forms: SurfaceForms, patch: Patch, singular: SingularPoints | None = None) -> UmbilicsOfPatch:
     """The umbilics of a patch, each certified.
 
-    >>> from exactspline import example_surface
-    >>> umbilics = umbilics_of_patch(SurfaceForms(example_surface("monkey_saddle")), (0, 0))
+    >>> from exactspline import example
+    >>> umbilics = umbilics_of_patch(SurfaceForms(example("monkey_saddle")), (0, 0))
     >>> [(umbilic.place.exact, umbilic.kind.value) for umbilic in umbilics.umbilics], umbilics.undecided
     ([((mpq(0,1), mpq(0,1)), 'star')], ())
     """

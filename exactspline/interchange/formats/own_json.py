@@ -18,6 +18,7 @@ from exactspline.interchange.curve_files import curve_data, curve_from_data
 from exactspline.interchange.json_files import CURVE, check_fields, parsed
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.surface_files import surface_from_data
 from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.control_points import Direction
 
@@ -48,11 +49,13 @@ def read(source: Source) -> Reading:
     if not isinstance(entries, list):
         raise CurveFileError("the JSON text holds no curves", remedy='write one curve or {"curves": […]}')
     for number, entry in enumerate(entries, 1):
-        where = f"curve {number}"
+        is_surface = isinstance(entry, dict) and isinstance(entry.get("degree"), list)
+        what = "surface" if is_surface else "curve"
+        where = f"{what} {number}"
         try:
-            _curve(collector, entry, where)
+            (_surface if is_surface else _curve)(collector, entry, where)
         except ExactSplineError as error:
-            collector.skip("curve", where, str(error))
+            collector.skip(what, where, str(error), curve=not is_surface)
     return collector.reading()
 
 
@@ -73,7 +76,15 @@ def _curve(collector: Collector, entry: Any, where: str) -> None:
         None if entry.get("weights") is None else _row(collector, entry["weights"]),
         name=str(entry.get("name") or "") or collector.source.name,
         notes=[f"{key}: {entry[key]}" for key in ("note", "source") if entry.get(key)],
+        source=str(entry.get("source") or ""),
+        note=str(entry.get("note") or ""),
     )
+
+
+def _surface(found: Collector, entry: Any, where: str) -> None:
+    rows = entry.get("control_points", entry.get("points", ()))
+    found.count(sum(len(row) for row in rows if isinstance(row, list)) if isinstance(rows, list) else 1)
+    found.surfaces.append(surface_from_data(entry, found.source.name or where))
 
 
 def _list(value: Any) -> list[Any]:

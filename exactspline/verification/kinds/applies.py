@@ -1,4 +1,4 @@
-"""Claims that a formula can be asked for a kind of argument: what a citation of an equation says."""
+"""Claims that a formula applies to a kind of argument, as implied by the citation of an equation."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from exactspline.verification.vocabulary import Name
 
 
 def any_formula(claim: Claim, name: str, value: str) -> str:
-    """The name of a formula of whatever argument."""
+    """The name of a formula with any kind of argument."""
     claim.find(value)
     return str(value)
 
 
 @claim_kind
 class Applies(Claim):
-    """The equation of ``formula`` speaks of such arguments: whoever cites it for them can evaluate it. A determinant of
-    two vectors, say, is one of vectors in the plane.
+    """The equation of ``formula`` applies to such arguments, so that it can be evaluated where it is cited for them. A
+    determinant of two vectors, for example, requires vectors in the plane.
     """
 
     kind: ClassVar[str] = "applies"
@@ -42,7 +42,7 @@ class Applies(Claim):
         return rf"{self.symbol(self.formula)} \;\text{{exists for arguments of the kind {self.curve}}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """By the operands that the formula needs, and the dimension in which its products are defined."""
+        """Decided by the operands that the formula needs, and the dimension in which its products are defined."""
         own, asked = self.find(self.formula).kind, kind_of(self.curve)
         if asked.takes(own, dimension):
             return Finding(PROVED, Fact.APPLIES)

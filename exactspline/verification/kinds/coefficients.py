@@ -32,7 +32,7 @@ NONE = "none vanishes"
 
 @claim_kind
 class Coefficients(Claim):
-    """No B-spline coefficient of ``formula`` vanishes (of a vector: none is the zero vector), on every curve or on the
+    """No B-spline coefficient of ``formula`` vanishes (for a vector: none is the zero vector), on every curve or on the
     generic Bézier curve.
     """
 
@@ -42,7 +42,7 @@ class Coefficients(Claim):
     curves: Curves = field(default=Curves.EVERY, metadata=read(one_of(Curves)))
 
     def validate(self) -> None:
-        """Refuse formulas without coefficients: quotients, two curves, a point."""
+        """Reject formulas without coefficients: quotients, two curves, a point."""
         if self.curve not in (ArgumentKind.CURVE, ArgumentKind.PLANE, ArgumentKind.SPACE):
             raise ClaimError(f"coefficients of {str(self.curve)!r} are not decided", where="curve", remedy="a curve")
         if not all(is_polynomial(self.find(self.formula), n) for n in self.dimensions):
@@ -63,14 +63,16 @@ class Coefficients(Claim):
         return self.curves == Curves.EVERY and super().speaks_of(dimension, polynomial, surface=surface)
 
     def prove(self) -> tuple[Name, Finding]:
-        """A claim about every curve can only be refuted, by one; the generic curve is computed."""
+        """A claim about every curve can only be refuted, by a single curve; one about the generic curve is decided by
+        computation.
+        """
         if self.curves == Curves.EVERY:
             return Name("spline"), self.refuted_on_examples()
         return Name("generic"), super().prove()[1]
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """No Bézier coefficient is the zero polynomial in indeterminate control points and weights: for every degree at
-        once, or degree by degree.
+        """No Bézier coefficient is the zero polynomial in indeterminate control points and weights: for all degrees
+        together, or degree by degree.
         """
         formula = self.find(self.formula)
         if not polynomial and is_decided(
@@ -101,7 +103,7 @@ class Coefficients(Claim):
 
 
 def is_decided(attempt: Any) -> bool:
-    """Whether the reading of single terms decides, which is for formulas linear in p and in w."""
+    """Whether the reading of single terms is applicable, as for formulas linear in p and in w."""
     try:
         return attempt() is not None
     except FormulaError:

@@ -37,11 +37,13 @@ class Condition(ExampleClaim):
     right: Name = field(metadata=read(formula_name))
 
     def validate(self) -> None:
-        """Refuse an example to which the claim does not apply, and a form compared with itself."""
+        """Reject an example to which the claim does not apply, and a form compared with itself."""
         curve = self.curve_named(self.example)
         if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             raise ClaimError(
-                f"{self.example!r} is not a curve of which the claim speaks", where="example", remedy="name another one"
+                f"{self.example!r} is not a curve to which the claim applies",
+                where="example",
+                remedy="name another one",
             )
         if self.left == self.right:
             raise ClaimError("both sides are one formula", where="right", remedy="name another one")
@@ -79,7 +81,7 @@ class Condition(ExampleClaim):
 
 
 def _condition(f: BSpline, root: Root) -> Enclosure:
-    """The condition number of a zero; at a knot it is 0, since the end coefficient is zero and stays so."""
+    """The condition number of a zero; at a knot it is 0, since the end coefficient is zero and does not change."""
     from exactspline.verification.conditioning.condition_number import condition_number
 
     if root.at_knot:

@@ -39,8 +39,9 @@ def order_of_contact(claim: Claim, name: str, value: object) -> int:
 class Contact(Claim):
     """The object attached to the curve at the parameter s has contact of ``order`` n with it there. The ``formula``
     vanishes where the point at s̄ lies on the object attached at s (in the osculating circle: its squared distance from
-    the centre less the squared radius). It is one of two curves; both are this one. At s̄ = s its value and its
-    derivatives by s̄ up to order n vanish, and for the relation ``=`` the next one does not on the generic curve.
+    the centre less the squared radius). It is a formula of two curves, both of which are this curve. At s̄ = s its
+    value and its derivatives with respect to s̄ up to order n vanish, and for the relation ``=`` the next derivative
+    does not vanish on the generic curve.
     """
 
     kind: ClassVar[str] = "contact"
@@ -50,7 +51,7 @@ class Contact(Claim):
     relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
 
     def validate(self) -> None:
-        """Refuse claims that are not about two curves, and upper bounds, which special curves exceed."""
+        """Reject claims that are not about two curves, and upper bounds, which special curves exceed."""
         if not self.of_pair:
             raise ClaimError(
                 "contact is claimed of two points of a curve", where="curve", remedy='"pair" or "plane pair"'
@@ -69,7 +70,7 @@ class Contact(Claim):
         return rf"{self.symbol(self.formula)}\;\text{{has contact of order}}\;{self.claims}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The derivatives as differential polynomials of one curve, which both are."""
+        """The derivatives as differential polynomials of a single curve in place of both."""
         formula = self.find(self.formula)
         ring = RationalJetReading(order_of(formula, dimension) + self.order + 1)
         value = split(formula(ring.argument(formula.kind, dimension, polynomial=polynomial)))[0]
@@ -86,8 +87,8 @@ class Contact(Claim):
         return Finding(REFUTED, ContactOrder(order_found - 1), witness=witness)
 
     def _order(self, value: list[Any], on_diagonal: Diagonal) -> int | None:
-        """None where the contact is as claimed; else the order of the derivative at fault: one that does not vanish, or
-        that which follows the claimed order where it vanishes too.
+        """None where the contact is as claimed; otherwise the order of the offending derivative: one that does not
+        vanish, or the one after the claimed order where that vanishes too.
         """
         for n in range(self.order + 1):
             if any(not on_diagonal(x).is_zero for x in value):
@@ -98,15 +99,15 @@ class Contact(Claim):
 
     @property
     def tries_all(self) -> bool:
-        """All segments, and indeterminates."""
+        """All segments are covered, with indeterminates."""
         return True
 
     def beside(self, own: Evaluation) -> Evidence:
-        """Both curves are the one that is given."""
+        """Both curves are the given one."""
         return Fact.WITH_ITSELF
 
     def missing(self, argument: Handed) -> None:
-        """No check beforehand: the formula is handed the curve twice."""
+        """No check in advance: the formula takes the curve twice."""
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The derivatives as polynomials in the two parameters, on every segment."""
@@ -139,7 +140,7 @@ Diagonal = Callable[[JetFraction], JetFraction]
 
 
 def on_diagonal(value: JetFraction) -> JetFraction:
-    """A quotient of jets of two curves where they are one, at one parameter.
+    """A quotient of jets of two curves, evaluated where both are the same curve at the same parameter.
 
     Raises `FormulaError` where its denominator vanishes there.
     """
@@ -149,7 +150,7 @@ def on_diagonal(value: JetFraction) -> JetFraction:
 @cache
 def is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
     """Whether the equations ``value = 0`` for the point at s̄ have fewer independent gradients where the points meet
-    than elsewhere: there is no tangent there with which contact could be made. Any formula times ``‖γ(s̄) − γ(s)‖²``
+    than elsewhere: there is no tangent there, so that contact is not defined. Any formula times ``‖γ(s̄) − γ(s)‖²``
     vanishes there to second order.
 
     Raises `FormulaError` where the value depends on derivatives at s̄: it is not the equation of an object.
@@ -162,7 +163,7 @@ def is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
         used = [ring.variables[i] for p in (x.top, x.bottom) for i, n in enumerate(p.degrees()) if int(n)]
         if any(name in BAR and order != (0,) for name, order in used):
             raise FormulaError(
-                "the formula speaks of derivatives of the second curve", remedy="contact is that of the point at s̄"
+                "the formula contains derivatives of the second curve", remedy="contact is that of the point at s̄"
             )
     names = [name for name in BARRED[:dimension] if name in second]
     rows = [[partial_derivative(x, ring.index[name, (0,)]) for name in names] for x in value]
@@ -171,7 +172,7 @@ def is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
 
 
 def partial_derivative(x: JetFraction, i: int) -> JetFraction:
-    """The derivative by one variable, up to the square of the denominator."""
+    """The derivative with respect to one variable, up to the square of the denominator."""
     top, bottom = (JetFraction(x.ring, p, x.ring.context.constant(1)) for p in (x.top, x.bottom))
     d_top, d_bottom = (JetFraction(x.ring, p.derivative(i), x.ring.context.constant(1)) for p in (x.top, x.bottom))
     return d_top * bottom - top * d_bottom

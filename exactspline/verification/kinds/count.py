@@ -57,11 +57,13 @@ class Count(ExampleClaim):
     claimed: str = field(metadata=read(counted))
 
     def validate(self) -> None:
-        """Refuse an example of which the claim does not speak."""
+        """Reject an example to which the claim does not apply."""
         curve = self.curve_named(self.example)
         if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             raise ClaimError(
-                f"{self.example!r} is not a curve of which the claim speaks", where="example", remedy="name another one"
+                f"{self.example!r} is not a curve to which the claim applies",
+                where="example",
+                remedy="name another one",
             )
 
     @property
@@ -92,7 +94,7 @@ class Count(ExampleClaim):
         return Finding(REFUTED, counts_here, witness=OnExample(Name(self.example), counts_here))
 
     def _counted(self, what: Counter, value: Any, own: Evaluation) -> int | None:
-        """One of the numbers; None where there are infinitely many, or where it is not one of the formula."""
+        """One of the numbers; None where it is infinite, or not defined by the formula."""
         if what == Counter.CUSPS:
             return _cusps(self.find(self.formula), own)
         if what == Counter.ENDS:
@@ -113,13 +115,13 @@ class Count(ExampleClaim):
         return count_of_extrema(zero_set, own)
 
 
-#: What is counted at knots.
+#: The quantities counted at knots.
 CONTINUITIES = {Counter.NOMINAL_CONTINUITY, Counter.TRUE_CONTINUITY}
 
 
 def count_of_extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
     """The number of extrema of the curvature, if a formula with these zeros changes its sign there and nowhere else;
-    else None: the formula does not determine them.
+    otherwise None, since the formula does not determine them.
     """
     from exactspline.geometry.analysis import analyse
 

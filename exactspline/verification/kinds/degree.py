@@ -35,7 +35,7 @@ def degree_text(claim: Claim, name: str, value: str) -> str:
     names = _degree_names(kind_of(claim.curve))
     if unknown := parse_degree(value).names - names:
         raise ClaimError(
-            f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
+            f"the degree {value!r} contains {sorted(unknown)[0]!r}",
             where=name,
             remedy=f"write it in {' and '.join(sorted(names))}",
         )
@@ -63,13 +63,13 @@ RELATIONS = {Relation.EQUAL: "=", Relation.AT_MOST: r"\le", Relation.AT_LEAST: r
 
 @claim_kind
 class DegreeClaim(DegreeStatement):
-    """The degree of ``formula`` is ``claimed``, or at most or at least that, for every d from ``least_d`` on.
+    """The degree of ``formula`` is ``claimed``, or at most or at least that, for every d ≥ ``least_d``.
 
     The ``measure`` is ``nominal`` (Table 1), ``true`` (of a polynomial on the generic curve), ``lowest terms`` (of the
-    value; of a ruled surface of directrix and generator over one denominator), ``reduced`` (of the result of
+    value; for a ruled surface, of directrix and generator over one denominator), ``reduced`` (of the result of
     `exactspline.symbolic.reduction`; for a ruled surface of its generator, whose length is free) or ``height`` (0 for a
-    covariant). Of two curves it is the degree in the ``parameter`` s or s̄. All but the nominal degree are degrees of
-    the generic curve: on one curve they are bounds.
+    covariant). For two curves it is the degree in the ``parameter`` s or s̄. All except the nominal degree are degrees
+    on the generic curve: on a single curve they are bounds.
     """
 
     kind: ClassVar[str] = "degree"
@@ -83,7 +83,7 @@ class DegreeClaim(DegreeStatement):
     least_d: int = field(default=1, metadata=read(count_from(1)))
 
     def validate(self) -> None:
-        """Refuse combinations without meaning."""
+        """Reject combinations without meaning."""
         table = self.curve == ArgumentKind.TABLE
         kind = kind_of(self.curve)
         if self.parameter not in (known := kind.parameters(kind.dimensions[0])):
@@ -106,7 +106,7 @@ class DegreeClaim(DegreeStatement):
 
     @property
     def latex(self) -> str:
-        """The degree, the relation, what is claimed."""
+        """The degree, the relation, and the claimed degree."""
         sign = RELATIONS[self.relation]
         return rf"{MEASURES[self.measure]} {self.symbol(self.formula)} {sign} {degree_latex(self.claimed)}"
 
@@ -116,7 +116,7 @@ class DegreeClaim(DegreeStatement):
         return Name({Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant"))
 
     def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
-        """Counts by another rule, heights, and lower bounds for the generic curve do not apply to one curve."""
+        """Counts by another rule, heights, and lower bounds for the generic curve do not apply to single curves."""
         silent = (
             self.counting == Counting.PART_BY_PART
             or self.measure == Measure.HEIGHT
@@ -139,8 +139,8 @@ class DegreeClaim(DegreeStatement):
         return self.measure == Measure.NOMINAL
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """The degree of the given splines. A curve of higher degree refutes what is claimed of the generic one; a
-        curve of lower degree may be a special one, and decides nothing.
+        """The degree of the given splines. A curve with a higher degree refutes a claim about the generic one; a curve
+        with a lower degree may be special, and decides nothing.
         """
         if self._has_too_few_derivatives(argument):
             return inapplicable(Fact.TOO_FEW_DERIVATIVES, relation=self.relation)
@@ -170,7 +170,7 @@ class DegreeClaim(DegreeStatement):
         return degree.at({name: values[name] for name in degree.names})
 
     def _has_too_few_derivatives(self, argument: Any) -> bool:
-        """Whether a count is asked for on a patch of lower degree than the formula has derivatives."""
+        """Whether the degree is counted on a patch of lower degree than the formula has derivatives."""
         if self.measure != Measure.NOMINAL or not isinstance(argument, Surface):
             return False
         return any(min(f.degree) < order_of(self.find(self.formula), argument.dimension) for f in argument.p)
@@ -204,8 +204,8 @@ class DegreeClaim(DegreeStatement):
         return int(degree)
 
     def _lowest(self, value: Any) -> int:
-        """The degree in lowest terms; of a value in two parameters on all of its rectangle, since at one value of the
-        other parameter more may cancel.
+        """The degree in lowest terms; for a value in two parameters on the whole rectangle, since more may cancel at
+        single values of the other parameter.
         """
         components, denominator = split(value)
         if not isinstance(components[0], TensorSpline):

@@ -27,7 +27,7 @@ from exactspline.verification.vocabulary import ArgumentKind, Measure, Name, Rel
 
 
 class DegreeStatement(Claim):
-    """What is decided: the fields of `exactspline.verification.kinds.degree.DegreeClaim`."""
+    """The decided statement: the fields of `exactspline.verification.kinds.degree.DegreeClaim`."""
 
     formula: Name
     claimed: str
@@ -40,12 +40,12 @@ class DegreeStatement(Claim):
 
 #: No exceptional d.
 NONE_LOWER: Mapping[int, int] = MappingProxyType({})
-#: How many values of each of several degrees are tried for a witness.
+#: The number of values of each of several degrees tried for a witness.
 UNEQUAL = 12
 
 
 def decide(claim: DegreeStatement, dimension: int, polynomial: bool) -> Finding:
-    """The finding on the degree of a claim for every d from its least one on."""
+    """The finding on the degree of a claim for every d from its least one upwards."""
     formula = claim.find(claim.formula)
     zero = claim.curve != ArgumentKind.TABLE and vanishes(formula, dimension, polynomial)
     if claim.measure == Measure.NOMINAL:
@@ -73,7 +73,7 @@ def decide(claim: DegreeStatement, dimension: int, polynomial: bool) -> Finding:
 
 
 def _counted(claim: DegreeStatement) -> Parameter:
-    """The parameter in which the degree is counted; of two exchanged curves it is the first."""
+    """The parameter in which the degree is counted; for two exchanged curves it is the first."""
     return Parameter.FIRST if claim.parameter == Parameter.SECOND else claim.parameter
 
 
@@ -115,8 +115,8 @@ def agreed_degree(
 
 
 def lower_degrees(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -> dict[int, int]:
-    """The d at which the generic curve has another degree than the one for symbolic d, with what it is there: a lower
-    one, or −1 where everything is 0.
+    """The d at which the degree on the generic curve differs from the one for symbolic d, with the degree there: a
+    lower one, or −1 where everything is 0.
     """
     if not jets:
         return {}
@@ -128,7 +128,7 @@ def lower_degrees(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -
 
 
 def _lowest(claim: DegreeStatement, reduction: Reduction) -> Finding:
-    """The value in lowest terms; of a ruled surface directrix and generator over one denominator."""
+    """The value in lowest terms; for a ruled surface, directrix and generator over one denominator."""
     parameter = _counted(claim)
     computed = reduction.main.generic_lowest if len(reduction.parts) == 1 else joined_degree(reduction, parameter)
     order = max(part.core[0].ring.order for part in reduction.parts)
@@ -147,7 +147,7 @@ def _lowest(claim: DegreeStatement, reduction: Reduction) -> Finding:
 def held_against(
     claim: DegreeStatement, found: DegreeFound, lower: Mapping[int, int] = NONE_LOWER, factor: Found | None = None
 ) -> Finding:
-    """A computed degree against the claimed one, for every d from the least one on; with every exception."""
+    """A computed degree compared with the claimed one, for every d from the least one upwards; with all exceptions."""
     computed, claimed = found.degree, parse_degree(claim.claimed)
     larger = computed.max(claimed)
     agree = {
@@ -185,9 +185,9 @@ def held_against(
 def _agree_before(
     start: int, claim: DegreeStatement, computed: Degree, claimed: Degree, exceptions: Mapping[int, int]
 ) -> bool:
-    """Whether the relation holds between the least d and the one from which on it always does, exceptions aside: the
-    last d before that must be an exception, so that it is a small one. Of operands of several degrees exceptions are
-    known only where these are equal, so that none is granted.
+    """Whether the relation holds between the least d and the d from which it always holds, except for exceptions: the
+    last d before that must be an exception, so that it is small. For operands of several degrees exceptions are known
+    only where these are equal, so that none is allowed.
     """
     if len(computed.names | claimed.names) > 1:
         return start <= claim.least_d
@@ -200,8 +200,8 @@ def _agree_before(
 def _first_failure(
     claim: DegreeStatement, computed: Degree, claimed: Degree, names: frozenset[str]
 ) -> dict[str, int] | None:
-    """The degrees at which the relation fails: equal ones from max(3, least d) on, then those below it, then unequal
-    ones; None where it fails at none of these.
+    """The degrees at which the relation fails: equal ones from max(3, least d) upwards, then those below it, then
+    unequal ones; None where it holds at all of these.
     """
     first = max(3, claim.least_d)
     equal: Iterable[dict[str, int]] = (

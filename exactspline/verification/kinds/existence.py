@@ -24,8 +24,9 @@ NOT = "not rational"
 
 @claim_kind
 class Existence(Claim):
-    """What the formula ``definition`` defines is not rational: refuted where ``formula``, a quotient of polynomials in
-    the curve, is the same for all curves. The definition may speak of the unit vectors of a frame, which are roots.
+    """The function defined by the formula ``definition`` is not rational: refuted where ``formula``, a quotient of
+    polynomials in the curve, equals it for all curves. The definition may contain the unit vectors of a frame, which
+    are roots.
     """
 
     kind: ClassVar[str] = "existence"
@@ -41,7 +42,7 @@ class Existence(Claim):
         return FRAMED if len(own.dimensions) > 1 else FRAMED_PLANE if own.dimensions == (2,) else FRAMED_SPACE
 
     def validate(self) -> None:
-        """Refuse a formula that is its own definition: any formula is a quotient of polynomials."""
+        """Reject a formula that is its own definition: any formula is a quotient of polynomials."""
         if self.formula == self.definition:
             raise ClaimError(
                 f"{self.formula!r} is said to be what it is",
@@ -60,7 +61,7 @@ class Existence(Claim):
         return rf"{self.symbol(self.definition)} \;\text{{is not rational}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The absence of a rational form is refuted by one, if it is one: not zero, and equal to the definition."""
+        """The absence of a rational form is refuted by a nonzero one that equals the definition."""
         equation = Equation(self.find(self.formula), self.find(self.definition))
         c = jets_with_roots(equation.formulas, "1", dimension, polynomial=polynomial)
         if all(x.is_zero for x in split(equation.left(c))[0]):
@@ -71,11 +72,11 @@ class Existence(Claim):
 
     @property
     def compared(self) -> list[Formula]:
-        """Both, and neither of them twice."""
+        """Both formulas, each once."""
         return [self.find(self.formula), self.find(self.definition)]
 
     def missing(self, argument: Handed) -> None:
-        """No check beforehand: splines have no roots."""
+        """No check in advance: splines have no roots."""
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The rational form on this curve."""

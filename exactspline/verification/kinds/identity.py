@@ -1,4 +1,4 @@
-"""Claims that a formula is identically another one, or zero."""
+"""Claims that a formula identically equals another one, or zero."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def checked_factor(claim: Claim, name: str, value: str) -> str:
         if part in WEIGHTS and claim.curve == ArgumentKind.TABLE:
             raise ClaimError("Table 1 has no denominator w", where=name, remedy="write it into the formulas")
         if part == "W" and not claim.of_pair:
-            raise ClaimError("the factor speaks of a second curve", where=name, remedy='the denominator is "w"')
+            raise ClaimError("the factor contains a second curve", where=name, remedy='the denominator is "w"')
         if part[0].isalpha() and part not in WEIGHTS:
             formula_name(claim, name, part)
     return str(value)
@@ -50,7 +50,7 @@ class Identity(Claim):
     factor: str = field(default="1", metadata=read(checked_factor))
 
     def validate(self) -> None:
-        """Refuse a formula compared with itself."""
+        """Reject a formula compared with itself."""
         if self.left == self.right:
             raise ClaimError("both sides are one formula", where="right", remedy="name another one")
 
@@ -70,7 +70,7 @@ class Identity(Claim):
         return Equation(self.find(self.left), self.find(self.right), self.factor, self.find)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """``left = factor · right`` as differential polynomials, with the true quotient; where roots are adjoined a
+        """``left = factor · right`` as differential polynomials, with the true quotient; where roots are adjoined, a
         quotient is not a product of polynomials.
         """
         equation = self.equality
@@ -96,7 +96,7 @@ class Identity(Claim):
         return self.equality.decide(argument, VERIFIED)
 
     def residues(self, c: Evaluated) -> list[JetFraction]:
-        """The left side times the denominator of the factor, less the right one times its numerator."""
+        """The left side times the denominator of the factor, minus the right side times its numerator."""
         top: Any
         bottom: Any
         top, bottom = factor_of_text(self.factor, c, self.find)
@@ -107,7 +107,7 @@ class Identity(Claim):
 
     @property
     def compared(self) -> list[Formula]:
-        """Both sides, and those in the factor."""
+        """Both sides, and the formulas in the factor."""
         return list(self.equality.formulas)
 
 
@@ -133,7 +133,7 @@ class Vanishing(Claim):
 
     @property
     def equality(self) -> Zero:
-        """That it vanishes."""
+        """The statement that it vanishes."""
         return Zero(self.find(self.left))
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:

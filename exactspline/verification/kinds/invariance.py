@@ -42,11 +42,11 @@ class Nature(StrEnum):
     POINT = "point"
 
 
-#: The factor of a value is reported where the sides have fewer terms than this.
+#: The factor of a value is reported only where the sides have fewer terms than this.
 SHORT = 400
-#: The name of the function by which a parameter is changed, which no constant can have.
+#: The name of the function by which a parameter is changed, which constants cannot have.
 SPEED = "_speed"
-#: No weight is larger.
+#: The largest weight.
 LARGEST_WEIGHT = 200
 #: The base of the power with the weight as exponent.
 UNITS = {
@@ -99,7 +99,7 @@ class Invariance(Claim):
     nature: Nature = field(default=Nature.SCALAR, metadata=read(one_of(Nature)))
 
     def validate(self) -> None:
-        """Refuse claims without meaning: a weight without a unit, constants whose image is not stated."""
+        """Reject claims without meaning: a weight without a unit, constants whose image is not stated."""
         kind = kind_of(self.curve)
         if type(kind) is not CurveKind:
             raise ClaimError(f"invariance of {self.curve!r} is not decided", where="curve", remedy="name a curve")
@@ -149,11 +149,11 @@ class Invariance(Claim):
 
     @property
     def tries_all(self) -> bool:
-        """All segments, and indeterminates."""
+        """All segments are covered, with indeterminates."""
         return True
 
     def beside(self, own: Evaluation) -> Evidence:
-        """All elements of the group are tried at once."""
+        """All elements of the group are covered together."""
         return UnderEvery(self.under)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
@@ -175,7 +175,7 @@ class Invariance(Claim):
         return vacuous() if nothing else Finding(VERIFIED, Weight(self.under, self.weight))
 
     def _statement(self, formula: Formula, name: str, where: Callable[[Any], Evidence]) -> Changed:
-        """That the value is as claimed under one map."""
+        """The statement that the value is as claimed under one map."""
 
         def sides(c: Any) -> tuple[Vector[Any], Vector[Any]]:
             moved, expected = self._sides(formula, name, c, vars(c))
@@ -199,14 +199,14 @@ class Invariance(Claim):
         return _components(formula(_moved(curve, made, k))), times_unit(value, unit, self.weight)
 
     def _in_other_parameter(self, formula: Formula, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
-        """The curve differentiated by another parameter, with an indeterminate ds/dt."""
+        """The curve differentiated with respect to another parameter, with an indeterminate ds/dt."""
         rho = k[SPEED]
         changed = curve.mapped(lambda x: InOtherParameter(x, rho))
         moved = [x.value for x in _components(formula(changed))]
         return moved, times_unit(_components(formula(curve)), rho, self.weight)
 
     def _carried(self, value: list[Any], made: Map, k: Mapping[str, Any], one: Any) -> list[Any]:
-        """The value, moved along where it is a vector or a point."""
+        """The value, mapped where it is a vector or a point."""
         if self.nature == Nature.SCALAR:
             return value
         if self.nature == Nature.VECTOR:
@@ -223,13 +223,13 @@ class _Wider(CurveKind):
     """The kind of a formula, with the constants of a group and with an additional function, the speed ρ."""
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
-        """Those of a curve, and ρ."""
+        """The symbols of a curve, and ρ."""
         return (*super().symbols(dimension, polynomial=polynomial), Symbol(SPEED, "ρ", PARAMETERS[:1]))
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
     ) -> Evaluated:
-        """The curve, with the constants and with ρ beside it."""
+        """The curve, with the constants and with ρ."""
         made = {s.name: operand(s) for s in self.symbols(dimension, polynomial=polynomial)}
         plain = CurveKind(self.name, self.dimensions, with_point=self.with_point)
         curve: Any = plain.argument(dimension, lambda s: made[s.name], one, polynomial=polynomial)

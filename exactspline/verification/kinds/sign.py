@@ -37,7 +37,7 @@ def positive_factor(claim: Claim, name: str, value: str) -> str:
 @claim_kind
 class SignClaim(Claim):
     """The value of ``formula`` has a ``sign`` wherever it exists: on all curves because, up to that sign, it is
-    ``factor`` times the sum of the ``squares`` (of a vector the squared length).
+    ``factor`` times the sum of the ``squares`` (for a vector, its squared length).
     """
 
     kind: ClassVar[str] = "sign"
@@ -48,7 +48,7 @@ class SignClaim(Claim):
     factor: str = field(default="1", metadata=read(positive_factor))
 
     def validate(self) -> None:
-        """Refuse two curves, Table 1, and a formula among its own squares."""
+        """Reject two curves, Table 1, and a formula among its own squares."""
         if self.of_pair or self.curve == ArgumentKind.TABLE:
             raise ClaimError(f"signs of {self.curve!r} are not decided", where="curve", remedy="name a curve")
         if self.factor != "1" and not self.squares:
@@ -84,7 +84,7 @@ class SignClaim(Claim):
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=reason)
 
     def _strict(self, squares: list[Any]) -> Finding:
-        """One of the squares has no zero by assumption: neither it nor a factor."""
+        """One of the squares has no zeros by assumption: neither it nor a factor."""
         constant = not any(name[0].isalpha() for name, _ in factor_parts(self.factor))
         for value in squares:
             used = _zero_free(value, self.assumes)
@@ -99,7 +99,7 @@ class SignClaim(Claim):
         return True
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """Segment by segment: no root at which the sign changes, and a value of that sign."""
+        """Segment by segment: there is no root at which the sign changes, and one value has that sign."""
         (p, *others), below = split(self.find(self.formula)(argument))
         if others:
             raise ClaimError(f"{self.formula!r} is a vector", where=self.key, remedy="a vector has no sign")
@@ -117,8 +117,8 @@ class SignClaim(Claim):
 
 
 def _zero_free(value: Any, assumed: Any) -> tuple[Name, ...] | None:
-    """The assumptions by which a value (of a vector: its squared length) has no zero; None where they do not imply
-    it.
+    """The assumptions that imply that a value (for a vector, its squared length) has no zeros; None where
+    they do not.
     """
     parts = split(value)[0]
     square = parts[0] * parts[0]
@@ -136,7 +136,7 @@ def _zero_free(value: Any, assumed: Any) -> tuple[Name, ...] | None:
 
 
 def _negative(f: BSpline, i: int) -> mpq:
-    """A parameter of a segment at which a spline that is negative somewhere on it is negative."""
+    """A parameter at which a spline is negative, on a segment on which it has negative values."""
     a, b = f.breakpoints[i : i + 2]
     n = f.degree + 2
     while True:

@@ -21,7 +21,7 @@ from exactspline.verification.vocabulary import ArgumentKind, Name
 
 @claim_kind
 class SquareClass(Claim):
-    """``formula`` is a square up to constants, on whatever curve, exactly where ``right`` is."""
+    """On every curve ``formula`` is a square up to constants exactly where ``right`` is."""
 
     kind: ClassVar[str] = "square class"
 
@@ -29,7 +29,7 @@ class SquareClass(Claim):
     right: Name = field(metadata=read(formula_name))
 
     def validate(self) -> None:
-        """Refuse a formula compared with itself, and two curves."""
+        """Reject a formula compared with itself, and two curves."""
         if self.formula == self.right:
             raise ClaimError("a formula is compared with itself", where="right", remedy="name another one")
         if self.of_pair or self.curve == ArgumentKind.TABLE:
@@ -47,7 +47,7 @@ class SquareClass(Claim):
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The quotient of the two is a square times a constant: every irreducible factor occurs an even number of
-        times. A square up to constants stays one times such a quotient.
+        times. The product of a square up to constants and such a quotient is again a square up to constants.
         """
         formula, right = self.find(self.formula), self.find(self.right)
         c = jets_for((formula, right), dimension, polynomial=polynomial)

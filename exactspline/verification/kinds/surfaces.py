@@ -31,7 +31,9 @@ ZETA = "the curve ζ = 0"
 
 @claim_kind
 class SameSurface(Claim):
-    """The ruled surfaces ``left`` and ``right`` are one: parallel generators, directrices that differ along them."""
+    """The ruled surfaces ``left`` and ``right`` are equal: their generators are parallel, and their directrices differ
+    by a multiple of these.
+    """
 
     kind: ClassVar[str] = "same surface"
     has_residues: ClassVar[bool] = True
@@ -40,13 +42,13 @@ class SameSurface(Claim):
     right: Name = field(metadata=read(formula_name))
 
     def validate(self) -> None:
-        """Refuse a surface compared with itself."""
+        """Reject a surface compared with itself."""
         if self.left == self.right:
             raise ClaimError("both sides are one formula", where="right", remedy="name another one")
 
     @property
     def equality(self) -> Statement:
-        """That they are one."""
+        """The statement that they are equal."""
         return OneRuledSurface(self.find(self.left), self.find(self.right))
 
     @property
@@ -60,8 +62,8 @@ class SameSurface(Claim):
         return rf"{self.symbol(self.left)} \;\text{{and}}\; {self.symbol(self.right)} \;\text{{are one surface}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The generators are parallel, the directrices differ along them; with the relation of the ruling parameters ζ
-        (left) and λ (right), and where it fails.
+        """The generators are parallel, the directrices differ by a multiple of these; with the relation of the ruling
+        parameters ζ (left) and λ (right), and where it fails.
         """
         formulas = self.find(self.left), self.find(self.right)
         c = jets_for(formulas, dimension, polynomial=polynomial)
@@ -124,13 +126,13 @@ class IsoCurve(Claim):
         return POINT_IN_SPACE if name == "right" else super().kind_of_field(name)
 
     def validate(self) -> None:
-        """Refuse anything but a plane curve with a point."""
+        """Reject anything but a plane curve with a point."""
         if self.curve != ArgumentKind.PLANE_POINT:
-            raise ClaimError("an iso-curve is one of a plane curve and a point", where="curve", remedy="plane point")
+            raise ClaimError("an iso-curve belongs to a plane curve and a point", where="curve", remedy="plane point")
 
     @property
     def equality(self) -> Statement:
-        """That the plane curve is the directrix."""
+        """The statement that the plane curve is the directrix."""
         return DirectrixOf(self.find(self.left), self.find(self.right))
 
     @property
@@ -146,7 +148,7 @@ class IsoCurve(Claim):
         )
 
     def missing(self, argument: Handed) -> None:
-        """No check beforehand: the right side takes the curve in space."""
+        """No check in advance: the right side takes the curve in space."""
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """As quotients of differential polynomials."""
@@ -161,7 +163,7 @@ class IsoCurve(Claim):
         return self.equality.decide(argument, VERIFIED)
 
     def highest_derivative(self, dimension: int) -> int:
-        """The right side is one in space."""
+        """The right side is a formula in space."""
         return max(order_of(self.find(self.left), dimension), order_of(self.find(self.right), dimension + 1))
 
     def residues(self, c: Evaluated) -> list[JetFraction]:

@@ -1,4 +1,4 @@
-"""Claims of what a value is: a polynomial, a rational function, or neither of them."""
+"""Claims about the type of a value: a polynomial, a rational function, or neither."""
 
 from __future__ import annotations
 
@@ -31,10 +31,11 @@ class TypeClaim(Claim):
     """The value of ``formula`` is of the type ``claimed``: ``"polynomial"`` on every curve; ``"rational"`` on every
     curve, and not a polynomial on all of them; ``"not rational"`` in general, that is on the generic curve.
 
-    A formula whose roots cancel is a quotient of polynomials on every curve. That it is no more, is shown by a witness:
-    on one curve the denominator in lowest terms is not constant, or what stands at a root does not vanish, and the
-    square of the root is not a square of a rational function (an irreducible factor occurs an odd number of times).
-    What is a polynomial, or rational, on the generic curve of a degree is so on each of them: one witness decides.
+    A formula whose roots cancel is a quotient of polynomials on every curve. That its type is not more special is shown
+    by a witness: on one curve the denominator in lowest terms is not constant, or the coefficient of a root does not
+    vanish, and the square of the root is not a square of a rational function (an irreducible factor occurs an odd
+    number of times). A value that is a polynomial, or rational, on the generic curve of a degree is so on every curve
+    of that degree: one witness decides.
     """
 
     kind: ClassVar[str] = "type"
@@ -44,7 +45,7 @@ class TypeClaim(Claim):
     claimed: ValueType = field(metadata=read(one_of(ValueType)))
 
     def validate(self) -> None:
-        """Refuse arguments that no curve gives."""
+        """Reject arguments that cannot be obtained from a curve."""
         kind = kind_of(self.curve)
         if self.curve != ArgumentKind.TABLE and not kind.made_of_a_curve and not kind.adjoins_roots:
             raise ClaimError(f"types of {str(self.curve)!r} are not decided", where="curve", remedy="name a curve")
@@ -60,7 +61,7 @@ class TypeClaim(Claim):
         return rf"{self.symbol(self.formula)} \;\text{{is {self.claimed}}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The most special type that holds on every curve, and a witness that it is no more special than claimed."""
+        """The most special type that holds on every curve, and a witness that it is not more special than claimed."""
         values = self._on_all_curves(dimension, polynomial)
         if all(x.is_zero for x in values):
             return vacuous(Fact.VANISHES)
@@ -90,7 +91,7 @@ class TypeClaim(Claim):
         return split(joined(formula(c)))[0]
 
     def _types_of_examples(self, dimension: int, polynomial: bool) -> Iterator[tuple[str, ValueType | None]]:
-        """The type on the example curves, that which is named as witness first."""
+        """The type on the example curves, the one named as witness first."""
         if self.curve == ArgumentKind.TABLE:
             values = map(on_cubics, self._on_all_curves(dimension, polynomial))
             yield "", ValueType.RATIONAL if any(map(_is_quotient, values)) else ValueType.POLYNOMIAL
@@ -105,7 +106,8 @@ class TypeClaim(Claim):
                     continue
 
     def type_on(self, curve: Nurbs) -> ValueType | None:
-        """The type on one curve, whatever the free operands; None where dependent roots leave it open.
+        """The type on one curve, for all values of the free operands; None where it is undecided because of dependent
+        roots.
 
         Raises `VanishingDivisorError` where the formula does not exist.
         """
@@ -122,7 +124,7 @@ class TypeClaim(Claim):
 
     @property
     def tries_all(self) -> bool:
-        """All segments, and indeterminates."""
+        """All segments are covered, with indeterminates."""
         return True
 
     def beside(self, own: Evaluation) -> None:
@@ -147,7 +149,9 @@ class TypeClaim(Claim):
 
 
 def _coefficients(value: Any) -> list[Any]:
-    """What stands at 1 and at the adjoined roots: of ``a + b σ`` a, b; over a second root ρ at 1, σ, ρ, σρ."""
+    """The coefficients of 1 and of the adjoined roots: for ``a + b σ`` a, b; with a second root ρ those of 1,
+    σ, ρ, σρ.
+    """
     if not isinstance(value, Adjoined):
         return [value]
     return [*_coefficients(value.plain), *_coefficients(value.rooted)]
@@ -180,7 +184,7 @@ def _is_square(value: Any) -> bool:
 
 def on_cubics(value: JetFraction) -> JetFraction:
     """A quotient of differential polynomials in functions of one parameter where these are cubic polynomials, without
-    common zeros: the first indeterminate of the ring stands for the parameter.
+    common zeros: the first indeterminate of the ring represents the parameter.
     """
     ring = value.ring
     s, names = ring.gens[0], list(dict.fromkeys(name for name, _ in ring.variables))

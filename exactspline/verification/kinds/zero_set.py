@@ -24,8 +24,8 @@ ONE = "one zero set"
 
 @claim_kind
 class ZeroSet(Claim):
-    """All of ``formulas`` have one zero set: of their numerators, with nothing cancelled, or of their values in lowest
-    terms.
+    """All of ``formulas`` have one zero set: that of their numerators without cancellation, or of their values in
+    lowest terms.
     """
 
     kind: ClassVar[str] = "zero set"
@@ -34,7 +34,7 @@ class ZeroSet(Claim):
     measure: ZeroSetOf = field(default=ZeroSetOf.NUMERATORS, metadata=read(one_of(ZeroSetOf)))
 
     def validate(self) -> None:
-        """Refuse fewer than two formulas, and two curves."""
+        """Reject fewer than two formulas, and two curves."""
         if len(set(self.formulas)) < 2 or len(set(self.formulas)) < len(self.formulas):
             raise ClaimError(
                 "a zero set is compared with itself", where="formulas", remedy="name two formulas or more, each once"
@@ -86,7 +86,7 @@ class ZeroSet(Claim):
         return True
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """On every segment, what is left of each numerator after removing the other's factors has no zero."""
+        """On every segment, each numerator has no zeros after removing the other's factors."""
         values = [(name, self.find(name)(argument)) for name in self.formulas]
         if self.measure == ZeroSetOf.VALUES:
             values = [(name, _lowest(value)) for name, value in values]

@@ -15,7 +15,7 @@ import sympy
 from flint import Ordering, fmpz_mpoly_ctx
 from sympy.polys.rings import ring
 
-from exactspline import NurbsSurface, example_surface, inspect_surface
+from exactspline import NurbsSurface, analyse, example
 from exactspline.geometry.surface.forms import SurfaceForms, on_patch
 from exactspline.geometry.surface.signs import sign_on_patch
 from exactspline.geometry.surface.umbilics import umbilics_of_patch
@@ -97,7 +97,7 @@ def test_the_form_with_the_sign_of_k(benchmark, degree, who):
 
 @pytest.mark.parametrize("name", ["rational_biquadratic", "seeded"])
 def test_the_sign_of_k_on_a_rational_biquadratic(benchmark, name):
-    surface = patch(2, 3, rational=True) if name == "seeded" else example_surface(name)
+    surface = patch(2, 3, rational=True) if name == "seeded" else example(name)
 
     def proved(s):
         return sign_on_patch(on_patch(SurfaceForms(s).parabolic, (0, 0)).form).sign
@@ -128,7 +128,7 @@ def test_parabolic_curves_of_bicubics(benchmark):
 
     def all_of_them():
         for seed in BICUBICS:
-            (one,) = inspect_surface(patch(3, seed, rational=False)).patches
+            (one,) = analyse(patch(3, seed, rational=False)).patches
             assert isinstance(one.curve, ZeroCurve)
             assert one.complete
 
@@ -139,4 +139,4 @@ def test_the_torus_drawn(benchmark):
     from exactspline.display.plot.patches import surface_figure
 
     benchmark.group = "the torus, inspected and drawn"
-    benchmark.pedantic(lambda: surface_figure(inspect_surface(example_surface("torus"))), rounds=1)
+    benchmark.pedantic(lambda: surface_figure(analyse(example("torus"))), rounds=1)
