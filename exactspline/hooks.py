@@ -84,7 +84,7 @@ class FunctionsOutside:
 
     def __dir__(self) -> list[str]:
         missing = {name for name in _functions if isinstance(_found(type(self), name), _FunctionOutside)}
-        return [name for name in super().__dir__() if name not in missing]
+        return [name for name in super().__dir__() if name not in missing or name in getattr(self, "__dict__", ())]
 
 
 def _found(owner: type, name: str) -> object:

@@ -42,6 +42,9 @@ class Finding:
     def __bool__(self) -> bool:
         return self.right
 
+    def __repr__(self) -> str:
+        return f"<Finding: {'; '.join(map(str, self.differences)) or 'right'}>"
+
 
 class Answer(ABC):
     """A correct answer."""

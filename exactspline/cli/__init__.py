@@ -34,7 +34,7 @@ class Commands(click.Group):
     """Commands of which only the one that is called is imported; a misspelt one is answered by the nearest."""
 
     def __init__(self, name: str, help: str, entries: dict[str, Entry], **fields: object) -> None:
-        super().__init__(name, help=help, no_args_is_help=True, **fields)  # type: ignore[arg-type]
+        super().__init__(name, help=help, no_args_is_help=True, **fields)  # type: ignore[arg-type]  # what click takes
         self.entries = entries
 
     def list_commands(self, ctx: click.Context) -> list[str]:

@@ -138,7 +138,10 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
         _State.quiet = values.pop("quiet")
         if loading := sys.modules.get("exactspline.papers.loading"):
             loading.forget_what_ran()
-        command(out=Output(chosen[0] if chosen else "text", _State.quiet), **values)
+        try:
+            command(out=Output(chosen[0] if chosen else "text", _State.quiet), **values)
+        finally:
+            _State.quiet = False
 
     hints = get_type_hints(command, include_extras=True)
     own = [

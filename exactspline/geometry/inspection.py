@@ -13,6 +13,7 @@ from exactspline.geometry.kinds import Feature
 from exactspline.questions.answers import Places
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 from exactspline.words import Word, choice
@@ -116,7 +117,7 @@ def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
     >>> [(str(a.name), a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
     [('squaring', 24, 8, 2), ('direct', 6, 6, 0), ('reduced', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
     """
-    analysis = analyse(curve)
+    analysis = analyse(curve_of(curve))
     true = [root for root, _ in located(analysis.zero_form(analysis.critical_form).zeros)]
     expected = [f.root for f in analysis.critical_points]
     rows = []

@@ -69,7 +69,7 @@ def examples(of: str = "") -> tuple[str, ...]:
     Raises `FormulaError` for another word.
     """
     known = {"curves": example_names(), "surfaces": example_surface_names()}
-    if of and of not in known:
+    if as_text(of, "what the examples are of") and of not in known:
         raise FormulaError(f"there are no examples of {of!r}", remedy="there are curves and surfaces")
     return known[of] if of else tuple(name for names in known.values() for name in names)
 
@@ -88,12 +88,13 @@ def example(name: str) -> Nurbs | NurbsSurface:
 
     Raises `CurveFileError` with the nearest names.
     """
-    return example_surface(name) if name in example_surface_names() else _example_curve(name)
+    known = as_text(name, "the name of an example") in example_surface_names()
+    return example_surface(name) if known else _example_curve(name)
 
 
 @cache
 def _example_curve(name: str) -> Nurbs:
-    if as_text(name, "the name of a curve") not in example_names():
+    if name not in example_names():
         remedy = nearest(name, examples(), listed_by="list curves")
         raise CurveFileError(f"there is neither a file nor an example called {name!r}", remedy=remedy)
     return curve_from_text(_text("example_curves", name), name)

@@ -15,6 +15,7 @@ from exactspline.language.vector import Vector, det, norm2
 
 Constants = Mapping[str, Any]
 M = TypeVar("M", bound=Operand)
+N = TypeVar("N")
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,7 @@ def _rotated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
     return Vector(*[_combination(row, p) for row in rows]), w
 
 
-def rotation_rows(n: int, k: Constants) -> list[list[Any]]:
+def rotation_rows(n: int, constants: Mapping[str, N]) -> list[list[N]]:
     """The rows of a rotation matrix: given by the tangent of half its angle in the plane, by a quaternion 1 + a i + b j
     + c k in space.
 
@@ -69,6 +70,7 @@ def rotation_rows(n: int, k: Constants) -> list[list[Any]]:
     >>> rotation_rows(2, {"turn1": mpq(1, 2)})
     [[mpq(3,5), mpq(-4,5)], [mpq(4,5), mpq(3,5)]]
     """
+    k: Constants = constants
     if n == 2:
         q = k["turn1"]
         length = q * q + 1

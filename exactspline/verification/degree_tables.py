@@ -273,7 +273,7 @@ class _Fixed:
         return self.values[order]
 
 
-def bisected_pair(kind: Kind, curve: Nurbs) -> Any:
+def bisected_pair(kind: Kind, curve: Nurbs) -> Curve[BSpline] | Pair[BSpline]:
     """A curve and its counterpart in a bisector: a point, or the derivatives of a second curve at one parameter; prime
     numbers avoid coincidences.
     """
@@ -282,7 +282,7 @@ def bisected_pair(kind: Kind, curve: Nurbs) -> Any:
         return Curve(
             curve.p, curve.w, polynomial=True, point=Vector(*[curve.w.constant(next(primes)) for _ in curve.p])
         )
-    second = [_Fixed([curve.w.constant(next(primes)) for _ in range(2)]) for _ in range(4)]
+    second: Any = [_Fixed([curve.w.constant(next(primes)) for _ in range(2)]) for _ in range(4)]
     return Pair(curve, Curve(Vector(*second[:3]), second[3], polynomial=True))
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import kind_of
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.symbolic.factorization import without_denominator
@@ -34,7 +33,7 @@ class Sympy:
         return worst([equality.decide(argument_for(claim, n, polynomial)) for n, polynomial in cases])
 
 
-def argument_for(claim: Claim, dimension: int, polynomial: bool) -> Any:
+def argument_for(claim: Claim, dimension: int, polynomial: bool) -> Evaluated:
     """The argument of a formula in this reading."""
     kind = kind_of(claim.curve)
     if kind.adjoins_roots:

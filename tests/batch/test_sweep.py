@@ -424,4 +424,4 @@ def test_the_summary_gives_the_reason_for_every_curve_that_is_refused(tmp_path):
     for line in xs.sweep([str(broken), "circle"]):
         summary.add(line)
     (told,) = [each.name for each in summary.entries() if each.what == "refused"]
-    assert told.startswith(f"{broken}: is not a font")
+    assert told.startswith(f"{broken}: is not a readable font")

@@ -138,7 +138,7 @@ def test_examples_and_curves_in_space():
 
 
 @pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real curves at hand")
-@pytest.mark.parametrize("folder", ["list", "curves", "files"])
+@pytest.mark.parametrize("folder", ["curves", "files"])
 def test_curves_of_others(folder):
     given = [item.given for item in items([str(SHARED / folder)]) if isinstance(item.given, Nurbs)]
     small = [curve for curve in given if curve.segments * curve.degree**3 < 1000]

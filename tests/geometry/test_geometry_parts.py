@@ -123,7 +123,7 @@ def test_right_angles_are_whole_numbers_of_degrees(k, digits):
 def test_a_ball_is_not_told_from_what_it_may_be():
     """1/2 is neither above nor below itself."""
     half = mpq(1, 2)
-    with pytest.raises(OpenError, match="leaves the answer open"):
+    with pytest.raises(OpenError, match="undecided at"):
         InBalls(lambda bits: arb("0.5")) > half  # noqa: B015
     for other, sign in ((mpq(1, 2) + mpq(1, 10**30), -1), (mpq(1, 2) - mpq(1, 10**30), 1), (mpq(0), 1), (mpq(1), -1)):
         assert (InBalls(lambda bits: arb("0.5")) - other).sign == sign

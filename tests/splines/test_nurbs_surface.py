@@ -11,18 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import (
-    Direction,
-    ExactSplineError,
-    Nurbs,
-    NurbsSurface,
-    example,
-    examples,
-    load_surface,
-    rational,
-    surface_from_text,
-    write,
-)
+from exactspline import Direction, ExactSplineError, Nurbs, NurbsSurface, example, examples, rational, write
 from exactspline.errors import (
     CurveFileError,
     DomainError,
@@ -32,7 +21,8 @@ from exactspline.errors import (
     ShapeError,
     WeightError,
 )
-from exactspline.interchange.surface_files import looks_like_surface, surface_data
+from exactspline.interchange.examples import load_surface
+from exactspline.interchange.surface_files import looks_like_surface, surface_data, surface_from_text
 
 UNIT = [0, 0, 1, 1]
 SQUARE = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]]

@@ -99,7 +99,7 @@ def test_a_new_user_follows_the_page(tmp_path, monkeypatch):
 def test_every_command_of_the_page_works(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     run("paper", "new", "my-paper")
-    exactspline.save(example("ellipse"), "my.json")
+    exactspline.write(example("ellipse"), "my.json")
     lines = re.findall(r"^\./run (.*?)\s{2,}#", DOCS.read_text(encoding="utf-8"), re.MULTILINE)
     tried = [line for line in lines if "paper new" not in line and "--paper all" not in line]
     assert len(tried) >= 9
@@ -170,7 +170,7 @@ def test_a_paper_has_curves_of_its_own(tmp_path):
     )
     (own / "curves").mkdir()
     curve = example("parabola")
-    exactspline.save(curve, own / "curves" / "half.json")
+    exactspline.write(curve, own / "curves" / "half.json")
     (row,) = audit(claims_of(load_paper(own)))
     assert row.verdict in (VERIFIED, REFUTED)
     (own / "curves" / "bad.json").write_text("{")

@@ -86,7 +86,10 @@ def test_a_wrong_factor_is_neither_proved_nor_verified(factor):
             '{"degree": 1, "degree": 2, "knots": [0, 0, 1, 1], "control_points": [[1, 0], [1, 1]]}',
             "'degree' is written",
         ),
-        ('{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[1, 0], [1, null]]}', r"\[1\]\[1\]: 'null' is not a"),
+        (
+            '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[1, 0], [1, null]]}',
+            r"control_points\[1\]\[1\]: None is not a",
+        ),
     ],
 )
 def test_a_curve_file_that_means_no_curve_is_refused(text, told):

@@ -22,6 +22,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineVector
+from exactspline.verification.kinds.count import extrema_at_ends
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -94,7 +95,7 @@ def figure_1() -> Drawn:
         ),
         (
             f"of the {len(extrema)} extrema of the curvature {len(jumps)} are at knots where κ′ changes its sign by "
-            "a jump."
+            f"a jump, {extrema_at_ends(curve)} extrema at the ends of one segment."
         ),
         (
             f"(b) the numerator of (κ²)′, {cost(squared)}; {len(squared_zeros)} roots, {len(extra)} of them extra "

@@ -34,6 +34,7 @@ from exactspline.numbers.sides import Side
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 
@@ -153,7 +154,7 @@ def plot_approaches(
     Raises `FormulaError` for an unknown construction or form, `ShapeError` for a curve of the wrong dimension,
     otherwise as `plot_function`.
     """
-    made = construction(name)
+    made, curve = construction(name), curve_of(curve)
     ax = axes_for(ax)
     ax.axhline(0, color=BLACK, linewidth=0.8, zorder=1)
     for i, variant in enumerate(list(as_items(forms, "names of forms")) or made.all_variants):

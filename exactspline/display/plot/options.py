@@ -41,7 +41,7 @@ def exact_box(box: Box | None, dimension: int) -> Box | None:
     return low, high
 
 
-def check_names(draw: Callable[..., Any], names: Iterable[str]) -> None:
+def check_names(draw: Callable[..., object], names: Iterable[str]) -> None:
     """Refuse the name of an option that a function does not have, with `PlotError`."""
     known = [p.name for p in signature(draw).parameters.values() if p.kind is p.KEYWORD_ONLY]
     for name in names:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from importlib import resources
 from typing import Any
 
-from exactspline.errors import CurveFileError, ExactSplineError, NumberError
+from exactspline.errors import CurveFileError, ExactSplineError, NumberError, shown
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.curve_files import curve_data, curve_from_data
 from exactspline.interchange.json_files import CURVE, check_fields, parsed
@@ -71,9 +71,9 @@ def _curve(collector: Collector, entry: Any, where: str) -> None:
         "curve",
         where,
         whole(str(entry["degree"])),
-        _row(collector, entry["knots"]),
-        [_point(collector, row) for row in _list(entry["control_points"])],
-        None if entry.get("weights") is None else _row(collector, entry["weights"]),
+        _row(collector, entry["knots"], "knots"),
+        [_point(collector, row, f"control_points[{i}]") for i, row in enumerate(_list(entry["control_points"]))],
+        None if entry.get("weights") is None else _row(collector, entry["weights"], "weights"),
         name=str(entry.get("name") or "") or collector.source.name,
         notes=[f"{key}: {entry[key]}" for key in ("note", "source") if entry.get(key)],
         source=str(entry.get("source") or ""),
@@ -93,28 +93,30 @@ def _list(value: Any) -> list[Any]:
     return value
 
 
-def _row(collector: Collector, values: Any) -> list[mpq]:
+def _row(collector: Collector, values: Any, where: str) -> list[mpq]:
     collector.count(len(_list(values)))
-    return [_number(value, collector) for value in values]
+    return [_number(value, collector, f"{where}[{i}]") for i, value in enumerate(values)]
 
 
-def _point(collector: Collector, row: Any) -> Sequence[mpq]:
+def _point(collector: Collector, row: Any, where: str) -> Sequence[mpq]:
     """A point, written as a list, or a direction (of weight zero), written as an object."""
     if isinstance(row, dict) and set(row) == {"vector"}:
-        return Direction(*_row(collector, row["vector"]))
-    return _row(collector, row)
+        return Direction(*_row(collector, row["vector"], where))
+    return _row(collector, row, where)
 
 
-def _number(value: Any, collector: Collector) -> mpq:
+def _number(value: Any, collector: Collector, where: str) -> mpq:
     if not isinstance(value, str):
-        raise NumberError("a coordinate that is not a number", remedy='write 3, 0.1 or "1/3"')
+        raise NumberError(f"{shown(value)} is not a number", where=where, remedy='write 3, 0.1 or "1/3"')
     mark, most = ("p", 4 * collector.limits.exponent) if "x" in value.lower() else ("e", collector.limits.exponent)
     exponent = value.lower().partition(mark)[2].strip()
     # an exponent of a few digits could exhaust the memory
     if exponent and (not _EXPONENT.fullmatch(exponent) or abs(int(exponent)) > most):
-        raise NumberError(f"the exponent {exponent[:20]!r}", remedy=f"exponents up to {most} are read")
+        raise NumberError(f"the exponent {exponent[:20]!r}", where=where, remedy=f"exponents up to {most} are read")
     if len(value) > 50 * collector.limits.digits:
-        raise NumberError(f"a number of {len(value)} characters", remedy="read with a larger limit of digits")
+        raise NumberError(
+            f"a number of {len(value)} characters", where=where, remedy="read with a larger limit of digits"
+        )
     return rational(str(value))
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.language.kinds import CURVE
@@ -102,7 +103,7 @@ class Coefficients(Claim):
         return Finding(VERIFIED, Fact.NONE_VANISHES)
 
 
-def is_decided(attempt: Any) -> bool:
+def is_decided(attempt: Callable[[], object]) -> bool:
     """Whether the reading of single terms is applicable, as for formulas linear in p and in w."""
     try:
         return attempt() is not None

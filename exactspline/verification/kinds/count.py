@@ -13,6 +13,7 @@ from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms
+from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.components import only_component
@@ -98,7 +99,7 @@ class Count(ExampleClaim):
         if what == Counter.CUSPS:
             return _cusps(self.find(self.formula), own)
         if what == Counter.ENDS:
-            return _at_ends(own)
+            return extrema_at_ends(own.curve)
         numerators = split(value)[0]
         if what == Counter.DEGREE:
             return int(value.degree)
@@ -132,12 +133,17 @@ def count_of_extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
     return len(extrema) if same and not zero_set.intervals else None
 
 
-def _at_ends(own: Evaluation) -> int:
-    """The most extrema of the curvature that lie at the ends of one segment, where κ′ changes its sign by a jump."""
+def extrema_at_ends(curve: Nurbs) -> int:
+    """The most extrema of the curvature that lie at the ends of one segment, where κ′ changes its sign by a jump.
+
+    >>> from exactspline.interchange.examples import example
+    >>> extrema_at_ends(example("six_segment_cubic"))
+    2
+    """
     from exactspline.geometry.analysis import analyse
 
-    jumps = [each.root for each in analyse(own.curve).curvature_extrema if each.by_jump]
-    return max(sum(root in ends for root in jumps) for ends in pairwise(own.curve.breakpoints))
+    jumps = [each.root for each in analyse(curve).curvature_extrema if each.by_jump]
+    return max(sum(root in ends for root in jumps) for ends in pairwise(curve.breakpoints))
 
 
 def _cusps(formula: Formula, own: Evaluation) -> int | None:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import field
 from enum import StrEnum
 from functools import cache, partial
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, VanishingDivisorError
 from exactspline.language.accompanied import Accompanied
@@ -32,6 +32,8 @@ from exactspline.verification.evidence import DifferUnder, Evidence, UndefinedAt
 from exactspline.verification.segments import OnSegment, on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Group, Name
+
+N = TypeVar("N")
 
 
 class Nature(StrEnum):
@@ -257,11 +259,12 @@ def _components(value: Any) -> list[Any]:
     return [value[i] for i in range(len(value))] if value.is_vector else [value]
 
 
-def times_unit(value: list[Any], unit: Any, weight: int) -> list[Any]:
+def times_unit(value: list[N], unit: N | None, weight: int) -> list[N]:
     """A value times a power of the unit."""
     if unit is None or not weight:
         return value
-    power = unit ** abs(weight)
+    base: Any = unit
+    power = base ** abs(weight)
     return [x * power if weight > 0 else x / power for x in value]
 
 
@@ -272,7 +275,7 @@ def _moved(curve: Any, made: Map, k: Mapping[str, Any]) -> Curve[Any]:
     return Curve(p, w, polynomial=curve.polynomial and made.affine, point=point)
 
 
-def image_of_point(point: Vector[Any], made: Map, k: Mapping[str, Any], one: Any) -> list[Any]:
+def image_of_point(point: Vector[N], made: Map, k: Mapping[str, N], one: N) -> list[N]:
     """The coordinates of a point's image under a map."""
     top, below = made.image(point, one, k)
     return list(top) if made.affine else [x / below for x in top]
