@@ -39,8 +39,8 @@ def latex(x: object) -> str | None:
     r"""LaTeX for a notebook, None for other objects: a display formula, with line breaks where it is too long.
 
     >>> from exactspline.papers import find
-    >>> latex(find("D1"))
-    "$$D_1 = p'\\,w - p\\,w'$$"
+    >>> latex(find("D1")).strip("$")
+    "D_1 = p'\\,w - p\\,w'"
     """
     inner = mathematics(x)
     return None if inner is None else f"$${inner}$$"

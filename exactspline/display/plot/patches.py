@@ -105,7 +105,7 @@ def _in_space(ax: Any, inspection: SurfaceInspection, samples: Samples, lines: A
     marks += [(paint.spot(surface(*p), 6, 4), GREEN) for p in singular_spots(inspection)]
     colors = [*shades, *[to_rgb(color) for polygons, color in marks for _ in polygons]]
     collection = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection
-    every = [*faces, *[polygon for polygons, _ in marks for polygon in polygons]]
+    every = _of_one_length([*faces, *[polygon for polygons, _ in marks for polygon in polygons]])
     ax.add_collection3d(
         collection(every, facecolors=colors, edgecolors=colors, linewidths=EDGE, rasterized=True, zorder=1)
     )
@@ -116,6 +116,14 @@ def _in_space(ax: Any, inspection: SurfaceInspection, samples: Samples, lines: A
         getattr(ax, f"set_{axis}lim")(low, low + length)
     ax.set_box_aspect(extent, zoom=FILLED * float(np.linalg.norm(extent)) / paint.seen)
     ax.set_axis_off()
+
+
+def _of_one_length(polygons: list[Any]) -> list[Any]:
+    """The polygons with as many vertices as the longest, the last one repeated: where they differ, matplotlib 3.11
+    computes with memory that it never filled.
+    """
+    most = max(map(len, polygons))
+    return [[*polygon, *[polygon[-1]] * (most - len(polygon))] for polygon in polygons]
 
 
 class _Paint:
