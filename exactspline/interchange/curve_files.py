@@ -30,12 +30,11 @@ from exactspline.interchange.json_files import (
 from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_points
-from exactspline.splines.expected import curve_of
 from exactspline.splines.given import checked_degree
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
-__all__ = ["MAX_BYTES", "curve_data", "curve_from_data", "curve_from_text", "read_curve", "save", "write_json"]
+__all__ = ["MAX_BYTES", "curve_data", "curve_from_data", "curve_from_text", "read_curve", "write_json"]
 
 
 def read_curve(path: str | os.PathLike[str]) -> Nurbs:
@@ -169,22 +168,6 @@ def curve_data(curve: Nurbs) -> dict[str, object]:
     if curve.note:
         data["note"] = curve.note
     return data if curve.polynomial else data | {"weights": [str(w) for w in curve.weights]}
-
-
-def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
-    """Write a curve to a curve file, with numbers as exact text; the file is written atomically.
-
-    >>> import tempfile
-    >>> from exactspline import example, read
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     save(example("circle"), f"{folder}/circle.json")
-    ...     read(f"{folder}/circle.json").curve == example("circle")
-    True
-
-    Raises `ExactSplineError` if the file cannot be written.
-    """
-    curve = curve_of(curve)
-    write_json(path, curve_data(curve))
 
 
 def write_json(path: str | os.PathLike[str], data: object) -> None:

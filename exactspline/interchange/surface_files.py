@@ -12,7 +12,6 @@ from collections.abc import Mapping
 from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.interchange.curve_files import write_json
 from exactspline.interchange.json_files import (
     SURFACE,
     check_fields,
@@ -24,7 +23,6 @@ from exactspline.interchange.json_files import (
     written_point,
 )
 from exactspline.numbers.exact import Number
-from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import NurbsSurface
 
 #: An alternative name for ``control_points``.
@@ -113,19 +111,3 @@ def surface_data(surface: NurbsSurface) -> dict[str, object]:
     if surface.note:
         data["note"] = surface.note
     return data if surface.polynomial else data | {"weights": [[str(w) for w in row] for row in surface.weights]}
-
-
-def save_surface(surface: NurbsSurface, path: str | os.PathLike[str]) -> None:
-    """Write a surface to a surface file, with numbers as exact text; the file is written atomically.
-
-    >>> import tempfile
-    >>> from exactspline.interchange.examples import example_surface
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     save_surface(example_surface("sphere"), f"{folder}/sphere.json")
-    ...     read_surface(f"{folder}/sphere.json") == example_surface("sphere")
-    True
-
-    Raises `ExactSplineError` if the file cannot be written.
-    """
-    surface = surface_of(surface)
-    write_json(path, surface_data(surface))

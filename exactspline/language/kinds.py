@@ -23,7 +23,6 @@ from exactspline.language.vector import Vector
 __all__ = [
     "CURVE",
     "CURVE_ON_SURFACE",
-    "DIMENSIONS",
     "FORMS",
     "FRAMED",
     "FRAMED_PLANE",
@@ -297,6 +296,3 @@ def _constants(text: str) -> Sequence[str]:
 for _kind in KINDS.values():
     # pickled by name, since kinds are compared by identity
     copyreg.pickle(type(_kind), lambda kind: (kind_of, (kind.name,)))
-
-#: The dimensions in which a kind exists.
-DIMENSIONS = {name: kind.dimensions for name, kind in KINDS.items()}

@@ -303,27 +303,3 @@ def _resolved(formula: Callable[[Any], Any], curve: Callable[[int], Any], name: 
         if last and (len(last) == len(leading) or len(gradings) == 1):
             return last
     raise FormulaError(f"the first {MAX_TERMS - 1} terms of {name} vanish", remedy="it may be identically zero")
-
-
-def drop_of(
-    formula: Callable[..., object], curve: Callable[[int], object], name: str
-) -> tuple[int, int, int, tuple[int, ...]]:
-    """``(k, m, drop, exceptions)``: the formula has true degree ``k d − m − drop`` on the generic curve of degree d.
-
-    Proved for every d ≥ drop (so that the coefficients exist) except the exceptions, where it is lower. The degree of a
-    vector is the largest degree of its components. ``curve`` returns the curve at infinity to a given number of terms.
-
-    Raises `FormulaError` for formulas that are not polynomials in the curve, or not homogeneous (see
-    `generic_true_degree`).
-    """
-    resolved = _resolved(formula, curve, name)
-    gradings = {grading for part in resolved for grading in part}
-    if len(gradings) > 1:
-        raise FormulaError(
-            f"a sum of terms of degree and weight {sorted(gradings)}", remedy="homogeneous formulas only"
-        )
-    ((k, m),) = gradings
-    leading = [part[k, m] for part in resolved]
-    least = min(drop for drop, _ in leading)
-    exceptions = set.intersection(*[set(common_roots(term)) for drop, term in leading if drop == least])
-    return k, m, least, tuple(sorted(exceptions))

@@ -8,7 +8,7 @@ from gmpy2 import mpq
 from exactspline import Nurbs
 from exactspline.language import Vector
 from exactspline.language.arguments import Curve, Pair
-from exactspline.language.kinds import DIMENSIONS, PAIR, POINT_IN_SPACE, kind_of
+from exactspline.language.kinds import PAIR, POINT_IN_SPACE, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, ruled
 from exactspline.language.vector import cross, dot, norm2
@@ -54,7 +54,7 @@ def series(kind, s, t, terms, *, polynomial=False):
 
 
 def dimension(f):
-    return DIMENSIONS[f.curve][0]
+    return f.kind.dimensions[0]
 
 
 def values(x, *place):

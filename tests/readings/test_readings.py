@@ -14,7 +14,7 @@ from exactspline.errors import FormulaError
 from exactspline.interchange.examples import example
 from exactspline.language import Rational, Vector
 from exactspline.language.arguments import Curve
-from exactspline.language.kinds import CURVE, DIMENSIONS, TABLE
+from exactspline.language.kinds import CURVE, TABLE
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
@@ -29,7 +29,7 @@ from exactspline.readings.tree import TreeReading, evaluate, trace
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.
 FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("curve", "plane", "space", "table")}
-CASES = [(name, dimension) for name, f in FORMULAS.items() for dimension in DIMENSIONS[f.curve]]
+CASES = [(name, dimension) for name, f in FORMULAS.items() for dimension in f.kind.dimensions]
 OF_CURVES = [(name, dimension) for name, dimension in CASES if FORMULAS[name].curve != "table"]
 
 
@@ -183,7 +183,7 @@ POLYNOMIAL_DEGREES = {
 
 @pytest.mark.parametrize("name", RATIONAL_DEGREES)
 def test_naive_degrees_of_rational_curves(name):
-    for dimension in DIMENSIONS[FORMULAS[name].curve]:
+    for dimension in FORMULAS[name].kind.dimensions:
         assert (
             equal_from(
                 FORMULAS[name](DegreeReading().argument(CURVE, dimension)).degree, parse_degree(RATIONAL_DEGREES[name])
@@ -194,7 +194,7 @@ def test_naive_degrees_of_rational_curves(name):
 
 @pytest.mark.parametrize("name", POLYNOMIAL_DEGREES)
 def test_naive_degrees_of_polynomial_curves(name):
-    for dimension in DIMENSIONS[FORMULAS[name].curve]:
+    for dimension in FORMULAS[name].kind.dimensions:
         found = FORMULAS[name](DegreeReading().argument(CURVE, dimension, polynomial=True)).degree
         assert equal_from(found, parse_degree(POLYNOMIAL_DEGREES[name])) is not None
         assert all(found.at({"d": d}) == parse_degree(POLYNOMIAL_DEGREES[name]).at({"d": d}) for d in range(2, 12))

@@ -23,11 +23,6 @@ _INFIX = {
     Operation.TIMES: (PRODUCT, PRODUCT, UNARY),
     Operation.OVER: (PRODUCT, PRODUCT, UNARY),
 }
-#: Operations written as functions with their own names.
-_FUNCTIONS = (
-    *(Operation.DOT, Operation.CROSS, Operation.PERP),
-    *(Operation.RULED, Operation.DIRECTRIX, Operation.GENERATOR),
-)
 _AXES = {"axis_x": 0, "axis_y": 1, "axis_z": 2}
 _PARAMETERS = {"s": "s", "s̄": "s_bar", "u": "s", "v": "s_bar"}
 #: Operands that are fields of records; the others have separate functions, named with ``_of``.

@@ -38,13 +38,7 @@ class Condition(ExampleClaim):
 
     def validate(self) -> None:
         """Reject an example to which the claim does not apply, and a form compared with itself."""
-        curve = self.curve_named(self.example)
-        if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
-            raise ClaimError(
-                f"{self.example!r} is not a curve to which the claim applies",
-                where="example",
-                remedy="name another one",
-            )
+        super().validate()
         if self.left == self.right:
             raise ClaimError("both sides are one formula", where="right", remedy="name another one")
 

@@ -57,16 +57,6 @@ class Count(ExampleClaim):
     formula: Name = field(metadata=read(formula_name))
     claimed: str = field(metadata=read(counted))
 
-    def validate(self) -> None:
-        """Reject an example to which the claim does not apply."""
-        curve = self.curve_named(self.example)
-        if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
-            raise ClaimError(
-                f"{self.example!r} is not a curve to which the claim applies",
-                where="example",
-                remedy="name another one",
-            )
-
     @property
     def claims(self) -> str:
         """The numbers."""
