@@ -41,3 +41,8 @@ def write_atomically(
         raise error(
             f"cannot be written ({problem})", where=str(path), remedy="name a file in a folder that can be written"
         ) from None
+
+
+def write_text(path: str | os.PathLike[str], text: str, error: type[ExactSplineError] = CurveFileError) -> None:
+    """Write a text in UTF-8 atomically, with the errors of `write_atomically`."""
+    write_atomically(path, lambda stream: stream.write(text.encode()), error)

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import IO, Self, TypeVar
 
-from exactspline.atomic_write import write_atomically
+from exactspline.atomic_write import write_text
 from exactspline.batch.lines import Line
 from exactspline.errors import ExactSplineError
 
@@ -56,7 +56,7 @@ class Results(ABC):
         """Write the settings next to new results, or compare them with the existing ones."""
         if new:
             text = json.dumps(self.settings, ensure_ascii=False, indent=1) + "\n"
-            write_atomically(place, lambda stream: stream.write(text.encode()), ResultsError)
+            write_text(place, text, ResultsError)
             return
         try:
             known = json.loads(place.read_text(encoding="utf-8"))

@@ -164,11 +164,11 @@ def _see_that_coq_can_name(path: str) -> None:
 
 def _emit(curve: Any, path: str) -> None:
     """The theorems about a curve, in a file."""
-    from exactspline.atomic_write import write_atomically
+    from exactspline.atomic_write import write_text
     from exactspline.verification.coq.answers import theorem_of
 
     text = theorem_of(curve)
-    write_atomically(path, lambda stream: stream.write(text.encode("utf-8")))
+    write_text(path, text)
 
 
 def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:

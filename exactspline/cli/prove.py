@@ -113,13 +113,15 @@ def prove(
     found, kernel = _judged(judge, claims) if judge else (settled(tracked(tasks(claims, curves), "proving")), None)
     chosen = [row for row in found if not wanted or row.verdict in wanted]
     if html:
-        from exactspline.display.ledger_page import write_page
+        from exactspline.atomic_write import write_text
+        from exactspline.display.ledger_page import ledger_page
 
-        write_page(html, chosen)
+        write_text(html, ledger_page(chosen))
     if report:
-        from exactspline.display.report import write_report
+        from exactspline.atomic_write import write_text
+        from exactspline.display.report import report as referee_report
 
-        write_report(report, claims, found)
+        write_text(report, referee_report(claims, found))
     listed = rows or bool(claim or section or verdict) or len(claims) <= FEW
     pages = _Ledger(chosen, claims, curves, Numbers(digits, exact), kernel)
     out.give(

@@ -96,11 +96,13 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str,
 def _drawn(found: SurfaceInspection, plot: str) -> None:
     """A picture, or a page that turns."""
     if plot.lower().endswith(".html"):
-        from exactspline.display.plot.html import page_of, save_page
+        from exactspline.atomic_write import write_text
+        from exactspline.display.plot.canvas import PlotError
+        from exactspline.display.plot.html import page_of
         from exactspline.display.plot.turning_surface import inspected_scene
 
         scene = inspected_scene(found)
-        save_page(page_of([scene], scene["title"]), plot)
+        write_text(plot, page_of([scene], scene["title"]), PlotError)
         return
     from exactspline.display.plot.canvas import save
     from exactspline.display.plot.patches import surface_figure

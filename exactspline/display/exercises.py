@@ -10,6 +10,7 @@ from exactspline.classroom.parts import Math, Part, Polynomial, Value
 from exactspline.classroom.triangles import Triangle
 from exactspline.display import mathml
 from exactspline.display.latex import fraction, mathematics
+from exactspline.display.page import page
 from exactspline.display.triangles import scheme_mathml, sheets
 from exactspline.display.wrapping import hanging
 from exactspline.numbers.exact import text
@@ -196,7 +197,7 @@ def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
             for e in made
         ]
         body += f'<section class="solutions"><h1>Solutions</h1>{listed(ways)}</section>'
-    return mathml.page("Exercises", body)
+    return page("Exercises", body, mathml.STYLE)
 
 
 # ---- data

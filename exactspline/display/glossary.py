@@ -5,8 +5,10 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Iterable
 from functools import cache
+from html import escape
 from importlib import resources
 
+from exactspline.display.page import definitions
 from exactspline.errors import ExactSplineError, nearest
 from exactspline.geometry.registry import terms_of_questions
 
@@ -54,3 +56,8 @@ def explained(words: Iterable[str]) -> list[tuple[str, str]]:
     ['nominal', 'true']
     """
     return [(word, terms()[word]) for word in dict.fromkeys(words) if word in terms()]
+
+
+def glossary_list(names: Iterable[str]) -> str:
+    """What some terms mean, as a list in HTML."""
+    return definitions((term, escape(said)) for term, said in explained(names))

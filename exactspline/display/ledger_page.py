@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
-from exactspline.atomic_write import write_atomically
-from exactspline.display.glossary import explained
+from exactspline.display.glossary import glossary_list
 from exactspline.display.ledger import WORDS, closing, found, headline, section, witness
+from exactspline.display.page import cells, page
 from exactspline.verification.rows import Row
 
 _STYLE = """
@@ -32,12 +32,12 @@ form.addEventListener("input",filter);form.addEventListener("submit",e=>e.preven
 """
 
 
-def page(rows: Sequence[Row]) -> str:
+def ledger_page(rows: Sequence[Row]) -> str:
     """The rows as an HTML page, with a filter by verdict, by section, by curve and by text.
 
     >>> from exactspline.verification.claims import select
     >>> from exactspline.verification.ledger import audit
-    >>> text = page(list(audit(select(["C4.1a"]), [])))
+    >>> text = ledger_page(list(audit(select(["C4.1a"]), [])))
     >>> "<title>" in text, "http" in text
     (True, False)
     """
@@ -46,17 +46,14 @@ def page(rows: Sequence[Row]) -> str:
     curves = list(dict.fromkeys(_curve(row) for row in rows))
     choices = (("verdict", words), ("section", sections), ("curve", curves))
     filters = "".join(_select(name, values) for name, values in choices)
-    head = "".join(f"<th>{name}</th>" for name in ("verdict", "claim", "place", "on", "statement", "found", "witness"))
-    glossary = "".join(f"<dt>{escape(term)}</dt><dd>{escape(meaning)}</dd>" for term, meaning in explained(words))
-    return (
-        '<!doctype html><html lang="en"><meta charset="utf-8">'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>Ledger</title><style>{_STYLE}</style>"
+    head = cells(("verdict", "claim", "place", "on", "statement", "found", "witness"), "th")
+    body = (
         f"<h1>{escape(headline(rows))}</h1><p>{escape(closing(rows))}</p>{_unchecked(rows)}"
         f'<form>{filters}<label>text <input name="text" type="search"></label><output></output></form>'
         f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(map(_row, rows))}</tbody></table>"
-        f"<dl>{glossary}</dl><script>{_SCRIPT}</script></html>\n"
+        f"{glossary_list(words)}<script>{_SCRIPT}</script>"
     )
+    return page("Ledger", body, _STYLE)
 
 
 def _unchecked(rows: Sequence[Row]) -> str:
@@ -64,12 +61,6 @@ def _unchecked(rows: Sequence[Row]) -> str:
     papers = dict.fromkeys(row.claim.source_paper for row in rows)
     names = ", ".join(source.name for source in papers if source.trusted)
     return f"<p><b>Formulas that ran unchecked (--trust): {escape(names)}</b></p>" if names else ""
-
-
-def write_page(path: str, rows: Sequence[Row]) -> None:
-    """Write the page: the file is written whole or not at all."""
-    text = page(rows).encode()
-    write_atomically(path, lambda stream: stream.write(text))
 
 
 def _curve(row: Row) -> str:
@@ -85,9 +76,5 @@ def _row(row: Row) -> str:
     verdict = row.verdict
     data = {"verdict": verdict, "section": section(row.claim), "curve": _curve(row)}
     attributes = "".join(f' data-{name}="{escape(value)}"' for name, value in data.items())
-    cells = (row.id, row.claim.source, _curve(row), row.statement, found(row), witness(row))
-    return (
-        f'<tr{attributes}><td class="{verdict}">{verdict}</td>'
-        + "".join(f"<td>{escape(cell)}</td>" for cell in cells)
-        + "</tr>"
-    )
+    shown = cells((row.id, row.claim.source, _curve(row), row.statement, found(row), witness(row)))
+    return f'<tr{attributes}><td class="{verdict}">{verdict}</td>{shown}</tr>'

@@ -57,12 +57,3 @@ def table(rows: Sequence[Sequence[str]]) -> str:
     """Cells in rows and columns; cells may be empty."""
     lines = "".join(f"<mtr>{''.join(f'<mtd>{cell}</mtd>' for cell in row)}</mtr>" for row in rows)
     return f"<mtable>{lines}</mtable>"
-
-
-def page(title: str, body: str) -> str:
-    """A self-contained page."""
-    return (
-        '<!doctype html><html lang="en"><meta charset="utf-8">'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{escape(title)}</title><style>{STYLE}</style>{body}</html>\n"
-    )

@@ -9,9 +9,9 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from importlib.metadata import PackageNotFoundError, version
 
-from exactspline.atomic_write import write_atomically
-from exactspline.display.glossary import explained
+from exactspline.display.glossary import glossary_list
 from exactspline.display.ledger import HOLDS, WORDS, closing, found, witness
+from exactspline.display.page import cells, definitions, page, table
 from exactspline.display.quotations import parts
 from exactspline.papers import Paper
 from exactspline.readings.printing.text import print_text, symbol_text
@@ -27,7 +27,7 @@ article{margin:1.4rem 0;padding-left:1rem;border-left:.3rem solid #bbb}article h
 article.PROVED,article.VERIFIED{border-color:#00694d}article.REFUTED{border-color:#b34700}
 dl{display:grid;grid-template-columns:fit-content(12rem) minmax(0,1fr);gap:.1rem 1rem;margin:.3rem 0}
 dt{color:#555}dt,dd,td{overflow-wrap:anywhere}dd{margin:0}
-code,.mono{font:13px/1.4 ui-monospace,monospace;overflow-wrap:anywhere}table{border-collapse:collapse}
+code{font:13px/1.4 ui-monospace,monospace;overflow-wrap:anywhere}table{border-collapse:collapse}
 td,th{text-align:left;vertical-align:top;padding:.1rem 1.2rem .1rem 0}.verdict{font-weight:700}
 @media(max-width:600px){dl{grid-template-columns:minmax(0,1fr)}dd{margin:0 0 .4rem}}
 .PROVED .verdict,.VERIFIED .verdict{color:#00694d}.REFUTED .verdict{color:#b34700}
@@ -48,26 +48,15 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
     """
     sources = list(dict.fromkeys(claim.source_paper for claim in claims))
     title = "; ".join(source.title for source in sources)
-    glossary = "".join(
-        f"<dt>{escape(term)}</dt><dd>{escape(meaning)}</dd>" for term, meaning in explained(_words(rows))
-    )
-    return (
-        '<!doctype html><html lang="en"><meta charset="utf-8">'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>Report: {escape(title)}</title><style>{_STYLE}</style>"
+    body = (
         f"<h1>{escape(title)}</h1>{''.join(f'<p>{escape(s.reference)}</p>' for s in sources if s.reference)}"
         f"<p>{escape(summary(claims, rows))} {escape(closing(rows))}.</p>"
         f"<h2>What is claimed, and what holds</h2>{''.join(_claim(claim, rows) for claim in claims)}"
         f"<h2>Formulas</h2>{''.join(map(_formulas, sources))}"
-        f"<h2>What the words mean</h2><dl>{glossary}</dl>"
-        f"<h2>What the verdicts rely on</h2>{_versions()}{''.join(map(_digests, sources))}</html>\n"
+        f"<h2>What the words mean</h2>{glossary_list(_words(rows))}"
+        f"<h2>What the verdicts rely on</h2>{_versions()}{''.join(map(_digests, sources))}"
     )
-
-
-def write_report(path: str, claims: Sequence[Claim], rows: Sequence[Row]) -> None:
-    """Write the report: the file is written whole or not at all."""
-    text = report(claims, rows).encode()
-    write_atomically(path, lambda stream: stream.write(text))
+    return page(f"Report: {title}", body, _STYLE)
 
 
 def summary(claims: Sequence[Claim], rows: Iterable[Row]) -> str:
@@ -97,12 +86,10 @@ def _claim(claim: Claim, rows: Iterable[Row]) -> str:
         fields += [("found", found(general)), ("witness", witness(general)), ("reading", str(general.reading))]
         fields.append(("rests on", ", ".join(general.finding.assumptions)))
     lines = [("printed", _printed(claim.words)), *[(what, escape(text)) for what, text in fields]]
-    cells = "".join(f"<dt>{what}</dt><dd>{shown}</dd>" for what, shown in lines if shown)
+    listed = definitions((what, shown) for what, shown in lines if shown)
     shown = f'<span class="verdict">{verdict or "on curves"}</span>'
     head = f"<h3>{escape(claim.id)} · {escape(claim.place or claim.source)} · {shown}</h3>"
-    return (
-        f'<article class="{verdict}">{head}<p>{escape(claim.statement)}</p><dl>{cells}</dl>{_on_curves(mine)}</article>'
-    )
+    return f'<article class="{verdict}">{head}<p>{escape(claim.statement)}</p>{listed}{_on_curves(mine)}</article>'
 
 
 def _printed(words: str) -> str:
@@ -120,11 +107,7 @@ def _on_curves(rows: Iterable[Row]) -> str:
             lines.setdefault((row.verdict, witness(row)), []).append(row.curve)
     if not lines:
         return ""
-    cells = "".join(
-        f"<tr><td>{result}</td><td>{escape(', '.join(curves))}</td><td>{escape(where)}</td></tr>"
-        for (result, where), curves in lines.items()
-    )
-    return f"<table>{cells}</table>"
+    return table((result, ", ".join(curves), where) for (result, where), curves in lines.items())
 
 
 def _formulas(source: Paper) -> str:
@@ -132,10 +115,8 @@ def _formulas(source: Paper) -> str:
     for name, formula in source.formulas.items():
         text = print_text(trace(formula, formula.kind.dimensions[0]))
         shown = f" = {symbol_text(formula.symbol)}" if formula.symbol else ""
-        lines.append(
-            f"<dt>{escape(name + shown)}</dt><dd>{escape(text)} <small>({escape(formula.source)})</small></dd>"
-        )
-    return f"<h3>{escape(source.name)}</h3><dl>{''.join(lines)}</dl>"
+        lines.append((name + shown, f"{escape(text)} <small>({escape(formula.source)})</small>"))
+    return f"<h3>{escape(source.name)}</h3>{definitions(lines)}"
 
 
 def _versions() -> str:
@@ -145,13 +126,12 @@ def _versions() -> str:
             rows.append((package, version(package)))
         except PackageNotFoundError:
             rows.append((package, "not installed"))
-    cells = "".join(f"<tr><td>{name}</td><td>{escape(described)}</td></tr>" for name, described in rows)
-    return f"<table>{cells}</table>"
+    return table(rows)
 
 
 def _digests(source: Paper) -> str:
-    cells = "".join(
-        f'<tr><td>{escape(name)}</td><td class="mono">{digest}</td></tr>' for name, digest in source.digests().items()
+    files = "".join(
+        f"<tr>{cells([name])}<td><code>{digest}</code></td></tr>" for name, digest in source.digests().items()
     )
     checked = "run unchecked" if source.trusted else "checked before they ran" if not source.package else "built in"
-    return f"<h3>{escape(source.name)}: formulas {checked}; SHA-256 of the files</h3><table>{cells}</table>"
+    return f"<h3>{escape(source.name)}: formulas {checked}; SHA-256 of the files</h3><table>{files}</table>"

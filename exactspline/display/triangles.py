@@ -8,6 +8,7 @@ from html import escape
 from exactspline.classroom.triangles import ProductTable, Row, Triangle
 from exactspline.display import mathml
 from exactspline.display.latex import fraction, mathematics
+from exactspline.display.page import page
 from exactspline.display.sheet import Sheet
 from exactspline.numbers.exact import text
 
@@ -175,7 +176,7 @@ def html_page(schemes: Sequence[Scheme], heading: str) -> str:
         f'<div class="wide">{mathml.math(scheme_mathml(s), block=True)}</div>{_result_html(s)}'
         for s in schemes
     ]
-    return mathml.page(heading, f"<h1>{escape(heading)}</h1>{''.join(parts)}")
+    return page(heading, f"<h1>{escape(heading)}</h1>{''.join(parts)}", mathml.STYLE)
 
 
 def _result_html(scheme: Scheme) -> str:

@@ -14,7 +14,7 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from exactspline.atomic_write import write_atomically
+from exactspline.atomic_write import write_text
 from exactspline.errors import CurveFileError, as_path, as_text
 from exactspline.interchange.json_files import (
     CURVE,
@@ -173,4 +173,4 @@ def curve_data(curve: Nurbs) -> dict[str, object]:
 def write_json(path: str | os.PathLike[str], data: object) -> None:
     """Write JSON atomically: either the whole file is written or nothing."""
     text = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
-    write_atomically(as_path(path), lambda stream: stream.write(text.encode()))
+    write_text(as_path(path), text)

@@ -15,7 +15,7 @@ from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
 from exactspline.display.glossary import meaning, terms
 from exactspline.display.ledger import WORDS
-from exactspline.display.ledger_page import page
+from exactspline.display.ledger_page import ledger_page
 from exactspline.display.numbers import Numbers, decimals
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
@@ -216,7 +216,7 @@ def test_long_fractions_are_decimals_and_stand_in_full_on_demand():
 
 def test_the_page_has_every_row_and_asks_nothing_of_the_network(tmp_path):
     rows = list(audit(select(["C4.1", "C4.2b"]), [example("circle")]))
-    text = page(rows)
+    text = ledger_page(rows)
     assert text.count("<tr data-verdict=") == len(rows)
     assert not re.search(r"https?:|src=|@import|<link", text)
     assert {"verdict", "section", "curve"} <= set(re.findall(r'<select name="(\w+)"', text))

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from exactspline.atomic_write import write_atomically
+from exactspline.atomic_write import write_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, nearest
 from exactspline.testing import all_cases
@@ -59,7 +59,7 @@ def main(given: Sequence[str] | None = None) -> int:
     defects = [d for report in reports if options.examples for d in defects_of(report.library, wrong(report))]
     if options.page:
         written = page(reports, defects, chosen, truths.uncertified)
-        write_atomically(options.page, lambda stream: stream.write(written.encode()))
+        write_text(options.page, written)
     data = rows(reports, defects)
     show(options.format, "grade", data, _sheet(data))
     return 0

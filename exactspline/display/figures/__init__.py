@@ -6,10 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from exactspline.atomic_write import write_text
 from exactspline.display.figures.bisectors import figure_4, figure_5, figure_6
 from exactspline.display.figures.plane import Drawn, figure_1, figure_2, figure_3
 from exactspline.display.plot.canvas import PlotError, save
-from exactspline.display.plot.html import save_page, turning_page
+from exactspline.display.plot.html import turning_page
 
 #: The figures by number.
 FIGURES: dict[int, Callable[[], Drawn]] = {1: figure_1, 2: figure_2, 3: figure_3, 4: figure_4, 5: figure_5, 6: figure_6}
@@ -54,6 +55,6 @@ def make(number: int, folder: str | Path) -> Made:
         made.files.append(str(place))
     if scenes:
         place = Path(folder) / f"figure{number}.html"
-        save_page(turning_page(scenes, caption), place)
+        write_text(place, turning_page(scenes, caption), PlotError)
         made.files.append(str(place))
     return made

@@ -6,7 +6,6 @@ The page is data and ``turning.js``, which draws it by WebGL; the pages of the s
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from html import escape
@@ -14,8 +13,8 @@ from importlib.resources import files
 from itertools import cycle
 from typing import TypedDict
 
-from exactspline.atomic_write import write_atomically
-from exactspline.display.plot.canvas import BLACK, BLUE, GREEN, GREY, SKY, VERMILLION, PlotError, Point, Run
+from exactspline.display.page import page
+from exactspline.display.plot.canvas import BLACK, BLUE, GREEN, GREY, SKY, VERMILLION, Point, Run
 from exactspline.display.plot.frames import Box, box_around, grown, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh
 from exactspline.numbers.exact import mpq
@@ -24,6 +23,10 @@ from exactspline.numbers.exact import mpq
 ISOLINES, DARK = (7, 24), "#24556F"
 #: The margin around a scene, as a fraction of its longest side.
 ROOM = mpq(1, 20)
+#: The text of a page around its scenes.
+STYLE = """
+body{font:1rem/1.5 system-ui,sans-serif;color:#1a2230;margin:1rem auto;max-width:80rem;padding:0 1rem}
+"""
 #: Significant digits of the coordinates on a page.
 DIGITS = 5
 #: A point: exact, or from a grid of doubles.
@@ -147,8 +150,8 @@ def turning_page(scenes: Sequence[Scene], title: str) -> str:
     >>> from exactspline.papers import find
     >>> from exactspline.display.plot.meshes import ruled_mesh
     >>> mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))
-    >>> page = turning_page([Scene("tangents", mesh)], "a surface")
-    >>> "<script src=" in page, "tangents" in page
+    >>> made = turning_page([Scene("tangents", mesh)], "a surface")
+    >>> "<script src=" in made, "tangents" in made
     (False, True)
     """
     return page_of(scenes_data(scenes), title)
@@ -159,28 +162,10 @@ def page_of(scenes: Sequence[SceneData], title: str) -> str:
     here = files("exactspline.display.plot")
     script, style = (here.joinpath(f"turning.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
     data = json.dumps(scenes, ensure_ascii=False).replace("<", "\\u003c")
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{escape(title.partition(":")[0])}</title>
-<style>
-body {{ font: 1rem/1.5 system-ui, sans-serif; color: #1a2230; margin: 1rem auto; max-width: 80rem; padding: 0 1rem; }}
-{style}</style>
-</head>
-<body>
-<p>{escape(title)}</p>
+    body = f"""<p>{escape(title)}</p>
 <div id="scenes"></div>
 <script type="module">
 {script}
 turning(document.getElementById("scenes"), {data});
-</script>
-</body>
-</html>
-"""
-
-
-def save_page(page: str, path: str | os.PathLike[str]) -> None:
-    """Write a page; the file is written completely or not at all. Raises `PlotError` where it cannot be written."""
-    write_atomically(path, lambda stream: stream.write(page.encode()), PlotError)
+</script>"""
+    return page(title.partition(":")[0], body, STYLE + style)

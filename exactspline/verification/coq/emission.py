@@ -9,7 +9,7 @@ from functools import cache
 from importlib import resources
 from pathlib import Path
 
-from exactspline.atomic_write import write_atomically
+from exactspline.atomic_write import write_text
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper, papers
@@ -94,7 +94,7 @@ def _write(path: Path, text: str) -> None:
         raise ClaimError(
             f"no directory can be made here ({reason.strerror})", where=str(path.parent), remedy="name another one"
         ) from None
-    write_atomically(path, lambda stream: stream.write(text.encode("utf-8")), ClaimError)
+    write_text(path, text, ClaimError)
 
 
 def theory(name: str) -> str:
