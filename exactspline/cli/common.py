@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 
 from exactspline.cli.output import is_quiet
 from exactspline.cli.parameters import Option
-from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, command_name, counted
+from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, command_name
 
 if TYPE_CHECKING:
     from exactspline.interchange.records import Reading
@@ -30,7 +30,6 @@ __all__ = [
     "check_output",
     "claims_of_papers",
     "curves_in",
-    "described",
     "load_curve",
     "loaded",
     "quiet_fonts",
@@ -270,16 +269,6 @@ def quiet_fonts() -> None:
     import logging
 
     logging.getLogger("fontTools").setLevel(logging.ERROR)
-
-
-def described(c: Nurbs) -> str:
-    """A curve in one line; a curve with equal weights is called polynomial."""
-    kind = "polynomial" if c.polynomial else "rational"
-    equal = " (equal weights)" if c.polynomial and any(w != 1 for w in c.weights) else ""
-    segments, points = counted(c.segments, "segment"), counted(len(c.control_points), "control point")
-    at_infinity = sum(w == 0 for w in c.weights)
-    remark = f", {at_infinity} of them of weight 0 (directions)" if at_infinity else ""
-    return f"{kind}{equal}, degree {c.degree}, {segments}, {points} in R{c.dimension}{remark}"
 
 
 def check_output(output: str, *inputs: str) -> None:

@@ -6,22 +6,13 @@ from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Annotated, Any
 
 from exactspline.cli.answers import answer_questions
-from exactspline.cli.common import (
-    CURVE_HELP,
-    Read,
-    also_in_their_planes,
-    described,
-    distinguish,
-    read_curves,
-    standard_input,
-)
+from exactspline.cli.common import CURVE_HELP, Read, also_in_their_planes, distinguish, read_curves, standard_input
 from exactspline.cli.output import OptionsError, Output, is_quiet, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.words import choice
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
-    from exactspline.questions.entry import Answered
 
 #: The word for all approaches, side by side.
 ALL = "all"
@@ -137,7 +128,7 @@ def inspect(
     out.give(
         "inspect",
         lambda: [data for *_, data in inspected],
-        lambda: [_sheet(c, data) for c, _, data in inspected],
+        lambda: _sheets(inspected),
         lambda: _print_all(out, inspected),
         by="curve",
     )
@@ -171,13 +162,20 @@ def _emit(curve: Any, path: str) -> None:
     write_text(path, text)
 
 
+def _sheets(inspected: list[tuple[Any, Any, dict[str, Any]]]) -> list[Sheet]:
+    from exactspline.display.features import feature_sheet
+
+    return [feature_sheet(c, data) for c, _, data in inspected]
+
+
 def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:
     from exactspline.display import console
+    from exactspline.display.features import print_features
 
     for i, (c, _, data) in enumerate(inspected):
         if i:
             console.console().print()
-        _print(c, data)
+        print_features(c, data)
     if inspected and not out.quiet:
         console.legend(console.console(), ["κ", *(["τ"] if any(c.dimension == 3 for c, _, _ in inspected) else [])])
 
@@ -216,128 +214,6 @@ def _ticking(count: int) -> Any:
             yield lambda: progress.advance(task)
 
     return bar()
-
-
-def _sheet(c: Any, data: dict[str, Any]) -> Sheet:
-    """The features of a curve, one per row."""
-    from exactspline.display.sheet import Sheet
-    from exactspline.geometry.analysis import QUESTIONS
-    from exactspline.geometry.kinds import JointKind
-    from exactspline.questions.entry import Answered
-
-    closed = ", closed" if c.closed else ""
-    in_space = c.dimension == 3
-    columns = ("what", "parameter", "exactly", "curvature", *(("torsion",) if in_space else ()), "remark")
-    made = Sheet(*columns, title=f"{c.name}: {described(c)}{closed}", name=c.name, prose=["remark"], heads=2)
-    for group in _asked(c, Answered.PLACES):
-        for f in data[group]["points"]:
-            kind = f["kind"] + (" of κ" if f["kind"] in ("maximum", "minimum") else "")
-            absolute = f"{f['of_absolute']} of |κ|" if f["of_absolute"] and not in_space else ""
-            at_knot = "at a knot, by a jump" if f["by_jump"] else "at a knot" if f["at_knot"] else ""
-            remark = " ".join(filter(None, (absolute, at_knot, _turn(f["angle"]))))
-            values = (f.get("curvature", ""), *((f.get("torsion", ""),) if in_space else ()))
-            made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, remark)
-    empty = ("",) * (len(columns) - 5)
-    for f in data.get("coordinate_extrema", []):
-        kind = f"{f['kind']} of {'xyz'[f['coordinate']]}"
-        made.add_row(
-            kind, f["decimal"], f["parameter"] or "–", f.get("curvature", ""), *empty, "at a knot" * f["at_knot"]
-        )
-    for joint in data["joints"]:
-        # singular joints are among the singular points
-        if joint["kind"] in (JointKind.GAP, JointKind.CORNER, JointKind.TURN, JointKind.CURVATURE_JUMP):
-            made.add_row(
-                joint["kind"], joint["decimal"], joint["parameter"], joint["curvature"] or "", *empty, _remark(joint)
-            )
-    for name in _asked(c, Answered.PIECES):
-        for piece in data[name]:
-            made.add_row(QUESTIONS[name].about.of_piece, _intervals(piece), _intervals(piece), "", *empty, "")
-    for piece in data.get("planar_pieces", []):
-        interval, lies_in = _intervals(piece["intervals"]), f"in the plane {piece['plane']}"
-        made.add_row(QUESTIONS["planar_pieces"].about.of_piece, interval, interval, "", *empty, lies_in)
-    return made
-
-
-def _asked(c: Any, answered: Answered) -> list[str]:
-    """The questions whose answers are shown, of those that consist of the same."""
-    from exactspline.geometry.analysis import questions_about
-
-    shown = {name: entry.about for name, entry in questions_about(c).items()}
-    return [
-        name for name, about in shown.items() if about.answered == answered and not about.part_of and not about.argument
-    ]
-
-
-def _print(c: Any, data: dict[str, Any]) -> None:
-    from exactspline.display import console
-    from exactspline.questions.entry import Answered
-
-    out, made = console.console(), _sheet(c, data)
-    if made.row_count:
-        out.print(made)
-    else:
-        nothing = ", ".join("no " + name.replace("_", " ") for name in ("corners", *_asked(c, Answered.PLACES)))
-        console.lines(out, f"{c.name}: {nothing}")
-    if data["joints"]:
-        console.lines(out, _continuity(data["joints"]))
-    if data.get("plane"):
-        told = "it has no torsion, no focal curve and no osculating spheres"
-        console.lines(out, f"{c.name} lies in the plane {data['plane']}: {told}")
-    if "approaches" in data:
-        out.print()
-        out.print(_approaches(data["approaches"]))
-
-
-#: Characters of an exact number that a table shows.
-READABLE = 20
-
-
-def _intervals(parts: list[list[str]]) -> str:
-    return " ∪ ".join(f"[{a}, {b}]" for a, b in parts)
-
-
-def _turn(angle: dict[str, str] | None) -> str:
-    """By how much the tangent turns, as text."""
-    if angle is None:
-        return ""
-    exactly = f" (cos = {angle['cosine']}, sin = {angle['sine']})" if _short(angle["cosine"], angle["sine"]) else ""
-    return f"turns by {angle['degrees']}°{exactly}".replace("-", "−")
-
-
-def _short(*exact: str) -> bool:
-    """Whether exact numbers are short enough to be read; ``--json`` has all of them."""
-    return all(len(text) <= READABLE for text in exact)
-
-
-def _remark(joint: dict[str, Any]) -> str:
-    """What is known of a joint, as text."""
-    order = joint["geometric_continuity"]
-    parts = [
-        "at the seam" if joint["at_seam"] else "at a knot",
-        _turn(joint["angle"]),
-        f"{joint['gap'] if _short(joint['gap']) else joint['gap_decimal']} wide" if joint["gap"] else "",
-        f"exactly {' | '.join(joint['curvatures'])}" if joint["curvatures"] and _short(*joint["curvatures"]) else "",
-        f"G{order}" if order >= 0 else "",
-    ]
-    return ", ".join(filter(None, parts)).replace("-", "−")
-
-
-def _continuity(joints: list[dict[str, Any]]) -> str:
-    """The numbers of joints by order of geometric continuity."""
-    orders = [joint["geometric_continuity"] for joint in joints]
-    names = {-1: "with a gap", 0: "G0", 1: "G1", 2: "G2", 3: "G3 or higher", None: "singular, without an order"}
-    counted = [f"{orders.count(order)} {name}" for order, name in names.items() if order in orders]
-    return f"joints: {', '.join(counted)}"
-
-
-def _approaches(rows: list[dict[str, Any]]) -> Any:
-    from exactspline.display import console
-
-    numbers = ("degree", "control points", "roots", "extraneous", "missing", "seconds")
-    made = console.table("approach", *numbers, title="Approaches to critical curvature", right=numbers)
-    for row in rows:
-        made.add_row(row["name"], *[str(row[name.replace(" ", "_")]) for name in numbers[:-1]], f"{row['seconds']:.4f}")
-    return made
 
 
 def _proofs(c: Any, found: Any) -> list[dict[str, object]]:

@@ -1,8 +1,18 @@
-"""Errors of papers as data."""
+"""Errors of papers, as data, as a table and as text."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from rich.console import Console
+from rich.text import Text
+
+from exactspline.display import console
+from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
+from exactspline.display.numbers import Numbers
+from exactspline.display.sheet import Sheet
+from exactspline.errors import counted
 from exactspline.verification.errata import Erratum
 
 
@@ -18,3 +28,52 @@ def erratum_data(entry: Erratum) -> dict[str, object]:
         vars(each) | {"found": worded(each.found), "witness": worded(each.witness)} for each in entry.statements
     ]
     return {"key": f"{entry.paper}: {entry.error}"} | vars(entry) | {"statements": statements}
+
+
+def errata_sheet(entries: Sequence[Erratum], numbers: Numbers) -> Sheet:
+    """The statements of errors, one per row."""
+    columns = ("error", "place", "printed", "which says", "found", "witness", "true", "why")
+    made = Sheet(*columns, prose=columns[1:])
+    for entry in entries:
+        for each in entry.statements:
+            seen = worded(each.witness, numbers)
+            truth, why = "; ".join(entry.truth), "; ".join(entry.why)
+            made.add_row(entry.title, each.place, each.words, each.statement, worded(each.found), seen, truth, why)
+    return made
+
+
+def print_errata(entries: Sequence[Erratum], errors: Sequence[Erratum], numbers: Numbers, *, quiet: bool) -> None:
+    """Print entries: those that are errors with their number among all errors, then the others as remarks."""
+    shown = console.console()
+    listed = [entry for entry in entries if entry in errors]
+    for entry in listed:
+        _print(shown, f"{errors.index(entry) + 1}. ", entry, numbers)
+    for entry in entries:
+        if entry not in errors:
+            _print(shown, "Remark: ", entry, numbers)
+    statements = sum(len(entry.statements) for entry in listed)
+    console.lines(shown, f"{counted(len(listed), 'error')} of the paper, {counted(statements, 'statement')} refuted")
+    if not quiet:
+        console.legend(shown, ["PROVED", "VERIFIED"])
+
+
+def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> None:
+    console.lines(shown, f"{number}{entry.title}", indent=3, style="bold")
+    for each in entry.statements:
+        words = f": “{each.words}”" if each.words else ""
+        told = "printed in" if number[0].isdigit() else "beside"
+        console.lines(shown, f"{told} {each.place}{words}", indent=5, first=3)
+        console.lines(shown, f"which says: {each.statement} ({each.id})", indent=7, first=5)
+        console.lines(shown, f"found: {worded(each.found)}", indent=7, first=5)
+        if each.witness:
+            console.lines(shown, f"witness: {worded(each.witness, numbers)}", indent=7, first=5)
+    for line in entry.truth:
+        console.lines(shown, f"true: {line}", indent=5, first=3)
+    for line in entry.why:
+        console.lines(shown, f"why: {line}", indent=5, first=3)
+    console.lines(shown, "check:", first=3)
+    # code begins where the line begins, so that it can be pasted
+    for line in dict.fromkeys(line for each in entry.statements for line in each.check):
+        for part in code_lines(line, shown.width):
+            shown.print(Text(part, no_wrap=True, overflow="ignore"), soft_wrap=True)
+    shown.print()

@@ -8,6 +8,7 @@ from functools import singledispatch
 from math import prod
 from typing import cast
 
+from exactspline.display.described import described_surface
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.surface.chains import ParabolicCurve, Piece
@@ -25,7 +26,7 @@ from exactspline.polynomials.patch_forms import clusters
 from exactspline.questions.answers import SurfacePlaces
 from exactspline.questions.entry import questions_of
 from exactspline.roots.root import Root
-from exactspline.splines.surface import Along, NurbsSurface
+from exactspline.splines.surface import Along
 
 #: The common properties of poles along one line.
 _PoleKey = tuple[Along, mpq, tuple[mpq, ...] | None, Gap]
@@ -54,20 +55,6 @@ CURVATURE = {
 SMOOTH = 2
 #: Appended to the title of a table when something is undecided.
 INCOMPLETE = " – incomplete: see the rows that are undecided"
-
-
-def described_surface(surface: NurbsSurface) -> str:
-    """A surface in one line.
-
-    >>> from exactspline import example
-    >>> described_surface(example("torus"))
-    'rational, degree 2 × 2, 4 × 4 patches, 9 × 9 control points in R3'
-    """
-    (m, n), (rows, columns) = surface.degree, surface.patches
-    kind = "polynomial" if surface.polynomial else "rational"
-    patches = "one patch" if rows * columns == 1 else f"{rows} × {columns} patches"
-    net = f"{len(surface.control_points)} × {len(surface.control_points[0])} control points in R{surface.dimension}"
-    return f"{kind}, degree {m} × {n}, {patches}, {net}"
 
 
 # ---- data
@@ -431,4 +418,4 @@ def _patches(patches: Sequence[Patch]) -> str:
     return ("patch " if len(patches) == 1 else "patches ") + " and ".join(f"{i}, {j}" for i, j in patches)
 
 
-__all__ = ["described_surface", "map_data", "map_sheet", "shown", "surface_inspection_data", "surface_sheet"]
+__all__ = ["map_data", "map_sheet", "shown", "surface_inspection_data", "surface_sheet"]

@@ -12,8 +12,8 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.cli.common import described
 from exactspline.display import plot as plots
+from exactspline.display.described import described
 from exactspline.geometry.analysis import QUESTIONS
 from exactspline.geometry.floats import place_of
 from exactspline.numbers.exact import from_float

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from exactspline.cli.common import CurveFiles, Papers, Trust, also_in_their_planes, described, loaded, tracked
+from exactspline.cli.common import CurveFiles, Papers, Trust, also_in_their_planes, loaded, tracked
 from exactspline.cli.output import Output, document, print_json, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.errors import FormulaError, ShapeError, nearest
@@ -37,6 +37,7 @@ def degrees(
     by formula).
     """
     from exactspline.display.degrees import degree_sheet
+    from exactspline.display.described import described
     from exactspline.verification.degree_tables import construction_table, formula_table
 
     if patch:
@@ -76,6 +77,7 @@ def _of_papers(
 ) -> None:
     """The formulas of papers, for all curves or on curves: those named, those in the folder, or examples."""
     from exactspline.display.degrees import degree_sheet, formula_degree_sheet
+    from exactspline.display.described import described
     from exactspline.papers import named_papers
     from exactspline.verification.degree_tables import formula_degrees, formula_table
     from exactspline.verification.paper_curves import own_curves

@@ -1,0 +1,138 @@
+"""Bisectors as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+from exactspline.display.bisector_data import counted, degree_of, shown
+from exactspline.display.sheet import Sheet
+from exactspline.geometry.bisector.components import LineComponent, PairEquation, PlaneComponent, PoleCurve
+from exactspline.geometry.bisector.point_and_curve import PointBisector
+from exactspline.geometry.bisector.trimmed import TrimmedBisector
+from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
+from exactspline.numbers.exact import short_text
+
+
+class Row(NamedTuple):
+    """One piece in the table."""
+
+    piece: str
+    where: str
+    degree: str
+    remark: str
+    #: The equation of its pairs where it is short enough to be shown before their parameters.
+    equation: PairEquation | None = None
+
+    @property
+    def parameters(self) -> str:
+        """Which pairs of parameters it has."""
+        return f"{self.equation.short_text}: {self.where}" if self.equation else self.where
+
+
+def bisector_sheet(rows: Iterable[Row], title: str) -> Sheet:
+    """The pieces of a bisector, one per row."""
+    made = Sheet("piece", "parameters", "degree", "remark", title=title, prose=["parameters", "remark"])
+    for row in rows:
+        made.add_row(row.piece, row.parameters, row.degree, row.remark)
+    return made
+
+
+def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[str]]:
+    """The surface, lines, planes, single pairs and poles of two curves, and notes on what is missing."""
+    rows = [_surface_row(patch) for patch in found.patches]
+    rows += _grouped(_line_row(line, digits) for line in found.lines)
+    rows += _grouped(_plane_row(plane, digits) for plane in found.planes)
+    rows += [
+        Row(str(pair.solutions), f"s = {shown(pair.s, digits)}, t = {shown(pair.t, digits)}", "–", str(pair.cause))
+        for pair in found.pairs
+    ]
+    rows += _grouped(_pole_row(pole) for pole in found.poles)
+    notes = [f"no surface: {sides.shortly}: {reason}" for sides, reason in found.missing]
+    return rows, notes + ([f"left out: {what}" for what in found.left_out] or [_closing(found)])
+
+
+def of_point_in_plane(found: TrimmedBisector, digits: int) -> tuple[list[Row], list[str]]:
+    """The pieces of the trimmed bisector of a point and a plane curve, and notes on what is missing."""
+    rows = [
+        Row(
+            str(piece.kind),
+            f"[{shown(piece.low, digits)}, {shown(piece.high, digits)}]",
+            str(piece.value.degree),
+            "" if piece.foot is None else f"foot at {short_text(piece.foot)}",
+        )
+        for piece in found.pieces
+    ]
+    return rows, [f"missing: {reason}" for reason in found.missing] + [f"left out: {what}" for what in found.left_out]
+
+
+def of_point_in_space(found: PointBisector, digits: int) -> tuple[list[Row], list[str]]:
+    """The ruled pieces of the bisector of a point and a space curve, and notes on what is missing."""
+    rows = [
+        Row(
+            "ruled surface",
+            piece.interval.shortly,
+            str(piece.surface.degree),
+            f"ruling parameter {piece.moved}" if piece.moved else "",
+        )
+        for piece in found.pieces
+    ]
+    rows += [Row("singular", shown(root, digits), "–", "the generator vanishes") for root in found.singular]
+    return rows, [f"missing: {interval.shortly}: {reason}" for interval, reason in found.missing]
+
+
+def _grouped(rows: Iterable[Row]) -> list[Row]:
+    """Rows that differ only in their patch merged into one: those of one equation that is shown."""
+    found: dict[tuple[object, ...], Row] = {}
+    for i, row in enumerate(rows):
+        key = (row.piece, row.equation, row.degree, row.remark) if row.equation else (i,)
+        found[key] = row if key not in found else row._replace(where=f"{found[key].where}; {row.where}")
+    return list(found.values())
+
+
+def _closing(found: CurveBisector) -> str:
+    nothing = not (found.patches or found.lines or found.planes or found.pairs)
+    return "complete: there is no bisector" if nothing else "complete: nothing is left out"
+
+
+def _surface_row(patch: BisectorPatch) -> Row:
+    remark = f"{counted(patch.value)} control points"
+    if max(patch.value.degree) == 0:
+        point = patch.value.point(patch.sides[0][0], patch.sides[1][0])
+        remark = f"one point: ({', '.join(map(short_text, point))})"
+    return Row("surface", patch.sides.shortly, degree_of(patch.value), remark)
+
+
+def _line_row(line: LineComponent, digits: int) -> Row:
+    degrees = {piece.surface.degree for piece in line.pieces}
+    if line.pieces:
+        where = "; ".join(f"{'st'[x.of]} in [{shown(x.low, digits)}, {shown(x.high, digits)}]" for x in line.pieces)
+    elif line.over_root is not None:
+        own = line.over_root
+        degrees = {own.degree}
+        where = f"{'ts'[own.of]} = {shown(own.other, digits)}; {'st'[own.of]} in {own.interval.shortly}"
+    else:
+        where = f"{len(line.real.branches)} branches"
+    where, short = _pairs(line.equation, line.sides, where)
+    return Row("lines", where, ", ".join(map(str, degrees)) or "–", str(line.cause), short)
+
+
+def _plane_row(plane: PlaneComponent, digits: int) -> Row:
+    where = "; ".join(f"{'st'[plane.of]} in [{shown(a, digits)}, {shown(b, digits)}]" for a, b in plane.intervals)
+    kind = "planes" if plane.equation is not None and plane.fixed is None else str(plane.solutions)
+    where, short = _pairs(plane.equation, plane.sides, where)
+    return Row(kind, where, "–", str(plane.cause), short)
+
+
+def _pole_row(pole: PoleCurve) -> Row:
+    certain = "the surface is at infinity" if pole.certain else "the surface is at infinity, if there are such pairs"
+    where, short = _pairs(pole.equation, pole.sides, "")
+    return Row("poles", where, "–", certain, short)
+
+
+def _pairs(equation: PairEquation | None, sides: Any, where: str) -> tuple[str, PairEquation | None]:
+    """The pairs of an equation on a patch as text, and the equation if it is short enough to stand before them."""
+    if equation is None:
+        return f"all of {sides.shortly}", None
+    where = where or sides.shortly
+    return (where, equation) if equation.is_short else (f"{equation.short_text}: {where}", None)

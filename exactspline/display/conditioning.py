@@ -1,0 +1,113 @@
+"""Forms of a zero set compared by condition number: as tables and as data."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from exactspline.display import console
+from exactspline.display.console import decimal
+from exactspline.display.described import described
+from exactspline.display.sheet import Sheet
+from exactspline.interchange.curve_files import curve_data
+from exactspline.numbers.exact import text
+from exactspline.roots.root import Root
+from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.conditioning.compare import Conditioning, FormAtRoot, RootConditions
+from exactspline.verification.conditioning.search import Tally
+
+#: The columns of numbers.
+NUMBERS = ("degree", "condition", "minimal / this", "at most", "double error")
+
+
+def comparison_sheet(c: Nurbs, each: Conditioning) -> Sheet:
+    """Every form at every zero of a curve, one per row."""
+    title = f"{c.name}: {described(c)}; {each.construction}"
+    made = Sheet("zero", "form", *NUMBERS, title=title, name=c.name, numbers=NUMBERS, heads=2)
+    for row in each.roots:
+        for f in row.forms:
+            made.add_row(_place(row.root), f.form, *_cells(row, f))
+    return made
+
+
+def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], tallies: Sequence[Tally], *, quiet: bool) -> None:
+    """Print the tables, the verdicts and what was not compared."""
+    shown = console.console()
+    for c, each in found:
+        made = comparison_sheet(c, each)
+        if each.roots:
+            shown.print(made)
+        else:
+            console.lines(shown, f"{c.name}: {each.construction} has no zero inside a segment")
+        for form, verdict in each.verdicts.items():
+            console.lines(shown, f"{form}: {verdict}")
+        for form, roots in each.extraneous.items():
+            console.lines(shown, f"{form} has extraneous zeros at {', '.join(map(_place, roots))} (not compared)")
+        for what in each.left_out:
+            console.lines(shown, f"left out: {what}")
+        shown.print()
+    if tallies:
+        shown.print(tally_sheet(tallies))
+    if found and not quiet:
+        console.legend(shown, ["zero of a form", *NUMBERS])
+
+
+def _cells(row: RootConditions, f: FormAtRoot) -> tuple[str, ...]:
+    double = f.double.reason if f.double.error is None else decimal(f.double.units, 3)
+    growth = "" if f.growth is None else decimal(f.growth[1], 4)
+    return str(f.degree), decimal(f.condition[0], 6), decimal(row.ratio(f.form), 4), growth, double
+
+
+def _place(root: Root) -> str:
+    exact = "" if root.exact is None else text(root.exact)
+    return exact if 0 < len(exact) < 12 else decimal(root.refine(12)[0], 8) + "…"
+
+
+def tally_sheet(tallies: Sequence[Tally]) -> Sheet:
+    """The counts of a search."""
+    numbers = ("worse", "better", "proved not better", "smallest ratio", "largest ratio")
+    columns = ("curves with", "construction", "against", *numbers)
+    made = Sheet(*columns, title="Search: the reduced form is … conditioned", name="search", numbers=numbers, heads=3)
+    for t in tallies:
+        ratios = [console.decimal(extreme[0], 3) for extreme in (t.smallest, t.largest)]
+        made.add_row(t.family, t.construction, t.form, t.worse, t.better, t.proved, *ratios)
+    return made
+
+
+def comparison_data(each: Conditioning) -> dict[str, object]:
+    """The comparison on a curve as data."""
+    return {
+        "curve": each.curve,
+        "construction": each.construction,
+        "zeros": [
+            {"low": str(r.root.low), "high": str(r.root.high), "forms": [_form_data(f) for f in r.forms]}
+            for r in each.roots
+        ],
+        "verdicts": each.verdicts,
+        "extraneous": {
+            form: [[str(end) for end in r.refine(20)] for r in roots] for form, roots in each.extraneous.items()
+        },
+        "left_out": list(each.left_out),
+    }
+
+
+def _form_data(f: FormAtRoot) -> dict[str, object]:
+    return {
+        "form": f.form,
+        "degree": f.degree,
+        "multiplicity": f.multiplicity,
+        "condition": [str(end) for end in f.condition],
+        "factor_growth": f.growth and [str(end) for end in f.growth],
+        "factor_of_one_sign": f.one_sign,
+        "double_error": None if f.double.error is None else str(f.double.error),
+        "double_reason": f.double.reason,
+    }
+
+
+def tally_data(t: Tally) -> dict[str, object]:
+    """The counts of a search as data, with the curves of its extremes."""
+    counts = {
+        key: getattr(t, key)
+        for key in ("family", "construction", "form", "worse", "better", "equal", "proved", "contradicted")
+    }
+    extremes = (("smallest", t.smallest), ("largest", t.largest))
+    return counts | {key: {"ratio": str(ratio), "curve": curve_data(curve)} for key, (ratio, curve) in extremes}

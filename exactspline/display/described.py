@@ -1,0 +1,36 @@
+"""A curve or a surface in one line."""
+
+from __future__ import annotations
+
+from exactspline.errors import counted
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
+
+
+def described(c: Nurbs) -> str:
+    """A curve in one line; a curve with equal weights is called polynomial.
+
+    >>> from exactspline import example
+    >>> described(example("circle"))
+    'rational, degree 2, 4 segments, 9 control points in R2'
+    """
+    kind = "polynomial" if c.polynomial else "rational"
+    equal = " (equal weights)" if c.polynomial and any(w != 1 for w in c.weights) else ""
+    segments, points = counted(c.segments, "segment"), counted(len(c.control_points), "control point")
+    at_infinity = sum(w == 0 for w in c.weights)
+    remark = f", {at_infinity} of them of weight 0 (directions)" if at_infinity else ""
+    return f"{kind}{equal}, degree {c.degree}, {segments}, {points} in R{c.dimension}{remark}"
+
+
+def described_surface(surface: NurbsSurface) -> str:
+    """A surface in one line.
+
+    >>> from exactspline import example
+    >>> described_surface(example("torus"))
+    'rational, degree 2 × 2, 4 × 4 patches, 9 × 9 control points in R3'
+    """
+    (m, n), (rows, columns) = surface.degree, surface.patches
+    kind = "polynomial" if surface.polynomial else "rational"
+    patches = "one patch" if rows * columns == 1 else f"{rows} × {columns} patches"
+    net = f"{len(surface.control_points)} × {len(surface.control_points[0])} control points in R{surface.dimension}"
+    return f"{kind}, degree {m} × {n}, {patches}, {net}"
