@@ -41,6 +41,14 @@ class ExactSplineError(ValueError):
         where = place + self.where if self.where.startswith("[") or not self.where else f"{place}: {self.where}"
         return type(self)(self.problem, where=where, remedy=self.remedy, **self.data)
 
+    def moved(self, old: str, new: str) -> ExactSplineError:
+        """The same error with another name for its place, by a caller that knows which row or argument it is.
+
+        >>> print(NumberError("not a number", where="knots[2]").moved("knots", "knots_u"))
+        knots_u[2]: not a number
+        """
+        return type(self)(self.problem, where=self.where.replace(old, new, 1), remedy=self.remedy, **self.data)
+
 
 def shown(value: object, limit: int = 40) -> str:
     """A value as an error message shows it: short, and never itself an error (Python refuses to print integers of

@@ -36,7 +36,7 @@ from exactspline.polynomials.bernstein import (
 )
 from exactspline.splines import blossom, refinement
 from exactspline.splines.forms import Forms, Polynomials
-from exactspline.splines.given import MAX_DEGREE, checked_degree, checked_side, exact_points
+from exactspline.splines.given import MAX_DEGREE, checked_degree, checked_side, exact_row
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
 from exactspline.splines.refinement import composed
 
@@ -89,7 +89,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         degree = checked_degree(degree)
         vector = knots if isinstance(knots, KnotVector) else KnotVector(knots)
         vector.check(degree)
-        points = exact_points(control_points)
+        points = exact_row(control_points, "control_points")
         if len(points) != len(vector) - degree - 1:
             raise ShapeError(
                 f"{len(points)} control points for {len(vector)} knots of degree {degree}",

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
-from exactspline.errors import NumberError, ShapeError, as_instance, as_items, shown
-from exactspline.numbers.exact import Number, mpq, rational, text
+from exactspline.errors import ShapeError, as_instance, as_items, shown
+from exactspline.numbers.exact import Number, mpq, text
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.given import exact_row
 
 
 class Direction(tuple[mpq, ...]):
@@ -47,17 +48,6 @@ class Direction(tuple[mpq, ...]):
 
 
 Point = tuple[mpq, ...]
-
-
-def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
-    """A row of exact numbers; an error names the invalid one."""
-    exact = []
-    for i, value in enumerate(values):
-        try:
-            exact.append(rational(value))
-        except NumberError as error:
-            raise error.at(f"{place}[{i}]") from None
-    return tuple(exact)
 
 
 def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Point, ...]:

@@ -27,12 +27,12 @@ def checked_side(side: Side | str) -> bool:
     return side is not Side.RIGHT and choice(Side, side, "side", raised=DomainError) is Side.LEFT
 
 
-def exact_points(points: Iterable[Number]) -> tuple[mpq, ...]:
-    """Control points as exact numbers; an error names the invalid one."""
+def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
+    """A row of exact numbers; an error names the invalid one."""
     exact = []
-    for i, b in enumerate(points):
+    for i, value in enumerate(values):
         try:
-            exact.append(rational(b))
+            exact.append(rational(value))
         except NumberError as error:
-            raise error.at(f"control_points[{i}]") from None
+            raise error.at(f"{place}[{i}]") from None
     return tuple(exact)

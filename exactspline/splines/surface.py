@@ -391,7 +391,7 @@ def _checked_net(given: object, rows: int, columns: int) -> Net:
         try:
             points = exact_points(row)
         except ExactSplineError as error:
-            raise _moved(error, "control_points", place) from None
+            raise error.moved("control_points", place) from None
         if len(points) != columns:
             raise ShapeError(
                 f"{len(points)} control points in a row",
@@ -433,13 +433,8 @@ def _checked_weights(given: object, net: Net) -> Weights:
         try:
             found.append(exact_weights(row, points))
         except ExactSplineError as error:
-            raise _moved(error, "weights", place) from None
+            raise error.moved("weights", place) from None
     return tuple(found)
-
-
-def _moved(error: ExactSplineError, old: str, new: str) -> ExactSplineError:
-    """The error of one row, with its place in the net."""
-    return type(error)(error.problem, where=error.where.replace(old, new, 1), remedy=error.remedy, **error.data)
 
 
 def _splines(

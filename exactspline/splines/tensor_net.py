@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from typing import Any
 
-from exactspline.errors import ExactSplineError, NumberError, ShapeError, shown
+from exactspline.errors import ExactSplineError, ShapeError, shown
 from exactspline.numbers.exact import Number, mpq
 from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.given import checked_degree, exact_points
+from exactspline.splines.given import checked_degree, exact_row
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.tensor_patches import Degrees
 
@@ -29,7 +29,7 @@ def checked_degrees(degrees: object) -> Degrees:
         try:
             checked.append(checked_degree(degree))
         except ShapeError as error:
-            raise _renamed(error, "degree", f"degrees[{i}]") from None
+            raise error.moved("degree", f"degrees[{i}]") from None
     return Degrees(*checked)
 
 
@@ -39,7 +39,7 @@ def checked_knots(knots: Iterable[Number], degree: int, name: str) -> KnotVector
         vector = KnotVector(knots)
         vector.check(degree)
     except ExactSplineError as error:
-        raise _renamed(error, "knots", name) from None
+        raise error.moved("knots", name) from None
     return vector
 
 
@@ -62,10 +62,7 @@ def _checked_row(row: Any, where: str, columns: int) -> tuple[mpq, ...]:
         raise ShapeError(
             f"{shown(row)} is not a row of control points", where=where, remedy="give the control points in rows"
         )
-    try:
-        points = exact_points(row)
-    except NumberError as error:
-        raise _renamed(error, "control_points", where) from None
+    points = exact_row(row, where)
     if len(points) != columns:
         raise ShapeError(
             f"{len(points)} control points in a row",
@@ -73,10 +70,6 @@ def _checked_row(row: Any, where: str, columns: int) -> tuple[mpq, ...]:
             remedy=f"there must be {columns} (knots − degree − 1 along t)",
         )
     return points
-
-
-def _renamed(error: ExactSplineError, old: str, new: str) -> ExactSplineError:
-    return type(error)(error.problem, where=error.where.replace(old, new, 1), remedy=error.remedy, **error.data)
 
 
 def bezier_nets(degrees: Degrees, along_s: Sequence[BSpline]) -> Iterator[Net]:

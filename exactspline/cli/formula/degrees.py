@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import CurveFiles, Papers, Trust, also_in_their_planes, loaded, tracked
 from exactspline.cli.output import Output, document, print_json, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.errors import FormulaError, ShapeError, nearest
+
+if TYPE_CHECKING:
+    from exactspline.splines.nurbs import Nurbs
+    from exactspline.verification.degree_tables import DegreeRow
 
 
 @printing
@@ -36,8 +40,6 @@ def degrees(
     """Nominal (in d), represented and true degree and the number of control points: naive, paper, minimal (or formula
     by formula).
     """
-    from exactspline.display.degrees import degree_sheet
-    from exactspline.display.described import described
     from exactspline.verification.degree_tables import construction_table, formula_table
 
     if patch:
@@ -58,16 +60,7 @@ def degrees(
     tables = [(c, tracked(make(c), c.name)) for c in also_in_their_planes(chosen)]
     _check_names(name or [], [row.formula for _, rows in tables for row in rows])
     results = [(c, [row for row in rows if _is_one_of(row.formula, name or [])]) for c, rows in tables]
-    out.give(
-        "degrees",
-        lambda: [
-            {"key": f"{c.name} ({c.dimension}D): {row.formula}, {row.variant}", "curve": c.name} | row.data()
-            for c, rows in results
-            for row in rows
-        ],
-        lambda: [degree_sheet(c, rows, f"{c.name}: {described(c)}") for c, rows in results],
-        by="curve",
-    )
+    _give(out, results)
     if not good:
         raise Exit(2)
 
@@ -76,8 +69,7 @@ def _of_papers(
     out: Output, paper: list[str], trust: bool, names: list[str], curve: list[str] | None, generic: bool
 ) -> None:
     """The formulas of papers, for all curves or on curves: those named, those in the folder, or examples."""
-    from exactspline.display.degrees import degree_sheet, formula_degree_sheet
-    from exactspline.display.described import described
+    from exactspline.display.degrees import formula_degree_sheet
     from exactspline.papers import named_papers
     from exactspline.verification.degree_tables import formula_degrees, formula_table
     from exactspline.verification.paper_curves import own_curves
@@ -104,6 +96,16 @@ def _of_papers(
             f"none of these formulas speaks of {told}",
             remedy="ask for all curves with --generic, for surfaces with --patch 3,3",
         )
+    _give(out, [(c, rows) for c, rows in tables if rows])
+    if not good:
+        raise Exit(2)
+
+
+def _give(out: Output, tables: list[tuple[Nurbs, list[DegreeRow]]]) -> None:
+    """The degrees of formulas on curves."""
+    from exactspline.display.degrees import degree_sheet
+    from exactspline.display.described import described
+
     out.give(
         "degrees",
         lambda: [
@@ -111,11 +113,9 @@ def _of_papers(
             for c, rows in tables
             for row in rows
         ],
-        lambda: [degree_sheet(c, rows, f"{c.name}: {described(c)}") for c, rows in tables if rows],
+        lambda: [degree_sheet(c, rows, f"{c.name}: {described(c)}") for c, rows in tables],
         by="curve",
     )
-    if not good:
-        raise Exit(2)
 
 
 def _on_patches(out: Output, paper: list[str], trust: bool, names: list[str], patch: str) -> None:
