@@ -52,7 +52,8 @@ def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], tallies: Sequ
 
 
 def _cells(row: RootConditions, f: FormAtRoot) -> tuple[str, ...]:
-    double = f.double.reason if f.double.error is None else decimal(f.double.units, 3)
+    assert f.double is not None  # what is shown was computed with errors of doubles
+    double = f.double.reason if f.double.units is None else decimal(f.double.units, 3)
     growth = "" if f.growth is None else decimal(f.growth[1], 4)
     return str(f.degree), decimal(f.condition[0], 6), decimal(row.ratio(f.form), 4), growth, double
 
@@ -68,7 +69,7 @@ def tally_sheet(tallies: Sequence[Tally]) -> Sheet:
     columns = ("curves with", "construction", "against", *numbers)
     made = Sheet(*columns, title="Search: the reduced form is … conditioned", name="search", numbers=numbers, heads=3)
     for t in tallies:
-        ratios = [console.decimal(extreme[0], 3) for extreme in (t.smallest, t.largest)]
+        ratios = [decimal(ratio, 3) for ratio, _ in t.extremes]
         made.add_row(t.family, t.construction, t.form, t.worse, t.better, t.proved, *ratios)
     return made
 
@@ -91,6 +92,7 @@ def comparison_data(each: Conditioning) -> dict[str, object]:
 
 
 def _form_data(f: FormAtRoot) -> dict[str, object]:
+    assert f.double is not None
     return {
         "form": f.form,
         "degree": f.degree,
@@ -109,5 +111,5 @@ def tally_data(t: Tally) -> dict[str, object]:
         key: getattr(t, key)
         for key in ("family", "construction", "form", "worse", "better", "equal", "proved", "contradicted")
     }
-    extremes = (("smallest", t.smallest), ("largest", t.largest))
+    extremes = zip(("smallest", "largest"), t.extremes, strict=True)
     return counts | {key: {"ratio": str(ratio), "curve": curve_data(curve)} for key, (ratio, curve) in extremes}

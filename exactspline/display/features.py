@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from rich.table import Table
-
 from exactspline.display import console
 from exactspline.display.described import described
 from exactspline.display.sheet import Sheet
@@ -117,7 +115,7 @@ def _continuity(joints: list[dict[str, Any]]) -> str:
     return f"joints: {', '.join(counted)}"
 
 
-def _approaches(rows: list[dict[str, Any]]) -> Table:
+def _approaches(rows: list[dict[str, Any]]) -> Sheet:
     numbers = ("degree", "control points", "roots", "extraneous", "missing", "seconds")
     made = console.table("approach", *numbers, title="Approaches to critical curvature", right=numbers)
     for row in rows:

@@ -42,6 +42,13 @@ class Tally:
     smallest: tuple[mpq, Nurbs] | None = field(default=None)
     largest: tuple[mpq, Nurbs] | None = field(default=None)
 
+    @property
+    def extremes(self) -> tuple[tuple[mpq, Nurbs], tuple[mpq, Nurbs]]:
+        """The smallest and the largest ratio of those counted, each with its curve."""
+        assert self.smallest is not None
+        assert self.largest is not None
+        return self.smallest, self.largest
+
     def add(self, row: RootConditions, curve: Nurbs) -> None:
         """Count one zero."""
         sign, ratio, own = row.compare(self.form), row.ratio(self.form), row[self.form]
