@@ -26,7 +26,9 @@ SKIPPED, NOT_READ = "Skipped", "NotRead"
 
 @dataclass(frozen=True)
 class Problem:
-    """Why there is no result: the kind of the error, its message, and whether the input is to blame."""
+    """Why there is no result: the kind of the error, its message (without the file, which the item names), and whether
+    the input is to blame.
+    """
 
     kind: str
     message: str
@@ -169,7 +171,7 @@ def _of_file(place: str) -> Iterator[Part]:
         yield place, "", Problem.of(error), (1, 1), ()
         return
     if not curves_read and not skipped:
-        yield place, "", Problem.of(CurveFileError("holds no curve", where=place)), (1, 1), ()
+        yield place, "", Problem.of(CurveFileError("holds no curve")), (1, 1), ()
     for each in skipped:
         kind = NOT_READ if each.curve else SKIPPED
         yield place, each.where, Problem(kind, f"{each.what}: {each.why}"), (1, 1), ()

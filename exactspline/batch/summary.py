@@ -87,9 +87,7 @@ class Summary:
                 self.alarms += 1
                 self._remember(f"{name}: {line.error.kind}: {line.error.message}")
             elif line.error.kind != SKIPPED and len(self.refused) < NAMED:
-                message = line.error.message
-                named_already = line.source and message.startswith(line.source)
-                self.refused.append(message if named_already else f"{name}: {message}")
+                self.refused.append(f"{name}: {line.error.message}")
         self.notes.update(line.notes)
         if line.source in self.families:
             self.of_family[line.source] += 1

@@ -9,14 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from math import lcm
 
 from flint import fmpz, fmpz_mat
 
 from exactspline.geometry.domain import space
 from exactspline.geometry.pieces import pieces
 from exactspline.numbers.exact import content, mpq, ratio, sign, text
-from exactspline.polynomials.bernstein import Form
+from exactspline.polynomials.bernstein import Form, over_common_denominator
 from exactspline.questions.answers import CurvePiece
 from exactspline.splines.nurbs import Nurbs
 
@@ -138,11 +137,8 @@ def _rows(curve: Nurbs) -> list[Rows]:
 
 def _whole(n: int, forms: Sequence[Form]) -> Rows:
     """The coefficients of forms of degree n side by side, over one denominator."""
-    first = forms[0][1]
-    if any(m != first for _, m in forms):
-        scale = fmpz(lcm(*[int(m) for _, m in forms]))
-        forms = [(c * (scale // m), scale) for c, m in forms]
-    return [tuple([c[i] for c, _ in forms]) for i in range(n + 1)]
+    polynomials, _ = over_common_denominator(forms)
+    return [tuple([c[i] for c in polynomials]) for i in range(n + 1)]
 
 
 def _span(rows: Rows) -> Rows:

@@ -48,9 +48,12 @@ def read(
     part = as_text(part, "a part of a file")
     given = None if knots is None else tuple(map(written, as_items(knots, "knots")))
     bounds = Limits() if limits is None else as_instance(limits, Limits, "bounds", "give Limits(megabytes=200)")
-    chosen, source, name = _located(place, format, part, degree, given, bounds)
+    path, named_part = ("", "") if isinstance(place, bytes) else _parted(as_path(place))
+    name = _name(path)
     try:
-        return chosen.read(source)
+        data = place if isinstance(place, bytes) else _bytes(path, bounds)
+        source = Source(data, Path(name).name, part or named_part, degree, given, bounds)
+        return _format(source, format).read(source)
     except ExactSplineError as error:
         raise (error.at(name) if name else error) from None
 
@@ -62,41 +65,27 @@ def read_in_pieces(place: str) -> Iterator[Piece]:
     >>> [(len(piece.reading.curves), piece.done, piece.total) for piece in read_in_pieces("curve.xyz")]
     Traceback (most recent call last):
     ...
-    exactspline.errors.CurveFileError: curve.xyz: cannot be read (No such file or directory); name a file or an example
+    exactspline.errors.CurveFileError: cannot be read (No such file or directory); name a file or an example
 
-    Raises the errors of `read`, but only after the pieces before the defect have been yielded.
+    Raises the errors of `read`, but without the place of the file, which the caller knows, and only after the pieces
+    before the defect have been yielded.
     """
-    chosen, source, name = _located(place, None, "", None, None, Limits())
-    try:
-        if chosen.pieces is None:
-            yield Piece(chosen.read(source), 1, 1)
-        else:
-            yield from chosen.pieces(source)
-    except ExactSplineError as error:
-        raise (error.at(name) if name else error) from None
-
-
-def _located(
-    place: str | os.PathLike[str] | bytes,
-    format: str | None,
-    part: str,
-    degree: int | None,
-    knots: tuple[str, ...] | None,
-    limits: Limits,
-) -> tuple[Format, Source, str]:
-    """The format of a file, its contents, and its path."""
-    if isinstance(place, bytes):
-        data, name = place, ""
+    path, part = _parted(place)
+    limits = Limits()
+    source = Source(_bytes(path, limits), Path(_name(path)).name, part, None, None, limits)
+    chosen = _format(source, None)
+    if chosen.pieces is None:
+        yield Piece(chosen.read(source), 1, 1)
     else:
-        data, name, named_part = _bytes(as_path(place), limits)
-        part = part or named_part
-    if len(data) > limits.megabytes << 20:
-        raise CurveFileError(f"{len(data)} bytes", where=name, remedy=f"at most {limits.megabytes} MB are read")
-    try:
-        chosen = _recognized(data, name) if format is None else named_format(format)
-    except ExactSplineError as error:
-        raise (error.at(name) if name else error) from None
-    return chosen, Source(data, Path(name).name, part, degree, knots, limits), name
+        yield from chosen.pieces(source)
+
+
+def _format(source: Source, named: str | None) -> Format:
+    """The format of a file that is not too large: the named one, or the one recognized."""
+    limits = source.limits
+    if len(source.data) > limits.megabytes << 20:
+        raise CurveFileError(f"{len(source.data)} bytes", remedy=f"at most {limits.megabytes} MB are read")
+    return _recognized(source.data, source.name) if named is None else named_format(named)
 
 
 def write(
@@ -190,23 +179,37 @@ def _recognized(data: bytes, name: str) -> Format:
         raise CurveFileError("is not in a known format", remedy="name the format") from None
 
 
-def _bytes(path: str, limits: Limits) -> tuple[bytes, str, str]:
-    """The bytes of a file, its path, and the part named after a colon."""
+def _is_example(path: str) -> bool:
+    return not os.path.lexists(path) and path in examples()
+
+
+def _parted(path: str) -> tuple[str, str]:
+    """The path of a file, and the part named after a colon."""
+    if os.path.lexists(path) or path in examples() or ":" not in path:
+        return path, ""
+    file, _, part = path.partition(":") if path.count(":") == 1 else path.rpartition(":")
+    return file, part
+
+
+def _name(path: str) -> str:
+    """How messages name a file."""
+    return "standard input" if path == "-" else f"{path}.json" if _is_example(path) else path
+
+
+def _bytes(path: str, limits: Limits) -> bytes:
+    """The bytes of a file, of standard input, or of an example; of a file that is too large, too many."""
     most = (limits.megabytes << 20) + 1
     if path == "-":
-        return sys.stdin.buffer.read(most), "standard input", ""
-    part = ""
-    if not os.path.lexists(path) and path in examples():
-        return example_text(path).encode(), f"{path}.json", ""
-    if not os.path.lexists(path) and ":" in path:
-        path, _, part = path.partition(":") if path.count(":") == 1 else path.rpartition(":")
+        return sys.stdin.buffer.read(most)
+    if _is_example(path):
+        return example_text(path).encode()
     try:
         if not stat.S_ISREG(os.stat(path).st_mode):
-            raise CurveFileError("is not a regular file", where=path, remedy="give a curve file")
+            raise CurveFileError("is not a regular file", remedy="give a curve file")
         with open(path, "rb") as stream:
-            return stream.read(most), path, part
+            return stream.read(most)
     except (OSError, ValueError) as error:
         if isinstance(error, ExactSplineError):
             raise
         reason = getattr(error, "strerror", None) or "no file name"
-        raise CurveFileError(f"cannot be read ({reason})", where=path, remedy="name a file or an example") from None
+        raise CurveFileError(f"cannot be read ({reason})", remedy="name a file or an example") from None

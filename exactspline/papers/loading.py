@@ -102,13 +102,14 @@ def guarded(formula: Formula, file: str) -> Formula:
         try:
             result = function(c)
             if problem := _no_value(result):
-                raise FormulaError(problem, where=f"{file}, {formula.name}", remedy=VALUES)
+                raise FormulaError(problem, where=f"{file}, {formula.name}", remedy=VALUES, file=file)
             return result
         except ExactSplineError as error:
-            if error.where.startswith(file):
+            if error.data.get("file") == file:  # raised by another formula of the file, which is named
                 raise
-            line = _line(sys.exc_info()[2], file)
-            raise error.at(f"{file}, line {line}, {formula.name}: ".removesuffix(": ")) from None
+            placed = error.at(f"{file}, line {_line(sys.exc_info()[2], file)}, {formula.name}")
+            placed.data["file"] = file
+            raise placed from None
         except (TypeError, AttributeError, IndexError, ValueError, ArithmeticError, RecursionError) as error:
             raise described(error, file, formula.name) from None
 
@@ -148,7 +149,7 @@ def described(error: BaseException, file: str, name: str = "") -> FormulaError:
     }
     remedy = remedies.get(type(error), lambda: "a formula is a function of one argument c")()
     where = ", ".join(filter(None, (file, f"line {line}" if line else "", name)))
-    return FormulaError(problem, where=where, remedy=remedy)
+    return FormulaError(problem, where=where, remedy=remedy, file=file)
 
 
 def _line(trace: TracebackType | None, file: str) -> int:

@@ -10,7 +10,7 @@ derivative is ``∂v − ∂u``. All operations stay in the Bernstein basis.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from functools import cache
+from functools import cache, reduce
 from itertools import pairwise
 from math import comb
 
@@ -47,6 +47,16 @@ def from_bezier(points: Sequence[mpq]) -> Form:
     return fmpz_poly(integers), fmpz(m)
 
 
+def from_integers(points: Sequence[fmpz]) -> fmpz_poly:
+    """The polynomial, over the denominator 1, of the form with integer Bézier points.
+
+    >>> from_integers([fmpz(1), fmpz(2), fmpz(1)])
+    x^2 + 4*x + 1
+    """
+    n = len(points) - 1
+    return fmpz_poly([comb(n, i) * b for i, b in enumerate(points)])
+
+
 def bezier(form: Form, n: int) -> list[mpq]:
     """The n+1 Bézier points of a form of degree n (none when n < 0)."""
     c, m = form
@@ -60,9 +70,14 @@ def derivative(c: fmpz_poly, n: fmpz) -> fmpz_poly:
     return c.derivative() * U_PLUS_V - n * c
 
 
-def rescaled(form: Form, m: fmpz) -> Form:
-    """The same form over the denominator `m`, a multiple of its denominator."""
-    return (form[0] * (m // form[1]), m) if m != form[1] else form
+def over_common_denominator(forms: Sequence[Form]) -> tuple[list[fmpz_poly], fmpz]:
+    """The polynomials of one or more forms over their least common denominator, and this denominator.
+
+    >>> over_common_denominator([(fmpz_poly([1, 1]), fmpz(2)), (fmpz_poly([1]), fmpz(3))])
+    ([3*x + 3, 2], 6)
+    """
+    common = reduce(fmpz.lcm, [m for _, m in forms])
+    return [c if m == common else c * (common // m) for c, m in forms], common
 
 
 def add(a: Form, b: Form) -> Form:

@@ -22,7 +22,7 @@ from exactspline.language.operand import Constant
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
-from exactspline.numbers.exact import Number, mpq, rational, to_fmpq
+from exactspline.numbers.exact import Number, from_flint, mpq, rational, to_fmpq
 from exactspline.polynomials.factorization import superscript
 from exactspline.polynomials.factors import bounded_product
 
@@ -273,7 +273,7 @@ def polynomial_text(jet: Jet, limit: int = 12) -> str:
     if not count:
         return "0"
     terms = [(p.monomial(i), p.coefficient(i)) for i in range(min(limit, count))]
-    parts = [_term_text(jet.ring, exponents, mpq(int(c.p), int(c.q))) for exponents, c in terms]
+    parts = [_term_text(jet.ring, exponents, from_flint(c)) for exponents, c in terms]
     text = " ".join(parts).removeprefix("+ ")
     return (text if not text.startswith("− ") else "−" + text[2:]) + (f" + … ({count} terms)" if count > limit else "")
 

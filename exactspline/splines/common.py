@@ -8,7 +8,7 @@ from typing import TypeVar
 from exactspline.language.provenance import leaf
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
-from exactspline.polynomials.bernstein import rescaled
+from exactspline.polynomials.bernstein import over_common_denominator
 from exactspline.splines.blossom import common_forms
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, mesh_of
@@ -65,10 +65,8 @@ def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
     """
     mesh, columns = splines[0].mesh, []
     for forms in zip(*[f.forms for f in splines], strict=True):
-        common = forms[0][1]
-        for _, m in forms[1:]:
-            common = common * (m // common.gcd(m))
-        columns.append([rescaled(form, common) for form in forms])
+        polynomials, denominator = over_common_denominator(forms)
+        columns.append([(c, denominator) for c in polynomials])
     rows = zip(*columns, strict=True)
     return [f.over_forms(mesh, row) for f, row in zip(splines, rows, strict=True)]
 

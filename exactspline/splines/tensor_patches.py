@@ -11,9 +11,9 @@ from typing import NamedTuple, TypeVar
 from flint import fmpz, fmpz_poly
 
 from exactspline.language.provenance import Provenance
-from exactspline.numbers.exact import lcm, mpq, to_fmpz
+from exactspline.numbers.exact import mpq
 from exactspline.polynomials import tensor_bernstein
-from exactspline.polynomials.bernstein import ONE, primitive
+from exactspline.polynomials.bernstein import ONE, over_common_denominator, primitive
 from exactspline.polynomials.tensor_bernstein import columns, derivative, rows, without_powers
 from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
@@ -259,12 +259,11 @@ def joined(found: list[list[BSpline]], old: TensorParts) -> Parts:
     polynomials, denominators = [], []
     for own in found:
         for j in range(len(first.mesh)):
-            common = lcm(*[int(line.denominators[j]) for line in own])
-            rows = [line._polynomials[j] * (int(common) // int(line.denominators[j])) for line in own]
+            rows, denominator = over_common_denominator([(line._polynomials[j], line.denominators[j]) for line in own])
             polynomials.append(
                 tensor_bernstein.packed([fmpz_poly([row[k] for row in rows]) for k in range(first.degree + 1)], stride)
             )
-            denominators.append(to_fmpz(common))
+            denominators.append(denominator)
     continuity = (old.continuity[0], first.continuity)
     return (
         Degrees(old.degree.s, first.degree),

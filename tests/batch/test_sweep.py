@@ -418,10 +418,20 @@ def test_a_verdict_that_is_not_as_recorded_is_named(monkeypatch):
 
 
 def test_the_summary_gives_the_reason_for_every_curve_that_is_refused(tmp_path):
+    """Passed before: a part of a file that could not be read was named, and the file once more."""
     broken = tmp_path / "broken.ttf"
     broken.write_text("broken", encoding="ascii")
+    field = tmp_path / "field.json"
+    field.write_text("{}", encoding="ascii")
+    empty = tmp_path / "empty.svg"
+    empty.write_text('<svg xmlns="http://www.w3.org/2000/svg"/>', encoding="ascii")
+    sources = [str(broken), f"{broken}:ampersand", str(field), str(empty), str(tmp_path / "missing.json")]
     summary = Summary()
-    for line in xs.sweep([str(broken), "circle"]):
+    for line in xs.sweep([*sources, "circle"]):
         summary.add(line)
-    (told,) = [each.name for each in summary.entries() if each.what == "refused"]
-    assert told.startswith(f"{broken}: is not a readable font")
+        assert line.error is None or str(tmp_path) not in line.error.message
+    told = [each.name for each in summary.entries() if each.what == "refused"]
+    assert told[0].startswith(f"{broken}: is not a readable font")
+    for source, text in zip(sources, told, strict=True):
+        assert text.startswith(f"{source}: ")
+        assert text.count(str(tmp_path)) == 1

@@ -47,6 +47,10 @@ SENTENCES = {
     "what is cut off": "def f(row):\n    return row.statement.removesuffix(' ≡ 0')",
     "the number of its words": "def f(row):\n    return row.note.count(' ')",
     "its place in a message": "def f(error):\n    return 'no single value' in str(error)",
+    "a variable that holds it": "def f(row):\n    text = row.message\n    return text.startswith(row.file)",
+    "what is made of it": "def f(row):\n    a = row.message or ''\n    b = a.lower()\n    return b.find(row.file) >= 0",
+    "one after the other": "def f(row):\n    return [each for each in row.notes if each.startswith(row.file)]",
+    "a parameter": "def f(message, file):\n    return message.startswith(file)",
 }
 
 
@@ -56,7 +60,13 @@ def test_no_sentence_decides():
 
 @pytest.mark.parametrize("code", SENTENCES.values(), ids=SENTENCES)
 def test_a_sentence_that_decides_is_found(code):
+    """Passed before: the summary of a sweep asked whether a message, held by a variable, begins with the file."""
     assert planted(code, gates.decisions_by_sentences)
+
+
+def test_a_variable_of_another_function_holds_no_sentence():
+    code = "def f(row):\n    text = row.message\ndef g(text):\n    return text.startswith('a')"
+    assert planted(code, gates.decisions_by_sentences) == []
 
 
 def test_no_part_of_a_name_decides():

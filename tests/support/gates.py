@@ -54,6 +54,8 @@ SENTENCES = {
     "statement",
     "words",
 }
+#: Parameters that hold such a text, by their names; `words` are as often those of a file.
+TEXTS = {"message", "note", "problem", "reason", "remark", "remedy"}
 #: What looks into a text, by whatever name.
 LOOKS = {
     "count",
@@ -90,30 +92,79 @@ def is_sentence(node: ast.AST) -> bool:
     return False
 
 
-def mentions_sentence(node: ast.AST) -> bool:
-    """Whether a sentence stands in an expression."""
-    return any(is_sentence(each) for each in ast.walk(node))
+def holders(tree: ast.Module) -> dict[str, set[str]]:
+    """By function, the variables that hold a text for people: parameters that are called so, and what is assigned from
+    such a text, through any number of steps.
+    """
+    held: dict[str, set[str]] = {}
+    size = -1
+    while size != (size := sum(map(len, held.values()))):
+        for place, node in scopes(tree):
+            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+                given = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
+                held.setdefault(place, set()).update({each.arg for each in given} & TEXTS)
+            for target, value in assignments(node):
+                names = held.setdefault(place, set()) if place else set[str]()
+                if isinstance(target, ast.Name) and target.id.islower() and is_made_of_sentence(value, names):
+                    names.add(target.id)
+    return held
+
+
+def assignments(node: ast.AST) -> Iterator[tuple[ast.expr, ast.expr]]:
+    """What a node assigns: each target with its value, or with the sequence that it runs through."""
+    if isinstance(node, ast.Assign):
+        yield from ((target, node.value) for target in node.targets)
+    elif isinstance(node, (ast.AnnAssign, ast.NamedExpr)) and node.value is not None:
+        yield node.target, node.value
+    elif isinstance(node, (ast.For, ast.comprehension)):
+        yield node.target, node.iter
+
+
+def is_made_of_sentence(node: ast.AST, held: set[str]) -> bool:
+    """Whether an expression is a text for people that is not written out there: the text of something, perhaps another
+    where that is empty, a part of it, or what a method makes of it (`text.lower()`).
+    """
+    if isinstance(node, ast.Name):
+        return node.id in held
+    if isinstance(node, ast.BoolOp):
+        return any(is_made_of_sentence(each, held) for each in node.values)
+    if isinstance(node, ast.IfExp):
+        return is_made_of_sentence(node.body, held) or is_made_of_sentence(node.orelse, held)
+    if isinstance(node, ast.Subscript):
+        return is_made_of_sentence(node.value, held)
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+        return is_made_of_sentence(node.func.value, held)
+    return not isinstance(node, ast.Constant) and is_sentence(node)
+
+
+def mentions_sentence(node: ast.AST, held: Iterable[str] = ()) -> bool:
+    """Whether a sentence stands in an expression, or a variable that holds one."""
+    return any(is_sentence(each) or (isinstance(each, ast.Name) and each.id in held) for each in ast.walk(node))
 
 
 def decisions_by_sentences(tree: ast.Module) -> Iterator[str]:
     """Where a text for people is searched, cut, compared or looked up."""
+    held_in = holders(tree)
     for place, node in scopes(tree):
+        held = held_in.get(place, ())
         if isinstance(node, ast.Call):
             name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
             operands = [*node.args, *([node.func.value] if isinstance(node.func, ast.Attribute) else [])]
             # text.split() does away with line breaks
             looks = name in LOOKS and (node.args or name != "split")
-            if looks and any(mentions_sentence(each) for each in operands):
+            if looks and any(mentions_sentence(each, held) for each in operands):
                 yield place
         elif isinstance(node, ast.Compare):
             sides = [node.left, *node.comparators]
             texts = [each for each in sides if isinstance(each, (ast.Constant, ast.JoinedStr))]
             words = any(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in texts)
-            if any(is_sentence(each) for each in texts) or (words and any(map(mentions_sentence, sides))):
+            if any(is_sentence(each) for each in texts) or (
+                words and any(mentions_sentence(each, held) for each in sides)
+            ):
                 yield place
         elif isinstance(node, ast.Subscript) and ast.unparse(node.value) not in ("Annotated", "Literal"):
             # a plain key of a row may have two words
-            if not isinstance(node.slice, ast.Constant) and mentions_sentence(node.slice):
+            if not isinstance(node.slice, ast.Constant) and mentions_sentence(node.slice, held):
                 yield place
         elif isinstance(node, ast.MatchValue) and is_sentence(node.value):
             yield place

@@ -22,7 +22,7 @@ from exactspline.language.vector import Vector, norm2
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials import tensor_bernstein
-from exactspline.polynomials.bernstein import ONE, value
+from exactspline.polynomials.bernstein import ONE, over_common_denominator, value
 from exactspline.polynomials.elimination import discriminant, resultant
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.polynomials.isolation import is_nonnegative
@@ -95,10 +95,7 @@ class Conditions:
         self.degree = square.degree
         self.rows = []
         for forms in zip(square.forms, *[x.elevated_to(square).forms for x in twice], strict=True):
-            common = ONE
-            for _, m in forms:
-                common = common.lcm(m)
-            self.rows.append([form * (common // m) for form, m in forms])
+            self.rows.append(over_common_denominator(forms)[0])
 
         #: Arcs that are not on the true bisector mostly fail where the curve comes near Q, or on both sides of Q.
         starts = [Vector(*[x(t) / c.w(t) for x in c.p]) for t in c.w.breakpoints[:-1]]

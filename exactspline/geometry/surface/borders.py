@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import product
-from math import comb
 from typing import NamedTuple
 
 from flint import fmpz_poly
@@ -14,7 +13,7 @@ from flint import fmpz_poly
 from exactspline.geometry.surface.places import Parameter, enclosing
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
-from exactspline.polynomials.bernstein import in_parameter
+from exactspline.polynomials.bernstein import from_integers, in_parameter
 from exactspline.polynomials.common_zeros import Zero
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm
@@ -51,8 +50,7 @@ EDGES = tuple(Edge(direction, end) for direction, end in product((0, 1), (0, 1))
 def along(form: PatchForm, edge: Edge, sides: Box) -> fmpz_poly:
     """A form along an edge as a polynomial in the other parameter of the surface, up to a positive constant."""
     n = form.degree[1 - edge.direction]
-    c = fmpz_poly([comb(n, i) * x for i, x in enumerate(form.edge(*edge))])
-    return in_parameter(c, n, sides[1 - edge.direction])[0]
+    return in_parameter(from_integers(form.edge(*edge)), n, sides[1 - edge.direction])[0]
 
 
 def common_along(forms: Sequence[PatchForm], edge: Edge, sides: Box) -> fmpz_poly:

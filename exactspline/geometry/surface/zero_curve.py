@@ -14,16 +14,15 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 from itertools import pairwise, starmap
-from math import comb
 
-from flint import fmpz, fmpz_poly
+from flint import fmpz
 
 from exactspline.geometry.surface.borders import EDGES
 from exactspline.geometry.surface.common_factor import rational_lines
 from exactspline.geometry.surface.critical import Cell, Crossing, singular_cells
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
-from exactspline.polynomials.bernstein import ONE
+from exactspline.polynomials.bernstein import ONE, from_integers
 from exactspline.polynomials.common_zeros import Zero
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
 from exactspline.reals.real import between
@@ -176,9 +175,7 @@ class ZeroCurve:
         key = direction, value
         if key not in self._lines:
             edge = self._along(direction, value)
-            n = len(edge) - 1
-            c = fmpz_poly([comb(n, i) * x for i, x in enumerate(edge)])
-            spline = BSpline.from_forms(n, Mesh([mpq(0), mpq(1)]), (), [(c, ONE)])
+            spline = BSpline.from_forms(len(edge) - 1, Mesh([mpq(0), mpq(1)]), (), [(from_integers(edge), ONE)])
             self._lines[key] = [*zeros(spline)]
         return self._lines[key]
 
