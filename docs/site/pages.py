@@ -6,23 +6,29 @@ import inspect
 import re
 import subprocess
 import sys
-from collections import Counter
-from collections.abc import Iterable, Sequence
-from itertools import groupby
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain, groupby
 from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
 import exactspline as xs
+from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
 from exactspline.display.figures import FIGURES, make
 from exactspline.display.glossary import glossary
+from exactspline.display.ledger import summary
 from exactspline.display.numbers import Numbers, decimals
 from exactspline.display.quotations import parts
 from exactspline.display.sheet import in_markdown
+from exactspline.errors import counted
 from exactspline.papers import papers
-from exactspline.verification.errata import errata
+from exactspline.verification.claims import claims_of
+from exactspline.verification.counts import recorded
+from exactspline.verification.errata import Erratum, errata
 
+#: The length of the lines of code on the page of errata.
+CODE_WIDTH = 88
 COLUMNS = ("claim", "the source's words", "as it is decided", "verdict", "what is true")
 #: What stands in the place of words that the source does not have.
 STATUS = {"ours": "goes beyond the source", "meant": "as the printed statement must read"}
@@ -89,9 +95,7 @@ def write_ledgers(folder: Path, claims: Iterable[dict[str, Any]]) -> list[str]:
     for claim in claims:
         by_source.setdefault(claim["paper"], []).append(claim)
     for name, told in by_source.items():
-        counts = Counter(claim["verdict"] for claim in told)
-        tally = ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common())
-        lines = [f"# {told[0]['title']}", f"{tally}."]
+        lines = [f"# {told[0]['title']}", summary(recorded(claims_of(name)))]
         lines.append(
             "What was found for all curves; verdicts are explained in the [glossary](../glossary.md). Formulas, "
             'degrees and witnesses of each claim: <a href="../play/claims.html">the ledger that is searched</a>.'
@@ -99,11 +103,12 @@ def write_ledgers(folder: Path, claims: Iterable[dict[str, Any]]) -> list[str]:
         for place, group in groupby(told, lambda claim: claim["source"]):
             rows = []
             for c in group:
+                anchor = f'<a id="{c["key"]}" href="#{c["key"]}">{plain(c["id"])}</a>'
                 place_of_words = f" ({plain(c['place'])})" if c["place"] else ""
                 words = f"“{typeset(c['words'])}”{place_of_words}" if c["words"] else STATUS.get(c["status"], "–")
                 found = "" if c["computed"] == c["claimed"] else c["computed"] or c["witness"]
                 decided = f"{c['statement']}: {c['claimed']}" if c["kind"] in ("degree", "count") else c["statement"]
-                rows.append([c["id"], words, plain(decided), c["verdict"], plain(decimals(found))])
+                rows.append([anchor, words, plain(decided), c["verdict"], plain(decimals(found))])
             lines += [f"## {place}", _table(COLUMNS, rows)]
         (folder / f"{name}.md").write_text("\n\n".join(lines) + "\n", encoding="utf-8")
     return [f"{folder.name}/{name}" for name in by_source]
@@ -113,26 +118,38 @@ def write_errata(file: Path) -> None:
     """What the sources say that is not so: an error a section, from the words to what holds instead."""
     lines = [
         "# Errata",
-        "Every statement of a source that is refuted: its words, how they are decided, what was found, and what holds "
-        "instead. `./run errata` prints the same, and Python to check it.",
+        "Every statement of a source that is refuted: its words, how they are decided, what was found, what holds "
+        "instead and why, and Python that shows it. `./run errata` prints the same.",
     ]
     for source in papers():
-        found = list(errata([source]))
-        lines += [f"## {plain(source.title)}"] if found else []
-        for error in found:
-            lines.append(f"### {plain(error.title)}")
-            for each in error.statements:
-                words = f" “{typeset(each.words)}”" if each.words else ""
-                lines.append(f"> **{plain(each.place)}**{words}")
-                told = {
-                    "Decided": each.statement,
-                    "Found": worded(each.found),
-                    "Witness": worded(each.witness, Numbers()),
-                }
-                lines.append("\n".join(f"- {name}: {plain(text)}" for name, text in told.items() if text))
-            holds = [f"- Instead: {plain(line)}" for line in error.truth]
-            lines.append("\n".join([*holds, *(f"- Why: {plain(line)}" for line in error.why)]))
+        if found := list(errata([source])):
+            statements = sum(len(error.statements) for error in found)
+            told = f"{counted(len(found), 'error')}, {counted(statements, 'statement')} refuted."
+            lines += [f"## {plain(source.title)}", told, *chain.from_iterable(map(_erratum, found))]
     file.write_text("\n\n".join(filter(None, lines)) + "\n", encoding="utf-8")
+
+
+def _erratum(error: Erratum) -> Iterator[str]:
+    """The section of one error, under an address of its own."""
+    anchor = address_of(error)
+    yield f"({anchor})=\n### {plain(error.title)}"
+    for each in error.statements:
+        words = f" “{typeset(each.words)}”" if each.words else ""
+        yield f"> **{plain(each.place)}**{words}"
+        told = {"Found": worded(each.found), "Witness": worded(each.witness, Numbers())}
+        claim = f'<a href="ledger/{error.paper}.html#{each.key}">{plain(each.id)}</a>'
+        decided = f"- Decided: {plain(each.statement)} ({claim})"
+        yield "\n".join([decided, *(f"- {name}: {plain(text)}" for name, text in told.items() if text)])
+    holds = [f"- Instead: {plain(line)}" for line in error.truth]
+    yield "\n".join([*holds, *(f"- Why: {plain(line)}" for line in error.why)])
+    code = list(dict.fromkeys(line for each in error.statements for line in each.check))
+    yield "\n".join(["```python", *(part for line in code for part in code_lines(line, CODE_WIDTH)), "```"])
+    yield f"[Permalink](#{anchor})"
+
+
+def address_of(error: Erratum) -> str:
+    """The fragment of the page of errata at which an error stands."""
+    return f"{error.paper.replace('_', '-')}-{error.error}"
 
 
 def _table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

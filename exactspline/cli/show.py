@@ -26,7 +26,7 @@ def show(
             "the statement (evolute). Without it the claims are listed."
         ),
     ] = "",
-    latex: Annotated[bool, Option("--latex", help="Print formulas as LaTeX.")] = False,
+    latex: Annotated[bool, Option("--latex", help="Print each claim as a theorem of LaTeX with its proof.")] = False,
     paper: Papers = None,
     trust: Trust = False,
 ) -> None:
@@ -46,7 +46,7 @@ def show(
         "show",
         lambda: [statement_data(s) | {"key": f"{s.claim.paper}/{s.claim.key}"} for s in found],
         lambda: _sheets(found),
-        lambda: _print(out, found, latex),
+        lambda: _print_theorems(found) if latex else _print(out, found),
     )
     if not all(s.as_recorded for s in found):
         raise Exit(1)
@@ -87,9 +87,20 @@ def _sheets(found: list[Statement]) -> list[Sheet]:
     return [made]
 
 
-def _print(out: Output, found: list[Statement], latex: bool) -> None:
+def _print_theorems(found: list[Statement]) -> None:
+    """For copying, so that lines are not broken."""
     from rich.text import Text
 
+    from exactspline.display import console
+    from exactspline.display.theorem import theorem
+
+    shown = console.console()
+    for each in found:
+        shown.print(Text(theorem(each), no_wrap=True, overflow="ignore"), soft_wrap=True)
+        shown.print()
+
+
+def _print(out: Output, found: list[Statement]) -> None:
     from exactspline.display import console
     from exactspline.display.sheet import COLOURS
     from exactspline.display.statement import fields, heading
@@ -99,12 +110,8 @@ def _print(out: Output, found: list[Statement], latex: bool) -> None:
         if i:
             shown.print()
         console.lines(shown, heading(s), style="bold")
-        for what, text in fields(s, latex):
+        for what, text in fields(s):
             style = COLOURS.get(text.split(" ")[0], "") if what == "verdict" else ""
-            if latex and "\\" in text:
-                # LaTeX is for copying, so that its lines are not broken
-                shown.print(Text(f"  {what}: {text}", no_wrap=True, overflow="ignore"), soft_wrap=True)
-            else:
-                console.lines(shown, f"{what}: {text}", indent=4, first=2, style=style)
+            console.lines(shown, f"{what}: {text}", indent=4, first=2, style=style)
     if not out.quiet:
         console.legend(shown, ["naive", "reduced", *[s.finding.verdict for s in found]])

@@ -15,6 +15,7 @@ from exactspline.papers import paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.claim import Claim
+from exactspline.verification.counts import Counts, count_statements
 from exactspline.verification.errata import numbered, true_relation
 from exactspline.verification.evidence import DegreeHere, ExactQuotient, WrongDegree
 from exactspline.verification.kinds import DegreeClaim, Vanishing
@@ -222,14 +223,14 @@ def reasons(claims: Iterable[Claim], curve: Nurbs | NurbsSurface) -> str:
 
 
 def closing(rows: Sequence[Row]) -> str:
-    """The last line: how many verdicts there are of each kind and whether any differs from the record."""
+    """The last line: how many rows there are of each verdict and whether any differs from the record."""
     if not rows:
-        return "no verdicts"
-    counts = Counter(row.verdict for row in rows)
+        return "no rows"
+    verdicts = Counter(row.verdict for row in rows)
     differ = sum(not row.as_recorded for row in rows)
-    parts = ", ".join(f"{counts[w]} {w}" for w in WORDS if counts[w])
+    parts = ", ".join(f"{verdicts[w]} {w}" for w in WORDS if verdicts[w])
     end = f"{differ} DIFFER from the record" if differ else "all as recorded"
-    return f"{counted(len(rows), 'verdict')}: {parts}; {end}"
+    return f"{counted(len(rows), 'row')}: {parts}; {end}"
 
 
 def said(row: Row) -> str:
@@ -241,15 +242,45 @@ def headline(rows: Sequence[Row]) -> str:
     """The answer in a sentence: how many statements of the paper are refuted, of how many errors and on how many rows,
     how many hold, and how many are neither.
     """
-    printed = [row for row in rows if row.status == Status.PRINTED]
-    general = Counter(row.verdict for row in printed if not row.curve)
-    lines = sum(row.verdict == REFUTED for row in printed)
-    holds = sum(general[verdict] for verdict in HOLDS)
-    errors = len({(row.paper, row.claim.error) for row in printed if row.verdict == REFUTED and not row.curve})
-    refuted = f"{counted(general[REFUTED], 'statement')} of the paper refuted"
-    refutations = f"{refuted} ({counted(errors, 'error')}, {counted(lines, 'row')}); {holds} hold"
-    rest = [f"{general[v]} {v.lower()}" for v in Verdict if general[v] and v not in (*HOLDS, REFUTED)]
+    general = [row for row in rows if not row.curve]
+    printed = count_statements((row.claim, row.verdict) for row in general)[Status.PRINTED]
+    lines = sum(row.verdict == REFUTED for row in rows if row.status == Status.PRINTED)
+    refuted = f"{counted(printed.refuted, 'statement')} of the paper refuted"
+    refutations = f"{refuted} ({counted(printed.errors, 'error')}, {counted(lines, 'row')}); {printed.hold} hold"
+    other = Counter(row.verdict for row in general if row.status == Status.PRINTED)
+    rest = [f"{other[v]} {v.lower()}" for v in Verdict if other[v] and v not in (*HOLDS, REFUTED)]
     return "; ".join([refutations, ", ".join(rest) if rest else "none is undecided"])
+
+
+def summary(found: Mapping[Status, Counts]) -> str:
+    """The counts in a sentence: of the printed statements, of those as they must read, of those beyond the paper.
+
+    >>> from exactspline.verification.claims import select
+    >>> from exactspline.verification.counts import recorded
+    >>> summary(recorded(select(["C4.2b"])))
+    '2 statements of the paper: 1 holds, 1 is refuted (1 error); 1 as it must read: 1 holds.'
+    """
+    said = []
+    for status, each in found.items():
+        if not each.statements:
+            continue
+        verdicts = [f"{each.hold} {'holds' if each.hold == 1 else 'hold'}"] if each.hold else []
+        if each.refuted:
+            errors = f" ({counted(each.errors, 'error')})" if status == Status.PRINTED else ""
+            verdicts.append(f"{each.refuted} {'is' if each.refuted == 1 else 'are'} refuted{errors}")
+        if each.neither:
+            verdicts.append(f"{each.neither} neither")
+        said.append(f"{_of_status(status, each.statements)}: {', '.join(verdicts)}")
+    return f"{'; '.join(said) or 'nothing decided for all curves'}."
+
+
+def _of_status(status: Status, number: int) -> str:
+    """A number of statements of a status, in words."""
+    if status == Status.PRINTED:
+        return f"{counted(number, 'statement')} of the paper"
+    if status == Status.OURS:
+        return f"{number} {OURS}"
+    return f"{number} {MEANT}" if number == 1 else f"{number} as they must read"
 
 
 def keyed(rows: Iterable[Row]) -> list[tuple[str, Row]]:

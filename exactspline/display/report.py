@@ -10,15 +10,15 @@ from html import escape
 from importlib.metadata import PackageNotFoundError, version
 
 from exactspline.display.glossary import glossary_list
-from exactspline.display.ledger import HOLDS, WORDS, closing, found, witness
+from exactspline.display.ledger import WORDS, closing, found, summary, witness
 from exactspline.display.page import cells, definitions, page, table
 from exactspline.display.quotations import parts
 from exactspline.papers import Paper
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
 from exactspline.verification.claim import Claim
+from exactspline.verification.counts import count_statements
 from exactspline.verification.rows import Row
-from exactspline.verification.verdict import REFUTED
 
 _STYLE = """
 body{font:16px/1.5 Georgia,serif;margin:2rem auto;max-width:52rem;padding:0 1rem;color:#1a1a1a;background:#fff}
@@ -48,24 +48,16 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
     """
     sources = list(dict.fromkeys(claim.source_paper for claim in claims))
     title = "; ".join(source.title for source in sources)
+    decided = count_statements((row.claim, row.verdict) for row in rows if not row.curve)
     body = (
         f"<h1>{escape(title)}</h1>{''.join(f'<p>{escape(s.reference)}</p>' for s in sources if s.reference)}"
-        f"<p>{escape(summary(claims, rows))} {escape(closing(rows))}.</p>"
+        f"<p>{escape(summary(decided))} {escape(closing(rows))}.</p>"
         f"<h2>What is claimed, and what holds</h2>{''.join(_claim(claim, rows) for claim in claims)}"
         f"<h2>Formulas</h2>{''.join(map(_formulas, sources))}"
         f"<h2>What the words mean</h2>{glossary_list(_words(rows))}"
         f"<h2>What the verdicts rely on</h2>{_versions()}{''.join(map(_digests, sources))}"
     )
     return page(f"Report: {title}", body, _STYLE)
-
-
-def summary(claims: Sequence[Claim], rows: Iterable[Row]) -> str:
-    """The answer in a sentence: how many claims hold for all curves, how many fail."""
-    general = [row for row in rows if not row.curve]
-    holds, fails = sum(row.verdict in HOLDS for row in general), sum(row.verdict == REFUTED for row in general)
-    rest = len(general) - holds - fails
-    result = f"Of {len(claims)} claims {holds} hold and {fails} fail"
-    return f"{result}, {rest} neither." if rest else f"{result}."
 
 
 def _words(rows: Iterable[Row]) -> list[str]:

@@ -15,15 +15,12 @@ def heading(s: Statement) -> str:
     return f"{s.claim.id}, {s.claim.source}{' (as it must read)' if s.claim.status == Status.MEANT else ''}"
 
 
-def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
+def fields(s: Statement) -> list[tuple[str, str]]:
     """Everything about a claim, one field after the other."""
     c, f = s.claim, s.finding
-    rows = [("statement", s.latex if latex else c.statement)]
+    rows = [("statement", c.statement)]
     for side in s.sides:
-        rows += [
-            (side.role, side.latex if latex else side.text),
-            ("of which", f"{side.name}, {side.source}, degree {side.degrees}"),
-        ]
+        rows += [(side.role, side.text), ("of which", f"{side.name}, {side.source}, degree {side.degrees}")]
     rows += [
         ("claimed", c.claims if not isinstance(c, Identity) else f"factor {c.claims}"),
         ("found", _found(s)),

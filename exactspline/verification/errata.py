@@ -18,6 +18,7 @@ from exactspline.symbolic.factorization import Factor
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import combined
+from exactspline.verification.counts import error_of
 from exactspline.verification.evidence import Evidence, Found, Relating, StatedFactor
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds import Count, DegreeClaim, Identity, Vanishing
@@ -95,8 +96,9 @@ def _joined(status: Status, sources: Iterable[Paper] | None) -> Iterator[Erratum
             if refuted:
                 why = tuple(dict.fromkeys(claim.note for claim in fails if claim.note))
                 yield Erratum(source.name, error, title, refuted, _truth(own), why)
-        if status == Status.PRINTED and not source.default:
-            yield from unrecorded(claims)
+        if not source.default:
+            printed = status == Status.PRINTED
+            yield from unrecorded(claim for claim in claims if (claim.status == Status.PRINTED) == printed)
 
 
 def unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
@@ -104,7 +106,7 @@ def unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
     for claim in claims:
         if not claim.error and claim.expected != REFUTED and (found := _refuted(claim)):
             why = (claim.note,) if claim.note else ()
-            yield Erratum(claim.paper, claim.key, claim.statement, (found,), (), why)
+            yield Erratum(claim.paper, error_of(claim), claim.statement, (found,), (), why)
 
 
 def _refuted(claim: Claim) -> Refuted | None:

@@ -1,13 +1,19 @@
 """``show``: a claim spelled out, for people, for LaTeX, for programs."""
 
 import json
+import re
 
 import pytest
 from click.testing import CliRunner
 
 from exactspline.cli import app
+from exactspline.display.theorem import in_mathematics, prose, theorem
 from exactspline.errors import ClaimError
-from exactspline.verification.claims import select
+from exactspline.papers import papers
+from exactspline.verification.claims import claims_in, select
+from exactspline.verification.evidence import Fact
+from exactspline.verification.statement import Statement, sides
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 
 runner = CliRunner()
 
@@ -25,9 +31,62 @@ def test_a_claim_has_its_sides_factor_degrees_verdict_and_source():
 
 
 def test_latex_is_not_broken_into_lines():
-    lines = [line.strip() for line in show("C4.2c", "--latex").splitlines()]
-    assert any(line.endswith(r"g_2 = w\,g_1") for line in lines)
-    assert any("reduced" in line and line.count("{") == line.count("}") for line in lines)
+    lines = show("C4.2c", "--latex").splitlines()
+    assert r"\[ g_2 = w\,g_1 \]" in lines
+    assert any(len(line) > 120 and line.count("{") == line.count("}") for line in lines)
+
+
+def test_a_claim_is_a_theorem_with_its_proof():
+    told = show("C42b-g1-g0-both", "--latex")
+    assert told.count(r"\begin{theorem}") == told.count(r"\end{proof}") == 1
+    for part in (
+        "% PROVED",
+        "as it must read",
+        r"g_1 = w^{8}\,g_0",
+        "Found: $g_{1}$ = $w^{8}",
+        "--judge sympy",
+        "reading",
+    ):
+        assert part in told
+    assert r"\gamma '$ has no zero" in told
+
+
+def test_what_is_refuted_is_a_theorem_that_it_fails():
+    told = show("C42b-g1-g0", "--latex").split(r"\end{proof}")[0]
+    assert r"It is \emph{not} true that $g_{1}$ = $w^{4}$ $g_{0}$" in told
+    assert "Instead: $g_{1}$ = $w^{8}$ $g_{0}$ (C42b-g1-g0-both)" in told
+    assert "multiplied out" not in told
+
+
+def can_be_set(told):
+    """Whether braces and dollars are balanced, and no sign is left that LaTeX does not know."""
+    stripped = re.sub(r"\\[\\{}$%&#_]", "", told)
+    assert stripped.count("{") == stripped.count("}"), told
+    assert stripped.count("$") % 2 == 0, told
+    assert all(letter.isalpha() for letter in set(told) if not letter.isascii()), told
+    assert not re.search("[\u0370-\u03ff]", told), told
+    return True
+
+
+def test_every_text_of_every_claim_is_latex_that_can_be_set():
+    for claim in claims_in(papers()):
+        assert can_be_set(prose("; ".join((claim.statement, claim.assumed, claim.note, claim.source, claim.claims))))
+        assert can_be_set(in_mathematics(claim.latex))
+
+
+@pytest.mark.parametrize("verdict", [PROVED, VERIFIED, REFUTED, UNDECIDED])
+def test_a_theorem_of_any_verdict_can_be_set(verdict):
+    for claim in claims_in(papers())[::40]:
+        finding = Finding(verdict, witness=Fact.NOWHERE if verdict == REFUTED else None)
+        told = theorem(Statement(claim, claim.latex, sides(claim), claim.reading, finding))
+        assert can_be_set(told)
+        assert ("conjecture" in told) == (verdict == UNDECIDED)
+
+
+def test_what_others_write_cannot_be_a_command():
+    assert prose(r"\input{secret} $x$ 100 % a_b & ~ #1 ^") == (
+        r"\textbackslash{}input\{secret\} \$x\$ 100 \% a\_b \& \textasciitilde{} \#1 \^{}"
+    )
 
 
 @pytest.mark.parametrize("wanted", ["C4.2", "Fig. 2", "T17", "C6.2f"])

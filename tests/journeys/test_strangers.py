@@ -66,7 +66,7 @@ def test_claims_that_say_nothing_of_a_curve_say_why_and_print_no_table():
     plane = sum(claim.curve == "plane" for claim in claims)
     assert f"{len(claims)} claims say nothing of this curve: {plane} of plane curves" in told
     assert "statement" not in told
-    assert told.rstrip().endswith("no verdicts")
+    assert told.rstrip().endswith("no rows")
 
 
 def test_the_decimals_of_irrational_answers_are_those_of_the_number():

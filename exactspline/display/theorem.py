@@ -1,0 +1,223 @@
+r"""A claim as a theorem of LaTeX with its proof: what is stated, with the formulas written out, and how it was decided.
+
+The text needs ``amsmath``, ``amssymb`` and ``amsthm``, ``\newtheorem{theorem}{Theorem}`` and
+``\newtheorem{conjecture}{Conjecture}``. What comes from a source is escaped.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from exactspline.display.evidence import worded
+from exactspline.verification.claims import claims_of
+from exactspline.verification.divisors import divisors
+from exactspline.verification.errata import numbered, true_relation
+from exactspline.verification.evidence import ExactQuotient
+from exactspline.verification.kinds import DegreeClaim, Identity
+from exactspline.verification.statement import Statement
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
+from exactspline.verification.vocabulary import Measure, Status
+
+#: How claims of a kind are proved for all curves; of degrees, by what is measured.
+METHODS = {
+    "identity": "Let the derivatives of the arguments be indeterminates. Both sides are quotients of polynomials in "
+    "them, and multiplied out they are equal.",
+    "vanishing": "Let the derivatives of the arguments be indeterminates. Multiplied out, the numerator is the zero "
+    "polynomial in them.",
+    "same surface": "Let the derivatives of the arguments be indeterminates. Multiplied out, the generators are "
+    "parallel, and the directrices differ by a multiple of a generator.",
+    "iso-curve": "Let the derivatives of the arguments be indeterminates. Multiplied out, the two curves are equal.",
+    "invariance": "Substitute the change of the curve, with indeterminates for its constants and for the derivatives "
+    "of the curve; multiplied out, both sides are equal.",
+    "zero set": "Let the derivatives of the arguments be indeterminates. The formulas are equal up to factors that "
+    "have no zero by what is assumed.",
+    "square class": "Let the derivatives of the arguments be indeterminates. In the quotient of the two every "
+    "irreducible factor occurs an even number of times.",
+    "contact": "Let the derivatives of the curve be indeterminates, and differentiate with respect to the second "
+    "parameter: the first derivative that does not vanish at the point of contact gives the order.",
+    "sign": "Up to its sign, the value is a positive factor times a sum of squares: an identity of polynomials in "
+    "indeterminate derivatives.",
+}
+COUNTED = "The degree is counted as in Table 1 of the paper, operation by operation, without cancellation."
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽⁾ⁱᵀ", "0123456789-()iT")
+_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₓᵧ", "0123456789xy")
+#: The pieces of a text: names such as f2, letters with an index, an exponent or a prime, runs of these, letters with a
+#: bar, any other sign.
+_PIECES = re.compile(
+    r"\b(?P<name>[fgD]\d+)\b|\b(?P<letter>[A-Za-z])(?=[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽₀₁₂₃₄₅₆₇₈₉′″‴])|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽⁾ⁱᵀ]+)"
+    "|(?P<lowered>[₀₁₂₃₄₅₆₇₈₉ₓᵧ]+)|(?P<barred>.)\u0304|(?P<other>.)",
+    re.DOTALL,
+)
+GREEK = (
+    "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon varphi chi "
+    "psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega"
+)
+#: Signs in formulas.
+SIGNS = {
+    **{letter: rf"\{name} " for letter, name in zip("αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ", GREEK.split(), strict=True)},
+    "′": "'",
+    "″": "''",
+    "‴": "'''",
+    "−": "-",
+    "·": r"\cdot ",
+    "×": r"\times ",
+    "‖": r"\|",
+    "⊥": r"^\perp ",
+    "≥": r"\ge ",
+    "≤": r"\le ",
+    "≠": r"\ne ",
+    "≢": r"\not\equiv ",
+    "±": r"\pm ",
+    "√": r"\surd ",
+    "∗": "*",
+    "½": r"\tfrac{1}{2}",
+    "⟨": r"\langle ",
+    "⟩": r"\rangle ",
+    "↦": r"\mapsto ",
+    "∇": r"\nabla ",
+    "∞": r"\infty ",
+    "|": "|",
+    "<": "<",
+    ">": ">",
+}
+#: Signs in prose.
+LETTERS = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "^": r"\^{}",
+    "~": r"\textasciitilde{}",
+    **{sign: rf"\{sign}" for sign in "&%$#_"},
+    "§": r"\S{}",
+    "“": "``",
+    "”": "''",
+    "…": r"\ldots{}",
+    "–": "--",
+}
+
+
+def theorem(s: Statement) -> str:
+    r"""The claim with its proof, as LaTeX.
+
+    >>> from exactspline.verification.statement import statements
+    >>> for line in theorem(next(statements("C4.1a"))).splitlines()[:5]:
+    ...     print(line)
+    % PROVED: chen_riesenfeld_cohen_2007/C41a-f1-f2
+    \begin{theorem}[{C4.1a; \S{}4.1, eq. (8)}]\label{C41a-f1-f2}
+    $f_{1}$ = w $f_{2}$. Assumed: $\gamma $ = p/w of degree d in the plane; w has no zero.
+    \[ f_1 = w\,f_2 \]
+    Here
+    """
+    c = s.claim
+    environment = "theorem" if s.finding.verdict in (PROVED, VERIFIED, REFUTED) else "conjecture"
+    head = "; ".join(prose(part) for part in (c.id, c.source, _status(s)) if part)
+    lines = [f"% {s.finding.verdict}: {c.paper}/{c.key}", rf"\begin{{{environment}}}[{{{head}}}]\label{{{c.key}}}"]
+    lines += [*_stated(s), rf"\end{{{environment}}}", r"\begin{proof}", *_proof(s), r"\end{proof}"]
+    return "\n".join(lines)
+
+
+def _status(s: Statement) -> str:
+    return "as it must read" if s.claim.status == Status.MEANT else ""
+
+
+def _stated(s: Statement) -> Iterator[str]:
+    """What is said, or that it is not so, and the formulas of which it speaks."""
+    c = s.claim
+    said = numbered(c)
+    assumed = f" Assumed: {prose(c.assumed)}." if c.assumed else ""
+    if s.finding.verdict == REFUTED:
+        yield rf"It is \emph{{not}} true that {prose(said)}.{assumed}"
+        yield rf"\[ \text{{not:}}\quad {in_mathematics(s.latex)} \]"
+    else:
+        yield f"{prose(_begun(said))}.{assumed}"
+        yield rf"\[ {in_mathematics(s.latex)} \]"
+    if s.sides:
+        yield "Here"
+        yield r"\begin{gather*}"
+        yield " \\\\\n".join(in_mathematics(side.latex) for side in s.sides)
+        yield r"\end{gather*}"
+
+
+def _begun(sentence: str) -> str:
+    """The sentence with a capital, unless it begins with a symbol."""
+    word = sentence.partition(" ")[0]
+    return sentence[:1].upper() + sentence[1:] if word.isascii() and word.isalpha() and len(word) > 1 else sentence
+
+
+def _proof(s: Statement) -> Iterator[str]:
+    """How it was decided, by which reading, and how it is decided again."""
+    c, f = s.claim, s.finding
+    if f.verdict == PROVED:
+        yield _method(s)
+    if found := worded(true_relation(c, f) or f.computed):
+        yield f"Found: {prose(found)}."
+    if f.factor and not isinstance(c, DegreeClaim | Identity):
+        yield f"{prose(worded(f.factor))}."
+    if f.witness and not isinstance(f.witness, ExactQuotient):
+        yield f"Witness: {prose(worded(f.witness))}."
+    if f.assumptions:
+        yield f"This uses {prose(', '.join(f.assumptions))}."
+    if divided := divisors(c):
+        yield f"It divides by {prose(', '.join(divided))}."
+    if f.verdict == REFUTED:
+        yield from _instead(s)
+    judge = r" (\texttt{--judge sympy} and \texttt{--judge coq} ask others)" if c.equality is not None else ""
+    again = rf"\texttt{{exactspline prove --claim {literal(c.key)}}}"
+    yield rf"Judge: exactspline, reading \emph{{{s.reading}}}; {again}{judge}."
+
+
+def _method(s: Statement) -> str:
+    if isinstance(s.claim, DegreeClaim):
+        return COUNTED if s.claim.measure == Measure.NOMINAL else "The degree is that of the generic curve."
+    return METHODS.get(s.claim.kind, "It is decided by exact computation.")
+
+
+def _instead(s: Statement) -> Iterator[str]:
+    """What holds instead of a refuted statement."""
+    for claim in claims_of(s.claim.source_paper):
+        if claim.status == Status.MEANT and claim.error and claim.error == s.claim.error:
+            yield f"Instead: {prose(numbered(claim))} ({literal(claim.key)})."
+
+
+def in_mathematics(tex: str) -> str:
+    r"""A formula of LaTeX without signs that LaTeX does not know.
+
+    >>> in_mathematics("4d − 2")
+    '4d - 2'
+    """
+    return "".join(SIGNS.get(sign, sign) if sign not in "|<>" else sign for sign in tex)
+
+
+def prose(text: str) -> str:
+    r"""A text as LaTeX: its formulas between dollars, everything else as it stands.
+
+    >>> print(prose("‖γ̄″‖² = w⁴ f2 & 5 %"))
+    $\|\bar{\gamma }''\|^{2}$ = $w^{4}$ $f_{2}$ \& 5 \%
+    """
+    pieces = [_piece(str(each.lastgroup), each[str(each.lastgroup)]) for each in _PIECES.finditer(text)]
+    return "".join(pieces).replace("$\0\0$", "").replace("\0", "")
+
+
+def literal(text: str) -> str:
+    r"""A name as LaTeX: nothing in it is a formula.
+
+    >>> literal("C42b-g1_g0")
+    'C42b-g1\\_g0'
+    """
+    return "".join(LETTERS.get(sign, sign) for sign in text)
+
+
+def _piece(kind: str, text: str) -> str:
+    """A piece of a text; zero bytes mark where formulas touch."""
+    if kind == "other" and text not in SIGNS:
+        return LETTERS.get(text, text)
+    formula = {
+        "name": f"{text[0]}_{{{text[1:]}}}",
+        "letter": text,
+        "raised": f"^{{{text.translate(_RAISED)}}}",
+        "lowered": f"_{{{text.translate(_LOWERED)}}}",
+        "barred": rf"\bar{{{SIGNS.get(text, text)}}}",
+        "other": SIGNS.get(text, text),
+    }
+    return f"\0${formula[kind]}$\0"
