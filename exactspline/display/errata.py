@@ -61,8 +61,8 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
     console.lines(shown, f"{number}{entry.title}", indent=3, style="bold")
     for each in entry.statements:
         words = f": “{each.words}”" if each.words else ""
-        told = "printed in" if number[0].isdigit() else "beside"
-        console.lines(shown, f"{told} {each.place}{words}", indent=5, first=3)
+        where = "printed in" if number[0].isdigit() else "beside"
+        console.lines(shown, f"{where} {each.place}{words}", indent=5, first=3)
         console.lines(shown, f"which says: {each.statement} ({each.id})", indent=7, first=5)
         console.lines(shown, f"found: {worded(each.found)}", indent=7, first=5)
         if each.witness:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
+
+from rich.console import Console
 
 from exactspline.display import console
 from exactspline.display.described import described
@@ -16,12 +19,18 @@ from exactspline.splines.nurbs import Nurbs
 READABLE = 20
 
 
-def feature_sheet(c: Nurbs, data: dict[str, Any]) -> Sheet:
-    """The features of a curve, one per row."""
+def feature_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
+    """The features of a curve, one per row, from the data of its inspection."""
     closed = ", closed" if c.closed else ""
     in_space = c.dimension == 3
     columns = ("what", "parameter", "exactly", "curvature", *(("torsion",) if in_space else ()), "remark")
     made = Sheet(*columns, title=f"{c.name}: {described(c)}{closed}", name=c.name, prose=["remark"], heads=2)
+    _add_rows(made, c, data)
+    return made
+
+
+def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
+    in_space = c.dimension == 3
     for group in _asked(c, Answered.PLACES):
         for f in data[group]["points"]:
             kind = f["kind"] + (" of κ" if f["kind"] in ("maximum", "minimum") else "")
@@ -30,7 +39,7 @@ def feature_sheet(c: Nurbs, data: dict[str, Any]) -> Sheet:
             remark = " ".join(filter(None, (absolute, at_knot, _turn(f["angle"]))))
             values = (f.get("curvature", ""), *((f.get("torsion", ""),) if in_space else ()))
             made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, remark)
-    empty = ("",) * (len(columns) - 5)
+    empty = ("",) * (1 if in_space else 0)
     for f in data.get("coordinate_extrema", []):
         kind = f"{f['kind']} of {'xyz'[f['coordinate']]}"
         made.add_row(
@@ -48,7 +57,6 @@ def feature_sheet(c: Nurbs, data: dict[str, Any]) -> Sheet:
     for piece in data.get("planar_pieces", []):
         interval, lies_in = _intervals(piece["intervals"]), f"in the plane {piece['plane']}"
         made.add_row(QUESTIONS["planar_pieces"].about.of_piece, interval, interval, "", *empty, lies_in)
-    return made
 
 
 def _asked(c: Nurbs, answered: Answered) -> list[str]:
@@ -59,7 +67,7 @@ def _asked(c: Nurbs, answered: Answered) -> list[str]:
     ]
 
 
-def print_features(c: Nurbs, data: dict[str, Any]) -> None:
+def print_features(c: Nurbs, data: Mapping[str, object]) -> None:
     """The table, and what is known of joints, of the plane of a curve, and of the approaches."""
     out, made = console.console(), feature_sheet(c, data)
     if made.row_count:
@@ -67,11 +75,16 @@ def print_features(c: Nurbs, data: dict[str, Any]) -> None:
     else:
         nothing = ", ".join("no " + name.replace("_", " ") for name in ("corners", *_asked(c, Answered.PLACES)))
         console.lines(out, f"{c.name}: {nothing}")
+    _print_rest(out, c, data)
+
+
+def _print_rest(out: Console, c: Nurbs, data: Mapping[str, Any]) -> None:
+    """Below the table."""
     if data["joints"]:
         console.lines(out, _continuity(data["joints"]))
     if data.get("plane"):
-        told = "it has no torsion, no focal curve and no osculating spheres"
-        console.lines(out, f"{c.name} lies in the plane {data['plane']}: {told}")
+        reason = "it has no torsion, no focal curve and no osculating spheres"
+        console.lines(out, f"{c.name} lies in the plane {data['plane']}: {reason}")
     if "approaches" in data:
         out.print()
         out.print(_approaches(data["approaches"]))

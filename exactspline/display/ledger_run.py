@@ -72,8 +72,8 @@ class Run:
         for name in dict.fromkeys(row.curve for row in self.rows):
             own = [row for row in self.rows if row.curve == name]
             title = name or "For all curves"
-            told = None if name else self.kernel
-            shown.append(ledger(own, title, self.numbers, name=name or "all curves", kernel=told))
+            kernel = None if name else self.kernel
+            shown.append(ledger(own, title, self.numbers, name=name or "all curves", kernel=kernel))
         return shown
 
     def print(self, *, listed: bool, everything: bool, quiet: bool) -> None:
@@ -90,8 +90,8 @@ class Run:
         if not quiet:
             if not listed:
                 called = command_name()
-                told = f"{called} prove --rows prints every row; {called} errata the errors, each with its witness"
-                console.lines(shown, f"{told} and a check; {called} show CLAIM one claim.")
+                commands = f"{called} prove --rows prints every row; {called} errata the errors, each with its witness"
+                console.lines(shown, f"{commands} and a check; {called} show CLAIM one claim.")
             counted = [] if listed or self.curves is not None else ["statement", "error", "row"]
             console.legend(shown, [*self._words(), *counted])
 
@@ -117,8 +117,8 @@ class Run:
         for row in failure.rows:
             console.lines(shown, f"claimed: {said(row)} ({row.claim.source})", indent=4, first=2)
             console.lines(shown, f"found: {found(row)}", indent=4, first=2)
-            if told := witness(row, self.numbers):
-                console.lines(shown, f"witness: {told}", indent=4, first=2)
+            if example := witness(row, self.numbers):
+                console.lines(shown, f"witness: {example}", indent=4, first=2)
         for row in failure.truth:
             console.lines(shown, f"true: {said(row)}", indent=4, first=2)
 
@@ -164,8 +164,8 @@ class Run:
                     shown.print()
                     shown.print(ledger(wrong, "Refuted on this curve", self.numbers))
             speaks = [claim.speaks_of(c.dimension, c.polynomial, surface=on_surface) for claim in self.claims]
-            if silent := [claim for claim, told in zip(self.claims, speaks, strict=True) if not told]:
-                told = "1 claim says" if len(silent) == 1 else f"{len(silent)} claims say"
+            if silent := [claim for claim, spoken in zip(self.claims, speaks, strict=True) if not spoken]:
+                who = "1 claim says" if len(silent) == 1 else f"{len(silent)} claims say"
                 console.lines(
-                    shown, f"{told} nothing of this {'surface' if on_surface else 'curve'}: {reasons(silent, c)}"
+                    shown, f"{who} nothing of this {'surface' if on_surface else 'curve'}: {reasons(silent, c)}"
                 )

@@ -190,7 +190,7 @@ def in_mathematics(tex: str) -> str:
 
 
 def prose(text: str) -> str:
-    r"""A text as LaTeX: its formulas between dollars, everything else as it stands.
+    r"""A text as LaTeX: its formulas between dollars, everything else unchanged.
 
     >>> print(prose("‖γ̄″‖² = w⁴ f2 & 5 %"))
     $\|\bar{\gamma }''\|^{2}$ = $w^{4}$ $f_{2}$ \& 5 \%

@@ -8,8 +8,9 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from operator import methodcaller
 
-from flint import fmpz
+from flint import fmpq, fmpz
 
 from exactspline.errors import ReachError
 
@@ -110,11 +111,12 @@ def _duration(nanoseconds: int) -> str:
     return f"about {seconds} s" if seconds < 10**6 else "more than a week"
 
 
-def height_bits(coefficients: Iterable[fmpz]) -> int:
-    """The number of bits of the largest in absolute value of FLINT integers.
+def height_bits(coefficients: Iterable[fmpz | fmpq]) -> int:
+    """The number of bits of the largest in absolute value of FLINT integers, or of the numerators and denominators of
+    FLINT rationals.
 
-    >>> from flint import fmpz
-    >>> height_bits([fmpz(3), fmpz(-8)])
-    4
+    >>> from flint import fmpq, fmpz
+    >>> height_bits([fmpz(3), fmpz(-8)]), height_bits([fmpq(1, 16)])
+    (4, 5)
     """
-    return max((int(abs(x).height_bits()) for x in coefficients), default=0)
+    return max(map(methodcaller("height_bits"), coefficients), default=0)

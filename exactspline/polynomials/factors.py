@@ -264,9 +264,7 @@ def _bits(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> int:
     """The number of bits of the largest coefficient of a polynomial."""
     if isinstance(p, fmpz_poly):
         return int(p.height_bits())
-    if isinstance(p, fmpz_mpoly):
-        return height_bits(p.coeffs())
-    return max(height_bits([x.p for x in p.coeffs()]), height_bits([x.q for x in p.coeffs()]))
+    return height_bits(p.coeffs())
 
 
 def _cost(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly, per_bit: dict[int, int]) -> int:

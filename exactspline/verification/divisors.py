@@ -7,6 +7,7 @@ frame are omitted: their divisors are those of the frame, about which their clai
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 
 from flint import fmpq_mpoly
 
@@ -42,18 +43,26 @@ def divisors(claim: Claim) -> tuple[str, ...]:
 def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:
     if formula.kind.adjoins_roots or dimension not in formula.kind.dimensions:
         return
+    argument, denominators = _denominators(formula, dimension)
+    known = list(_known(claim, formula.kind, argument))
+    for node, factors in denominators:
+        if factors is None or not all(_divides(p, known) for p in factors):
+            known += factors or []
+            yield print_text(node)
+
+
+@cache
+def _denominators(formula: Formula, dimension: int) -> tuple[Evaluated, list[tuple[Node, list[fmpq_mpoly] | None]]]:
+    """What a formula divides by, with its irreducible factors in the ring of the argument; None for all of them where
+    the formula is too large to be multiplied out, so that nothing is known about its divisors.
+    """
     argument, tree = jets_for([formula], dimension), trace(formula, dimension)
-    evaluation, known = Evaluation(argument), list(_known(claim, formula.kind, argument))
+    evaluation = Evaluation(argument)
     try:
         evaluation(tree)
-    except (FormulaError, ReachError):  # too large to be multiplied out: then nothing is known about its divisors
-        yield from map(print_text, divided_by(tree))
-        return
-    for node, value in evaluation.denominators:
-        factors = [p for p, _ in factored(value).powers]
-        if not all(_divides(p, known) for p in factors):
-            known += factors
-            yield print_text(node)
+    except (FormulaError, ReachError):
+        return argument, [(node, None) for node in divided_by(tree)]
+    return argument, [(node, factored(value).bases) for node, value in evaluation.denominators]
 
 
 def divided_by(tree: Node) -> Iterator[Node]:

@@ -28,7 +28,7 @@ def planted(code, finder):
 #: Rooms that decide.
 DECIDING = ("geometry/", "symbolic/", "classroom/", "questions/", "roots/", "polynomials/", "reals/", "programs/")
 BY_SENTENCES = {
-    "cli/prove.py: _Ledger._listed": "a sheet is found by its name, which is shown too",
+    "display/ledger_run.py: Run._listed": "a sheet is found by its name, which is shown too",
     "display/triangles.py: _result_html": "the name of an algorithm",
     "display/triangles.py: _result_sheets": "the name of an algorithm",
     "display/triangles.py: scheme_data": "the name of an algorithm",
@@ -297,7 +297,6 @@ UNBOUNDED = {
     "polynomials/two_parameters.py: as_polynomial": "integers",
     "programs/denominators.py: common_multiple": "integers",
     "splines/blossom.py: _primitive": "integers",
-    "splines/common.py: with_common_denominators": "integers",
     "splines/lowest_terms.py: _common": "integers",
     "splines/lowest_terms.py: _greatest_common_divisor": "integers",
     "splines/lowest_terms.py: primitive": "integers",
