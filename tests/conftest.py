@@ -1,4 +1,8 @@
-"""How hypothesis searches: the same examples every time; `--hypothesis-profile=search` looks further, with new ones."""
+"""How hypothesis searches: the same examples every time; `--hypothesis-profile=search` looks further, with new ones.
+And how often memory is collected: what was loaded before the first test stays, and need not be looked through again.
+"""
+
+import gc
 
 from hypothesis import HealthCheck, settings
 
@@ -8,3 +12,9 @@ settings.register_profile(
 )
 settings.register_profile("search", deadline=None, max_examples=1000, suppress_health_check=SLOW)
 settings.load_profile("repeat")
+
+
+def pytest_collection_finish():
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(50_000, 20, 20)

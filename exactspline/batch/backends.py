@@ -13,7 +13,6 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager
-from functools import cache
 from importlib.util import find_spec
 from typing import TypeVar
 
@@ -86,7 +85,6 @@ def mapped(
         return
     from joblib import Parallel, delayed
 
-    parent = os.getpid() if backend == "processes" else None
     with ExitStack() as stack:
         with _interrupts_ignored():
             stack.enter_context(_configured(backend, jobs, scheduler))
@@ -97,7 +95,7 @@ def mapped(
             pass
         for first in groups:
             window = _window(first, groups, WINDOW * jobs)
-            yield from _taken(parallel(delayed(_called)(call, group, parent) for group in window), closed)
+            yield from _taken(parallel(delayed(_called)(call, group) for group in window), closed)
 
 
 def _groups(
@@ -165,7 +163,8 @@ def _configured(backend: str, jobs: int, scheduler: str) -> AbstractContextManag
 
     if backend == "dask":
         return _on_dask(jobs, scheduler)
-    config: AbstractContextManager[object] = parallel_config(backend="loky", n_jobs=jobs)
+    ended = {"initializer": _end_with, "initargs": (os.getpid(),)}
+    config: AbstractContextManager[object] = parallel_config(backend="loky", n_jobs=jobs, **ended)
     return config
 
 
@@ -216,19 +215,14 @@ def _through_ray(
         ray.shutdown()
 
 
-def _called(call: Callable[[list[T]], Iterable[V]], group: list[T], parent: int | None = None) -> list[V]:
-    if parent is not None:
-        _end_with(parent)
+def _called(call: Callable[[list[T]], Iterable[V]], group: list[T]) -> list[V]:
     return list(call(group))
 
 
-@cache
 def _end_with(parent: int) -> None:
-    """End this process soon after the process that started it was killed: nothing else would. Where the system does not
-    give orphans a new parent (Windows), nothing is done.
+    """End this process soon after the process that started it was killed, also before there was any work: nothing else
+    would. Where the system does not give orphans a new parent (Windows), nothing is done.
     """
-    if os.getppid() != parent:
-        return
 
     def watch() -> None:
         while os.getppid() == parent:

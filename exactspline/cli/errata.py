@@ -34,13 +34,15 @@ def errata(
     from exactspline.display.errata import errata_sheet, erratum_data, print_errata
     from exactspline.display.numbers import Numbers
     from exactspline.papers import named_papers
+    from exactspline.verification.combined import computed_once
     from exactspline.verification.errata import errata as errors
     from exactspline.verification.errata import remarks
 
     numbers = Numbers(digits, exact)
     sources = named_papers(paper or [], trust=trust)
-    found = list(errors(sources))
-    entries = _chosen([*found, *remarks(sources)], error or [], sources)
+    with computed_once():
+        found = list(errors(sources))
+        entries = _chosen([*found, *remarks(sources)], error or [], sources)
 
     out.give(
         "errata",

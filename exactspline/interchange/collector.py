@@ -90,10 +90,21 @@ class Collector:
         except ExactSplineError as error:
             self.skip(what, where, str(error))
             return
+        self._keep(curve, notes, rational=homogeneous or weights is not None)
+
+    def keep(self, curve: Nurbs, notes: Sequence[str] = (), *, rational: bool = False) -> None:
+        """Take a curve that is built already, written as rational or not.
+
+        Raises `ShapeError` for one beyond the limits.
+        """
+        self._check(curve.degree, curve.knots, curve.control_points, curve.weights)
+        self._keep(curve, notes, rational=rational)
+
+    def _keep(self, curve: Nurbs, notes: Sequence[str], *, rational: bool) -> None:
         remarks = list(notes)
-        if curve.polynomial and (homogeneous or weights is not None):
+        if curve.polynomial and rational:
             remarks.append("written as rational, but its weights are equal: a polynomial curve")
-        self.curves.append(NamedCurve(name, curve, tuple(remarks)))
+        self.curves.append(NamedCurve(curve.name, curve, tuple(remarks)))
 
     def _check(self, degree: int, knots: Sequence[mpq], points: Points, weights: Sequence[mpq]) -> None:
         if not 0 <= degree <= self.limits.degree:

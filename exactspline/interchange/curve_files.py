@@ -19,14 +19,17 @@ from exactspline.errors import CurveFileError, as_path, as_text
 from exactspline.interchange.json_files import (
     CURVE,
     MAX_BYTES,
+    USUAL,
     check_fields,
     from_file,
     json_object,
     number_of,
+    numbers_of,
     points_of,
     whole_degree,
     written_point,
 )
+from exactspline.interchange.limits import Limits
 from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_points
@@ -60,23 +63,25 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     return curve_from_data(data, as_text(name, "the name of a curve"))
 
 
-def curve_from_data(given: Mapping[str, object], name: str = "") -> Nurbs:
-    """The curve in JSON data, with numbers as text (`exactspline.interchange.json_files.parsed`)."""
+def curve_from_data(given: Mapping[str, object], name: str = "", limits: Limits = USUAL) -> Nurbs:
+    """The curve in JSON data, with numbers as text (`exactspline.interchange.json_files.parsed`), within the limits on
+    single numbers.
+    """
     data: dict[str, Any] = dict(given)
     if "pieces" in data:
         data = _one_piece(data)
     if "kind" in data:
-        return _curve_of_piece(data, name)
+        return _curve_of_piece(data, name, limits)
     check_fields(data, CURVE)
     for field in ("knots", "control_points", "weights"):
         if not isinstance(data.get(field, []), list) and not (field == "weights" and data[field] is None):
             raise CurveFileError("is not a list", where=field, remedy="write a JSON list")
-    points, weights = points_of(data["control_points"]), data.get("weights")
+    weights = data.get("weights")
     return Nurbs(
         whole_degree(data["degree"]),
-        map(number_of, data["knots"]),
-        points,
-        None if weights is None else map(number_of, weights),
+        numbers_of(data["knots"], "knots", limits),
+        points_of(data["control_points"], limits=limits),
+        None if weights is None else numbers_of(weights, "weights", limits),
         name=str(data.get("name") or name),
         source=str(data.get("source") or ""),
         note=str(data.get("note") or ""),
@@ -104,7 +109,7 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
     return named | curves[0]
 
 
-def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
+def _curve_of_piece(piece: dict[str, Any], name: str, limits: Limits) -> Nurbs:
     """The curve of a piece, restricted to the part of the domain that belongs to the piece.
 
     Its homogeneous control points are ``(w x, w y, …, w)``.
@@ -127,8 +132,9 @@ def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
             where=field,
             remedy="write (w x, w y, …, w) for each" if rational_piece else "write (x, y, …) for each",
         )
-    rows = exact_points([list(map(number_of, row)) for row in net], least=3 if rational_piece else 2)
-    degree, knots = whole_degree(piece["degree"]), KnotVector(map(number_of, piece["knots"]))
+    read = [numbers_of(row, f"{field}[{i}]", limits) for i, row in enumerate(net)]
+    rows = exact_points(read, least=3 if rational_piece else 2)
+    degree, knots = whole_degree(piece["degree"]), KnotVector(numbers_of(piece["knots"], "knots", limits))
     knots.check(checked_degree(degree))
     low, high = _ends(piece, knots.domain(degree))
     *p, last = [BSpline(degree, knots, column).restrict(low, high) for column in zip(*rows, strict=True)]

@@ -4,17 +4,23 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import stat
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NoReturn, TypeVar, cast
 
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_text
+from exactspline.interchange.limits import Limits
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.exact import text as text_of
 from exactspline.splines.control_points import Direction
 
 T = TypeVar("T")
+USUAL = Limits()
+_EXPONENT = re.compile(r"[+-]?\d{1,7}", re.ASCII)
+#: Exact fractions are written with this many times the digits that other formats need.
+LONGER = 50
 
 #: The fields of a curve and of a surface.
 REQUIRED = ("degree", "knots", "control_points")
@@ -80,25 +86,30 @@ def check_fields(data: Mapping[str, object], what: str) -> None:
         raise CurveFileError(f"the field {unknown[0]!r} is unknown", remedy=remedy)
 
 
-def points_of(rows: Sequence[object], place: str = "control_points") -> list[Iterable[Number]]:
+def points_of(rows: Sequence[object], place: str = "control_points", limits: Limits = USUAL) -> list[Iterable[Number]]:
     """Points are lists of numbers, directions are objects: ``{"vector": [x, y]}``; errors name the `place`."""
     points: list[Iterable[Number]] = []
     for i, row in enumerate(rows):
+        where = f"{place}[{i}]"
         if isinstance(row, dict):
             if set(row) != {"vector"} or not isinstance(row["vector"], list):
                 raise CurveFileError(
-                    "is not a control point",
-                    where=f"{place}[{i}]",
-                    remedy='write [x, y], or {"vector": [x, y]} for a direction',
+                    "is not a control point", where=where, remedy='write [x, y], or {"vector": [x, y]} for a direction'
                 )
+            numbers = numbers_of(row["vector"], f"{where}.vector", limits)
             try:
-                points.append(Direction(*map(number_of, row["vector"])))
+                points.append(Direction(*numbers))
             except NumberError as error:
                 entry = error.where.removeprefix("Direction")
-                raise NumberError(error.problem, remedy=error.remedy).at(f"{place}[{i}].vector{entry}") from None
+                raise NumberError(error.problem, remedy=error.remedy).at(f"{where}.vector{entry}") from None
         else:
-            points.append(list(map(number_of, row)) if isinstance(row, list) else cast("list[Number]", row))
+            points.append(numbers_of(row, where, limits) if isinstance(row, list) else cast("list[Number]", row))
     return points
+
+
+def numbers_of(values: Sequence[object], place: str, limits: Limits = USUAL) -> list[Number]:
+    """The numbers of a list (see `number_of`); errors name their places in it."""
+    return [number_of(value, f"{place}[{i}]", limits) for i, value in enumerate(values)]
 
 
 def whole_degree(degree: object) -> int:
@@ -113,9 +124,25 @@ class _Decimal(str):
     """The digits of a JSON number, unchanged."""
 
 
-def number_of(value: object) -> Number:
-    """The text of a JSON number, so that no digit is lost; anything else is checked later."""
-    return "null" if value is None else str(value) if isinstance(value, _Decimal) else cast("Number", value)
+def number_of(value: object, where: str = "", limits: Limits = USUAL) -> Number:
+    """The text of a JSON number, so that no digit is lost; anything else is checked later.
+
+    Raises `NumberError` for null, and for a text that is longer, or an exponent that is larger, than the limits allow: a
+    few digits of an exponent could exhaust the memory.
+    """
+    if value is None:
+        raise NumberError("null is not a number", where=where, remedy="write finite numbers")
+    if not isinstance(value, str):
+        return cast("Number", value)
+    mark, most = ("p", 4 * limits.exponent) if "x" in value.lower() else ("e", limits.exponent)
+    exponent = value.lower().partition(mark)[2].strip()
+    if exponent and (not _EXPONENT.fullmatch(exponent) or abs(int(exponent)) > most):
+        raise NumberError(f"the exponent {exponent[:20]!r}", where=where, remedy=f"exponents up to {most} are read")
+    if len(value) > LONGER * limits.digits:
+        raise NumberError(
+            f"a number of {len(value)} characters", where=where, remedy="read with a larger limit of digits"
+        )
+    return str(value)
 
 
 def parsed(text: str) -> object:

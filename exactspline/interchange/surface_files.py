@@ -17,7 +17,7 @@ from exactspline.interchange.json_files import (
     check_fields,
     from_file,
     json_object,
-    number_of,
+    numbers_of,
     points_of,
     whole_degree,
     written_point,
@@ -64,8 +64,8 @@ def surface_from_data(given: Mapping[str, object], name: str = "") -> NurbsSurfa
     weights = data.get("weights")
     return NurbsSurface(
         (degree[0], degree[1]),
-        map(number_of, knots[0]),
-        map(number_of, knots[1]),
+        numbers_of(knots[0], "knots[0]"),
+        numbers_of(knots[1], "knots[1]"),
         net,
         None if weights is None else _numbers(weights),
         name=str(data.get("name") or name),
@@ -95,7 +95,8 @@ def _list(value: Any, where: str, count: int | None = None) -> list[Any]:
 
 
 def _numbers(rows: object) -> list[list[Number]]:
-    return [[number_of(x) for x in _list(row, f"weights[{i}]")] for i, row in enumerate(_list(rows, "weights"))]
+    listed = ((f"weights[{i}]", row) for i, row in enumerate(_list(rows, "weights")))
+    return [numbers_of(_list(row, place), place) for place, row in listed]
 
 
 def surface_data(surface: NurbsSurface) -> dict[str, object]:

@@ -470,11 +470,13 @@ class Claim(Immutable, Displayed):
                 return Undefined(name)
         return None
 
-    def refuted_on_examples(self) -> Finding:
-        """The first example curve on which it fails, as a witness; UNDECIDED when there is none."""
+    def refuted_on_examples(self, proof: Callable[[], tuple[Name, Finding]] | None = None) -> Finding:
+        """The first example curve on which it fails, as a witness; UNDECIDED when there is none. `proof` is that of
+        `check`; by default there is none: proofs that look for a witness call this.
+        """
         for surface, name, example in self._examples():
             try:
-                finding = self.check(example)
+                finding = self.check(example, proof or (lambda: (self.reading, Finding(UNDECIDED))))
             except ExactSplineError as error:  # reported where this curve is checked
                 finding = undecided(error)
             if finding.verdict == REFUTED:

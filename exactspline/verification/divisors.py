@@ -56,12 +56,13 @@ def _denominators(formula: Formula, dimension: int) -> tuple[Evaluated, list[tup
     """What a formula divides by, with its irreducible factors in the ring of the argument; None for all of them where
     the formula is too large to be multiplied out, so that nothing is known about its divisors.
     """
-    argument, tree = jets_for([formula], dimension), trace(formula, dimension)
+    argument, below = jets_for([formula], dimension), list(divided_by(trace(formula, dimension)))
     evaluation = Evaluation(argument)
     try:
-        evaluation(tree)
+        for node in reversed(below):
+            evaluation.divide_by(node)
     except (FormulaError, ReachError):
-        return argument, [(node, None) for node in divided_by(tree)]
+        return argument, [(node, None) for node in below]
     return argument, [(node, factored(value).bases) for node, value in evaluation.denominators]
 
 

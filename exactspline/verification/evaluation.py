@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from functools import cached_property
 from itertools import product
 from typing import Any
@@ -95,9 +97,32 @@ class Evaluation:
         return None
 
 
+#: The evaluations of a context, by the identity of the curve (which they keep alive).
+_SHARED: ContextVar[dict[int, Evaluation] | None] = ContextVar("shared evaluations", default=None)
+
+
+@contextmanager
+def sharing_evaluations() -> Iterator[None]:
+    """A context in which each curve has one evaluation."""
+    token = _SHARED.set({})
+    try:
+        yield
+    finally:
+        _SHARED.reset(token)
+
+
 def evaluation(curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Evaluation:
-    """The evaluation of a curve; an evaluation is returned unchanged."""
-    return curve if isinstance(curve, Evaluation) else Evaluation(curve)
+    """The evaluation of a curve; an evaluation is returned unchanged.
+
+    >>> from exactspline.interchange.examples import example
+    >>> with sharing_evaluations():
+    ...     evaluation(example("cusp")) is evaluation(example("cusp"))
+    True
+    """
+    if isinstance(curve, Evaluation):
+        return curve
+    shared = _SHARED.get()
+    return Evaluation(curve) if shared is None else shared.setdefault(id(curve), Evaluation(curve))
 
 
 def _fails(each: Assumption, handed: object) -> Place | None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 
 from exactspline.errors import InapplicableError
 from exactspline.hooks import Displayed
@@ -138,7 +139,15 @@ def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> 
         return degree
     if formula.kind.adjoins_roots:
         return None
-    dimension, reading = dimension_of(formula, claim), DegreeReading("d", parameter, counting)
+    return _represented(formula, dimension_of(formula, claim), polynomial, parameter, counting)
+
+
+@cache
+def _represented(
+    formula: Formula, dimension: int, polynomial: bool, parameter: Parameter, counting: Counting
+) -> Degree | None:
+    """The degree that a formula has as written, computed once for all claims about it."""
+    reading = DegreeReading("d", parameter, counting)
     try:
         degree = formula(reading.argument(formula.kind, dimension, polynomial=polynomial)).degree
     except InapplicableError:

@@ -99,16 +99,21 @@ def _runs(pid):
 
 
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc")
-def test_no_process_remains_of_a_sweep_that_was_killed(tmp_path):
-    """False before: the processes of a sweep that was killed (kill -9) waited for work for good."""
+@pytest.mark.parametrize("when", ["they have started", "a line is written"])
+def test_no_process_remains_of_a_sweep_that_was_killed(when, tmp_path):
+    """False before: the processes of a sweep that was killed (kill -9) waited for work for good; for long those to
+    which it had not given any work yet.
+    """
     place = tmp_path / "lines.jsonl"
     command = [sys.executable, "-m", "exactspline", "sweep", "--random", "degree=4 count=1000000 seed=1",
                "--jobs", "2", "-o", str(place)]  # fmt: skip
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
         deadline = time.monotonic() + 120
-        while not (place.exists() and place.stat().st_size) and time.monotonic() < deadline:
-            time.sleep(0.1)
-        workers = _children(process.pid)
+        while time.monotonic() < deadline:
+            workers = _children(process.pid)
+            if len(workers) >= 2 if when == "they have started" else place.exists() and place.stat().st_size:
+                break
+            time.sleep(0.02)
         process.kill()
     assert len(workers) >= 2
     deadline = time.monotonic() + 60

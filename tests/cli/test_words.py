@@ -2,6 +2,7 @@
 
 import json
 import re
+from functools import cache
 from importlib.metadata import version
 
 import jsonschema
@@ -21,12 +22,24 @@ from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
 from exactspline.verification.claims import select
+from exactspline.verification.combined import computed_once
 from exactspline.verification.evidence import Between
 from exactspline.verification.ledger import audit
 
 
 def run(*arguments, **options):
     return CliRunner().invoke(app, [str(a) for a in arguments], **options)
+
+
+@pytest.fixture(autouse=True, scope="module")
+def verdicts_computed_once():
+    with computed_once():
+        yield
+
+
+@cache
+def whole_ledger():
+    return run("prove").stdout
 
 
 DOCUMENTS = {
@@ -197,7 +210,7 @@ def test_prove_answers_first():
     first = run("prove", "--section", "4.2", "--verdict", "refuted").stdout
     assert "REFUTED  C4.2b" in first
     assert "PROVED" not in first.split("\n\n")[0]
-    whole = run("prove").stdout
+    whole = whole_ledger()
     assert re.match(r"\d+ statements of the paper refuted \(\d+ errors, \d+ rows\); \d+ hold", whole)
     assert "true: g1 = w⁸ g0" in whole
     assert len(whole.splitlines()) < 250
@@ -249,6 +262,6 @@ def test_where_nothing_is_wrong_it_is_said():
 
 
 def test_prove_and_errata_count_alike():
-    head, end = run("prove", "-q").stdout.splitlines()[0], run("errata", "-q").stdout.splitlines()[-1]
+    head, end = whole_ledger().splitlines()[0], run("errata", "-q").stdout.splitlines()[-1]
     statements, errors = re.match(r"(\d+) statements of the paper refuted \((\d+) errors", head).groups()
     assert end == f"{errors} errors of the paper, {statements} statements refuted"

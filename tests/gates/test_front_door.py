@@ -74,6 +74,13 @@ def test_every_name_of_a_stub_is_there():
             assert getattr(module, alias.name) is not None
 
 
+SPLINE, VECTOR = "exactspline.splines.bspline.BSpline", "exactspline.language.vector.Vector"
+QUOTIENT = "exactspline.language.rational.Rational"
+PLACES, FEATURE = "exactspline.questions.answers.Places", "exactspline.geometry.kinds.Feature"
+SURFACES = "exactspline.geometry.surface"
+OF_SURFACES = f"{SURFACES}.inspection.SurfaceInspection", f"{SURFACES}.planar_maps.MapInspection"
+
+
 def test_checkers_know_the_types_and_refuse_a_method_that_is_a_function(tmp_path):
     """Passed before: `curve.plot()`."""
     asked = {
@@ -81,6 +88,18 @@ def test_checkers_know_the_types_and_refuse_a_method_that_is_a_function(tmp_path
         "xs.zeros(xs.BSpline.bezier([1, -1]))": "exactspline.roots.zero_set.ZeroSet",
         'xs.example("circle").insert_knot("1/2")': "exactspline.splines.nurbs.Nurbs",
         'xs.prove("f1", "f2").holds': "bool",
+        "xs.example('circle').split('1/2')[0]": "exactspline.splines.nurbs.Nurbs",
+        "xs.example('circle').w": SPLINE,
+        "xs.example('circle').w * 2 - xs.example('circle').p[0]": SPLINE,
+        "xs.example('circle').w * xs.example('circle').p": f"{VECTOR}[{SPLINE}]",
+        "xs.example('circle').p * xs.example('circle').w": f"{VECTOR}[{SPLINE}]",
+        "xs.example('circle').p[0] / xs.example('circle').w": f"{QUOTIENT}[{SPLINE}]",
+        "xs.example('circle').p / xs.example('circle').w": f"{QUOTIENT}[{SPLINE}]",
+        "xs.zeros(xs.example('circle').w)": "exactspline.roots.zero_set.ZeroSet",
+        "xs.zeros(xs.example('circle').w).roots[0]": "exactspline.roots.root.Root",
+        "xs.analyse(xs.example('circle')).inflections": f"{PLACES}[{FEATURE}]",
+        "xs.analyse(xs.example('circle')).turning_points('0')": f"{PLACES}[{FEATURE}]",
+        "xs.analyse(xs.example('torus'))": " | ".join(OF_SURFACES),
     }
     wrong = 'xs.example("circle").plot()\nxs.example("sphere").plot\n'
     done = checked(tmp_path, "".join(f"reveal_type({code})\n" for code in asked) + wrong)

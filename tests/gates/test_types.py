@@ -1,4 +1,4 @@
-"""Types: no Any in a public signature, why types are ignored, what a checker sees at the front door."""
+"""Types: no Any in a public signature, why types are ignored."""
 
 from __future__ import annotations
 
@@ -12,9 +12,6 @@ import exactspline
 from tests.support.precision import precision
 
 ROOT = Path(exactspline.__file__).parent
-SPLINE = "exactspline.splines.bspline.BSpline"
-VECTOR = "exactspline.language.vector.Vector"
-QUOTIENT = "exactspline.language.rational.Rational"
 CHECKOUT = ROOT.parent
 
 
@@ -105,36 +102,6 @@ def test_types_are_ignored_for_a_reason(folder):
         if ignored.search(line)
     ]
     assert found == []
-
-
-PLACES, FEATURE = "exactspline.questions.answers.Places", "exactspline.geometry.kinds.Feature"
-MODULE = "exactspline.geometry.surface"
-OF_SURFACES = f"{MODULE}.inspection.SurfaceInspection", f"{MODULE}.planar_maps.MapInspection"
-
-
-def test_a_type_checker_sees_through_the_front_door(tmp_path):
-    api = pytest.importorskip("mypy.api")
-    asked = {
-        "exactspline.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])": "exactspline.splines.nurbs.Nurbs",
-        "exactspline.example('circle').split('1/2')[0]": "exactspline.splines.nurbs.Nurbs",
-        "exactspline.example('circle').w": SPLINE,
-        "exactspline.example('circle').w * 2 - exactspline.example('circle').p[0]": SPLINE,
-        "exactspline.example('circle').w * exactspline.example('circle').p": f"{VECTOR}[{SPLINE}]",
-        "exactspline.example('circle').p * exactspline.example('circle').w": f"{VECTOR}[{SPLINE}]",
-        "exactspline.example('circle').p[0] / exactspline.example('circle').w": f"{QUOTIENT}[{SPLINE}]",
-        "exactspline.example('circle').p / exactspline.example('circle').w": f"{QUOTIENT}[{SPLINE}]",
-        "exactspline.zeros(exactspline.example('circle').w)": "exactspline.roots.zero_set.ZeroSet",
-        "exactspline.zeros(exactspline.example('circle').w).roots[0]": "exactspline.roots.root.Root",
-        "exactspline.analyse(exactspline.example('circle')).inflections": f"{PLACES}[{FEATURE}]",
-        "exactspline.analyse(exactspline.example('circle')).turning_points('0')": f"{PLACES}[{FEATURE}]",
-        "exactspline.analyse(exactspline.example('torus'))": " | ".join(OF_SURFACES),
-    }
-    snippet = tmp_path / "snippet.py"
-    snippet.write_text("import exactspline\n" + "".join(f"reveal_type({code})\n" for code in asked), encoding="utf-8")
-    config = CHECKOUT / "pyproject.toml"
-    cache = CHECKOUT / ".mypy_cache"  # that of the checker, which is told the same
-    told, errors, _ = api.run(["--config-file", str(config), "--cache-dir", str(cache), str(snippet)])
-    assert re.findall(r'Revealed type is "([^"]*)"', told) == list(asked.values()), told + errors
 
 
 def test_the_precision_leaves_the_formulas_out():

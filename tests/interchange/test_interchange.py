@@ -1,6 +1,7 @@
 """Files of other programs: known answers, conventions that are easily confused, and what is named as skipped."""
 
 import json
+from itertools import product
 
 import jsonschema
 import pytest
@@ -11,8 +12,9 @@ from hypothesis import strategies as st
 
 from exactspline import Nurbs
 from exactspline.cli import app
-from exactspline.errors import CurveFileError, NumberError, ShapeError, WeightError
+from exactspline.errors import CurveFileError, ExactSplineError, NumberError, ShapeError, WeightError
 from exactspline.interchange import Limits, read, write
+from exactspline.interchange.curve_files import curve_from_text
 from exactspline.interchange.examples import example, example_names, load
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
@@ -156,6 +158,33 @@ def test_what_is_no_number_or_beyond_the_limits_is_no_coordinate(number):
     data = {"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [number, 1]]}
     reading = read(json.dumps(data).encode(), "json")
     assert (len(reading.curves), len(reading.skipped)) == (0, 1)
+
+
+LINE = '{{"degree": {degree}, "knots": [0, 0, {knot}, {knot}], "control_points": [[0, 0], {point}]{more}}}'
+
+
+def curve_or_error(text):
+    try:
+        return curve_from_text(text)
+    except ExactSplineError as error:
+        return str(error)
+
+
+POINTS = ["[1, 1]", '{"vector": [1, 1]}', '"11"', "[1, true]", "[1, [1]]", "[1]"]
+MORE = ["", ', "weights": null', ', "weights": [1, "1/2"]', ', "weights": 1', ', "color": 1']
+
+
+@pytest.mark.parametrize("degree", ["1", "1.0", '"1"', "1.5", "true", "null"])
+@pytest.mark.parametrize("knot", ["1", '"1/3"', "1e9999", "1e300", '"x"', "true", "null"])
+def test_a_curve_file_is_read_alike_alone_and_among_files(degree, knot):
+    """Passed before: there were two readers; a degree 1.0 and a knot 1e9999 were accepted by one of them, a degree "1"
+    by the other.
+    """
+    for point, more in product(POINTS, MORE):
+        text = LINE.format(degree=degree, knot=knot, point=point, more=more)
+        found = read(text.encode())
+        alone = curve_or_error(text)
+        assert [*(named.curve for named in found.curves), *(skipped.why for skipped in found.skipped)] == [alone]
 
 
 def test_homogeneous_and_cartesian_points_are_told_apart():

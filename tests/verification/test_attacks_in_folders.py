@@ -255,11 +255,11 @@ def test_a_curve_on_which_a_check_fails_does_not_hide_a_refutation(monkeypatch):
     false = replace(next(c for c in select(["C3c"]) if c.kind == "vanishing"), left="D1_D2_D3")
     honest, calls = Vanishing.check, []
 
-    def failing(self, curve):
+    def failing(self, curve, proof):
         calls.append(curve)
         if len(calls) == 1:
             raise FormulaError("it does not fit this curve")
-        return honest(self, curve)
+        return honest(self, curve, proof)
 
     monkeypatch.setattr(Vanishing, "check", failing)
     found = combined(false)[1]

@@ -25,6 +25,8 @@ def test_every_verdict_is_as_recorded():
     rows = list(audit(all_claims()))
     assert [(row.id, row.statement, row.curve, row.verdict) for row in rows if not row.as_recorded] == []
     assert {row.verdict for row in rows if not row.curve} >= {"PROVED", "REFUTED"}
+    assert all(0 <= row.seconds < 60 for row in rows)
+    assert all(worded(row.witness) for row in rows if row.verdict == "REFUTED" and not row.curve)
 
 
 def test_ids_select_what_they_begin():

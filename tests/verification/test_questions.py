@@ -88,7 +88,7 @@ def test_a_wrong_factor_is_neither_proved_nor_verified(factor):
         ),
         (
             '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[1, 0], [1, null]]}',
-            r"control_points\[1\]\[1\]: None is not a",
+            r"control_points\[1\]\[1\]: null is not a number",
         ),
     ],
 )

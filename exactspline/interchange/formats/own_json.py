@@ -7,22 +7,20 @@ integers, decimals or strings such as "1/3".
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Sequence
 from importlib import resources
 from typing import Any
 
-from exactspline.errors import CurveFileError, ExactSplineError, NumberError, shown
+from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.curve_files import curve_data, curve_from_data
-from exactspline.interchange.json_files import CURVE, check_fields, parsed
-from exactspline.interchange.numbers import NumberText, whole
+from exactspline.interchange.json_files import parsed
+from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.surface_files import surface_from_data
-from exactspline.numbers.exact import mpq, rational
-from exactspline.splines.control_points import Direction
 
-_EXPONENT = re.compile(r"[+-]?\d{1,7}", re.ASCII)
+#: The fields of a curve that are long, and those that are remarks about it.
+SIZED, NOTED = ("knots", "control_points", "weights"), ("note", "source")
 
 
 def schema() -> dict[str, object]:
@@ -62,62 +60,17 @@ def read(source: Source) -> Reading:
 def _curve(collector: Collector, entry: Any, where: str) -> None:
     if not isinstance(entry, dict):
         raise CurveFileError("is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
-    if "pieces" in entry or "kind" in entry:
-        curve = curve_from_data(entry, where)
-        collector.curves.append(NamedCurve(curve.name, curve, ("written by `derive`",)))
-        return
-    check_fields(entry, CURVE)
-    collector.add(
-        "curve",
-        where,
-        whole(str(entry["degree"])),
-        _row(collector, entry["knots"], "knots"),
-        [_point(collector, row, f"control_points[{i}]") for i, row in enumerate(_list(entry["control_points"]))],
-        None if entry.get("weights") is None else _row(collector, entry["weights"], "weights"),
-        name=str(entry.get("name") or "") or collector.source.name,
-        notes=[f"{key}: {entry[key]}" for key in ("note", "source") if entry.get(key)],
-        source=str(entry.get("source") or ""),
-        note=str(entry.get("note") or ""),
-    )
+    collector.count(sum(len(entry[key]) for key in SIZED if isinstance(entry.get(key), list)))
+    piece = "pieces" in entry or "kind" in entry
+    curve = curve_from_data(entry, where if piece else collector.source.name, collector.limits)
+    notes = ["written by `derive`"] if piece else [f"{key}: {text}" for key in NOTED if (text := getattr(curve, key))]
+    collector.keep(curve, notes, rational=not piece and entry.get("weights") is not None)
 
 
 def _surface(found: Collector, entry: Any, where: str) -> None:
     rows = entry.get("control_points", entry.get("points", ()))
     found.count(sum(len(row) for row in rows if isinstance(row, list)) if isinstance(rows, list) else 1)
     found.surfaces.append(surface_from_data(entry, found.source.name or where))
-
-
-def _list(value: Any) -> list[Any]:
-    if not isinstance(value, list):
-        raise CurveFileError("a list is missing", remedy="write JSON lists")
-    return value
-
-
-def _row(collector: Collector, values: Any, where: str) -> list[mpq]:
-    collector.count(len(_list(values)))
-    return [_number(value, collector, f"{where}[{i}]") for i, value in enumerate(values)]
-
-
-def _point(collector: Collector, row: Any, where: str) -> Sequence[mpq]:
-    """A point, written as a list, or a direction (of weight zero), written as an object."""
-    if isinstance(row, dict) and set(row) == {"vector"}:
-        return Direction(*_row(collector, row["vector"], where))
-    return _row(collector, row, where)
-
-
-def _number(value: Any, collector: Collector, where: str) -> mpq:
-    if not isinstance(value, str):
-        raise NumberError(f"{shown(value)} is not a number", where=where, remedy='write 3, 0.1 or "1/3"')
-    mark, most = ("p", 4 * collector.limits.exponent) if "x" in value.lower() else ("e", collector.limits.exponent)
-    exponent = value.lower().partition(mark)[2].strip()
-    # an exponent of a few digits could exhaust the memory
-    if exponent and (not _EXPONENT.fullmatch(exponent) or abs(int(exponent)) > most):
-        raise NumberError(f"the exponent {exponent[:20]!r}", where=where, remedy=f"exponents up to {most} are read")
-    if len(value) > 50 * collector.limits.digits:
-        raise NumberError(
-            f"a number of {len(value)} characters", where=where, remedy="read with a larger limit of digits"
-        )
-    return rational(str(value))
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:

@@ -37,6 +37,10 @@ class Evaluation:
         known: JetFraction | Vector[JetFraction] = self._known[id(node)]
         return known
 
+    def divide_by(self, node: Node) -> None:
+        """Count the value of a tree, and the denominators in it, as denominators."""
+        self._met(node, self(node))
+
     def _value(self, node: Node, values: list[Any]) -> Any:
         if node.op is Operation.NAMED:
             return values[0]
