@@ -162,7 +162,7 @@ def _afford_roots(p: fmpz_poly, budget: _Budget) -> None:
 
 
 def _separate(p: fmpz_poly, bits: int) -> bool:
-    """Whether the different complex roots are separated in arithmetic of so many bits."""
+    """Whether the different complex roots are separated in arithmetic of this many bits."""
     simple = p // greatest_common_divisor([p, p.derivative()])
     with ctx.workprec(bits):
         try:

@@ -222,7 +222,8 @@ def double_between(
     while True:
         low, high = (_rounded(end, way) for end in enclosed(digits))
         if low == high:
-            return _finite(low)
+            # 0.0 of the two zeros where an enclosure has both
+            return _finite(high)
         if nextafter(low, inf) == high:
             return _finite(_one_of(low, high, sign_above, way))
         digits *= 2

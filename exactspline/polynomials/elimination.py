@@ -13,8 +13,9 @@ from exactspline.numbers.exact import mpz
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach, height_bits
 
 #: Hundredths of a nanosecond for each bit of a value: times the product of the degrees to compute it, times the number
-#: of values to interpolate (measured: 77 to 106, and 11 to 15).
-VALUE, INTERPOLATION = 110, 15
+#: of values to interpolate (measured: 77 to 106, and 11 to 15); and ten-thousandths for each pair of bits, to compute a
+#: value from its residues modulo many primes (measured of 5·10⁴ to 2·10⁶ bits: 1 to 18).
+VALUE, INTERPOLATION, RESIDUES = 110, 15, 15
 
 
 def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
@@ -62,7 +63,7 @@ def _bits(rows: Sequence[fmpz_poly], count: int) -> int:
 
 
 def _check(count: int, size: int, bits: int, what: str) -> None:
-    cost = count * bits * (size * VALUE + count * INTERPOLATION) // 100
+    cost = count * bits * (size * VALUE + count * INTERPOLATION + bits * RESIDUES // 100) // 100
     check_reach(cost, lambda: f"{what} with values of {bits} bits", LONGEST_LOOP)
 
 

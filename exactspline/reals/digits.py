@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from contextlib import suppress
+from typing import TYPE_CHECKING, overload
 
-from exactspline.errors import NumberError
+from exactspline.errors import OpenError, ReachError, as_integer
 from exactspline.numbers.exact import Rounding, double_between, mpq, mpz
 from exactspline.numbers.immutable import Immutable
 from exactspline.numbers.intervals import Interval, shifted
@@ -12,6 +13,7 @@ from exactspline.numbers.intervals import Interval, shifted
 if TYPE_CHECKING:
     import mpmath
 
+ONE = mpq(1)
 #: The number of digits at which numbers not yet separated are suspected to be equal.
 SUSPICIOUS = 10
 #: The maximal number of digits after the decimal point in a text.
@@ -48,9 +50,7 @@ class Digits(Immutable):
         >>> square_root(2).enclosure(3)
         Interval(low=mpq(707,500), high=mpq(283,200))
         """
-        if type(digits) is not int:
-            raise NumberError(f"{digits!r} digits", where="digits", remedy="an integer")
-        return self._enclosed(digits)
+        return self._enclosed(as_integer(digits, "a number of digits"))
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
         """The correctly rounded double: to nearest (ties to even), or rounded ``up`` or ``down``.
@@ -74,27 +74,38 @@ class Digits(Immutable):
         integer = self._floor(mpq(0))
         return integer + (self._against_number(mpq(integer)) > 0)
 
-    def __round__(self) -> int:
-        """The nearest integer; ties are rounded to even.
+    def __trunc__(self) -> int:
+        return self.__ceil__() if self.sign < 0 else self.__floor__()
+
+    __int__ = __trunc__
+
+    @overload
+    def __round__(self) -> int: ...
+    @overload
+    def __round__(self, digits: int) -> mpq: ...
+    def __round__(self, digits: int | None = None) -> int | mpq:
+        """The nearest integer, or the nearest rational number with this many digits after the decimal point; ties are
+        rounded to even.
 
         >>> from math import floor
         >>> from exactspline.reals.real import Real, square_root
-        >>> floor(-square_root(2)), round(square_root(2)), round(Real("5/2"))
-        (-2, 1, 2)
+        >>> floor(-square_root(2)), int(-square_root(2)), round(square_root(2), 2), round(Real("5/2"))
+        (-2, -1, mpq(141,100), 2)
         """
-        integer = self._floor(mpq(1, 2))
-        tie = integer % 2 == 1 and self._against_number(integer - mpq(1, 2)) == 0
-        return integer - tie
+        unit = mpq(1, mpz(10) ** (0 if digits is None else as_integer(digits, "a number of digits")))
+        multiple = self._floor(unit / 2, unit)
+        tie = multiple % 2 == 1 and self._against_number((multiple - mpq(1, 2)) * unit) == 0
+        return multiple - tie if digits is None else (multiple - tie) * unit
 
-    def _floor(self, shift: mpq) -> int:
-        """``⌊x + shift⌋``."""
+    def _floor(self, shift: mpq, unit: mpq = ONE) -> int:
+        """``⌊(x + shift)/unit⌋``."""
         digits = 5
         while True:
-            low, high = (int((end + shift) // 1) for end in self._enclosed(digits))
+            low, high = (int((end + shift) // unit) for end in self._enclosed(digits))
             if low == high:
                 return low
             if high == low + 1:
-                return high if self._against_number(high - shift) >= 0 else low
+                return high if self._against_number(high * unit - shift) >= 0 else low
             digits *= 2
 
     def decimal(self, digits: int) -> str:
@@ -104,7 +115,7 @@ class Digits(Immutable):
         >>> square_root(2).decimal(5), Real("2/3").decimal(3)
         ('1.41421', '0.667')
         """
-        middle = self.enclosure(digits + 1).middle
+        middle = self.enclosure(as_integer(digits, "a number of digits") + 1).middle
         return shifted(int((2 * middle * mpz(10) ** digits + 1) // 2), digits)
 
     def mpf(self, digits: int = 15) -> mpmath.mpf:
@@ -117,13 +128,13 @@ class Digits(Immutable):
         """
         from exactspline.reals.shown_mpf import shown
 
-        return shown(self.enclosure(digits + 1).middle, digits)
+        return shown(self.enclosure(as_integer(digits, "a number of digits") + 1).middle, digits)
 
     def significant(self, digits: int) -> mpmath.mpf:
         """An ``mpmath.mpf`` with a relative error below ``10^−digits``; exactly 0 if the number is 0."""
         from exactspline.reals.shown_mpf import significant
 
-        requested = digits + 2
+        requested = as_integer(digits, "a number of digits", 1) + 2
         while True:
             enclosure = self.enclosure(requested)
             if self._reached_zero(enclosure, requested):
@@ -139,19 +150,31 @@ class Digits(Immutable):
         )
 
     def shortly(self, digits: int = 6) -> str:
-        """Its closed form, or this many significant digits followed by dots."""
+        """Its closed form, or this many significant digits followed by dots; `0` if it is 0, and ``0 ± 1e-n`` if it is
+        so near to 0 that nothing more is known of it; dots alone for a number too large to be written.
+
+        >>> from exactspline.reals.real import square_root
+        >>> str(square_root(2) + square_root(3) - square_root(5 + 2 * square_root(6)))
+        '0'
+        """
         if (known := self.closed_form) is not None:
             return known
-        requested = digits + 14
-        while True:
-            enclosure = self.enclosure(requested)
-            least = min(abs(enclosure.low), abs(enclosure.high))
-            if enclosure.width * 10 ** (digits + 2) <= least or requested > LONGEST:
-                break
-            requested *= 2
-        from exactspline.reals.shown_mpf import significant
+        shown, requested = "…", digits + 14
+        with suppress(ReachError, OpenError):
+            while True:
+                enclosure = self.enclosure(requested)
+                least = min(abs(enclosure.low), abs(enclosure.high))
+                if enclosure.width * 10 ** (digits + 2) <= least:
+                    break
+                if requested > LONGEST and enclosure.low <= 0 <= enclosure.high:
+                    shown = f"0 ± 1e-{requested}"
+                    if self.sign == 0:
+                        return "0"
+                requested *= 2
+            from exactspline.reals.shown_mpf import significant
 
-        return f"{significant(enclosure.middle, digits)}…"
+            shown = f"{significant(enclosure.middle, digits)}…"
+        return shown
 
     def __str__(self) -> str:
         return self.shortly(15)

@@ -9,6 +9,7 @@ import operator
 import pickle
 import random
 import time
+from contextlib import suppress
 from decimal import Decimal
 from fractions import Fraction
 
@@ -20,7 +21,7 @@ from gmpy2 import mpq, mpz
 from mpmath import mp
 
 import exactspline as xs
-from exactspline.errors import NumberError, ReachError
+from exactspline.errors import NumberError, ReachError, ShapeError
 from exactspline.numbers.exact import from_float, to_fmpq
 from exactspline.polynomials import annihilating
 from exactspline.reals.real import Extreme, Quadratic, RationalNumber, Real, between, real, square_root
@@ -327,8 +328,66 @@ def test_values(x):
     assert isinstance(x, Real)
     low, high = x.enclosure(30)
     assert low <= x <= high
-    with pytest.raises(NumberError):
-        x.enclosure(1.5)
+    for question in (x.enclosure, x.decimal, x.mpf, x.significant, x.__round__):
+        for digits in (1.5, -1, True, "3", 10**9):
+            with pytest.raises(ShapeError, match="a number of digits"):
+                question(digits)
+
+
+ZEROS = [
+    ROOT_2 + ROOT_3 - square_root(5 + 2 * square_root(6)),
+    (ROOT_2 + ROOT_3) ** 2 - 5 - 2 * square_root(6),
+    (1 + square_root(5)) * ROOT_3 / 2 - square_root((9 + 3 * square_root(5)) / 2),
+]
+
+
+@pytest.mark.parametrize("zero", ZEROS, ids=range(len(ZEROS)))
+def test_a_number_that_is_0_is_written_0(zero):
+    """Was printed as 3.41…e-471, and its double was −0.0."""
+    assert (str(zero), repr(zero), zero.shortly()) == ("0", "<Real 0>", "0")
+    assert math.copysign(1, float(zero)) == 1
+    assert str(zero + mpq(1, 10**500)) == "1.0e-500…"
+    assert str(zero - mpq(1, 10**500)) == "-1.0e-500…"
+
+
+@pytest.mark.parametrize("x", [ROOT_2, -ROOT_2, ROOT_2 + ROOT_3, -ROOT_2 - ROOT_3, Real("-7/2"), Real(3), *ZEROS])
+def test_integers_and_decimals_of_a_number(x):
+    """`int(root)` and `round(root, 2)` were TypeErrors."""
+    with mp.workdps(60):
+        value = mpmath.mpf(x.mpf(50))
+        assert int(x) == math.trunc(x) == int(value)
+    for digits in (0, 1, 2, 20):
+        rounded = round(x, digits)
+        assert type(rounded) is type(mpq())
+        assert abs(x - rounded) <= mpq(1, 2 * 10**digits)
+        assert (rounded * 10**digits).denominator == 1
+    assert (round(Real("1/8"), 2), round(Real("3/8"), 2)) == (mpq(3, 25), mpq(19, 50)), "ties to even"
+
+
+@pytest.mark.parametrize(
+    "question", [lambda x: x < 10, lambda x: x == 1, repr, lambda x: float(1 / (1 + x)), lambda x: x.decimal(3)]
+)
+@pytest.mark.parametrize("squared", [5, 200])
+@pytest.mark.parametrize("first", ["large", "small"])
+def test_no_number_is_too_large_or_too_small_to_be_asked(question, squared, first):
+    """Was a MemoryError for numbers of 2⁶⁰ digits."""
+    a, b = high(3, 4), high(4, 5)
+    x = abs(a) + abs(b) + 2 if first == "large" else (abs(a) - abs(b)) / (abs(a) + abs(b))
+    for _ in range(squared):
+        x = x * x
+    started = time.process_time()
+    with suppress(ReachError):
+        question(x)
+    assert time.process_time() - started < 60
+
+
+@pytest.mark.parametrize(("degree", "power"), [(3, 1000), (5, 10_000), (12, 1000), (30, 1000)])
+def test_the_polynomial_of_a_power_has_a_bound(degree, power):
+    """Before, two minutes for the 10000th power of a number of degree 5 in one call that could not be interrupted."""
+    x, started = high(degree, degree) ** power, time.process_time()
+    with suppress(ReachError):
+        assert len(x.minimal_polynomial()) <= degree + 1
+    assert time.process_time() - started < 60
 
 
 def test_digits_shown():
