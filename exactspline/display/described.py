@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from exactspline.errors import counted
+from exactspline.splines.control_points import Direction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
 
 def described(c: Nurbs) -> str:
-    """A curve in one line; a curve with equal weights is called polynomial.
+    """A curve in one line; a curve with equal weights is called polynomial, and directions, which have the weight 0,
+    are counted apart from points of this weight, which add nothing.
 
     >>> from exactspline import example
     >>> described(example("circle"))
@@ -17,8 +19,10 @@ def described(c: Nurbs) -> str:
     kind = "polynomial" if c.polynomial else "rational"
     equal = " (equal weights)" if c.polynomial and any(w != 1 for w in c.weights) else ""
     segments, points = counted(c.segments, "segment"), counted(len(c.control_points), "control point")
-    at_infinity = sum(w == 0 for w in c.weights)
-    remark = f", {at_infinity} of them of weight 0 (directions)" if at_infinity else ""
+    directions = sum(isinstance(point, Direction) for point in c.control_points)
+    nothing = sum(w == 0 for w in c.weights) - directions
+    remark = f", of these {counted(directions, 'direction')}" if directions else ""
+    remark += f", {nothing} with the weight 0 (without effect)" if nothing else ""
     return f"{kind}{equal}, degree {c.degree}, {segments}, {points} in R{c.dimension}{remark}"
 
 

@@ -145,8 +145,9 @@ def _integral(common: fmpq_poly, squared: fmpq_poly, weight: fmpq_poly, low: arb
     return acb.integral(speed, acb(low), acb(high), eval_limit=20_000).real * constant
 
 
-#: Bits within which roots are separated in general, and the product of degree and bits of coefficients up to which roots
-#: are isolated that are nearer to each other (measured for degree 4: 7 ms for 270 bits, 1.7 s for 670, 3.5 s for 810).
+#: Bits within which roots are separated in general, and the product of degree and bits of coefficients up to which
+#: roots are isolated that are nearer to each other (measured for degree 4: 7 ms for 270 bits, 1.7 s for 670, 3.5 s for
+#: 810).
 SEPARATING, NEAR = 2048, 2000
 
 

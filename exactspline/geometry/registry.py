@@ -28,10 +28,10 @@ def terms_of_questions() -> dict[str, str]:
     >>> terms_of_questions()["singular points of a surface in space"]
     'the points without a tangent plane'
     """
-    meanings: dict[str, str] = {}
+    named: dict[str, Entry] = {}
     for of, entries in REGISTRY.items():
         for name, entry in entries.items():
             words = name.replace("_", " ")
-            taken = meanings.get(words, entry.meaning) != entry.meaning
-            meanings[f"{words} of a {of}" if taken else words] = entry.meaning
-    return meanings
+            taken = named.get(words, entry) is not entry
+            named[f"{words} of a {of}" if taken else words] = entry
+    return {words: entry.meaning for words, entry in named.items()}

@@ -97,7 +97,7 @@ class Collector:
 
         Raises `ShapeError` for one beyond the limits.
         """
-        self._check(curve.degree, curve.knots, curve.control_points, curve.weights)
+        self._check(curve.degree, curve.knots.knots, curve.control_points, curve.weights)
         self._keep(curve, notes, rational=rational)
 
     def _keep(self, curve: Nurbs, notes: Sequence[str], *, rational: bool) -> None:

@@ -127,8 +127,8 @@ class _Decimal(str):
 def number_of(value: object, where: str = "", limits: Limits = USUAL) -> Number:
     """The text of a JSON number, so that no digit is lost; anything else is checked later.
 
-    Raises `NumberError` for null, and for a text that is longer, or an exponent that is larger, than the limits allow: a
-    few digits of an exponent could exhaust the memory.
+    Raises `NumberError` for null, and for a text that is longer, or an exponent that is larger, than the limits allow:
+    a few digits of an exponent could exhaust the memory.
     """
     if value is None:
         raise NumberError("null is not a number", where=where, remedy="write finite numbers")

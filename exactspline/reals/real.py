@@ -30,8 +30,8 @@ V = TypeVar("V")
 Operation: TypeAlias = Callable[..., object]
 #: Guard bits in addition to those of the requested digits.
 GUARD = 16
-#: The bits from which the cost of an operation is counted, and its nanoseconds for each bit (measured: 13, and up to 50 with the
-#: refinement of the roots in it).
+#: The bits from which the cost of an operation is counted, and its nanoseconds for each bit (measured: 13, and up to 50
+#: with the refinement of the roots in it).
 LARGE, BIT = 100_000, 60
 
 
@@ -218,7 +218,7 @@ class Expression(Real):
         return Expression, (self._operation, *self._operands)
 
     def _enclosed(self, digits: int) -> Interval:
-        """By FLINT's balls, with increasing precision; raises `ReachError` for numbers so large that this takes long."""
+        """By FLINT's balls, with increasing precision; raises `ReachError` for numbers that are too large for it."""
         if isinstance(self._exact, type(mpq())):
             return Interval.point(self._exact)
         known = self._reached
@@ -279,8 +279,8 @@ def _root(x: Any) -> Any:
 
 
 def _ends(ball: arb, bits: int) -> Interval:
-    """The ends of a ball, or of the interval of the numbers up to ``2^−bits`` for a ball within it: the ends of the ball
-    could have more digits than there is memory.
+    """The ends of a ball, or of the interval of the numbers up to ``2^−bits`` for a ball within it: the ends of the
+    ball could have more digits than there is memory.
     """
     least = mpq(1, mpz(1) << bits)
     return Interval(-least, least) if abs(ball) < arb((1, -bits)) else ball_ends(ball)

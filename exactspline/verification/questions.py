@@ -89,8 +89,8 @@ class Check(Worded):
 
     @property
     def verdict(self) -> Verdict:
-        """VERIFIED, REFUTED, or VACUOUS where both sides vanish on the whole curve (then any factor is right), or the
-        factor does not exist there.
+        """VERIFIED, REFUTED, or VACUOUS where both sides vanish on the whole curve (then any factor is right), or a
+        side or the factor does not exist on a segment.
         """
         return self.finding.verdict
 
@@ -223,8 +223,10 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     >>> bool(verify("f1", "f2", example("rational_cubic"), "w"))
     True
 
-    Raises `FormulaError` for an unknown formula, one that is not defined for curves of this dimension, two with
-    different numbers of components, and one that does not exist on all of the curve.
+    Where a side does not exist on a segment (a denominator vanishes there), the answer is VACUOUS.
+
+    Raises `FormulaError` for an unknown formula, one that is not defined for curves of this dimension, and two with
+    different numbers of components.
     """
     sides, curve = _formulas(left, right), curve_of(curve)
     for f in sides:
@@ -233,14 +235,11 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
                 f"{f.name} is a formula of the kind {f.kind.name}, and the curve is in R{curve.dimension}",
                 remedy="compare formulas of a curve like this one",
             )
-    (ps, k), (qs, m) = (split(f(curve)) for f in sides)
+    ps, qs = (split(f(curve))[0] for f in sides)
     if len(ps) != len(qs):
         raise FormulaError(
             f"{sides[0].name} has {len(ps)} components and {sides[1].name} has {len(qs)}", remedy="compare equals"
         )
-    for denominator, f in ((k, sides[0]), (m, sides[1])):
-        if denominator is not None and denominator.vanishes_somewhere:
-            raise FormulaError(f"{f.name} does not exist on all of this curve", remedy="restrict the curve")
     finding = Equation(sides[0], sides[1], factor).decide(curve, VERIFIED)
     return Check(sides[0].name, sides[1].name, factor, finding)
 

@@ -149,7 +149,7 @@ def _represented(
     """The degree that a formula has as written, computed once for all claims about it."""
     reading = DegreeReading("d", parameter, counting)
     try:
-        degree = formula(reading.argument(formula.kind, dimension, polynomial=polynomial)).degree
+        degree: Degree = formula(reading.argument(formula.kind, dimension, polynomial=polynomial)).degree
     except InapplicableError:
         return None
     return degree

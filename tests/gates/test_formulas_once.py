@@ -51,7 +51,10 @@ def alive() -> list[Formula]:
     for name in trees():
         if name.split(".")[0] in ("formulas", "papers", "programs", "geometry", "verification", "symbolic"):
             import_module(f"exactspline.{name}".rstrip("."))
-    return [f for f in gc.get_objects() if isinstance(f, Formula) and f.__module__.startswith("exactspline.")]
+    gc.unfreeze()  # what `conftest` froze is not among the objects
+    found = [f for f in gc.get_objects() if isinstance(f, Formula) and f.__module__.startswith("exactspline.")]
+    gc.freeze()
+    return found
 
 
 #: What makes formulas of others, and why.

@@ -470,6 +470,10 @@ def test_examples_by_name_where_files_are_wanted(tmp_path):
 
 
 def test_a_point_of_weight_0_is_remarked():
-    """Nothing was said of it."""
-    assert "1 of them of weight 0" in described(AT_INFINITY)
+    """Nothing was said of it; then a point that adds nothing was called a direction."""
+    assert described(AT_INFINITY).endswith("3 control points in R2, of these 1 direction")
+    idle = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)], [1, 0, 1])
+    assert described(idle).endswith("3 control points in R2, 1 with the weight 0 (without effect)")
+    both = xs.Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 1), xs.Direction(1, 0), (2, 0)], [1, 0, 0, 1])
+    assert described(both).endswith("of these 1 direction, 1 with the weight 0 (without effect)")
     assert "weight 0" not in described(CUSP)

@@ -64,7 +64,9 @@ LOOKS = {
     "findall",
     "finditer",
     "fullmatch",
+    "get",
     "index",
+    "len",
     "match",
     "partition",
     "removeprefix",
@@ -77,6 +79,8 @@ LOOKS = {
     "split",
     "startswith",
 }
+#: What also looks into tables and lists: only the first operand, if it is a text for people.
+PARTLY = {"get", "len"}
 #: Two words, as a sentence has them and a name does not.
 TWO_WORDS = re.compile(r"[^\W\d_]{2,} [^\W\d_]{2,}")
 
@@ -152,14 +156,22 @@ def decisions_by_sentences(tree: ast.Module) -> Iterator[str]:
             operands = [*node.args, *([node.func.value] if isinstance(node.func, ast.Attribute) else [])]
             # text.split() does away with line breaks
             looks = name in LOOKS and (node.args or name != "split")
+            if name in PARTLY:
+                operands = [each for each in operands[:1] if is_made_of_sentence(each, set(held))]
             if looks and any(mentions_sentence(each, held) for each in operands):
                 yield place
         elif isinstance(node, ast.Compare):
             sides = [node.left, *node.comparators]
             texts = [each for each in sides if isinstance(each, (ast.Constant, ast.JoinedStr))]
             words = any(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in texts)
-            if any(is_sentence(each) for each in texts) or (
-                words and any(mentions_sentence(each, held) for each in sides)
+            pairs = zip(node.ops, node.comparators, strict=True)
+            if (
+                any(
+                    isinstance(op, (ast.In, ast.NotIn, ast.Eq, ast.NotEq)) and is_made_of_sentence(text, set(held))
+                    for op, text in pairs
+                )
+                or any(is_sentence(each) for each in texts)
+                or (words and any(mentions_sentence(each, held) for each in sides))
             ):
                 yield place
         elif isinstance(node, ast.Subscript) and ast.unparse(node.value) not in ("Annotated", "Literal"):
@@ -182,7 +194,7 @@ def names_taken_apart(tree: ast.Module) -> Iterator[str]:
         if (
             isinstance(node, ast.Call)
             and isinstance(node.func, ast.Attribute)
-            and node.func.attr in LOOKS - {"count", "index"}
+            and node.func.attr in LOOKS - PLACES - PARTLY
         ):
             texts = [node.func.value, *node.args]
             found = {each.attr if isinstance(each, ast.Attribute) else getattr(each, "id", "") for each in texts}
@@ -314,9 +326,26 @@ EXACT = (
     "verification/",
     "classroom/",
 )
-ROUNDING = {"float", "round", "complex", "isclose", "allclose", "fsum", "float64", "longdouble"}
+ROUNDING = {"double", "float", "round", "complex", "isclose", "allclose", "fsum", "float64", "longdouble"}
 ROUNDED_MODULES = {"math", "cmath", "numpy", "random", "decimal"}
 EXACT_FUNCTIONS = {"ceil", "comb", "factorial", "floor", "gcd", "isqrt", "lcm", "perm", "prod"}
+
+
+#: What may be given a type of numbers and rounds nothing.
+TYPED = {"cast", "isinstance", "issubclass"}
+
+
+def handed_on(node: ast.AST) -> bool:
+    """Whether a function that rounds is given to another one: `map(float, xs)`."""
+    if not isinstance(node, ast.Call) or getattr(node.func, "id", "") in TYPED:
+        return False
+    given = [*node.args, *(each.value for each in node.keywords)]
+    return any(isinstance(each, ast.Name) and each.id in ROUNDING for each in given)
+
+
+def aliased(node: ast.AST) -> bool:
+    """Whether a function that rounds gets another name: `number = float`."""
+    return any(isinstance(value, ast.Name) and value.id in ROUNDING for _, value in assignments(node))
 
 
 def rounding(tree: ast.Module) -> Iterator[str]:
@@ -328,7 +357,9 @@ def rounding(tree: ast.Module) -> Iterator[str]:
         for alias in node.names
     } - EXACT_FUNCTIONS
     for place, node in scopes(tree):
-        if isinstance(node, ast.Call):
+        if handed_on(node) or aliased(node):
+            yield place or "at the top"
+        elif isinstance(node, ast.Call):
             name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
             of_math = isinstance(node.func, ast.Attribute) and ast.unparse(node.func.value) in ("math", "cmath")
             by_name = isinstance(node.func, ast.Name) and name in inexact
@@ -354,6 +385,28 @@ def unbounded_costs(tree: ast.Module) -> Iterator[str]:
             continue
         # an attribute may have such a name, but not of a class of FLINT
         if found is not node or ast.unparse(found.value).startswith(("fmp", "nmod_", "flint.")):
+            yield place
+
+
+# ---- no error is hidden
+
+#: What catches errors of the program itself.
+WHOLE = {"BaseException", "Exception"}
+
+
+def caught_whole(tree: ast.Module) -> Iterator[str]:
+    """Where every exception is caught, or suppressed."""
+    for place, node in scopes(tree):
+        if isinstance(node, ast.ExceptHandler):
+            last = node.body[-1]
+            raised = isinstance(last, ast.Raise) and last.exc is None
+            if not raised and (node.type is None or names_in(node.type) & WHOLE):
+                yield place
+        elif (
+            isinstance(node, ast.Call)
+            and getattr(node.func, "id", getattr(node.func, "attr", "")) == "suppress"
+            and any(names_in(each) & WHOLE for each in node.args)
+        ):
             yield place
 
 

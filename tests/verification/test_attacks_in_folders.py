@@ -303,3 +303,21 @@ def test_one_identity_that_says_nothing_is_no_success(tmp_path, monkeypatch):
     for text in ("p:zero = p:zero * p:f", "p:zero = p:zero"):
         done = run("identity", text.replace("p:", f"{tmp_path}/p/formulas.py:", 1).replace("p:", ""))
         assert (done.exit_code, xs.verify("f1", "f2", example("straight_line")).verdict) == (1, "VACUOUS")
+
+
+@pytest.mark.parametrize(
+    ("kind", "text"),
+    [
+        ("plane with delta", "norm2(c.gamma.d(1)) * (29 * c.delta - 37)"),
+        ("plane point", "norm2(c.gamma.d(1)) * (3 * c.point[0] - 1)"),
+    ],
+)
+def test_what_vanishes_for_the_operand_tried_only_is_refuted(kind, text, tmp_path):
+    """Before, UNDECIDED: the proof asked the examples, and these asked for the proof."""
+    formulas = f"@formula('f', on={kind!r})\ndef f(c):\n    return {text}\n"
+    claim = {"id": "1", "kind": "vanishing", "statement": "f is zero", "curve": kind, "left": "f"}
+    folder = written(tmp_path / "p", formulas, [claim | {"expected": "REFUTED"}])
+    (false,) = claims_of(load_paper(str(folder), trust=True))
+    assert combined(false)[1].verdict == REFUTED
+    rows = json.loads(run("prove", "--paper", str(folder), "--trust", "--json").output)["rows"]
+    assert [row["verdict"] for row in rows if not row["curve"]] == ["REFUTED"]

@@ -1,6 +1,7 @@
 """A verdict is one word, the same in the library, the command, and JSON; what contradicts is a verdict too."""
 
 import json
+from contextlib import suppress
 from dataclasses import replace
 
 import pytest
@@ -9,12 +10,15 @@ from click.testing import CliRunner
 from exactspline.cli import app
 from exactspline.display.ledger import row_data
 from exactspline.display.tables import Verdicts
-from exactspline.interchange.examples import example
+from exactspline.errors import FormulaError
+from exactspline.interchange.examples import example, examples
 from exactspline.papers import load_paper, papers
+from exactspline.splines.nurbs import Nurbs
 from exactspline.tables import verdicts
-from exactspline.verification.claims import claims_in, claims_of, select
+from exactspline.verification.claims import all_claims, claims_in, claims_of, select
 from exactspline.verification.kinds import Identity
 from exactspline.verification.ledger import audit, proved
+from exactspline.verification.questions import verify
 from exactspline.verification.verdict import PROVED, VERIFIED
 from exactspline.verification.vocabulary import Verdict
 from tests.verification.test_own_paper import written
@@ -110,3 +114,23 @@ def test_a_contradiction_is_a_row_and_the_others_stand(monkeypatch, tmp_path):
     assert text.exit_code == 1
     assert "CONTRADICTION" in text.output
     assert "please report it" in text.output
+
+
+def test_a_question_says_what_the_claim_says():
+    """Before, `verify` refused with an error where a side does not exist on a segment, of which the claim says VACUOUS;
+    a claim is inapplicable on a curve only for what it assumes and a question does not.
+    """
+    curves = [curve for curve in map(example, examples()) if isinstance(curve, Nurbs)]
+    told = []
+    for claim in (claim for claim in all_claims() if type(claim) is Identity):
+        rows = {row.curve: row.verdict for row in audit([claim], curves) if row.curve}
+        for curve in curves:
+            if curve.name not in rows:
+                continue
+            # a question is asked of curves, claims are also about frames, points and pairs
+            with suppress(FormulaError):
+                asked = verify(claim.find(claim.left), claim.find(claim.right), curve, claim.factor).verdict
+                told.append(asked)
+                assert asked == rows[curve.name] or (rows[curve.name] == "INAPPLICABLE" and claim.assumes)
+    assert set(told) == {"VERIFIED", "REFUTED", "VACUOUS"}
+    assert len(told) > 1000

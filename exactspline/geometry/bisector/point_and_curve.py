@@ -126,7 +126,7 @@ def refuse_point(curve: Nurbs) -> None:
         where = ", ".join(map(short_text, curve(curve.domain[0])))
         raise ShapeError(
             f"the curve is one point, ({where})",
-            remedy="the points at equal distances from two points form a plane, in R2 a line; give a curve that moves",
+            remedy="give a curve that moves: two different points have a plane, in R2 a line, as their bisector",
         )
 
 
