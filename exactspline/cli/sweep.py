@@ -67,7 +67,7 @@ Find = Annotated[
     Option(
         "--find",
         metavar="WHAT",
-        help="A question (see `oracle --list`: those without an argument about points, joints or pieces), or all. "
+        help="A question (see `list questions`: those without an argument about points, joints or pieces), or all. "
         "May be repeated. [default: inflections, curvature_extrema, corners]",
         completion=_inspections,
     ),

@@ -55,7 +55,7 @@ def found(row: Row, numbers: Numbers = EXACT) -> str:
     if isinstance(row.claim, DegreeClaim):
         none = isinstance(row.computed, DegreeHere) and row.computed.degree < 0
         degree = "identically zero" if none else computed
-        return degree if row.verdict in HOLDS else f"{degree}, not {row.claimed}"
+        return degree if row.verdict in HOLDS or not degree else f"{degree}, not {row.claimed}"
     if isinstance(row.claim, Vanishing) and row.verdict in HOLDS:
         return "identically zero"
     return f"{computed}: {worded(row.factor, numbers)}" if row.factor and row.verdict in HOLDS else computed

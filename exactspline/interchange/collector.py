@@ -53,9 +53,7 @@ class Collector:
         """Count objects; raises `ShapeError` when there are more than the limits allow."""
         self._objects += objects
         if objects < 0 or self._objects > self.limits.objects:
-            raise ShapeError(
-                f"more than {self.limits.objects} objects", where=self.source.name, remedy="read with larger limits"
-            )
+            raise ShapeError(f"more than {self.limits.objects} objects", remedy="read with larger limits")
 
     def add(
         self,

@@ -8,7 +8,9 @@ from functools import wraps
 from importlib import import_module
 from importlib.resources.abc import Traversable
 from importlib.util import module_from_spec, spec_from_file_location
+from os.path import abspath
 from pathlib import Path
+from traceback import walk_tb
 from types import ModuleType, TracebackType
 from typing import Any
 
@@ -107,7 +109,7 @@ def guarded(formula: Formula, file: str) -> Formula:
         except ExactSplineError as error:
             if error.data.get("file") == file:  # raised by another formula of the file, which is named
                 raise
-            placed = error.at(f"{file}, line {_line(sys.exc_info()[2], file)}, {formula.name}")
+            placed = error.at(_where(sys.exc_info()[2], file, formula.name))
             placed.data["file"] = file
             raise placed from None
         except (TypeError, AttributeError, IndexError, ValueError, ArithmeticError, RecursionError) as error:
@@ -139,7 +141,6 @@ def _no_value(value: object) -> str:
 
 def described(error: BaseException, file: str, name: str = "") -> FormulaError:
     """An error in a file, described in terms of the language of formulas."""
-    line = _line(error.__traceback__, file)
     problem = f"{type(error).__name__}: {' '.join(str(error).split())}"
     remedies: dict[type[BaseException], Callable[[], str]] = {
         AttributeError: lambda: "name operands that the argument has",
@@ -148,15 +149,10 @@ def described(error: BaseException, file: str, name: str = "") -> FormulaError:
         ZeroDivisionError: lambda: "nothing can be divided by zero",
     }
     remedy = remedies.get(type(error), lambda: "a formula is a function of one argument c")()
-    where = ", ".join(filter(None, (file, f"line {line}" if line else "", name)))
-    return FormulaError(problem, where=where, remedy=remedy, file=file)
+    return FormulaError(problem, where=_where(error.__traceback__, file, name), remedy=remedy, file=file)
 
 
-def _line(trace: TracebackType | None, file: str) -> int:
-    """The line of a file in which an error occurred."""
-    line = 0
-    while trace is not None:
-        if trace.tb_frame.f_code.co_filename == file:
-            line = trace.tb_lineno
-        trace = trace.tb_next
-    return line
+def _where(trace: TracebackType | None, file: str, name: str) -> str:
+    """A file, the line in it in which an error occurred if there is one, and the name of the formula."""
+    lines = [line for frame, line in walk_tb(trace) if abspath(frame.f_code.co_filename) == abspath(file)]
+    return ", ".join(filter(None, (file, *(f"line {line}" for line in lines[-1:]), name)))

@@ -75,3 +75,17 @@ def test_what_was_converted_is_told_as_json_under_its_schema(tmp_path):
     assert "name a file" in str(run(source, "-", "--json").exception)
     # what is skipped is said however quiet it is
     assert {line.split(":")[0] for line in run(source, target, "--quiet").stderr.splitlines()} == {"skipped"}
+
+
+def test_a_message_names_its_file_and_a_note_its_curve_once(tmp_path):
+    """Before: "big.svg: big.svg: more than …", "note: a: note: …"."""
+    big = tmp_path / "big.svg"
+    big.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0' + " L1 1" * 2_100_000 + '"/></svg>'
+    )
+    refused = run(big, tmp_path / "out.json")
+    assert str(refused.exception).count("big.svg") == 1
+    noted = tmp_path / "two.json"
+    curve = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], "note": "drawn by hand"}'
+    noted.write_text(f"[{curve}, {curve}]")
+    assert "note: 2 curves: drawn by hand\n" in CliRunner().invoke(app, ["inspect", str(noted)]).stderr

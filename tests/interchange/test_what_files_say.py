@@ -354,7 +354,7 @@ def test_step_says_units_placements_and_parameter_planes():
 def test_notes_in_our_own_json_are_kept():
     """False before: the note of a curve in {"curves": […]} was lost."""
     entry = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], "note": "from a paper"}'
-    assert read(f'{{"curves": [{entry}]}}'.encode()).curves[0].notes == ("note: from a paper",)
+    assert read(f'{{"curves": [{entry}]}}'.encode()).curves[0].notes == ("from a paper",)
 
 
 # ---- beside other readers, on files made here

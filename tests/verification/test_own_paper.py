@@ -450,3 +450,21 @@ def test_one_identity_from_the_command_line(tmp_path, monkeypatch):
     assert "the quotient is 1" in done.output
     for wrong in ("turning", "a = ", "formulas.py:nothing = f2", "formulas.py:turning == f2", "f1 f2 = f2"):
         assert isinstance(run("identity", wrong).exception, (ExactSplineError, SystemExit))
+
+
+@pytest.mark.parametrize("trust", [True, False])
+def test_an_error_names_its_line_and_a_degree_that_is_not_known_is_not_shown(trust, tmp_path):
+    """Before, an unchecked formula failed in "line 0", and the degree found was ", not ≤ 0"."""
+    formulas = plane_formulas(turn="det(c.gamma.d(1), c.gamma.d(2))", part="det(c.gamma.d(1), c.gamma)[0]")
+    claims = [
+        {"id": "1", "kind": "degree", "statement": "a", "curve": "plane", "formula": "turn", "claimed": "0"}
+        | {"relation": "≤", "measure": "true"},
+        {"id": "2", "kind": "vanishing", "statement": "b", "curve": "plane", "left": "part"},
+    ]
+    folder = written(tmp_path / "p", formulas, claims)
+    rows = run("prove", "--paper", str(folder), "--json", *["--trust"] * trust)
+    degree, vanishing = [row for row in json.loads(rows.output)["rows"] if not row["curve"]]
+    line = next(i for i, text in enumerate((folder / "formulas.py").read_text().splitlines(), 1) if "[0]" in text)
+    assert f"formulas.py, line {line}, part: " in vanishing["witness"]
+    assert degree["verdict"] == "UNDECIDED"
+    assert ", not ≤ 0" not in run("prove", "--paper", str(folder), *["--trust"] * trust).output.split("On the")[0]

@@ -19,8 +19,8 @@ from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.surface_files import surface_from_data
 
-#: The fields of a curve that are long, and those that are remarks about it.
-SIZED, NOTED = ("knots", "control_points", "weights"), ("note", "source")
+#: The fields of a curve that are long.
+SIZED = "knots", "control_points", "weights"
 
 
 def schema() -> dict[str, object]:
@@ -63,7 +63,8 @@ def _curve(collector: Collector, entry: Any, where: str) -> None:
     collector.count(sum(len(entry[key]) for key in SIZED if isinstance(entry.get(key), list)))
     piece = "pieces" in entry or "kind" in entry
     curve = curve_from_data(entry, where if piece else collector.source.name, collector.limits)
-    notes = ["written by `derive`"] if piece else [f"{key}: {text}" for key in NOTED if (text := getattr(curve, key))]
+    remarks = [curve.note, f"source: {curve.source}" if curve.source else ""]
+    notes = ["written by `derive`"] if piece else list(filter(None, remarks))
     collector.keep(curve, notes, rational=not piece and entry.get("weights") is not None)
 
 
