@@ -6,13 +6,13 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from exactspline.batch.lines import EVERYWHERE, Found
-from exactspline.errors import FormulaError, as_texts, nearest
+from exactspline.errors import ExactSplineError, FormulaError, as_texts, nearest
 from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
 from exactspline.numbers.exact import mpq, mpz
 from exactspline.questions.answers import CurvePiece, Places
-from exactspline.questions.entry import Answered, Entry
+from exactspline.questions.entry import Answered, Entry, Of
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 
@@ -21,6 +21,11 @@ if TYPE_CHECKING:
 
 #: The types of answers of the questions that sweeps ask.
 LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES)
+#: The control points of a cubic of each kind, with which arguments are tried.
+TRIED = {
+    Of.PLANE_CURVE: [(0, 0), (1, 0), (1, 1), (2, 1)],
+    Of.SPACE_CURVE: [(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 1)],
+}
 #: The default questions.
 USUAL = ("inflections", "curvature_extrema", "corners")
 #: Digits computed beyond those shown: an interval as wide as the last decimal place rarely lies between two
@@ -29,25 +34,59 @@ BEYOND = 4
 
 
 def asked_by_sweeps() -> dict[str, Entry]:
-    """The questions that a sweep can ask: those without an argument whose answers are lists.
+    """The questions that a sweep can ask: those whose answers are lists. An argument follows after a colon.
 
-    >>> "inflections" in asked_by_sweeps(), "turning_points" in asked_by_sweeps()
+    >>> "inflections" in asked_by_sweeps(), "plane" in asked_by_sweeps()
     (True, False)
     """
-    return {name: q for name, q in QUESTIONS.items() if q.about.answered in LISTED and not q.about.argument}
+    return {name: q for name, q in QUESTIONS.items() if q.about.answered in LISTED}
+
+
+def entry_of(asked: str) -> tuple[Entry, str]:
+    """The question and its argument in a text such as ``offset_cusps:1/10``.
+
+    Raises `FormulaError` with the nearest names, for an argument that is missing, and for one too many.
+    """
+    known = asked_by_sweeps()
+    name, _, argument = asked.partition(":")
+    if name not in known:
+        raise FormulaError(f"there is no question called {asked!r}", remedy=nearest(name, [*known, "all"]))
+    entry = known[name]
+    if bool(argument) != bool(entry.about.argument):
+        right = f"{name}:{entry.about.argument}" if entry.about.argument else name
+        raise FormulaError(f"the question {asked!r}", remedy=f"write it like {right!r}")
+    return entry, argument
 
 
 def checked_names(names: Iterable[str]) -> tuple[str, ...]:
-    """The names of questions, each once; ``all`` stands for all of them.
+    """The questions, each once; ``all`` stands for all of them without an argument.
 
-    Raises `FormulaError` with the nearest names.
+    >>> checked_names(["corners", "offset_cusps:1/10", "corners"])
+    ('corners', 'offset_cusps:1/10')
+
+    Raises the errors of `entry_of`, and those of an argument that is none.
     """
-    known, chosen = asked_by_sweeps(), dict[str, None]()
-    for name in as_texts(names, "names of questions", "the name of a question"):
-        if name != "all" and name not in known:
-            raise FormulaError(f"there is no question called {name!r}", remedy=nearest(name, [*known, "all"]))
-        chosen |= dict.fromkeys(known if name == "all" else [name])
+    without = [name for name, q in asked_by_sweeps().items() if not q.about.argument]
+    chosen = dict[str, None]()
+    for asked in as_texts(names, "names of questions", "the name of a question"):
+        if asked != "all":
+            _check_argument(*entry_of(asked))
+        chosen |= dict.fromkeys(without if asked == "all" else [asked])
     return tuple(chosen)
+
+
+def _check_argument(entry: Entry, argument: str) -> None:
+    """Ask a question with its argument of a curve of each kind: one that no curve takes is refused once, and not on every
+    line of a sweep.
+    """
+    errors = []
+    for of in entry.about.of if argument else ():
+        try:
+            entry.answer(analyse(Nurbs(3, [0] * 4 + [1] * 4, TRIED[of])), argument)
+        except ExactSplineError as error:
+            errors.append(error.at(f"{entry.name}:{argument}"))
+    if errors and len(errors) == len(entry.about.of):
+        raise errors[0]
 
 
 def inspected(
@@ -68,13 +107,18 @@ def inspected(
     """
     requested = list(names)
     known = questions_about(curve) if requested else {}
-    return {name: tuple(_listed(_answer(curve, known[name], settled), digits)) for name in requested if name in known}
+    entries = {asked: entry_of(asked) for asked in requested}
+    return {
+        asked: tuple(_listed(_answer(curve, entry, argument, settled), digits))
+        for asked, (entry, argument) in entries.items()
+        if entry.name in known
+    }
 
 
-def _answer(curve: Nurbs, asked: Entry, settled: Settled | None) -> Any:
+def _answer(curve: Nurbs, asked: Entry, argument: str, settled: Settled | None) -> Any:
     if settled is not None and asked.about.known is not None:
         return asked.about.known(settled)
-    return asked.answer(analyse(curve))
+    return asked.answer(analyse(curve), argument)
 
 
 def _listed(answer: Any, digits: int) -> Iterator[Found]:

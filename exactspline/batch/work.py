@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from exactspline.batch.asked import Asked, ask, weight
 from exactspline.batch.backends import ALONE
 from exactspline.batch.corpus import Item, Problem
-from exactspline.batch.inspections import USUAL, asked_by_sweeps, checked_names, inspected
+from exactspline.batch.inspections import USUAL, checked_names, entry_of, inspected
 from exactspline.batch.lines import Found, Judged, Line
 from exactspline.errors import as_integer, as_texts
 from exactspline.splines.nurbs import Nurbs
@@ -81,7 +81,7 @@ class Work:
     @property
     def _asks(self) -> bool:
         """Whether the certified filter is used."""
-        features = any(asked_by_sweeps()[name].about.known for name in self.find)
+        features = any(entry_of(asked)[0].about.known for asked in self.find)
         return features and not self.claims and self.digits <= FILTERED_DIGITS
 
     def _line(self, made: Asked) -> Line:

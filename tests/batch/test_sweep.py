@@ -47,7 +47,8 @@ def run(*arguments):
 def test_a_line_says_what_the_functions_of_the_library_say():
     (line,) = xs.sweep("six_segment_cubic", find=["all"], digits=6)
     curve = xs.example("six_segment_cubic")
-    assert set(line.found) == set(asked_by_sweeps()) - {"torsion_zeros"}
+    without = {name for name, entry in asked_by_sweeps().items() if not entry.about.argument}
+    assert set(line.found) == without - {"torsion_zeros"}
     for name in line.found:
         assert len(line.found[name]) == len(getattr(xs.analyse(curve), name))
     for told, feature in zip(line.found["inflections"], xs.analyse(curve).inflections, strict=True):
@@ -435,3 +436,32 @@ def test_the_summary_gives_the_reason_for_every_curve_that_is_refused(tmp_path):
     for source, text in zip(sources, told, strict=True):
         assert text.startswith(f"{source}: ")
         assert text.count(str(tmp_path)) == 1
+
+
+def test_a_question_with_an_argument_is_asked_of_every_curve():
+    """Before, `offset_cusps`, a question of the registry, could not be asked in a sweep."""
+    (line,) = xs.sweep("ellipse", find=["offset_cusps:1", "turning_points:0", "corners"])
+    facts = xs.analyse(xs.example("ellipse"))
+    assert list(line.found) == ["offset_cusps:1", "turning_points:0", "corners"]
+    assert [each.kind for each in line.found["offset_cusps:1"]] == [str(f.kind) for f in facts.offset_cusps(1)]
+    assert len(line.found["turning_points:0"]) == len(facts.turning_points(0)) > 0
+    (around,) = xs.sweep("circle", find=["offset_cusps:1"])
+    assert [each.kind for each in around.found["offset_cusps:1"]] == ["everywhere"]
+    (space,) = xs.sweep("twisted_cubic", find=["offset_cusps:1", "turning_points:2"])
+    assert list(space.found) == ["turning_points:2"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "told"),
+    [
+        ("offset_cusps", "write it like 'offset_cusps:1/10'"),
+        ("corners:1", "write it like 'corners'"),
+        ("offset_cusps:one", "'one' is not a number"),
+        ("offset_cusps:0", "offset_cusps:0"),
+        ("turning_points:7", "turning_points:7"),
+        ("offset_cusp:1", "offset_cusps"),
+    ],
+)
+def test_an_argument_that_is_none_is_refused_before_the_first_curve(asked, told):
+    with pytest.raises(xs.ExactSplineError, match=told):
+        next(iter(xs.sweep("ellipse", find=[asked])))

@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 import exactspline as xs
-from exactspline.batch.inspections import asked_by_sweeps, checked_names, inspected
+from exactspline.batch.inspections import LISTED, asked_by_sweeps, checked_names, inspected
 from exactspline.batch.oracle import oracle
 from exactspline.batch.oracle_questions import QUESTIONS as ASKED
 from exactspline.cli import app
@@ -107,7 +107,8 @@ def test_every_list_of_questions_is_that_of_the_registry():
             n for n, q in questions_about(xs.example(name)).items() if not (q.about.part_of or q.about.argument)
         }
         assert expected <= set(row)
-    assert checked_names(["all"]) == tuple(asked_by_sweeps())
+    assert set(asked_by_sweeps()) == {n for n, q in QUESTIONS.items() if q.about.answered in LISTED}
+    assert checked_names(["all"]) == tuple(n for n, q in asked_by_sweeps().items() if not q.about.argument)
 
 
 def test_a_question_that_stands_nowhere_else_is_asked_everywhere(monkeypatch):
@@ -139,6 +140,7 @@ def test_a_question_that_stands_nowhere_else_is_asked_everywhere(monkeypatch):
             monkeypatch.setitem(REGISTRY[of], name, entry)
     curve = xs.Nurbs(1, [0, 0, 2, 2], [(0, 0), (1, 1)])
     assert inspected(curve, checked_names(["left_half"]), 5)["left_half"][0].high == "1"
+    assert inspected(curve, checked_names(["beginning:1/4"]), 5)["beginning:1/4"][0].high == "1/2"
     assert "left_half" in questions_about(curve)
     assert answers(*CURVES)["left_half"]["description"] == "the left half of the curve"
     assert str(analyse(curve).beginning("1/2")) == "everywhere on [0, 1]"
