@@ -10,7 +10,7 @@ from typing import Any
 
 from sphinx.cmd.build import build_main
 
-from docs.site import benchmarks, page_data, pages
+from docs.site import benchmarks, executed, page_data, pages
 from docs.site.vendor import lay_out_mathjax, vendor
 from exactspline.verification.combined import computed_once
 
@@ -69,6 +69,7 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     shutil.copytree(
         PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"), copy_function=shutil.copy
     )
+    executed.execute(source / "notebooks")
     for page in source.glob("*.md"):
         page.write_text(_linked(page.read_text(encoding="utf-8")), encoding="utf-8")
     notebooks = sorted(f"notebooks/{file.stem}" for file in (source / "notebooks").glob("*.ipynb"))
