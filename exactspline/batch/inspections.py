@@ -22,10 +22,7 @@ if TYPE_CHECKING:
 #: The types of answers of the questions that sweeps ask.
 LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES)
 #: The control points of a cubic of each kind, with which arguments are tried.
-TRIED = {
-    Of.PLANE_CURVE: [(0, 0), (1, 0), (1, 1), (2, 1)],
-    Of.SPACE_CURVE: [(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 1)],
-}
+TRIED = {Of.PLANE_CURVE: [(0, 0), (1, 0), (1, 1), (2, 1)], Of.SPACE_CURVE: [(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 1)]}
 #: The default questions.
 USUAL = ("inflections", "curvature_extrema", "corners")
 #: Digits computed beyond those shown: an interval as wide as the last decimal place rarely lies between two
@@ -76,8 +73,8 @@ def checked_names(names: Iterable[str]) -> tuple[str, ...]:
 
 
 def _check_argument(entry: Entry, argument: str) -> None:
-    """Ask a question with its argument of a curve of each kind: one that no curve takes is refused once, and not on every
-    line of a sweep.
+    """Ask a question with its argument of a curve of each kind: one that no curve takes is refused once, and not on
+    every line of a sweep.
     """
     errors = []
     for of in entry.about.of if argument else ():

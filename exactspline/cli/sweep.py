@@ -67,8 +67,8 @@ Find = Annotated[
     Option(
         "--find",
         metavar="WHAT",
-        help="A question (see `list questions`: those about points, joints or pieces; an argument follows after a colon, "
-        "as in offset_cusps:1/10), or all of those without an argument. "
+        help="A question (see `list questions`: those about points, joints or pieces; an argument follows after a "
+        "colon, as in offset_cusps:1/10), or all of those without an argument. "
         "May be repeated. [default: inflections, curvature_extrema, corners]",
         completion=_inspections,
     ),

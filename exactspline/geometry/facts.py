@@ -157,6 +157,9 @@ class Facts(Remembers):
         """The form of a zero-set construction, with the sign it has for a positive weight function, and its certified
         zeros; raises `ShapeError` for a curve of another dimension.
         """
+        if isinstance(name, str) and isinstance(variant, str) and (name, variant) in self._known:
+            known: ZeroForm = self._known[name, variant]
+            return known
         made, variant = construction(name), choice(Variant, variant, "variant")
         {"plane": plane, "space": space}[made.curve](self.curve)
 

@@ -52,7 +52,8 @@ __all__ = [
 #: The types that :func:`rational` accepts as exact numbers; ``SupportsIndex`` covers the integers of other libraries.
 Number: TypeAlias = int | str | Fraction | Decimal | mpz | mpq | flint.fmpz | flint.fmpq | SupportsIndex
 
-_TYPES = {type(mpq()), type(mpz()), int, Fraction}
+_RATIONAL = type(mpq())
+_TYPES = {type(mpz()), int, Fraction}
 #: Largest decimal or binary exponent read from text: a few characters with a larger one could exhaust the memory.
 MAX_EXPONENT = 100_000
 #: Longest text read as one number.
@@ -88,6 +89,8 @@ def rational(value: Number) -> mpq:
     """
     given = cast(Any, value)  # compared by type, so that a bool, which is an int, is rejected
     kind = type(given)
+    if kind is _RATIONAL:
+        return cast(mpq, given)
     if kind in _TYPES:
         return mpq(given)
     if kind is str:
@@ -308,7 +311,7 @@ def sign(value: mpq | mpz | int | flint.fmpz | flint.fmpq) -> int:
     >>> sign(mpq(1, 2)), sign(flint.fmpz(-3)), sign(0)
     (1, -1, 0)
     """
-    return int(value > 0) - int(value < 0)
+    return (value > 0) - (value < 0)
 
 
 def content(values: Iterable[mpq]) -> mpq:

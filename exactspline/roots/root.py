@@ -75,19 +75,21 @@ class Root(Real, Displayed):
         zero: LocalZero | None = None,
         segment: Interval | None = None,
     ) -> None:
-        low, high = rational(low), rational(high)
-        for sides in (multiplicities, signs):
-            if not isinstance(sides, tuple) or len(sides) != 2:
-                raise ShapeError(f"{shown(sides)} on the two sides of a root", remedy="exactspline.zeros finds roots")
+        first = Interval(rational(low), rational(high))
+        if not (
+            isinstance(multiplicities, tuple) and isinstance(signs, tuple) and len(multiplicities) == len(signs) == 2
+        ):
+            sides = f"{shown(multiplicities)} and {shown(signs)}"
+            raise ShapeError(f"{sides} on the two sides of a root", remedy="exactspline.zeros finds roots")
         fill(
             self,
-            _reached=(first := Interval(low, high)),
+            _reached=first,
             _first=first,
             _zero=zero,
             _polynomial=None,
             _minimal=None,
             _isolating=None,
-            _exact=low if low == high else None,
+            _exact=first.low if first.low == first.high else None,
             left_multiplicity=multiplicities[0],
             right_multiplicity=multiplicities[1],
             signs=signs,
