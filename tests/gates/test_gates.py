@@ -199,14 +199,22 @@ def test_there_is_one_way_to_a_curvature():
 BARE_LISTS = {
     "geometry/bisector/correspondence.py: border_pairs": "places of pairs on a border, steps of an answer",
     "geometry/bisector/correspondence.py: nodes": "the same",
+    "geometry/bisector/components.py: LinePiece.poles": "of a line that exists: its denominator does not vanish throughout",
+    "geometry/bisector/cusps.py: cusps_of": "of a piece of a curve that moves",
+    "geometry/facts.py: Facts.regular": "some of the roots given",
+    "geometry/facts.py: Facts.regular_pairs": "some of the roots given",
+    "geometry/facts.py: located": "the roots of a zero set, whose intervals the answer has beside them",
+    "geometry/many_roots.py: OnSegment.roots": "the filter: of segments on which the form does not vanish throughout",
     "geometry/plane_features.py: critical_points": "the points of an entry's answer, which adds the pieces",
     "geometry/plane_features.py: inflections": "the points of an entry's answer, which adds the pieces",
     "geometry/space_features.py: critical_points": "the points of an entry's answer, which adds the pieces",
     "geometry/space_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
     "geometry/poles.py: BetweenPoles.curvature_extrema": "the points of the pieces between poles, joined",
     "geometry/poles.py: BetweenPoles.inflections": "the points of the pieces between poles, joined",
+    "geometry/poles.py: BetweenPoles.reversals": "its cusps and its corners of 180°, both of them answers",
     "geometry/poles.py: BetweenPoles.singular_points": "the points of the pieces between poles, joined",
     "geometry/space_features.py: torsion_zeros": "the points of an entry's answer, which adds the pieces",
+    "geometry/surface/borders.py: roots_along": "on a border where the form does not vanish throughout",
     "geometry/surface/merged.py: merged_places": "the points of an entry's answer, which adds the parts of patches",
     "geometry/surface/merged.py: merged_umbilics": "the points of an entry's answer, which adds the parts of patches",
 }
@@ -216,7 +224,13 @@ def test_no_answer_is_a_bare_list_of_points():
     """Passed before: the umbilics of a sphere, the zeros of a map that vanishes on a patch."""
     assert gates.found_in(gates.trees(), gates.lists_of_places, ("geometry/", "questions/")) == BARE_LISTS.keys()
     code = "@question(Of.SURFACE)\ndef umbilics(self) -> {}: ..."
-    for bad in ("tuple[Umbilic, ...]", "list[Feature]", "Sequence[Place]", "tuple[Feature, ...] | None"):
+    for bad in (
+        "tuple[Umbilic, ...]",
+        "list[Feature]",
+        "Sequence[Place]",
+        "tuple[Feature, ...] | None",
+        "'list[Root]'",
+    ):
         assert planted(code.format(bad), gates.lists_of_places)
     assert planted(code.format("SurfacePlaces[Umbilic]"), gates.lists_of_places) == []
 

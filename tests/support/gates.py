@@ -208,7 +208,7 @@ def names_taken_apart(tree: ast.Module) -> Iterator[str]:
 ANSWERS = {"Places", "SurfacePlaces", "Answer"}
 #: Lists that cannot say whether they are "none" or "all".
 LISTS = {"list", "tuple", "Sequence", "Iterator", "Iterable", "set", "frozenset"}
-FEATURES = {"Feature", "Umbilic", "Place"}
+FEATURES = {"Feature", "Place", "Root", "Umbilic"}
 
 
 #: What makes a function an entry of the registry.
@@ -221,8 +221,12 @@ def marks(node: ast.FunctionDef) -> set[str]:
 
 
 def names_in(node: ast.AST | None) -> set[str]:
-    """The names that stand in an annotation."""
-    return set() if node is None else {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
+    """The names that stand in an annotation, also in one that is a text."""
+    if node is None:
+        return set()
+    texts = [each.value for each in ast.walk(node) if isinstance(each, ast.Constant) and isinstance(each.value, str)]
+    inner = [name for text in texts if text.strip() for name in names_in(ast.parse(text, mode="eval").body)]
+    return {each.id for each in ast.walk(node) if isinstance(each, ast.Name)} | set(inner)
 
 
 def public(tree: ast.Module, *, entries: bool) -> Iterator[tuple[str, ast.FunctionDef]]:
