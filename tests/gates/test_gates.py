@@ -199,7 +199,7 @@ def test_there_is_one_way_to_a_curvature():
 BARE_LISTS = {
     "geometry/bisector/correspondence.py: border_pairs": "places of pairs on a border, steps of an answer",
     "geometry/bisector/correspondence.py: nodes": "the same",
-    "geometry/bisector/components.py: LinePiece.poles": "of a line that exists: its denominator does not vanish throughout",
+    "geometry/bisector/components.py: LinePiece.poles": "its denominator does not vanish throughout",
     "geometry/bisector/cusps.py: cusps_of": "of a piece of a curve that moves",
     "geometry/facts.py: Facts.regular": "some of the roots given",
     "geometry/facts.py: Facts.regular_pairs": "some of the roots given",
