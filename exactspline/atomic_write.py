@@ -23,6 +23,8 @@ def write_atomically(
     place = Path(path)
     try:
         place = place.resolve()
+        if place.is_symlink():  # as of Python 3.13 a circle is no error of `resolve`
+            raise RuntimeError
         if place.exists() and not place.is_file():
             raise error(
                 "is not a regular file", where=str(path), remedy="name a file; leave the name out for standard output"

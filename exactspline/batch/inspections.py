@@ -22,7 +22,10 @@ if TYPE_CHECKING:
 #: The types of answers of the questions that sweeps ask.
 LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES)
 #: The control points of a cubic of each kind, with which arguments are tried.
-TRIED = {Of.PLANE_CURVE: [(0, 0), (1, 0), (1, 1), (2, 1)], Of.SPACE_CURVE: [(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 1)]}
+TRIED: dict[Of, list[tuple[int, ...]]] = {
+    Of.PLANE_CURVE: [(0, 0), (1, 0), (1, 1), (2, 1)],
+    Of.SPACE_CURVE: [(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 1)],
+}
 #: The default questions.
 USUAL = ("inflections", "curvature_extrema", "corners")
 #: Digits computed beyond those shown: an interval as wide as the last decimal place rarely lies between two

@@ -160,15 +160,22 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
 
 class Guarded(io.FileIO):
     """Standard output that may be closed by its reader (``| head``): the rest is dropped, and the command ends with its
-    usual status.
+    usual status. What is left after any other failure is dropped, too, so that the end of the process does not fail.
     """
+
+    failed = False
 
     def write(self, data: Buffer, /) -> int:
         """Write, unless the reader has gone."""
         try:
-            return super().write(data) or 0
+            if not self.failed:
+                return super().write(data) or 0
         except BrokenPipeError:
-            return memoryview(data).nbytes
+            pass
+        except OSError:
+            self.failed = True
+            raise
+        return memoryview(data).nbytes
 
 
 def guard_output() -> None:

@@ -518,7 +518,7 @@ def _(item: Proof, numbers: Numbers = EXACT) -> str:
 def _(item: Check, numbers: Numbers = EXACT) -> str:
     stated = _equation(item.left, item.factor, item.right)
     if item.vacuous:
-        return f"{stated} does not apply to this curve: both sides are 0 there, or the factor is 1/0"
+        return f"{stated} decides nothing on this curve: {worded(item.finding.computed)}"
     return f"{stated} on this curve" if item.holds else f"not {stated} at the parameter {item.parameter}"
 
 

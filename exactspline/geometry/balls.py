@@ -4,10 +4,11 @@ ball arithmetic.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from itertools import pairwise
 from math import comb
+from typing import TypeAlias
 
 from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpq_poly, fmpz_poly
 
@@ -122,55 +123,74 @@ class _Budget:
 
 
 def _integral(common: fmpq_poly, squared: fmpq_poly, weight: fmpq_poly, low: arb, high: arb, budget: _Budget) -> arb:
-    """``∫ common √squared / weight²``.
-
-    ``squared`` has no real zeros, so it is a constant times factors (z − a)² + b²: FLINT encloses each factor narrowly,
-    but not the expanded polynomial.
-    """
-    factor, bottom = acb_poly(arb_poly(common)), acb_poly(arb_poly(weight))
+    """``∫ common √squared / weight²``, where ``squared`` has no real zeros."""
     integers = squared.numer()
-    _afford_roots(integers, budget)
-    constant = arb(integers.leading_coefficient() / fmpq(squared.denom())).sqrt()
-    roots: list[tuple[acb, int]] = integers.complex_roots()  # type: ignore[assignment]  # flint says a single one
-    pairs = [(root.real, root.imag**2, times) for root, times in roots if root.imag > 0]
+    far = integers.degree() * integers.height_bits() <= NEAR or _separate(integers)
+    root = _rooted(squared, budget) if far else _expanded(squared, budget)
+    factor, bottom = acb_poly(arb_poly(common)), acb_poly(arb_poly(weight))
 
     def speed(z: acb, analytic: bool) -> acb:
-        # the fixed cost of an evaluation, and one factor per pair
-        budget.take(6 + len(pairs))
-        value = factor(z) / bottom(z) ** 2
-        for a, b, times in pairs:
-            value *= ((z - a) ** 2 + b).sqrt(analytic=analytic) ** times
-        return value
+        # the fixed cost of an evaluation
+        budget.take(6)
+        return factor(z) / bottom(z) ** 2 * root(z, analytic)
 
-    return acb.integral(speed, acb(low), acb(high), eval_limit=20_000).real * constant
-
-
-#: Bits within which roots are separated in general, and the product of degree and bits of coefficients up to which
-#: roots are isolated that are nearer to each other (measured for degree 4: 7 ms for 270 bits, 1.7 s for 670, 3.5 s for
-#: 810).
-SEPARATING, NEAR = 2048, 2000
+    bits = ctx.prec
+    with ctx.workprec(bits + (0 if far else integers.height_bits())):
+        return acb.integral(speed, acb(low), acb(high), rel_tol=arb((1, -bits)), eval_limit=20_000).real
 
 
-def _afford_roots(p: fmpz_poly, budget: _Budget) -> None:
-    """Count the isolation of complex roots, which FLINT does in one call that cannot be interrupted; raises `OpenError`
-    where it could take too long.
-    """
-    # measured, of Bézier curves: 80 to 400 nanoseconds for the cube of the degree, and more for long integers
-    degree, bits = p.degree(), p.height_bits()
-    budget.take(degree**3 * (1 + degree * bits // 100_000) // 2)
-    if degree * bits > NEAR and not _separate(p, SEPARATING + bits):
-        raise OpenError("the speed has zeros too near to each other for the arc length", remedy=TOO_MUCH)
+#: The product of degree and bits of coefficients up to which the complex zeros of the squared speed are isolated
+#: whatever they are, and the bits by which those of others must differ: FLINT isolates them in one call that cannot be
+#: interrupted, and zeros near to each other take long (measured for degree 4: 7 ms for 270 bits, 3 s for 806, minutes
+#: for 1337).
+NEAR, SEPARATING = 2000, 2048
+#: A square root as a function of a complex ball, analytic where this is asked for.
+Root: TypeAlias = Callable[[acb, bool], acb]
 
 
-def _separate(p: fmpz_poly, bits: int) -> bool:
-    """Whether the different complex roots are separated in arithmetic of this many bits."""
+def _separate(p: fmpz_poly) -> bool:
+    """Whether the different complex zeros are separated in arithmetic of a bounded number of bits."""
     simple = p // greatest_common_divisor([p, p.derivative()])
-    with ctx.workprec(bits):
+    with ctx.workprec(SEPARATING + p.height_bits()):
         try:
             acb_poly(simple).roots(maxprec=SEPARATING)
         except ValueError:
             return False
     return True
+
+
+def _rooted(squared: fmpq_poly, budget: _Budget) -> Root:
+    """The faster one: ``√squared`` as a constant times roots of factors (z − a)² + b², each of which FLINT encloses
+    narrowly.
+    """
+    integers = squared.numer()
+    # measured, of Bézier curves: 80 to 400 nanoseconds for the cube of the degree, and more for long integers
+    degree, bits = integers.degree(), integers.height_bits()
+    budget.take(degree**3 * (1 + degree * bits // 100_000) // 2)
+    constant = arb(integers.leading_coefficient() / fmpq(squared.denom())).sqrt()
+    roots: list[tuple[acb, int]] = integers.complex_roots()  # type: ignore[assignment]  # flint says a single one
+    pairs = [(root.real, root.imag**2, times) for root, times in roots if root.imag > 0]
+
+    def root(z: acb, analytic: bool) -> acb:
+        budget.take(len(pairs))
+        value = acb(constant)
+        for a, b, times in pairs:
+            value *= ((z - a) ** 2 + b).sqrt(analytic=analytic) ** times
+        return value
+
+    return root
+
+
+def _expanded(squared: fmpq_poly, budget: _Budget) -> Root:
+    """The one whose cost does not depend on the zeros: ``√squared`` by the Taylor expansion at the centre of a ball."""
+    degree = squared.degree()
+
+    def root(z: acb, analytic: bool) -> acb:
+        budget.take(degree**2)
+        centre = acb(z.real.mid(), z.imag.mid())
+        return acb_poly(arb_poly(squared))(acb_poly([centre, 1]))(z - centre).sqrt(analytic=analytic)
+
+    return root
 
 
 def _exact_length(squared: BSpline) -> Real | None:

@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from exactspline.atomic_write import write_text
-from exactspline.errors import CurveFileError, as_path, as_text
+from exactspline.errors import CurveFileError, NumberError, as_path, as_text
 from exactspline.interchange.json_files import (
     CURVE,
     MAX_BYTES,
@@ -136,31 +136,41 @@ def _curve_of_piece(piece: dict[str, Any], name: str, limits: Limits) -> Nurbs:
     rows = exact_points(read, least=3 if rational_piece else 2)
     degree, knots = whole_degree(piece["degree"]), KnotVector(numbers_of(piece["knots"], "knots", limits))
     knots.check(checked_degree(degree))
-    low, high = _ends(piece, knots.domain(degree))
+    low, high = _ends(piece, knots.domain(degree), limits)
     *p, last = [BSpline(degree, knots, column).restrict(low, high) for column in zip(*rows, strict=True)]
     name = str(piece.get("name") or name)
     return Nurbs.from_splines(p, last, name=name) if rational_piece else Nurbs.from_splines([*p, last], name=name)
 
 
-def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq]) -> tuple[mpq, mpq]:
+def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq], limits: Limits) -> tuple[mpq, mpq]:
     """The parameters where a piece begins and ends: ``low`` and ``high``, else ``interval``, else from its knots."""
     interval = piece.get("interval")
     if interval is not None and (not isinstance(interval, list) or len(interval) != 2):
         raise CurveFileError("is not an interval", where="interval", remedy="write [low, high]")
-    low, high = interval or domain
-    return _end(piece.get("low"), "low", low), _end(piece.get("high"), "high", high)
+    low, high = domain if interval is None else (_end(end, f"interval[{i}]", limits) for i, end in enumerate(interval))
+    given = ((piece.get(key), key, otherwise) for key, otherwise in (("low", low), ("high", high)))
+    first, last = (otherwise if end is None else _end(end, key, limits) for end, key, otherwise in given)
+    return first, last
 
 
-def _end(end: Any, key: str, otherwise: Any) -> mpq:
+def _end(end: Any, key: str, limits: Limits) -> mpq:
     if not isinstance(end, dict):
-        return rational(number_of(otherwise if end is None else end))
+        return _rational(end, key, limits)
     if end.get("parameter") is None:
         raise CurveFileError(
             f"the piece ends at an irrational parameter (in {end.get('interval')})",
             where=key,
             remedy="no curve with rational knots ends there; write a rational parameter inside the piece",
         )
-    return rational(number_of(end["parameter"]))
+    return _rational(end["parameter"], key, limits)
+
+
+def _rational(value: object, key: str, limits: Limits) -> mpq:
+    number = number_of(value, key, limits)
+    try:
+        return rational(number)
+    except NumberError as error:
+        raise error.at(key) from None
 
 
 def curve_data(curve: Nurbs) -> dict[str, object]:

@@ -18,8 +18,8 @@ from exactspline.splines.control_points import Direction
 
 T = TypeVar("T")
 USUAL = Limits()
-_EXPONENT = re.compile(r"[+-]?\d{1,7}", re.ASCII)
-#: Exact fractions are written with this many times the digits that other formats need.
+_EXPONENT = re.compile(r"[+-]?0*(\d*)", re.ASCII)
+#: Exact numbers are written with this many times the digits, and exponents, that other formats need.
 LONGER = 50
 
 #: The fields of a curve and of a surface.
@@ -134,9 +134,11 @@ def number_of(value: object, where: str = "", limits: Limits = USUAL) -> Number:
         raise NumberError("null is not a number", where=where, remedy="write finite numbers")
     if not isinstance(value, str):
         return cast("Number", value)
-    mark, most = ("p", 4 * limits.exponent) if "x" in value.lower() else ("e", limits.exponent)
+    most = LONGER * limits.exponent
+    mark, most = ("p", 4 * most) if "x" in value.lower() else ("e", most)
     exponent = value.lower().partition(mark)[2].strip()
-    if exponent and (not _EXPONENT.fullmatch(exponent) or abs(int(exponent)) > most):
+    size = found[1] if (found := _EXPONENT.fullmatch(exponent)) else ""
+    if len(size) > len(str(most)) or int(size or 0) > most:
         raise NumberError(f"the exponent {exponent[:20]!r}", where=where, remedy=f"exponents up to {most} are read")
     if len(value) > LONGER * limits.digits:
         raise NumberError(
@@ -155,7 +157,11 @@ def parsed(text: str) -> object:
     """
     try:
         return json.loads(
-            text, parse_int=_Decimal, parse_float=_Decimal, parse_constant=_refuse, object_pairs_hook=once_each
+            text.removeprefix("\ufeff"),
+            parse_int=_Decimal,
+            parse_float=_Decimal,
+            parse_constant=_refuse,
+            object_pairs_hook=once_each,
         )
     except RecursionError:
         raise CurveFileError("brackets are nested too deeply", remedy="a curve needs three levels") from None

@@ -14,6 +14,7 @@ from typing import Any
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.interchange.json_files import (
     SURFACE,
+    USUAL,
     check_fields,
     from_file,
     json_object,
@@ -22,6 +23,7 @@ from exactspline.interchange.json_files import (
     whole_degree,
     written_point,
 )
+from exactspline.interchange.limits import Limits
 from exactspline.numbers.exact import Number
 from exactspline.splines.surface import NurbsSurface
 
@@ -49,8 +51,10 @@ def surface_from_text(text: str, name: str = "") -> NurbsSurface:
     return surface_from_data(json_object(text, remedy), name)
 
 
-def surface_from_data(given: Mapping[str, object], name: str = "") -> NurbsSurface:
-    """The surface in JSON data, numbers as text (`exactspline.interchange.json_files.parsed`)."""
+def surface_from_data(given: Mapping[str, object], name: str = "", limits: Limits = USUAL) -> NurbsSurface:
+    """The surface in JSON data, with numbers as text (`exactspline.interchange.json_files.parsed`), within the limits
+    on single numbers.
+    """
     data = dict(given)
     if NET in data and "control_points" not in data:
         data["control_points"] = data.pop(NET)
@@ -60,14 +64,14 @@ def surface_from_data(given: Mapping[str, object], name: str = "") -> NurbsSurfa
     net = []
     for i, row in enumerate(_list(data["control_points"], "control_points")):
         place = f"control_points[{i}]"
-        net.append(points_of(_list(row, place), place))
+        net.append(points_of(_list(row, place), place, limits))
     weights = data.get("weights")
     return NurbsSurface(
         (degree[0], degree[1]),
-        numbers_of(knots[0], "knots[0]"),
-        numbers_of(knots[1], "knots[1]"),
+        numbers_of(knots[0], "knots[0]", limits),
+        numbers_of(knots[1], "knots[1]", limits),
         net,
-        None if weights is None else _numbers(weights),
+        None if weights is None else _numbers(weights, limits),
         name=str(data.get("name") or name),
         source=str(data.get("source") or ""),
         note=str(data.get("note") or ""),
@@ -94,9 +98,9 @@ def _list(value: Any, where: str, count: int | None = None) -> list[Any]:
     return value
 
 
-def _numbers(rows: object) -> list[list[Number]]:
+def _numbers(rows: object, limits: Limits) -> list[list[Number]]:
     listed = ((f"weights[{i}]", row) for i, row in enumerate(_list(rows, "weights")))
-    return [numbers_of(_list(row, place), place) for place, row in listed]
+    return [numbers_of(_list(row, place), place, limits) for place, row in listed]
 
 
 def surface_data(surface: NurbsSurface) -> dict[str, object]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from typing import TYPE_CHECKING, overload
 
 from exactspline.errors import OpenError, ReachError, as_integer
@@ -18,6 +17,8 @@ ONE = mpq(1)
 SUSPICIOUS = 10
 #: The maximal number of digits after the decimal point in a text.
 LONGEST = 400
+#: The digits of a number of which more cannot be computed.
+FEW = 3
 
 
 class Digits(Immutable):
@@ -150,8 +151,9 @@ class Digits(Immutable):
         )
 
     def shortly(self, digits: int = 6) -> str:
-        """Its closed form, or this many significant digits followed by dots; `0` if it is 0, and ``0 ± 1e-n`` if it is
-        so near to 0 that nothing more is known of it; dots alone for a number too large to be written.
+        """Its closed form, or this many significant digits followed by dots; fewer where more would take too long, and
+        dots alone where none are known; `0` if it is 0, and ``0 ± 1e-n`` if it is so near to 0 that nothing more is
+        known of it.
 
         >>> from exactspline.reals.real import square_root
         >>> str(square_root(2) + square_root(3) - square_root(5 + 2 * square_root(6)))
@@ -159,8 +161,8 @@ class Digits(Immutable):
         """
         if (known := self.closed_form) is not None:
             return known
-        shown, requested = "…", digits + 14
-        with suppress(ReachError, OpenError):
+        shown, requested = "…", 2 * as_integer(digits, "a number of digits", 1) + 2
+        try:
             while True:
                 enclosure = self.enclosure(requested)
                 least = min(abs(enclosure.low), abs(enclosure.high))
@@ -173,8 +175,9 @@ class Digits(Immutable):
                 requested *= 2
             from exactspline.reals.shown_mpf import significant
 
-            shown = f"{significant(enclosure.middle, digits)}…"
-        return shown
+            return f"{significant(enclosure.middle, digits)}…"
+        except (ReachError, OpenError):
+            return shown if shown != "…" or digits <= FEW else self.shortly(FEW)
 
     def __str__(self) -> str:
         return self.shortly(15)

@@ -103,9 +103,13 @@ class Real(Algebraic):
         return self._with(truediv, other, swapped=True)
 
     def __pow__(self, exponent: int) -> Real:
-        """An integer power."""
+        """An integer power; raises `ReachError` for rational and quadratic numbers with too many digits."""
         if type(exponent) is not int:
             return NotImplemented
+        if (parts := _known(self)) is not None:
+            bits = max(n.bit_length() for part in parts for n in (mpq(part).numerator, mpq(part).denominator))
+            cost = abs(exponent) * (bits - 1) * BIT
+            check_reach(cost, lambda: f"a power of about {abs(exponent) * bits} bits", LONGEST_LOOP)
         power, base = Real(1), self if exponent >= 0 else 1 / self
         for digit in bin(abs(exponent))[2:]:
             power = power * power * base if digit == "1" else power * power
@@ -191,7 +195,7 @@ class Quadratic(Real):
     def closed_form(self) -> str:
         """``(a + b√c)/d`` with integers."""
         a, b = self.a, self.b
-        d = int(lcm(a.denominator, b.denominator))
+        d = lcm(a.denominator, b.denominator)
         p, q = mpz(a * d), mpz(b * d)
         times = "" if abs(q) == 1 else str(abs(q))
         if p == 0:
@@ -243,6 +247,8 @@ class Expression(Real):
         if self._operation is _root:
             return 1 if t < 0 else self._operands[0]._against_number(t * t)
         (x, y), operation = self._operands, self._operation
+        if operation is mul and any(isinstance(q := z._exact, type(mpq())) and q == 0 for z in (x, y)):
+            return (t < 0) - (t > 0)
         if isinstance(q := y._exact, type(mpq())):
             sign = -1 if operation in (mul, truediv) and q < 0 else 1
             return sign * x._against_number(_INVERSES[operation](t, q))

@@ -9,6 +9,7 @@ from functools import partial
 from typing import TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.papers.folder import Paper
 from exactspline.symbolic.factorization import sharing, speaking_of
 from exactspline.verification.claim import Claim
 from exactspline.verification.evaluation import sharing_evaluations
@@ -17,7 +18,7 @@ from exactspline.verification.vocabulary import Name
 
 V = TypeVar("V")
 Combined = tuple[Name, Finding]
-_KNOWN: ContextVar[dict[Claim, Combined] | None] = ContextVar("known verdicts", default=None)
+_KNOWN: ContextVar[dict[tuple[Paper, Claim], Combined] | None] = ContextVar("known verdicts", default=None)
 
 
 @contextmanager
@@ -46,13 +47,13 @@ def combined(claim: Claim) -> Combined:
     ...     combined(first) is combined(first), str(combined(first)[1].verdict)
     (True, 'PROVED')
     """
-    known = _KNOWN.get()
-    if known is not None and claim in known:
-        return known[claim]
+    known, key = _KNOWN.get(), (claim.source_paper, claim)
+    if known is not None and key in known:
+        return known[key]
     with speaking_of(claim.source_paper):
         found = _combined(claim)
     if known is not None:
-        known[claim] = found
+        known[key] = found
     return found
 
 

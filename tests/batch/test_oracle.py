@@ -337,10 +337,24 @@ def test_the_work_on_an_answer_has_a_bound(question, curve):
 def test_a_length_ends_whatever_the_size_of_the_numbers(points, far):
     """Passed before: with numbers of 1e-100 beside 1 the roots of the speed were isolated in one call for minutes."""
     net = [point.split(",") for point in points.format(far, far).split()]
-    start = time.process_time()
+    curve, start = xs.Nurbs(3, [0, 0, 0, 0, 1, 1, 1, 1], net), time.process_time()
     with suppress(OpenError):
-        assert length(xs.Nurbs(3, [0, 0, 0, 0, 1, 1, 1, 1], net)).double() > 0
+        assert length(curve).double() > 0
     assert time.process_time() - start < 60
+
+
+@pytest.mark.parametrize("far", [20, 60, 100, 200, 300])
+def test_the_length_of_a_curve_with_nearly_a_cusp(far):
+    """Passed before: a refusal, or minutes; the limit curves have the lengths 4(√2 − 1) + …, measured by mpmath."""
+    near, flat = f"1e-{far}", [0, 0, 0, 0, 0, 1, 1, 1, 1, 1]
+    for curve, limit in (
+        (xs.Nurbs(3, [0, 0, 0, 0, 1, 1, 1, 1], [[0, 0], [1, 1], [near, 1], [1, 0]]), "1.8284271247461900976"),
+        (xs.Nurbs(3, [0, 0, 0, 0, 1, 1, 1, 1], [[0, 0], [1, 1], [0, 1], [1, near]]), "1.8284271247461900976"),
+        (xs.Nurbs(4, flat, [[0, 0], [1, near], [2, 0], [3, near], [5, 0]]), "5"),
+    ):
+        assert abs(length(curve).enclosure(15).middle - mpq(limit)) < mpq(1, 10**14)
+        part = curve.restrict("1/8", "1/4")
+        assert 0 < length(part) < length(curve)
 
 
 def test_too_much_work_is_said():

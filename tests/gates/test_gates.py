@@ -309,7 +309,7 @@ def test_what_rounds_is_found(code):
 
 #: Where FLINT's own functions may be called: the doors, and what costs nothing.
 UNBOUNDED = {
-    "geometry/balls.py: _integral": "paid for, by degree and bits",
+    "geometry/balls.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
     "geometry/bisector/common_zeros.py: _certainly_apart": "modulo a prime, in one variable",
     "geometry/bisector/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
     "geometry/bisector/over_root.py: _most": "modulo a prime, in one variable",

@@ -505,3 +505,30 @@ def test_kinds_by_construction():
     assert hash(square_root(large)) == hash(1009 * ROOT_3)
     assert square_root(large) + ROOT_3 == 1010 * ROOT_3
     assert isinstance(xs.zeros(xs.BSpline.bezier([-1, -1, 1])).roots[0], Root)
+
+
+def test_a_product_with_a_hidden_zero_is_compared():
+    """Before, a ZeroDivisionError once the zero was known to be one."""
+    zero = ROOT_2 + ROOT_3 - square_root(5 + 2 * square_root(6))
+    product = zero * (ROOT_2 + ROOT_3)
+    assert hash(zero) == hash(0)
+    assert (product == 0, product.sign, product < 1, product > -1, product == 1) == (True, 0, True, True, False)
+    assert (2 + product).sign == 1
+    assert str(product) == "0"
+
+
+@pytest.mark.parametrize("x", [Real("1e-5000") * ROOT_2, 1 + Real("1e-5000") * ROOT_2, Real("1e5000") * ROOT_2])
+def test_a_number_with_many_digits_is_printed(x):
+    """Before, a ValueError of Python, which refuses to print integers of more than 4,300 digits."""
+    assert len(str(x)) > 4300
+    assert len(repr(x)) > 4300
+
+
+@pytest.mark.parametrize("x", [Real(2), ROOT_2, 1 + ROOT_2, Real("1/3")])
+def test_a_power_has_a_bound(x):
+    """Before, `Real(2) ** 10**12` did not end."""
+    with pytest.raises(ReachError, match="a power of about"):
+        x**10**12
+    assert (x**-3) * x**3 == 1
+    assert Real(-1) ** (10**12 + 1) == -1
+    assert Real(0) ** 10**12 == 0

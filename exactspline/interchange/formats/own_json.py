@@ -7,6 +7,7 @@ integers, decimals or strings such as "1/3".
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Sequence
 from importlib import resources
 from typing import Any
@@ -21,6 +22,8 @@ from exactspline.interchange.surface_files import surface_from_data
 
 #: The fields of a curve that are long.
 SIZED = "knots", "control_points", "weights"
+#: An object, or a list of them.
+_BEGINNING = re.compile(rb"(\xef\xbb\xbf)?\s*(\[\s*)?\{")
 
 
 def schema() -> dict[str, object]:
@@ -36,7 +39,7 @@ def schema() -> dict[str, object]:
 
 def looks_like(head: bytes) -> bool:
     """Whether a file begins like a curve file."""
-    return head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{")
+    return _BEGINNING.match(head) is not None
 
 
 def read(source: Source) -> Reading:
@@ -71,7 +74,7 @@ def _curve(collector: Collector, entry: Any, where: str) -> None:
 def _surface(found: Collector, entry: Any, where: str) -> None:
     rows = entry.get("control_points", entry.get("points", ()))
     found.count(sum(len(row) for row in rows if isinstance(row, list)) if isinstance(rows, list) else 1)
-    found.surfaces.append(surface_from_data(entry, found.source.name or where))
+    found.surfaces.append(surface_from_data(entry, found.source.name or where, found.limits))
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
