@@ -1,5 +1,6 @@
 """Printed statements, changed on purpose: the record is that of the draw, and a part of it is judged again."""
 
+import sys
 from collections import defaultdict
 from random import Random
 
@@ -10,8 +11,12 @@ from workshop.mutation.statements import BEGIN, END, PAGE, VERDICTS, changes_of,
 
 RECORD = recorded()
 DRAWN = drawn()
+OF_3_11 = pytest.mark.skipif(
+    sys.version_info >= (3, 12), reason="recorded where comprehensions have functions, and names, of their own"
+)
 
 
+@OF_3_11
 def test_the_record_is_that_of_the_draw():
     assert [change.name for change in DRAWN] == list(RECORD)
     assert len(DRAWN) >= 1000
@@ -38,6 +43,7 @@ def test_the_page_has_the_table_of_the_record():
     assert page.split(BEGIN)[1].split(END)[0] == table(RECORD)
 
 
+@OF_3_11
 @pytest.mark.parametrize("verdict", ["killed", "killed by another", "equivalent", "true too", "false before"])
 def test_a_part_of_the_record_is_judged_again(verdict):
     of_verdict = [change for change in DRAWN if RECORD[change.name]["verdict"] == verdict]
