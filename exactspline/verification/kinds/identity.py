@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import field, replace
 from typing import Any, ClassVar
 
-from exactspline.errors import ClaimError, FormulaError
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
@@ -16,11 +16,13 @@ from exactspline.symbolic.factorization import jets_for, jets_with_roots
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.decision import Equation, Zero
-from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.evidence import ExactQuotient, Fact, Remainder
+from exactspline.verification.decision import Equation, Outcome, Zero
+from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.evidence import ExactQuotient, Fact, OnExample, Remainder
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.notation import factor_latex
+from exactspline.verification.paper_curves import curve_names
+from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import REFUTED, VACUOUS, VERIFIED, Finding
 from exactspline.verification.vocabulary import ArgumentKind, Name
 
@@ -75,7 +77,10 @@ class Identity(Claim):
         """
         equation = self.equality
         if kind_of(self.curve).adjoins_roots:
-            return equation.decide(jets_with_roots(equation.formulas, self.factor, dimension, polynomial=polynomial))
+            finding = equation.decide(jets_with_roots(equation.formulas, self.factor, dimension, polynomial=polynomial))
+            if finding.computed is Fact.NOT_IDENTICAL and (example := self._differs_on(dimension, polynomial)):
+                return replace(finding, witness=OnExample(Name(example), finding.witness))
+            return finding
         c = jets_for(equation.formulas, dimension, polynomial=polynomial)
         finding = equation.decide(c)
         if finding.verdict == VACUOUS:
@@ -90,6 +95,23 @@ class Identity(Claim):
         return replace(
             finding, computed=factor, factor=factor, witness=ExactQuotient(factor) if differ else finding.witness
         )
+
+    def _differs_on(self, dimension: int, polynomial: bool) -> str:
+        """The first example curve on which the sides, with roots adjoined, differ; none for curves on which they do not
+        exist.
+        """
+        kind = kind_of(self.curve)
+        for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
+            curve = self.curve_named(name)
+            if curve.dimension == dimension and curve.polynomial == polynomial:
+                try:
+                    first = next(on_segments(kind, curve, self.highest_derivative(dimension)))
+                    differs = self.equality.compare(first.argument).outcome is Outcome.DIFFERENT
+                    if differs and not evaluation(curve).failing(self.curve, self.assumes):
+                        return name
+                except ExactSplineError:
+                    continue
+        return ""
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
