@@ -6,10 +6,9 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
 
 from exactspline.papers import paper
-from exactspline.papers.passages import Passage, passages, reading_of
+from exactspline.papers.passages import Passage, ReadingTable, passages, reading_of
 from reading.cutter import Span, spans, squeezed
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -23,7 +22,7 @@ READINGS = ("claims", "definition", "citation", "nothing", "open")
 LOADED = re.compile(r"\d|[=+±×∗·‖κτγζλμΨ∑]|\b(degree|rational|zero|only|cannot|same)", re.IGNORECASE)
 
 
-def table() -> dict[str, Any]:
+def table() -> ReadingTable:
     """The whole table, as it is written in its file."""
     return reading_of(paper(NAME))
 

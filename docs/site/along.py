@@ -1,4 +1,4 @@
-"""Pages for reading along: the paper section by section, in its order, each statement with its verdict in the margin."""
+"""Pages for reading along: the paper section by section in its order, each statement with its verdict in the margin."""
 
 from __future__ import annotations
 
@@ -84,8 +84,8 @@ def _page(read: ReadingAlong, before: str, after: str) -> str:
 
 
 def _pictures(section: str) -> list[tuple[str, str]]:
-    told = DRAWN[section][2] if section in DRAWN else LINES if section == "6.1" else ""
-    drawn = [(f"gallery/{_name(section)}.svg", told)] if told else []
+    text = DRAWN[section][2] if section in DRAWN else LINES if section == "6.1" else ""
+    drawn = [(f"gallery/{_name(section)}.svg", text)] if text else []
     return [*PICTURES.get(section, []), *drawn]
 
 
@@ -100,9 +100,9 @@ def _index(read: list[ReadingAlong]) -> str:
     sums = [sum(row[i] for row in rows) for i in range(1, 6)]
     rows.append(("all", *sums, ""))
     table = "\n".join(f"| {' | '.join(map(str, row))} |" for row in (COLUMNS, ["---"] * len(COLUMNS), *rows))
-    told = (
+    text = (
         f"{sums[2]} of {sums[1]} printed statements are decided. The paper is read sentence by sentence: every "
         "statement, in its order, with its verdict in the margin, its formula and degree, and its proof. A passage is "
         "quoted by its first words, a statement by the words that it rests on; have the paper beside it."
     )
-    return f"# Reading along\n\n*{plain(default_papers()[0].title)}*\n\n{told}\n\n{table}\n"
+    return f"# Reading along\n\n*{plain(default_papers()[0].title)}*\n\n{text}\n\n{table}\n"

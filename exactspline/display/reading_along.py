@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from html import escape
+from itertools import chain, groupby, repeat
 
 from exactspline.display.evidence import worded
 from exactspline.display.quotations import quoted
@@ -126,10 +127,9 @@ def _passage(one: Passage, read: ReadingAlong, shown: set[str]) -> Iterator[str]
     for name in ("definition", "citation", "slip", "open"):
         if name in one.read:
             yield _row("", name, f"<p>{escape(str(one.read[name]))}</p>")
-    said = ""
-    for each in new:
-        yield _claim(each, each.claim.words if each.claim.words != said else "")
-        said = each.claim.words
+    for words, group in groupby(new, key=lambda each: each.claim.words):
+        for each, said in zip(group, chain([words], repeat("")), strict=False):
+            yield _claim(each, said)
     if again:
         ids = dict.fromkeys(claim.id for claim in claims_of(read.source) if claim.key in again)
         yield _row("", "see", f"<p>{escape(', '.join(ids))}</p>")
@@ -164,8 +164,8 @@ def _formulas(s: Statement) -> Iterator[tuple[str, str]]:
 
 
 def _formula(tex: str, remark: str) -> str:
-    told = f' <span class="degree">{escape(remark)}</span>' if remark else ""
-    return f'<div class="formula">${escape(in_mathematics(tex))}${told}</div>'
+    shown = f' <span class="degree">{escape(remark)}</span>' if remark else ""
+    return f'<div class="formula">${escape(in_mathematics(tex))}${shown}</div>'
 
 
 def _proof(s: Statement) -> Iterator[str]:

@@ -10,12 +10,32 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TypedDict, cast
 
 from exactspline.papers.folder import Paper, read_toml
 
 FILE = "reading.toml"
 _NUMBER = re.compile(r"\d+(\.\d+)*(?=\.? )")
+
+
+#: One passage as it is written, and one page of passages.
+Entry = dict[str, str | list[str]]
+
+
+class Page(TypedDict):
+    """The passages of a page."""
+
+    number: int
+    spans: list[Entry]
+
+
+class ReadingTable(TypedDict, total=False):
+    """The table: how the text is cut, the titles of sections by number, words for what is no text, the pages."""
+
+    cut: dict[str, str | int]
+    sections: dict[str, str]
+    furniture: dict[str, list[str]]
+    page: list[Page]
 
 
 @dataclass(frozen=True)
@@ -27,7 +47,7 @@ class Passage:
     section: str
     begins: str
     digest: str
-    read: dict[str, Any]
+    read: Entry
 
     @property
     def claims(self) -> tuple[str, ...]:
@@ -40,9 +60,9 @@ class Passage:
         return f"p. {self.page}, span {self.order}: {self.begins}"
 
 
-def reading_of(source: Paper) -> dict[str, Any]:
+def reading_of(source: Paper) -> ReadingTable:
     """The table as it is written; empty where a paper has none."""
-    return read_toml(source.folder.joinpath(FILE), f"{source.name}/{FILE}")
+    return cast(ReadingTable, read_toml(source.folder.joinpath(FILE), f"{source.name}/{FILE}"))
 
 
 def passages(source: Paper) -> tuple[Passage, ...]:
@@ -58,16 +78,16 @@ def passages(source: Paper) -> tuple[Passage, ...]:
 
 def sections_of(source: Paper) -> dict[str, str]:
     """The sections of a source by number, with their titles."""
-    return dict(reading_of(source).get("sections", {}))
+    return reading_of(source).get("sections", {})
 
 
-def _read(table: dict[str, Any]) -> Iterator[Passage]:
-    sections = list(table.get("sections", ()))
+def _read(table: ReadingTable) -> Iterator[Passage]:
+    sections = list(table.get("sections", {}))
     section = next(iter(sections), "")
     for page in table.get("page", ()):
         for order, entry in enumerate(page["spans"], 1):
             read = dict(entry)
-            begins, digest = read.pop("begins"), read.pop("digest")
+            begins, digest = str(read.pop("begins")), str(read.pop("digest"))
             if read.get("nothing") == "heading":
                 section = _section(begins, sections)
             yield Passage(page["number"], order, section, begins, digest, read)
