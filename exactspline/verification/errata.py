@@ -217,7 +217,7 @@ def _shown(claim: Claim) -> tuple[str, ...]:
     if isinstance(claim, Count) and source.package:
         return (
             "from exactspline.papers import find; from exactspline.interchange.examples import example",
-            "from exactspline.verification.measure import measure",
+            "from exactspline.verification.degree_tables import measure",
             f'print(measure({found(claim.formula)}, example("{claim.example}")))',
         )
     chosen = repr(source.name).replace("'", '"') if source.package else "paper"

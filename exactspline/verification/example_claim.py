@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import field
+from typing import ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.verification.claim import Claim, example_name, read
@@ -15,6 +16,8 @@ from exactspline.verification.vocabulary import Name
 @claim_kind
 class ExampleClaim(Claim):
     """A claim about a single example curve."""
+
+    reading: ClassVar[Name] = Name("spline")
 
     example: str = field(metadata=read(example_name))
 

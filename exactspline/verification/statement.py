@@ -23,7 +23,7 @@ from exactspline.readings.tree import Node, trace
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
 from exactspline.verification.combined import combined
-from exactspline.verification.generic_proof import table_1_degrees
+from exactspline.verification.generic_proof import degree_in_table_1
 from exactspline.verification.kinds import DegreeClaim
 from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Name, Scope
@@ -135,8 +135,7 @@ def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> 
     formula = claim.find(name)
     counting = claim.counting if isinstance(claim, DegreeClaim) else Counting.TABLE_1
     if formula.kind is TABLE:
-        degree: Degree = formula(table_1_degrees()).degree
-        return degree
+        return degree_in_table_1(formula)
     if formula.kind.adjoins_roots:
         return None
     return _represented(formula, dimension_of(formula, claim), polynomial, parameter, counting)
@@ -147,12 +146,10 @@ def _represented(
     formula: Formula, dimension: int, polynomial: bool, parameter: Parameter, counting: Counting
 ) -> Degree | None:
     """The degree that a formula has as written, computed once for all claims about it."""
-    reading = DegreeReading("d", parameter, counting)
     try:
-        degree: Degree = formula(reading.argument(formula.kind, dimension, polynomial=polynomial)).degree
+        return DegreeReading("d", parameter, counting).count(formula, dimension, polynomial=polynomial)
     except InapplicableError:
         return None
-    return degree
 
 
 def degree_of_cubic(name: str, claim: Claim) -> int:

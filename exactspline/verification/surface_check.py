@@ -25,7 +25,7 @@ def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> TooLong | No
     for formula in formulas:
         for parameter, d in zip(formula.kind.counted, surface.degree, strict=True):
             reading = DegreeReading(parameter=parameter)
-            degree = formula(reading.argument(formula.kind, surface.dimension, polynomial=surface.polynomial)).degree
+            degree = reading.count(formula, surface.dimension, polynomial=surface.polynomial)
             if (n := degree.at(dict.fromkeys(degree.names, d))) > LARGEST:
                 return TooLong(Name(formula.name), n, parameter)
     return None

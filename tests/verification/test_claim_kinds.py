@@ -77,7 +77,7 @@ def test_what_is_a_square_where_the_other_is_not_is_named():
     assert proof.verdict == REFUTED
     assert worded(proof.witness)
     for pair in (("f2", "f2"),):
-        with pytest.raises(ClaimError, match="compared with itself"):
+        with pytest.raises(ClaimError, match="both sides are one formula"):
             replace(wrong, formula=pair[0], right=pair[1])
 
 

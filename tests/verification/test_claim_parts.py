@@ -389,7 +389,7 @@ def test_squares_are_those_of_one_curve():
     pair = {"formula": "bisector_determinant_symmetric", "right": "bisector_determinant", "of": "both"}
     with pytest.raises(ClaimError, match="not decided"):
         replace(one, curve="pair", **pair)
-    with pytest.raises(ClaimError, match="itself"):
+    with pytest.raises(ClaimError, match="one formula"):
         replace(one, right=one.formula)
 
 

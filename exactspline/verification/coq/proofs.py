@@ -72,20 +72,16 @@ class Proof:
 
     def recognize(self, value: Factored[fmpq_mpoly]) -> None:
         """Prove that a denominator does not vanish, and register it for the checker."""
-        for p in prime_factors(int(value.constant.numerator)):
-            self.prime(p)
-        for p in prime_factors(int(value.constant.denominator)):
+        constant = ((value.constant.numerator, 1), (value.constant.denominator, -1))
+        primes = [(p, sign * e) for number, sign in constant for p, e in prime_factors(int(number)).items()]
+        for p, _ in primes:
             self.prime(p)
         for polynomial, _ in value.powers:
             if polynomial not in self._polynomials:
                 self._prove(polynomial)
         above, below = [0] * len(self.atoms), [0] * len(self.atoms)
-        for p, e in prime_factors(int(value.constant.numerator)).items():
-            above[self.atoms.index(p)] += e
-        for p, e in prime_factors(int(value.constant.denominator)).items():
-            below[self.atoms.index(p)] += e
-        for polynomial, e in value.powers:
-            place = self._place(polynomial)
+        for atom, e in (*primes, *value.powers):
+            place = self._place(atom)
             above[place] += max(e, 0)
             below[place] += max(-e, 0)
         entry = tuple(above), tuple(below)
@@ -96,9 +92,9 @@ class Proof:
     def _polynomials(self) -> list[fmpq_mpoly]:
         return [atom for atom in self.atoms if not isinstance(atom, int)]
 
-    def _place(self, polynomial: fmpq_mpoly) -> int:
-        for i, atom in enumerate(self.atoms):
-            if not isinstance(atom, int) and atom == polynomial:
+    def _place(self, atom: Atom) -> int:
+        for i, each in enumerate(self.atoms):
+            if isinstance(each, int) is isinstance(atom, int) and each == atom:
                 return i
         raise FormulaError(f"{self.name} divides by something that may vanish", remedy="assume that it does not")
 
@@ -117,22 +113,18 @@ class Proof:
         """Prove that a polynomial does not vanish: it is a denominator of a curve, divides something assumed not to
         vanish, or its zeros would be common zeros of that and its derivative.
         """
-        if (weight := self._weight(polynomial)) is not None:
-            self._add(polynomial, f"exact H{weight}")
-        elif (root := self._root(polynomial)) is not None:
-            self._add(polynomial, f"exact N{root}")
+        if hypothesis := self._given(polynomial):
+            self._add(polynomial, f"exact {hypothesis}")
         elif not any(self._divides(polynomial, premise) for premise in self.premises):
             for premise in self.premises:
                 if self._divides_with_derivative(polynomial, premise):
                     break
 
-    def _weight(self, polynomial: fmpq_mpoly) -> str | None:
-        ring = self.setting.ring
-        return next((weight for weight in self.setting.weights if polynomial == ring[weight].polynomial), None)
-
-    def _root(self, polynomial: fmpq_mpoly) -> str | None:
-        ring = self.setting.ring
-        return next((root for root in self.setting.roots if polynomial == ring[root].polynomial), None)
+    def _given(self, polynomial: fmpq_mpoly) -> str | None:
+        """The hypothesis that it does not vanish, if it is the denominator of a curve or a root."""
+        setting = self.setting
+        names = {f"H{name}": name for name in setting.weights} | {f"N{name}": name for name in setting.roots}
+        return next((h for h, name in names.items() if polynomial == setting.ring[name].polynomial), None)
 
     def _divides(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
         value = premise.value
@@ -186,8 +178,7 @@ class Proof:
 
     def follows(self, polynomial: fmpq_mpoly) -> bool:
         """Whether it follows from the assumptions that a polynomial does not vanish."""
-        own = (self._weight(polynomial), self._root(polynomial))
-        if polynomial in self._polynomials or any(own):
+        if polynomial in self._polynomials or self._given(polynomial):
             return True
         return any(
             isinstance(h.value, JetFraction)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from functools import singledispatch
 
 from flint import fmpq_poly
 
@@ -23,11 +22,12 @@ from exactspline.verification.coq.denominators import Evaluation
 from exactspline.verification.coq.explicit import ExplicitCurve, RationalFunction, candidates, written
 from exactspline.verification.coq.formulas import comment, type_of
 from exactspline.verification.coq.terms import Writer, identifier
-from exactspline.verification.coq.theorems import Statement, times_factor
+from exactspline.verification.coq.theorems import Statement, concluded
 from exactspline.verification.coq.tracing import Calling
-from exactspline.verification.kinds.identity import Identity, Vanishing
-from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
 from exactspline.verification.vocabulary import Scope
+
+#: A difference that is not zero, the negated statement, and the steps that prove it.
+Difference = tuple[Node, str, str]
 
 
 @dataclass
@@ -70,7 +70,7 @@ def refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) ->
     raise ClaimError("no explicit curve refutes it", where=claim.key, remedy="add one")
 
 
-class _Attempt(Statement):
+class _Attempt(Statement[Iterator[Difference]]):
     """A claim on one explicit curve."""
 
     def __init__(self, claim: Claim, dimension: int, named: Callable[[Formula], str], curve: ExplicitCurve) -> None:
@@ -82,7 +82,7 @@ class _Attempt(Statement):
         self.evaluation = Evaluation(self.argument)
         self.units = Units()
         self.premises: list[Node] = []
-        self.difference: tuple[Node, str, str] | None = None
+        self.difference: Difference | None = None
 
     def succeeds(self) -> bool:
         """Whether the assumptions hold and the statement fails."""
@@ -90,7 +90,8 @@ class _Attempt(Statement):
             self.premises = [self.assumed(a) for a in self.claim.assumes if a.formula]
             if any(self.evaluation(node).is_zero for node in self.premises):
                 return False
-            self.difference = next(differing(self.claim, self), None)
+            differences: Iterator[Difference] = concluded(self.claim, self)
+            self.difference = next(differences, None)
         except ZeroDivisionError:
             return False
         if self.difference is None:
@@ -102,10 +103,8 @@ class _Attempt(Statement):
             self.units.recognize(value)
         return True
 
-    def components(self, left: Node, right: Node | None) -> Iterator[tuple[Node, str, str]]:
-        """The components in which two trees differ, as differences, each with the negated statement and the steps that
-        prove it.
-        """
+    def equal(self, left: Node, right: Node | None) -> Iterator[Difference]:
+        """The components in which two trees differ, as differences."""
         a = self.evaluation(left)
         zeros = "[" + "; ".join(["zero K"] * len(a)) + "]" if isinstance(a, Vector) else "zero K"
         said = f"{self.writer(left)} <> {zeros if right is None else self.writer(right)}"
@@ -122,7 +121,7 @@ class _Attempt(Statement):
                 self.evaluation(step)
                 yield step, said, f"apply (different_vectors K {i}); vm_cast_no_check U."
 
-    def on_surface(self, left: Node, right: Formula) -> Iterator[tuple[Node, str, str]]:
+    def on_surface(self, left: Node, right: Formula) -> Iterator[Difference]:
         """The components in which a plane curve is not the directrix of a surface of the same curve in space."""
         directrix = Calling(POINT_IN_SPACE, 3).calls(right).directrix
         in_space = Evaluation(embedded(self.argument))
@@ -139,7 +138,7 @@ class _Attempt(Statement):
                 text = f"component {i} ({self.writer(left)} ++ [number 0]) - component {i} ({inside(directrix)})"
                 yield Node(Operation.LEAF, value=text), said, f"apply (different_vectors K {i}); vm_cast_no_check U."
 
-    def two_surfaces(self, left: Node, right: Node) -> Iterator[tuple[Node, str, str]]:
+    def one_surface(self, left: Node, right: Node) -> Iterator[Difference]:
         """The products that would vanish if two ruled surfaces were equal."""
         (d, g), (e, h) = ((side.directrix, side.generator) for side in (left, right))
         said = f"~ same_surface ({self.writer(left)}) ({self.writer(right)})"
@@ -225,33 +224,3 @@ def _equalities(kind: Kind) -> list[tuple[str, str, str, str]]:
             ("list expr", "vder s (gradient_f c)", chained, "chain_rule c"),
         ]
     return []
-
-
-@singledispatch
-def differing(claim: Claim, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    """The differences that are not zero, each with the negated statement and the steps that prove it."""
-    raise ClaimError(
-        f"claims of the kind {claim.kind!r} are not equalities", where=claim.key, remedy="state identities"
-    )
-
-
-@differing.register
-def _(claim: Identity, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    left, right = attempt.called(claim.find(claim.left)), attempt.called(claim.find(claim.right))
-    return attempt.components(left, times_factor(claim, attempt, right))
-
-
-@differing.register
-def _(claim: Vanishing, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    return attempt.components(attempt.called(claim.find(claim.left)), None)
-
-
-@differing.register
-def _(claim: SameSurface, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    left, right = attempt.called(claim.find(claim.left)), attempt.called(claim.find(claim.right))
-    return attempt.two_surfaces(left, right)
-
-
-@differing.register
-def _(claim: IsoCurve, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    return attempt.on_surface(attempt.called(claim.find(claim.left)), claim.find(claim.right))

@@ -6,18 +6,12 @@ from dataclasses import field
 from typing import ClassVar
 
 from exactspline.language.kinds import kind_of
-from exactspline.verification.claim import Claim, read
+from exactspline.verification.claim import Claim, any_formula, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.evidence import Fact, SpeaksOf, SpeaksOfAnother
 from exactspline.verification.verdict import PROVED, REFUTED, Finding
 from exactspline.verification.vocabulary import Name
-
-
-def any_formula(claim: Claim, name: str, value: str) -> str:
-    """The name of a formula with any kind of argument."""
-    claim.find(value)
-    return str(value)
 
 
 @claim_kind
@@ -27,19 +21,11 @@ class Applies(Claim):
     """
 
     kind: ClassVar[str] = "applies"
+    value: ClassVar[str] = "it applies"
+    notation: ClassVar[str] = r"$formula \;\text{exists for arguments of the kind $curve}"
     of_frames: ClassVar[bool] = True
 
     formula: str = field(metadata=read(any_formula))
-
-    @property
-    def claims(self) -> str:
-        """It applies."""
-        return "it applies"
-
-    @property
-    def latex(self) -> str:
-        """The name and the kind of argument."""
-        return rf"{self.symbol(self.formula)} \;\text{{exists for arguments of the kind {self.curve}}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """Decided by the operands that the formula needs, and the dimension in which its products are defined."""

@@ -21,8 +21,6 @@ from exactspline.verification.example_claim import ExampleClaim
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Name
 
-BETTER = "better at every common zero"
-
 
 @claim_kind
 class Condition(ExampleClaim):
@@ -31,26 +29,12 @@ class Condition(ExampleClaim):
     """
 
     kind: ClassVar[str] = "condition"
-    reading: ClassVar[Name] = Name("spline")
+    value: ClassVar[str] = "better at every common zero"
+    notation: ClassVar[str] = r"$left \;\text{is better conditioned than}\; $right"
+    sides: ClassVar[tuple[str, ...]] = ("left", "right")
 
     left: Name = field(metadata=read(formula_name))
     right: Name = field(metadata=read(formula_name))
-
-    def validate(self) -> None:
-        """Reject an example to which the claim does not apply, and a form compared with itself."""
-        super().validate()
-        if self.left == self.right:
-            raise ClaimError("both sides are one formula", where="right", remedy="name another one")
-
-    @property
-    def claims(self) -> str:
-        """The left form is better."""
-        return BETTER
-
-    @property
-    def latex(self) -> str:
-        """Both names."""
-        return rf"{self.symbol(self.left)} \;\text{{is better conditioned than}}\; {self.symbol(self.right)}"
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Undecided where enclosures do not separate two condition numbers."""

@@ -52,20 +52,11 @@ class Count(ExampleClaim):
     """The numbers in ``claimed`` are those of ``formula`` on the curve ``example``."""
 
     kind: ClassVar[str] = "count"
-    reading: ClassVar[Name] = Name("spline")
+    value: ClassVar[str] = "$claimed"
+    notation: ClassVar[str] = r"$formula: \;\text{$claimed}"
 
     formula: Name = field(metadata=read(formula_name))
     claimed: str = field(metadata=read(counted))
-
-    @property
-    def claims(self) -> str:
-        """The numbers."""
-        return self.claimed
-
-    @property
-    def latex(self) -> str:
-        """The formula with the numbers."""
-        return rf"{self.symbol(self.formula)}: \;\text{{{self.claimed}}}"
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Only the claimed numbers are computed."""

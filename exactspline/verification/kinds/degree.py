@@ -22,7 +22,7 @@ from exactspline.splines.tensor_patches import Degrees
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.evidence import DegreeHere, Fact, WrongDegree, ZeroHere
+from exactspline.verification.evidence import DegreeHere, Evidence, Fact, WrongDegree, ZeroHere
 from exactspline.verification.generic_proof import reduction_of, transposed
 from exactspline.verification.kinds.degree_proof import DegreeStatement, decide
 from exactspline.verification.notation import degree_latex
@@ -133,10 +133,9 @@ class DegreeClaim(DegreeStatement):
         finding = decide(self, dimension, polynomial)
         return replace(finding, relation=self.relation)
 
-    @property
-    def tries_all(self) -> bool:
+    def part_tried(self, own: Evaluation) -> Evidence | None:
         """A nominal degree is that of every segment, with any point and any constants."""
-        return self.measure == Measure.NOMINAL
+        return None if self.measure == Measure.NOMINAL else super().part_tried(own)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The degree of the given splines. A curve with a higher degree refutes a claim about the generic one; a curve

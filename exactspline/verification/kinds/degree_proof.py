@@ -21,7 +21,7 @@ from exactspline.symbolic.reduction import Reduction
 from exactspline.verification.claim import Claim
 from exactspline.verification.evidence import DegreeFound, Fact, Found, WrongDegree
 from exactspline.verification.generic_degree import joined_degree
-from exactspline.verification.generic_proof import reduction_of, table_1_degrees, transposed, vanishes
+from exactspline.verification.generic_proof import degree_in_table_1, reduction_of, transposed, vanishes
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, ContradictionError, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Measure, Name, Relation
 
@@ -84,13 +84,8 @@ def _grading(true: Any) -> tuple[int, int, int] | None:
 def _nominal(claim: DegreeStatement, dimension: int, polynomial: bool) -> Degree:
     formula = claim.find(claim.formula)
     if claim.curve == ArgumentKind.TABLE:
-        handed: object = table_1_degrees()
-    else:
-        handed = DegreeReading(parameter=claim.parameter, counting=claim.counting).argument(
-            formula.kind, dimension, polynomial=polynomial
-        )
-    degree: Degree = formula(handed).degree
-    return degree
+        return degree_in_table_1(formula)
+    return DegreeReading("d", claim.parameter, claim.counting).count(formula, dimension, polynomial=polynomial)
 
 
 def agreed_degree(

@@ -19,8 +19,6 @@ from exactspline.verification.evidence import Fact, NotItsDefinition, RationalFo
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding, vacuous
 from exactspline.verification.vocabulary import Name
 
-NOT = "not rational"
-
 
 @claim_kind
 class Existence(Claim):
@@ -30,6 +28,9 @@ class Existence(Claim):
     """
 
     kind: ClassVar[str] = "existence"
+    value: ClassVar[str] = "not rational"
+    notation: ClassVar[str] = r"$definition \;\text{is not rational}"
+    evaluated_first: ClassVar[bool] = False  # splines have no roots
 
     formula: Name = field(metadata=read(formula_name))
     definition: Name = field(metadata=read(formula_name))
@@ -50,16 +51,6 @@ class Existence(Claim):
                 remedy="name the formula that defines it",
             )
 
-    @property
-    def claims(self) -> str:
-        """Not rational."""
-        return NOT
-
-    @property
-    def latex(self) -> str:
-        """The definition is not rational."""
-        return rf"{self.symbol(self.definition)} \;\text{{is not rational}}"
-
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The absence of a rational form is refuted by a nonzero one that equals the definition."""
         equation = Equation(self.find(self.formula), self.find(self.definition))
@@ -74,9 +65,6 @@ class Existence(Claim):
     def compared(self) -> list[Formula]:
         """Both formulas, each once."""
         return [self.find(self.formula), self.find(self.definition)]
-
-    def missing(self, argument: Handed) -> None:
-        """No check in advance: splines have no roots."""
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The rational form on this curve."""

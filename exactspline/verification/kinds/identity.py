@@ -42,22 +42,14 @@ class Identity(Claim):
     """``left = factor · right``."""
 
     kind: ClassVar[str] = "identity"
+    value: ClassVar[str] = "$factor"
+    sides: ClassVar[tuple[str, ...]] = ("left", "right")
     of_frames: ClassVar[bool] = True
     has_residues: ClassVar[bool] = True
 
     left: Name = field(metadata=read(formula_name))
     right: Name = field(metadata=read(formula_name))
     factor: str = field(default="1", metadata=read(checked_factor))
-
-    def validate(self) -> None:
-        """Reject a formula compared with itself."""
-        if self.left == self.right:
-            raise ClaimError("both sides are one formula", where="right", remedy="name another one")
-
-    @property
-    def claims(self) -> str:
-        """The factor."""
-        return self.factor
 
     @property
     def latex(self) -> str:
@@ -116,20 +108,12 @@ class Vanishing(Claim):
     """``left`` is identically zero."""
 
     kind: ClassVar[str] = "vanishing"
+    value: ClassVar[str] = "0"
+    notation: ClassVar[str] = r"$left \equiv 0"
     of_frames: ClassVar[bool] = True
     has_residues: ClassVar[bool] = True
 
     left: Name = field(metadata=read(formula_name))
-
-    @property
-    def claims(self) -> str:
-        """Zero."""
-        return "0"
-
-    @property
-    def latex(self) -> str:
-        """The formula is zero."""
-        return rf"{self.symbol(self.left)} \equiv 0"
 
     @property
     def equality(self) -> Zero:

@@ -23,7 +23,7 @@ from exactspline.verification.evaluation import Evaluation, Handed, zero_of
 from exactspline.verification.evidence import At, Fact, HasSign, ZeroAt
 from exactspline.verification.kinds.identity import checked_factor
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, Name, Sign
+from exactspline.verification.vocabulary import Name, Sign
 
 
 def positive_factor(claim: Claim, name: str, value: str) -> str:
@@ -41,6 +41,9 @@ class SignClaim(Claim):
     """
 
     kind: ClassVar[str] = "sign"
+    value: ClassVar[str] = "$sign"
+    of_one_curve: ClassVar[bool] = True
+    asks_for_zeros: ClassVar[bool] = True
 
     formula: Name = field(metadata=read(formula_name))
     sign: Sign = field(default=Sign.NONNEGATIVE, metadata=read(one_of(Sign)))
@@ -48,16 +51,9 @@ class SignClaim(Claim):
     factor: str = field(default="1", metadata=read(positive_factor))
 
     def validate(self) -> None:
-        """Reject two curves, Table 1, and a formula among its own squares."""
-        if self.of_pair or self.curve == ArgumentKind.TABLE:
-            raise ClaimError(f"signs of {self.curve!r} are not decided", where="curve", remedy="name a curve")
+        """Reject a factor without squares."""
         if self.factor != "1" and not self.squares:
             raise ClaimError("a factor of no squares", where="factor", remedy="name the squares")
-
-    @property
-    def claims(self) -> str:
-        """The sign."""
-        return str(self.sign)
 
     @property
     def latex(self) -> str:
@@ -92,11 +88,6 @@ class SignClaim(Claim):
                 return Finding(PROVED, Fact.SQUARES_ONE_WITHOUT_ZERO, assumptions=used)
         refuted = self.refuted_on_examples()
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=Fact.SQUARES_MAY_VANISH)
-
-    @property
-    def asks_for_zeros(self) -> bool:
-        """Of functions of one parameter."""
-        return True
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Segment by segment: there is no root at which the sign changes, and one value has that sign."""

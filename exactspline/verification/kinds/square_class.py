@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import field
 from typing import ClassVar
 
-from exactspline.errors import ClaimError
 from exactspline.language.parts import split
 from exactspline.polynomials.bernstein import is_square_class
 from exactspline.symbolic.factorization import jets_for
@@ -16,7 +15,7 @@ from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.evidence import Fact, OddPowers, Quotients, SquareOnSegment, Squares
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, Name
+from exactspline.verification.vocabulary import Name
 
 
 @claim_kind
@@ -24,26 +23,14 @@ class SquareClass(Claim):
     """On every curve ``formula`` is a square up to constants exactly where ``right`` is."""
 
     kind: ClassVar[str] = "square class"
+    value: ClassVar[str] = "a square"
+    notation: ClassVar[str] = r"$formula \,/\, $right \;\text{is a square up to a constant}"
+    sides: ClassVar[tuple[str, ...]] = ("formula", "right")
+    of_one_curve: ClassVar[bool] = True
+    asks_for_zeros: ClassVar[bool] = True
 
     formula: Name = field(metadata=read(formula_name))
     right: Name = field(metadata=read(formula_name))
-
-    def validate(self) -> None:
-        """Reject a formula compared with itself, and two curves."""
-        if self.formula == self.right:
-            raise ClaimError("a formula is compared with itself", where="right", remedy="name another one")
-        if self.of_pair or self.curve == ArgumentKind.TABLE:
-            raise ClaimError(f"squares of {str(self.curve)!r} are not decided", where="curve", remedy="name a curve")
-
-    @property
-    def claims(self) -> str:
-        """A square."""
-        return "a square"
-
-    @property
-    def latex(self) -> str:
-        """The quotient is a square."""
-        return rf"{self.symbol(self.formula)} \,/\, {self.symbol(self.right)} \;\text{{is a square up to a constant}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The quotient of the two is a square times a constant: every irreducible factor occurs an even number of
@@ -62,11 +49,6 @@ class SquareClass(Claim):
         refuted = self.refuted_on_examples()
         verdict = REFUTED if refuted.verdict == REFUTED else UNDECIDED
         return Finding(verdict, difference, quotient, refuted.witness or difference)
-
-    @property
-    def asks_for_zeros(self) -> bool:
-        """Of functions of one parameter."""
-        return True
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On every segment both are squares up to a constant, or neither is; a segment where one is 0 is skipped."""

@@ -25,9 +25,6 @@ from exactspline.verification.generic_proof import harmful
 from exactspline.verification.verdict import REFUTED, VACUOUS, VERIFIED, Finding
 from exactspline.verification.vocabulary import ArgumentKind, Name
 
-ONE = "one surface"
-ZETA = "the curve ζ = 0"
-
 
 @claim_kind
 class SameSurface(Claim):
@@ -36,30 +33,18 @@ class SameSurface(Claim):
     """
 
     kind: ClassVar[str] = "same surface"
+    value: ClassVar[str] = "one surface"
+    notation: ClassVar[str] = r"$left \;\text{and}\; $right \;\text{are one surface}"
+    sides: ClassVar[tuple[str, ...]] = ("left", "right")
     has_residues: ClassVar[bool] = True
 
     left: Name = field(metadata=read(formula_name))
     right: Name = field(metadata=read(formula_name))
 
-    def validate(self) -> None:
-        """Reject a surface compared with itself."""
-        if self.left == self.right:
-            raise ClaimError("both sides are one formula", where="right", remedy="name another one")
-
     @property
     def equality(self) -> Statement:
         """The statement that they are equal."""
         return OneRuledSurface(self.find(self.left), self.find(self.right))
-
-    @property
-    def claims(self) -> str:
-        """One surface."""
-        return ONE
-
-    @property
-    def latex(self) -> str:
-        """Both names."""
-        return rf"{self.symbol(self.left)} \;\text{{and}}\; {self.symbol(self.right)} \;\text{{are one surface}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The generators are parallel, the directrices differ by a multiple of these; with the relation of the ruling
@@ -116,6 +101,9 @@ class IsoCurve(Claim):
     """The plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right`` of the same plane curve in space."""
 
     kind: ClassVar[str] = "iso-curve"
+    value: ClassVar[str] = "the curve ζ = 0"
+    notation: ClassVar[str] = r"$left \;\text{is the curve}\; \zeta = 0 \;\text{of}\; $right"
+    evaluated_first: ClassVar[bool] = False  # the right side takes the curve in space
     has_residues: ClassVar[bool] = True
 
     left: Name = field(metadata=read(formula_name))
@@ -134,21 +122,6 @@ class IsoCurve(Claim):
     def equality(self) -> Statement:
         """The statement that the plane curve is the directrix."""
         return DirectrixOf(self.find(self.left), self.find(self.right))
-
-    @property
-    def claims(self) -> str:
-        """The curve ζ = 0."""
-        return ZETA
-
-    @property
-    def latex(self) -> str:
-        """Both names."""
-        return (
-            rf"{self.symbol(self.left)} \;\text{{is the curve}}\; \zeta = 0 \;\text{{of}}\; {self.symbol(self.right)}"
-        )
-
-    def missing(self, argument: Handed) -> None:
-        """No check in advance: the right side takes the curve in space."""
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """As quotients of differential polynomials."""

@@ -39,6 +39,9 @@ class TypeClaim(Claim):
     """
 
     kind: ClassVar[str] = "type"
+    value: ClassVar[str] = "$claimed"
+    notation: ClassVar[str] = r"$formula \;\text{is $claimed}"
+    tries_all: ClassVar[bool] = True
     of_frames: ClassVar[bool] = True
 
     formula: str = field(metadata=read(formula_name))
@@ -49,16 +52,6 @@ class TypeClaim(Claim):
         kind = kind_of(self.curve)
         if self.curve != ArgumentKind.TABLE and not kind.made_of_a_curve and not kind.adjoins_roots:
             raise ClaimError(f"types of {str(self.curve)!r} are not decided", where="curve", remedy="name a curve")
-
-    @property
-    def claims(self) -> str:
-        """The type."""
-        return str(self.claimed)
-
-    @property
-    def latex(self) -> str:
-        """The name and the type."""
-        return rf"{self.symbol(self.formula)} \;\text{{is {self.claimed}}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The most special type that holds on every curve, and a witness that it is not more special than claimed."""
@@ -121,11 +114,6 @@ class TypeClaim(Claim):
                 return None
             type_here = ValueType.RATIONAL if ValueType.RATIONAL in here else type_here
         return type_here
-
-    @property
-    def tries_all(self) -> bool:
-        """All segments are covered, with indeterminates."""
-        return True
 
     def beside(self, own: Evaluation) -> None:
         """Nothing: all free operands are indeterminate."""

@@ -17,9 +17,7 @@ from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.evidence import Fact, Quotients, VanishesAlone, VanishesAlways
 from exactspline.verification.generic_proof import factor_of, factor_of_numerators, harmful
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, Name, ZeroSetOf
-
-ONE = "one zero set"
+from exactspline.verification.vocabulary import Name, ZeroSetOf
 
 
 @claim_kind
@@ -29,23 +27,19 @@ class ZeroSet(Claim):
     """
 
     kind: ClassVar[str] = "zero set"
+    value: ClassVar[str] = "one zero set"
+    of_one_curve: ClassVar[bool] = True
+    asks_for_zeros: ClassVar[bool] = True
 
     formulas: tuple[Name, ...] = field(metadata=read(formula_names))
     measure: ZeroSetOf = field(default=ZeroSetOf.NUMERATORS, metadata=read(one_of(ZeroSetOf)))
 
     def validate(self) -> None:
-        """Reject fewer than two formulas, and two curves."""
+        """Reject fewer than two formulas."""
         if len(set(self.formulas)) < 2 or len(set(self.formulas)) < len(self.formulas):
             raise ClaimError(
                 "a zero set is compared with itself", where="formulas", remedy="name two formulas or more, each once"
             )
-        if self.of_pair or self.curve == ArgumentKind.TABLE:
-            raise ClaimError(f"zero sets of {str(self.curve)!r} are not decided", where="curve", remedy="name a curve")
-
-    @property
-    def claims(self) -> str:
-        """One zero set."""
-        return ONE
 
     @property
     def latex(self) -> str:
@@ -79,11 +73,6 @@ class ZeroSet(Claim):
         if refuted.verdict == REFUTED:
             return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=refuted.witness)
         return Finding(UNDECIDED, None, quotients)
-
-    @property
-    def asks_for_zeros(self) -> bool:
-        """Of functions of one parameter."""
-        return True
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On every segment, each numerator has no zeros after removing the other's factors."""
