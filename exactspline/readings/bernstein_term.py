@@ -72,10 +72,6 @@ class Monomials(RingOperand):
         q = to_fmpq(rational(constant))
         return Monomials(self.exponents, {shift: c * q for shift, c in self.terms.items()})
 
-    def elevated_to(self, other: object) -> Monomials:
-        """The operand itself: this reading needs no degree elevation."""
-        return self
-
     def d(self, order: int = 1, *, by: str | None = None) -> Monomials:
         """``(∂v − ∂u)``, the derivative with respect to the local parameter, term by term."""
         self.only_parameter(by)

@@ -48,10 +48,6 @@ class Order(RingOperand):
         """Order 0: a constant needs no derivative."""
         return Order(0)
 
-    def elevated_to(self, other: object) -> Order:
-        """The same order: degree elevation needs no derivative."""
-        return self
-
     def d(self, order: int = 1, *, by: str | None = None) -> Order:
         """The order increased by that of the derivative."""
         return Order(self.order + order)

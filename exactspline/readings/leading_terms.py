@@ -120,10 +120,6 @@ class Expansion(RingOperand):
         parts = {grading: [q * a for a in terms] for grading, terms in self.parts.items()} if q else {}
         return self._made(parts)
 
-    def elevated_to(self, other: object) -> Expansion:
-        """The operand itself: degree elevation does not change a function."""
-        return self
-
     def d(self, order: int = 1, *, by: str | None = None) -> Expansion:
         """The derivative, term by term; that of a constant is exactly zero. For the other parameter of a surface, the
         coefficients are differentiated, which are functions of it.

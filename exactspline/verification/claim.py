@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
 from string import Template
@@ -27,8 +27,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
 from exactspline.symbolic.factorization import sharing
-from exactspline.verification.check_arguments import free_operands
-from exactspline.verification.claim_factor import WEIGHTS
+from exactspline.verification.check_arguments import free_operands, too_long
 from exactspline.verification.claim_fields import claim_kind, declared
 from exactspline.verification.decision import Statement
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
@@ -42,10 +41,9 @@ from exactspline.verification.evidence import (
     Undefined,
     UndefinedAt,
 )
-from exactspline.verification.notation import symbol
+from exactspline.verification.notation import WEIGHTS, symbol
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names, one_patch_surfaces
 from exactspline.verification.segments import on_segments
-from exactspline.verification.surface_check import too_long
 from exactspline.verification.verdict import (
     CONTRADICTION,
     PROVED,
@@ -495,6 +493,12 @@ class Claim(Immutable, Displayed):
             if any(isinstance(part, Rational) and not all(part.denominator.polynomials) for part in parts):
                 return Undefined(name)
         return None
+
+    def only_component(self, name: str, components: Sequence[V]) -> V:
+        """The one component of a scalar. Raises `ClaimError` for a vector."""
+        if len(components) > 1:
+            raise ClaimError(f"{name!r} is a vector", where=self.key, remedy="name a formula whose value is a scalar")
+        return components[0]
 
     def refuted_on_examples(self, proof: Callable[[], tuple[Name, Finding]] | None = None) -> Finding:
         """The first example curve on which it fails, as a witness; UNDECIDED when there is none. `proof` is that of

@@ -234,8 +234,8 @@ def _of_witnesses(title: str, sides: tuple[str, str], found: TrueDegree, true: D
     absent = tuple(d for d in agreed if degrees[d][1] is None)
     attained_at = tuple(d for d in agreed if d not in absent)
     differ = tuple(d for d in degrees if d not in agreed)
-    known = found.k, found.m, str(found.nominal), found.j, str(true)
-    return GenericRow(title, *sides, *known, attained_at, absent, differ)
+    k, m, nominal = found.k, found.m, str(found.nominal)
+    return GenericRow(title, *sides, k, m, nominal, found.j, str(true), attained_at, absent, differ)
 
 
 def _generic_row(c: Construction, polynomial: bool) -> GenericRow:

@@ -21,7 +21,9 @@ from exactspline.verification.combined import combined
 from exactspline.verification.counts import error_of
 from exactspline.verification.evidence import Evidence, Found, Relating, StatedFactor
 from exactspline.verification.generic_proof import factor_of
-from exactspline.verification.kinds import Count, DegreeClaim, Identity, Vanishing
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.kinds.equality import Identity, Vanishing
+from exactspline.verification.kinds.examples import Count
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 

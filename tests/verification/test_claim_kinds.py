@@ -15,7 +15,7 @@ from exactspline.verification.claims import all_claims, select
 from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound
-from exactspline.verification.kinds.degree_proof import held_against, lower_degrees
+from exactspline.verification.kinds.degree import held_against, lower_degrees
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.statement import degree_of_cubic, dimension_of, sides
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED

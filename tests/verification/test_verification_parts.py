@@ -20,7 +20,7 @@ from exactspline.readings.jet import JetReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.covariants import degree_at
 from exactspline.symbolic.reduction import reduce, reduction
-from exactspline.verification import sympy_judge
+from exactspline.verification import judges
 from exactspline.verification.check_arguments import beginning, moved_copy, pair_with, point_beside
 from exactspline.verification.claims import all_claims, matches, select
 from exactspline.verification.curve_check import extra_zero, where_it_differs
@@ -413,6 +413,6 @@ def test_sympy_is_asked_about_polynomial_curves_where_the_claim_is():
     framed = next(c for c in all_claims() if c.kind == "identity" and kind_of(c.curve).adjoins_roots)
     (dimension,) = kind_of(framed.curve).dimensions
     weighted = replace(framed, factor="w^2")
-    assert sympy_judge.argument_for(weighted, dimension, True).polynomial
-    assert not sympy_judge.argument_for(weighted, dimension, False).polynomial
-    assert sympy_judge.argument_for(replace(framed, factor="1"), dimension, False).polynomial
+    assert judges.argument_for(weighted, dimension, True).polynomial
+    assert not judges.argument_for(weighted, dimension, False).polynomial
+    assert judges.argument_for(replace(framed, factor="1"), dimension, False).polynomial

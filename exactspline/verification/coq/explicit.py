@@ -41,16 +41,10 @@ class RationalFunction(FieldOperand):
         """An exact constant."""
         return RationalFunction(fmpq_poly([to_fmpq(rational(value))]))
 
-    def __add__(self, other: object) -> RationalFunction:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: RationalFunction) -> RationalFunction:
         return RationalFunction(self.top * right.bottom + right.top * self.bottom, self.bottom * right.bottom)
 
-    def __mul__(self, other: object) -> RationalFunction:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: RationalFunction) -> RationalFunction:
         return RationalFunction(self.top * right.top, self.bottom * right.bottom)
 
     def reciprocal(self) -> RationalFunction:
@@ -62,10 +56,6 @@ class RationalFunction(FieldOperand):
     def scaled(self, constant: Constant) -> RationalFunction:
         """The function times an exact constant."""
         return RationalFunction(self.top * to_fmpq(rational(constant)), self.bottom)
-
-    def elevated_to(self, other: object) -> RationalFunction:
-        """Itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> RationalFunction:
         """The derivative."""

@@ -20,10 +20,9 @@ from exactspline.readings.tree import Node
 from exactspline.verification.claim import Claim
 from exactspline.verification.coq.denominators import Evaluation
 from exactspline.verification.coq.explicit import ExplicitCurve, RationalFunction, candidates, written
-from exactspline.verification.coq.formulas import comment, type_of
+from exactspline.verification.coq.formulas import Calling, comment, type_of
 from exactspline.verification.coq.terms import Writer, identifier
 from exactspline.verification.coq.theorems import Statement, concluded
-from exactspline.verification.coq.tracing import Calling
 from exactspline.verification.vocabulary import Scope
 
 #: A difference that is not zero, the negated statement, and the steps that prove it.

@@ -23,15 +23,13 @@ from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Derivation, Node
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
-from exactspline.verification.claim_factor import WEIGHTS, factor_parts
 from exactspline.verification.coq.denominators import Evaluation, factored
-from exactspline.verification.coq.formulas import comment, surface
+from exactspline.verification.coq.formulas import Calling, comment, surface
 from exactspline.verification.coq.framed_setting import setting_of
 from exactspline.verification.coq.proofs import Premise, Proof
 from exactspline.verification.coq.terms import Writer, identifier
-from exactspline.verification.coq.tracing import Calling
-from exactspline.verification.kinds.identity import Identity, Vanishing
-from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
+from exactspline.verification.kinds.equality import Identity, IsoCurve, SameSurface, Vanishing
+from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.vocabulary import Scope
 
 Conclusion = TypeVar("Conclusion")
