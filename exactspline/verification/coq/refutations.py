@@ -3,58 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from typing import Any
 
-from flint import fmpq_poly
-
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, VanishingDivisorError
 from exactspline.language.arguments import embedded
 from exactspline.language.formula import Formula
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import POINT_IN_SPACE, FramedKind, Kind, kind_of
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import mpq
-from exactspline.polynomials.factors import factorize, prime_factors
 from exactspline.readings.expression import Operation
 from exactspline.readings.tree import Node
 from exactspline.verification.claim import Claim
-from exactspline.verification.coq.denominators import Evaluation
-from exactspline.verification.coq.explicit import ExplicitCurve, RationalFunction, candidates, written
+from exactspline.verification.coq.denominators import Evaluation, factored
+from exactspline.verification.coq.explicit import ExplicitCurve, candidates, coefficients_of, written
 from exactspline.verification.coq.formulas import Calling, comment, type_of
+from exactspline.verification.coq.proofs import Nonzero
 from exactspline.verification.coq.terms import Writer, identifier
 from exactspline.verification.coq.theorems import Statement, concluded
 from exactspline.verification.vocabulary import Scope
 
 #: A difference that is not zero, the negated statement, and the steps that prove it.
 Difference = tuple[Node, str, str]
-
-
-@dataclass
-class Units:
-    """Polynomials in t and prime numbers, none of them zero, and those of their products that occur."""
-
-    atoms: list[tuple[int, ...]] = field(default_factory=list)
-    known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
-
-    def recognize(self, value: object) -> None:
-        """Add a function that is not zero."""
-        if not isinstance(value, RationalFunction):
-            value = RationalFunction(fmpq_poly([int(mpq(value))]))
-        exponents: dict[tuple[int, ...], int] = {}
-        for polynomial, sign in ((value.top, 1), (value.bottom, -1)):
-            numerator = polynomial.numer()
-            content, factors = factorize(numerator)
-            for number, s in ((int(content), sign), (int(polynomial.denom()), -sign)):
-                for p, e in prime_factors(number).items():
-                    exponents[(p,)] = exponents.get((p,), 0) + s * e
-            for factor, e in factors:
-                key = tuple(int(c) for c in factor.coeffs())
-                exponents[key] = exponents.get(key, 0) + sign * int(e)
-        self.atoms += [key for key in exponents if key not in self.atoms]
-        above = tuple(max(exponents.get(key, 0), 0) for key in self.atoms)
-        below = tuple(max(-exponents.get(key, 0), 0) for key in self.atoms)
-        if (above, below) not in self.known:
-            self.known.append((above, below))
 
 
 def refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> str:
@@ -79,7 +48,7 @@ class _Attempt(Statement[Iterator[Difference]]):
         self.writer = Writer(named)
         self.argument = curve.argument(self.kind)
         self.evaluation = Evaluation(self.argument)
-        self.units = Units()
+        self.units = Nonzero()
         self.premises: list[Node] = []
         self.difference: Difference | None = None
 
@@ -91,16 +60,20 @@ class _Attempt(Statement[Iterator[Difference]]):
                 return False
             differences: Iterator[Difference] = concluded(self.claim, self)
             self.difference = next(differences, None)
-        except ZeroDivisionError:
+        except VanishingDivisorError:
             return False
         if self.difference is None:
             return False
-        self.units.recognize(self.argument.w)
+        self._recognize(self.argument.w)
         for node in self.premises:
-            self.units.recognize(self.evaluation(node))
+            self._recognize(self.evaluation(node))
         for _, value in self.evaluation.denominators:
-            self.units.recognize(value)
+            self._recognize(value)
         return True
+
+    def _recognize(self, value: Any) -> None:
+        """Add a function that is not zero."""
+        self.units.recognize(factored(value))
 
     def equal(self, left: Node, right: Node | None) -> Iterator[Difference]:
         """The components in which two trees differ, as differences."""
@@ -132,7 +105,7 @@ class _Attempt(Statement[Iterator[Difference]]):
             difference = planar[i] - spatial[i]
             if not difference.is_zero:
                 self.evaluation.denominators += in_space.denominators
-                self.units.recognize(difference)
+                self._recognize(difference)
                 said = f"{self.writer(left)} ++ [zero K] <> {inside(directrix)}"
                 text = f"component {i} ({self.writer(left)} ++ [number 0]) - component {i} ({inside(directrix)})"
                 yield Node(Operation.LEAF, value=text), said, f"apply (different_vectors K {i}); vm_cast_no_check U."
@@ -159,24 +132,24 @@ class _Attempt(Statement[Iterator[Difference]]):
         assert self.difference is not None
         difference, said, closing = self.difference
         if difference.op is not Operation.LEAF:
-            self.units.recognize(self.evaluation(difference))
+            self._recognize(self.evaluation(difference))
         text = difference.value if difference.op is Operation.LEAF else self.writer(difference)
         curve = self.curve.term(self.kind, "t", "number")
         holds = ["w c <> zero K", *[f"{self.writer.at(node, 1)} <> zero K" for node in self.premises]]
-        atoms = [written(key, "var 1", "num") for key in self.units.atoms]
-        known = [f"([{'; '.join(map(str, a))}], [{'; '.join(map(str, b))}])" for a, b in self.units.known]
+        keys = list(map(coefficients_of, self.units.atoms))
+        atoms = [written(key, "var 1", "num") for key in keys]
         unit = "{ apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }"
         lines = [
             "intros K t Hz Ht.",
             "pose (l := [t]).",
             "assert (R : forall q, rules_hold K l q (explicit_rules q)) by exact (explicit_rules_hold K t Ht).",
             f"pose (atoms := [{'; '.join(atoms)}]%formula : list expr).",
-            f"pose (known := [{'; '.join(known)}] : list (list nat * list nat)).",
+            f"pose (known := {self.units.known_list}).",
             f"pose (c := ({self.curve.term(self.kind, '(var 1)', 'number')})%formula : {type_of(self.kind)[:-1]}expr).",
             "assert (N : all_nonzero K l atoms).",
             "{ repeat apply Forall_cons; try apply Forall_nil.",
         ]
-        for key in self.units.atoms:
+        for key in keys:
             lines.append(f"  - apply (explicit_nonzero K t Hz Ht {len(key) - 1}). vm_cast_no_check (eq_refl true).")
         lines[-1] += " }"
         for i, node in enumerate(["w c", *[self.writer(node) for node in self.premises]]):
