@@ -12,7 +12,6 @@ from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
 from exactspline.hooks import Displayed
-from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, PairKind, kind_of
@@ -22,7 +21,6 @@ from exactspline.numbers.immutable import Immutable
 from exactspline.papers import Paper
 from exactspline.papers import paper as paper_named
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
@@ -218,8 +216,6 @@ class Claim(Immutable, Displayed):
     of_one_curve: ClassVar[bool] = False
     #: Whether such claims can be decided where roots are adjoined.
     of_frames: ClassVar[bool] = False
-    #: Whether it states that something vanishes: then it is decided on one curve for all values of the free operands.
-    has_residues: ClassVar[bool] = False
     #: Whether it is decided by zeros or signs of functions of one parameter.
     asks_for_zeros: ClassVar[bool] = False
     #: Whether `examine` decides for all arguments with the given curve, and not only for the given one.
@@ -392,7 +388,9 @@ class Claim(Immutable, Displayed):
 
     @property
     def equality(self) -> Statement | None:
-        """Its statement, where that is an equality: decided in any exact reading."""
+        """Its statement, where that is an equality: decided in any exact reading, and on one curve for all values of
+        the free operands.
+        """
         return None
 
     @abstractmethod
@@ -421,10 +419,10 @@ class Claim(Immutable, Displayed):
             return inapplicable(failing, finding.computed, finding.relation)
         part = self.part_tried(own)
         if part and finding.verdict == VERIFIED:
-            if not (self.has_residues and isinstance(own.curve, Nurbs)):
+            if self.equality is None or not isinstance(own.curve, Nurbs):
                 return sampled(finding, part)
             holds = not own.failing(self.curve, self.assumes) and self._is_proved(proof or self.prove)
-            return finding if holds else self._on_all(finding, own, part)
+            return finding if holds else self._on_all(self.equality, finding, own, part)
         if part and finding.verdict == REFUTED:
             return replace(finding, witness=OnPart(finding.witness, part))
         return finding
@@ -435,14 +433,14 @@ class Claim(Immutable, Displayed):
         except ExactSplineError:  # reported where the proof is requested
             return False
 
-    def _on_all(self, finding: Finding, own: Evaluation, part: Evidence) -> Finding:
+    def _on_all(self, equality: Statement, finding: Finding, own: Evaluation, part: Evidence) -> Finding:
         """A finding on a part, decided on the whole curve with indeterminates for the free operands; undecided if too
         expensive.
         """
         free = free_operands(self.curve) or AnyOperands()
         try:
             for segment in on_segments(kind_of(self.curve), own.curve, self.highest_derivative(own.curve.dimension)):
-                if failing := [x for x in self.residues(segment.argument) if not x.is_zero]:
+                if failing := [x for x in equality.residues(segment.argument) if not x.is_zero]:
                     fails = FailsWithOthers(segment.place(failing[0]), free, part)
                     return replace(finding, verdict=REFUTED, computed=Fact.NOT_SO, witness=fails)
         except VanishingDivisorError:
@@ -456,12 +454,6 @@ class Claim(Immutable, Displayed):
     @abstractmethod
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The finding on one curve, given as the argument of the formulas."""
-
-    def residues(self, c: Evaluated) -> list[JetFraction]:
-        """The values that vanish exactly if a claim that `has_residues` holds for an argument in a reading with
-        division.
-        """
-        return []
 
     def highest_derivative(self, dimension: int) -> int:
         """The highest derivative that its formulas need."""
@@ -478,7 +470,7 @@ class Claim(Immutable, Displayed):
 
     def beside(self, own: Evaluation) -> Evidence | None:
         """The operands in addition to the curve in a check; None where there are none."""
-        free = free_operands(self.curve) if self.has_residues else None
+        free = free_operands(self.curve) if self.equality else None
         return free or own.beside(self.curve)
 
     def missing(self, argument: Handed) -> Evidence | None:
