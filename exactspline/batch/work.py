@@ -111,7 +111,7 @@ class Work:
         from exactspline.verification.vocabulary import Name
 
         evaluation = Evaluation(curve)
-        speaking = [claim for claim in _claims(self.claims) if claim.speaks_of(curve.dimension, curve.polynomial)]
+        speaking = [claim for claim in _claims(self.claims) if claim.applies_to(curve.dimension, curve.polynomial)]
         rows = [(claim, checked(claim, evaluation, Name(curve.name) or UNNAMED, _proofs())) for claim in speaking]
         return tuple(Judged(claim.key, row.verdict, row.as_recorded, worded(row.witness)) for claim, row in rows)
 

@@ -35,7 +35,7 @@ from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, P
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
-from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, speaking_of
+from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, named_by
 from exactspline.symbolic.substitution import Substitution
 
 #: The role of a part of a formula: its value matters or, for a generator, whose ruling parameter is free, only its
@@ -300,7 +300,7 @@ def reduce(
     known = _dimensions(formula)
     chosen = [dimension] if dimension else known
     source = owner(formula) if isinstance(formula, Formula) else None
-    with nullcontext() if source is None or source.default else speaking_of(source):
+    with nullcontext() if source is None or source.default else named_by(source):
         for n in chosen[:-1]:
             try:
                 return _reduced(formula, n, polynomial, parameter)

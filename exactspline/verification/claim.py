@@ -12,6 +12,7 @@ from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
 from exactspline.hooks import Displayed
+from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, PairKind, kind_of
@@ -28,7 +29,7 @@ from exactspline.symbolic.factorization import sharing
 from exactspline.verification.check_arguments import free_operands, too_long
 from exactspline.verification.claim_fields import claim_kind, declared
 from exactspline.verification.decision import Statement
-from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.evaluation import Evaluation, evaluation
 from exactspline.verification.evidence import (
     AnyOperands,
     Evidence,
@@ -143,7 +144,7 @@ def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) 
     """Assumptions by their names, each about the arguments of the claim."""
     assumptions = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
     for each in assumptions:
-        if claim.curve != ArgumentKind.TABLE and not each.speaks_of(kind_of(claim.curve)):
+        if claim.curve != ArgumentKind.TABLE and not each.applies_to(kind_of(claim.curve)):
             raise ClaimError(
                 f"the assumption {each.name!r} does not apply to {str(claim.curve)!r}",
                 where=name,
@@ -357,7 +358,7 @@ class Claim(Immutable, Displayed):
         """The dimensions to which it applies."""
         return kind_of(self.curve).dimensions
 
-    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+    def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """Whether it applies to single curves (or surfaces) of that dimension and kind: splines have no roots."""
         kind = kind_of(self.curve)
         made = kind.made_of_a_surface if surface else kind.made_of_a_curve
@@ -412,7 +413,7 @@ class Claim(Immutable, Displayed):
             return left(Fact.ZEROS_IN_TWO_PARAMETERS)
         if isinstance(own.curve, NurbsSurface) and (long := too_long(map(self.find, self.named), own.curve)):
             return left(long)
-        argument = own.handed(self.curve)
+        argument = own.argument(self.curve)
         gone = self.missing(argument)
         finding = vacuous(gone) if gone else self.examine(argument, own)
         if finding.verdict in (REFUTED, VACUOUS) and (failing := own.failing(self.curve, self.assumes)):
@@ -452,7 +453,7 @@ class Claim(Immutable, Displayed):
         return finding
 
     @abstractmethod
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The finding on one curve, given as the argument of the formulas."""
 
     def highest_derivative(self, dimension: int) -> int:
@@ -461,7 +462,7 @@ class Claim(Immutable, Displayed):
 
     def part_tried(self, own: Evaluation) -> Evidence | None:
         """Which part of all arguments with a curve is tried in a check; None where it is all of them."""
-        return None if self.tries_all else own.part(self.curve)
+        return None if self.tries_all else own.given(self.curve).part
 
     @property
     def compared(self) -> list[Formula]:
@@ -471,9 +472,9 @@ class Claim(Immutable, Displayed):
     def beside(self, own: Evaluation) -> Evidence | None:
         """The operands in addition to the curve in a check; None where there are none."""
         free = free_operands(self.curve) if self.equality else None
-        return free or own.beside(self.curve)
+        return free or own.given(self.curve).beside
 
-    def missing(self, argument: Handed) -> Evidence | None:
+    def missing(self, argument: Evaluated) -> Evidence | None:
         """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; None when
         all exist.
         """
@@ -510,9 +511,9 @@ class Claim(Immutable, Displayed):
         """The example curves and surfaces to which it applies, the one named as witness first."""
         for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
             curve = self.curve_named(name)
-            if self.speaks_of(curve.dimension, curve.polynomial):
+            if self.applies_to(curve.dimension, curve.polynomial):
                 yield False, name, curve
         if kind_of(self.curve).made_of_a_surface:
             for surface in one_patch_surfaces():
-                if self.speaks_of(surface.dimension, surface.polynomial, surface=True):
+                if self.applies_to(surface.dimension, surface.polynomial, surface=True):
                     yield True, surface.name, surface

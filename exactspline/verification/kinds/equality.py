@@ -9,6 +9,7 @@ from dataclasses import field, replace
 from typing import ClassVar
 
 from exactspline.errors import ClaimError
+from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import POINT_IN_SPACE, Kind, kind_of
 from exactspline.language.parts import split
@@ -22,7 +23,7 @@ from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
 from exactspline.verification.decision import DirectrixOf, Equation, OneRuledSurface, Statement, Zero
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import ExactQuotient, Fact, OneSurface, OneSurfaceBut, Remainder, Rulings
 from exactspline.verification.generic_proof import factor_of, harmful
 from exactspline.verification.notation import WEIGHTS, factor_latex, factor_parts
@@ -50,7 +51,7 @@ class EqualityClaim(Claim):
     def equality(self) -> Statement:
         """The equality."""
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The sides, multiplied out on the splines."""
         return self.equality.decide(argument, VERIFIED)
 
@@ -177,13 +178,13 @@ class SameSurface(EqualityClaim):
         bad = list(dict.fromkeys([*bad, *also]))
         return replace(finding, computed=OneSurface(tuple(bad)), assumptions=tuple(dict.fromkeys([*used, *others])))
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""
         finding = super().examine(argument, own)
         but = self._but(argument) if finding.verdict == VERIFIED else None
         return replace(finding, computed=but) if but else finding
 
-    def _but(self, argument: Handed) -> OneSurfaceBut | None:
+    def _but(self, argument: Evaluated) -> OneSurfaceBut | None:
         """Where one generator vanishes and the other does not."""
         surfaces = (self.find(self.left)(argument), self.find(self.right)(argument))
         generators = [split(surface.generator)[0] for surface in surfaces]
