@@ -13,6 +13,7 @@ from __future__ import annotations
 import sys
 from collections import Counter
 from itertools import pairwise
+from math import hypot
 from random import Random
 
 from gmpy2 import mpq
@@ -180,32 +181,31 @@ def goes_on(shape: object, points: list[tuple[mpf, ...]]) -> bool:
 
 
 def fits(curve: Nurbs, epsilon: mpq) -> bool:
-    """Whether a circle or a line comes within epsilon of points of a curve: the best circle by Newton's method from the
-    one through three points, on the sum of 8th powers.
+    """Whether a circle or a line comes within twice epsilon of points of a curve: in doubles, whose errors are far
+    smaller. The centre is sought on a shrinking grid around that of the circle through three points.
     """
-    points = points_of(curve, *curve.domain, 24)
+    points = [tuple(map(float, point)) for point in points_of(curve, *curve.domain, 24)]
+    limit = 2 * float(epsilon)
     (x1, y1), (x2, y2), (x3, y3) = points[0], points[12], points[24]
-    straight = (x2 - x1) * (y3 - y1) - (y2 - y1) * (x3 - x1)
-    chord = mp.hypot(x3 - x1, y3 - y1)
-    if chord and max(abs((x - x1) * (y3 - y1) - (y - y1) * (x3 - x1)) for x, y in points) / chord < 4 * number(epsilon):
+    chord = hypot(x3 - x1, y3 - y1)
+    if max(abs((x - x1) * (y3 - y1) - (y - y1) * (x3 - x1)) for x, y in points) < 2 * limit * chord:
         return True
+    straight = 2 * ((x2 - x1) * (y3 - y1) - (y2 - y1) * (x3 - x1))
     if not straight:
         return False
-    s1, s2, s3 = (x * x + y * y for x, y in (points[0], points[12], points[24]))
-    a = (s1 * (y2 - y3) + s2 * (y3 - y1) + s3 * (y1 - y2)) / (2 * straight)
-    b = (s1 * (x3 - x2) + s2 * (x1 - x3) + s3 * (x2 - x1)) / (2 * straight)
-    step = chord / 1000 + number(epsilon)
+    s2, s3 = (x2 - x1) ** 2 + (y2 - y1) ** 2, (x3 - x1) ** 2 + (y3 - y1) ** 2
+    a, b = x1 + ((y3 - y1) * s2 - (y2 - y1) * s3) / straight, y1 + ((x2 - x1) * s3 - (x3 - x1) * s2) / straight
 
-    def spread(u: mpf, v: mpf) -> mpf:
-        radii = [mp.hypot(x - u, y - v) for x, y in points]
+    def spread(u: float, v: float) -> float:
+        radii = [hypot(x - u, y - v) for x, y in points]
         return (max(radii) - min(radii)) / 2
 
-    best = spread(a, b)
-    while step > number(epsilon) / 50:
+    best, step = spread(a, b), hypot(a - x1, b - y1) / 8
+    for _ in range(300):
         around = [(a + step * i, b + step * j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
         value, place = min((spread(*p), p) for p in around)
         a, b, best, step = (*place, value, step) if value < best else (a, b, best, step / 2)
-    return best < 2 * number(epsilon)
+    return best < limit
 
 
 def campaign(count: int, seed: int = SEED) -> Counter[str]:
