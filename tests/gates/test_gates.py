@@ -150,8 +150,6 @@ SECOND_NUMBERS = {
     "reals/digits.py: Digits": "a view: digits as they are shown",
 }
 WAYS = {
-    "batch/oracle_values.py: curvature": "asks curvature(curve, t) for the oracle",
-    "batch/oracle_values.py: torsion": "asks torsion(curve, t) for the oracle",
     "classroom/shapes.py: curvature": "an exercise",
     "display/plot/curvature_lines.py: lines_of_curvature": "curves on a surface",
     "geometry/curvature.py: curvature_function": "curvature as a function",
