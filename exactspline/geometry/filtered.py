@@ -14,8 +14,17 @@ import numpy as np
 from exactspline.errors import FormulaError
 from exactspline.formulas.lifted import critical_curvature_lifted, inflections_lifted, tangent_lifted_squared
 from exactspline.language.kinds import PLANE
-from exactspline.polynomials.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates, without_zeros
-from exactspline.programs.doubles import Floats, in_doubles
+from exactspline.polynomials.doubles import (
+    Bounded,
+    Flags,
+    Floats,
+    Isolated,
+    isolated,
+    narrowed,
+    ordinates,
+    without_zeros,
+)
+from exactspline.programs.doubles import in_doubles
 from exactspline.programs.program import Program, program_of
 from exactspline.programs.reading import Signature
 
@@ -26,7 +35,7 @@ AT_ONCE = 4096
 class Form(NamedTuple):
     """A form on many segments: its ordinates, and its zeros on the segments where they are certified."""
 
-    rows: Rows
+    rows: Bounded
     zeros: Isolated
 
 
@@ -97,7 +106,7 @@ def _solved(program: Program, operands: list[Floats], undecided: Flags) -> Form:
     return Form(rows, zeros)
 
 
-def _rows(program: Program, operands: list[Floats]) -> Rows:
+def _rows(program: Program, operands: list[Floats]) -> Bounded:
     """The ordinates of a form."""
     (form,) = in_doubles(program, operands, roundings=2)
-    return ordinates(form.values, form.errors)
+    return ordinates(*form)

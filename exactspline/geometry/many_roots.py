@@ -25,7 +25,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import ONE
-from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW, Flags, Isolated, Rows, narrowed, ordinates
+from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW, Bounded, Flags, Isolated, narrowed, ordinates
 from exactspline.polynomials.modular import without_rational_zero
 from exactspline.programs.program import Program
 from exactspline.reals.real import Real
@@ -182,7 +182,7 @@ def _exactly(program: Program, where: Sequence[tuple[Nurbs, int]]) -> list[fmpz_
     return [fmpz_poly(row[0]) for row in program.run(operands, [below], [(ONE, ONE)] * len(where))]
 
 
-def _in_doubles(forms: Sequence[list[int]]) -> Rows:
+def _in_doubles(forms: Sequence[list[int]]) -> Bounded:
     """Forms in doubles, each divided by a power of two so that no coefficient is larger than 1, and rounded once."""
     values = np.array([rounded(form, 1, max(map(abs, form)).bit_length()) for form in forms])
     return ordinates(values, ROUNDING * np.abs(values) + UNDERFLOW)

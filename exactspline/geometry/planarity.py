@@ -14,7 +14,7 @@ from flint import fmpz, fmpz_mat
 
 from exactspline.geometry.domain import space
 from exactspline.geometry.pieces import pieces
-from exactspline.numbers.exact import content, mpq, ratio, sign, text
+from exactspline.numbers.exact import common_divisor, content, mpq, ratio, sign, text
 from exactspline.polynomials.bernstein import Form, over_common_denominator
 from exactspline.questions.answers import CurvePiece
 from exactspline.splines.nurbs import Nurbs
@@ -150,9 +150,7 @@ def _span(rows: Rows) -> Rows:
 
 
 def _primitive(row: Sequence[fmpz]) -> tuple[fmpz, ...]:
-    divisor = fmpz(0)
-    for x in row:
-        divisor = divisor.gcd(x)
+    divisor = common_divisor(row)
     return tuple([x // divisor for x in row])
 
 

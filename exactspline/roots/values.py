@@ -8,18 +8,18 @@ divisor.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import reduce
 from typing import overload
 
-from flint import fmpq_poly, fmpz, fmpz_poly
+from flint import fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError, ShapeError, a_kind
+from exactspline.language.vector import Vector, norm2
 from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
 from exactspline.numbers.sides import Side
 from exactspline.polynomials import annihilating
-from exactspline.polynomials.bernstein import in_parameter
+from exactspline.polynomials.bernstein import in_parameter, over_common_denominator
 from exactspline.polynomials.centred_form import bounds_over
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
@@ -228,8 +228,7 @@ def segment_polynomials(splines: Sequence[BSpline], i: int) -> list[fmpz_poly]:
     [x, 2]
     """
     parts = [in_powers(f, i) for f in splines]
-    common = reduce(fmpz.lcm, [f.denom() for f in parts])
-    return [f.numer() * (common // f.denom()) for f in parts]
+    return over_common_denominator([(f.numer(), f.denom()) for f in parts])[0]
 
 
 def segment_polynomial(f: BSpline, i: int) -> fmpz_poly:
@@ -256,5 +255,5 @@ def unit(vector: Sequence[BSpline], place: mpq | Real, name: str = "T") -> list[
     signs = [sign_at(x, place) for x in vector]
     if not any(signs):
         raise DomainError(f"{name} is undefined: the vector vanishes there", remedy="choose another parameter")
-    squared = sum((x * x for x in vector[1:]), start=vector[0] * vector[0])
+    squared = norm2(Vector(*vector))
     return [signed_root(s, value_at(x * x, squared, place)) for x, s in zip(vector, signs, strict=True)]
