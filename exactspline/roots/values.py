@@ -162,7 +162,8 @@ def values_between(f: BSpline, low: mpq, high: mpq) -> Interval | None:
         return None
     if f.degree < 0:
         return Interval(mpq(0), mpq(0))
-    return Interval(*bounds_over(f.forms[i], f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
+    form = f.polynomials[i], f.denominators[i]
+    return Interval(*bounds_over(form, f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
 
 
 def _segment_between(f: BSpline, low: mpq, high: mpq) -> int | None:
