@@ -15,7 +15,6 @@ from typing import Any, ClassVar
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.errors import ShapeError
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -89,12 +88,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         vector = knots if isinstance(knots, KnotVector) else KnotVector(knots)
         vector.check(degree)
         points = exact_row(control_points, "control_points")
-        if len(points) != len(vector) - degree - 1:
-            raise ShapeError(
-                f"{len(points)} control points for {len(vector)} knots of degree {degree}",
-                where="control_points",
-                remedy=f"there must be {len(vector) - degree - 1} (knots − degree − 1)",
-            )
+        vector.check_count(degree, len(points))
         mesh, continuity, spans = mesh_of(vector, degree)
         forms = list(blossom.forms_of(vector.knots, degree, points, spans))
         fill(
