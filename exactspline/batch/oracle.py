@@ -1,7 +1,7 @@
 """The exact oracle: questions about a curve, answered exactly, in certified intervals and as correctly rounded doubles.
 
 A question is text: a name, an argument after a colon, parameters after an @. ``value@1/2``, ``derivative:2@0,1/3``,
-``curvature@inflections``, ``elevate:2``, ``inflections``.
+``value@cusps``, ``elevate:2``, ``cusps``.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ def oracle(curve: Nurbs, asked: str) -> Answer:
     """The answer to a question about a curve.
 
     >>> from exactspline import example
-    >>> [item] = oracle(example("cubic_s"), "inflections").items
+    >>> [item] = oracle(example("cusp"), "cusps").items
     >>> item.what, item.values["parameter"].exact, item.values["parameter"].double()
-    ('inflection', mpq(1,2), 0.5)
+    ('cusp', mpq(1,2), 0.5)
     >>> oracle(example("circle"), "length").items[0].values["length"].double("up")
     6.283185307179587
 

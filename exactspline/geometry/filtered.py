@@ -1,5 +1,5 @@
-"""The forms of inflections and extrema of many segments in doubles, and their zeros: what is certified, and which
-segments must be decided in exact arithmetic. This module loads numpy.
+"""The forms of κ and κ′ of many segments in doubles, and their zeros: what is certified, and which segments must be
+decided in exact arithmetic. This module loads numpy.
 
 Derivation: docs/certified-filter.md.
 """
@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from exactspline.errors import FormulaError
-from exactspline.formulas.lifted import critical_curvature_lifted, inflections_lifted, tangent_lifted_squared
+from exactspline.formulas.lifted import PLANE_FORMS
 from exactspline.language.kinds import PLANE
 from exactspline.polynomials.doubles import (
     Bounded,
@@ -63,15 +63,11 @@ def _signature(degree: int, rational: bool) -> Signature:
     return Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, unit_widths=True, true_degree=True)
 
 
-#: κ, κ′ and ‖γ′‖² up to positive factors: the forms that `analyse` solves.
-FORMS = (inflections_lifted, critical_curvature_lifted, tangent_lifted_squared)
-
-
 @cache
 def programs(degree: int, rational: bool) -> Programs:
     """The programs of one degree."""
     signature = _signature(degree, rational)
-    return Programs(*[program_of(form, signature) for form in FORMS])
+    return Programs(*[program_of(form, signature) for form in PLANE_FORMS])
 
 
 def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Filtered | None:
