@@ -150,8 +150,6 @@ SECOND_NUMBERS = {
     "reals/digits.py: Digits": "a view: digits as they are shown",
 }
 WAYS = {
-    "batch/oracle_values.py: curvature": "asks curvature(curve, t) for the oracle",
-    "batch/oracle_values.py: torsion": "asks torsion(curve, t) for the oracle",
     "classroom/shapes.py: curvature": "an exercise",
     "display/plot/curvature_lines.py: lines_of_curvature": "curves on a surface",
     "geometry/curvature.py: curvature_function": "curvature as a function",
@@ -270,7 +268,6 @@ ROUNDED = {
     "reals/digits.py: Digits.doubles": "rounds to a double, on request",
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "verification/conditioning/compare.py: _at_root": "what is measured is the error of doubles",
-    "verification/conditioning/double_precision.py: values_at": "what is measured is the error of doubles",
     "verification/conditioning/search.py: search_witnesses": "chooses by a seed",
     "verification/minimality.py: witness": "chooses by a seed",
     "verification/patch_degrees.py: witness": "chooses by a seed",

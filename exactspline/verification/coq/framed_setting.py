@@ -22,9 +22,15 @@ from exactspline.readings.expression import Operation
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node, nodes
-from exactspline.verification.coq.ruled_settings import HodographSetting, ImplicitSetting
-from exactspline.verification.coq.settings import Setting
-from exactspline.verification.coq.surface_settings import FormsSetting, SurfaceCurveSetting, SurfaceSetting
+from exactspline.verification.coq.settings import (
+    PLAIN,
+    FormsSetting,
+    HodographSetting,
+    ImplicitSetting,
+    Setting,
+    SurfaceCurveSetting,
+    SurfaceSetting,
+)
 from exactspline.verification.coq.terms import leaves
 
 #: The roots of a frame, the innermost last.
@@ -77,12 +83,7 @@ class FramedSetting(Setting):
     @property
     def shape(self) -> str:
         """Its name in the base."""
-        return "framed_plane" if self.dimension == 2 else "framed_space"
-
-    @property
-    def quantifier(self) -> str:
-        """The quantifier at the beginning of the theorem."""
-        return f"every_{self.shape}_curve"
+        return f"framed_{PLAIN[self.dimension - 2]}"
 
     @cached_property
     def ring(self) -> JetRing:

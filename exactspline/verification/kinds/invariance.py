@@ -94,6 +94,7 @@ class Invariance(Claim):
     """
 
     kind: ClassVar[str] = "invariance"
+    tries_all: ClassVar[bool] = True
 
     formula: Name = field(metadata=read(formula_name))
     under: Group = field(metadata=read(one_of(Group)))
@@ -148,11 +149,6 @@ class Invariance(Claim):
         factor = find_factor(moved, expected) if short and any(not x.is_zero for x in expected) else None
         changed = UnderMap(Name(name), factor)
         return Finding(REFUTED, changed, witness=self.refuted_on_examples().witness or changed)
-
-    @property
-    def tries_all(self) -> bool:
-        """All segments are covered, with indeterminates."""
-        return True
 
     def beside(self, own: Evaluation) -> Evidence:
         """All elements of the group are covered together."""
