@@ -24,14 +24,14 @@ from exactspline.geometry.extent import coordinate_range, slope_zeros
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature, JointKind
 from exactspline.geometry.planarity import Plane
-from exactspline.geometry.values_along import point_at
+from exactspline.geometry.values_along import point_at, unit
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, text
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.questions.entry import Entry
 from exactspline.reals.real import Real, real
-from exactspline.roots.values import exact_place, unit
+from exactspline.roots.values import exact_place
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.control_points import Direction
@@ -107,7 +107,7 @@ def _frame(curve: Nurbs, t: mpq | Real) -> Values:
     return {
         f"{name}{axis}": x
         for name, vector in vectors.items()
-        for axis, x in zip(axes(curve), unit(list(vector), t, name), strict=True)
+        for axis, x in zip(axes(curve), unit(vector, t, name), strict=True)
     }
 
 

@@ -13,7 +13,6 @@ from typing import overload
 from flint import fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError, ShapeError, a_kind
-from exactspline.language.vector import Vector, norm2
 from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
@@ -241,20 +240,3 @@ def segment_polynomial(f: BSpline, i: int) -> fmpz_poly:
     """
     p = in_powers(f, i).numer()
     return p // p.content() if p else p
-
-
-def unit(vector: Sequence[BSpline], place: mpq | Real, name: str = "T") -> list[Real]:
-    """The components of a vector divided by its length at a parameter.
-
-    >>> from exactspline import BSpline
-    >>> t = BSpline.identity(0, 2)
-    >>> unit([t, t * t], mpq(1))
-    [<Real √2/2>, <Real √2/2>]
-
-    Raises `DomainError` if the vector vanishes there.
-    """
-    signs = [sign_at(x, place) for x in vector]
-    if not any(signs):
-        raise DomainError(f"{name} is undefined: the vector vanishes there", remedy="choose another parameter")
-    squared = norm2(Vector(*vector))
-    return [signed_root(s, value_at(x * x, squared, place)) for x, s in zip(vector, signs, strict=True)]
