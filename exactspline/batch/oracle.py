@@ -1,7 +1,7 @@
 """The exact oracle: questions about a curve, answered exactly, in certified intervals and as correctly rounded doubles.
 
 A question is text: a name, an argument after a colon, parameters after an @. ``value@1/2``, ``derivative:2@0,1/3``,
-``curvature@inflections``, ``elevate:2``, ``inflections``.
+``value@cusps``, ``elevate:2``, ``cusps``.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature, JointKind
 from exactspline.geometry.planarity import Plane
 from exactspline.geometry.recognition.pieces import RecognizedPiece
-from exactspline.geometry.values_along import point_at
+from exactspline.geometry.values_along import point_at, unit
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, text
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.questions.entry import Entry
 from exactspline.reals.real import Real, real
-from exactspline.roots.values import exact_place, unit
+from exactspline.roots.values import exact_place
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.control_points import Direction
@@ -65,9 +65,9 @@ def oracle(curve: Nurbs, asked: str) -> Answer:
     """The answer to a question about a curve.
 
     >>> from exactspline import example
-    >>> [item] = oracle(example("cubic_s"), "inflections").items
+    >>> [item] = oracle(example("cusp"), "cusps").items
     >>> item.what, item.values["parameter"].exact, item.values["parameter"].double()
-    ('inflection', mpq(1,2), 0.5)
+    ('cusp', mpq(1,2), 0.5)
     >>> oracle(example("circle"), "length").items[0].values["length"].double("up")
     6.283185307179587
 
@@ -108,7 +108,7 @@ def _frame(curve: Nurbs, t: mpq | Real) -> Values:
     return {
         f"{name}{axis}": x
         for name, vector in vectors.items()
-        for axis, x in zip(axes(curve), unit(list(vector), t, name), strict=True)
+        for axis, x in zip(axes(curve), unit(vector, t, name), strict=True)
     }
 
 
