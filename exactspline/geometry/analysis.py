@@ -186,7 +186,7 @@ class Analysis(SpaceFacts, Displayed):
 
     @question(*CURVES, answered=Answered.SHAPES)
     def shapes(self) -> tuple[RecognizedPiece, ...]:
-        """The pieces that are lines, circles or conics, exactly or within a millionth of the curve's size.
+        """The pieces that are lines, circles or conics, exactly or within 10⁻⁹ of the curve's size.
 
         See `exactspline.geometry.recognition.pieces.recognized`.
 

@@ -32,7 +32,7 @@ EPSILON = mpq(1, 10**6)
 
 
 def rounded(x: mpq, digits: int) -> mpq:
-    """A number with so many decimals."""
+    """A number with a number of decimals."""
     unit = mpq(1, 10**digits)
     return (x / unit + mpq(1, 2)) // 1 * unit
 
@@ -104,7 +104,7 @@ def moved(curve: Nurbs, by: mpq, random: Random) -> Nurbs:
 
 
 def as_written(curve: Nurbs, digits: int) -> Nurbs:
-    """The curve with coordinates and weights of so many decimals."""
+    """The curve with coordinates and weights of a number of decimals."""
     points = [tuple(rounded(x, digits) for x in p) for p in curve.control_points]
     return Nurbs(curve.degree, curve.knots, points, [rounded(w, digits) for w in curve.weights])
 
@@ -209,7 +209,7 @@ def fits(curve: Nurbs, epsilon: mpq) -> bool:
 
 
 def campaign(count: int, seed: int = SEED) -> Counter[str]:
-    """So many curves of each kind; what was found, by kind, and what is wrong."""
+    """A number of curves of each kind; what was found, by kind, and what is wrong."""
     random, found = Random(seed), Counter[str]()
     mp.dps = 50
     for i in range(count):

@@ -49,7 +49,7 @@ def _farthest(shape: Shape, points: Sequence[Point]) -> mpq:
 
 
 def _spread(points: Sequence[Point], count: int) -> list[Point]:
-    """So many of the points, evenly; all different neighbours."""
+    """This many of the points, evenly; all different neighbours."""
     different = [points[0], *[b for a, b in pairwise(points) if a != b]]
     n = len(different)
     return different if n <= count else [different[i * (n - 1) // (count - 1)] for i in range(count)]

@@ -68,7 +68,7 @@ class _Run:
 
 def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedPiece, ...]:
     """The pieces of a curve that run along a line, a circle or (in the plane) a conic, within the distance epsilon;
-    without it, within a millionth of the curve's size. Pieces begin and end at knots; of several shapes that fit, the
+    without it, within 10⁻⁹ of the curve's size. Pieces begin and end at knots; of several shapes that fit, the
     simplest is given. A single segment of degree 2, which is always a conic, is left out where the curve has more.
 
     >>> from exactspline import Nurbs, example
@@ -91,7 +91,7 @@ def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedP
     points = [
         [given(a), *[given(a + (b - a) * t) for t in PLACES], given(b, "left")] for a, b in pairwise(given.breakpoints)
     ]
-    limit = _size(points) / 10**6 if epsilon is None else rational(epsilon)
+    limit = _size(points) / 10**9 if epsilon is None else rational(epsilon)
     if limit <= 0 and epsilon is not None:
         raise ShapeError(f"the distance {epsilon}", remedy="give a number above 0")
     return tuple(_pieces(given, points, limit))
@@ -217,7 +217,8 @@ def signs(f: BSpline) -> set[int]:
         of_points = {sign(x) for x in points}
         if len(of_points) > 1:
             of_points -= {0}
-        if len(of_points) == 1:
+        ends_of_points = {sign(points[0]), sign(points[-1])} - {0}
+        if len(of_points) == 1 or len(ends_of_points) == 2:
             found |= of_points
         else:
             hard.add(Interval(*ends))
