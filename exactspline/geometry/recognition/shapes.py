@@ -2,7 +2,7 @@
 once: polynomials in the parameter that must keep one sign.
 
 Let q be a polynomial of degree at most 2 whose zeros are the shape, and Λ a bound on half of its second derivatives.
-From a point x, a step of length E along the gradient changes q by at least ``E‖∇q‖ − E²Λ`` in the direction required; so
+From a point x, a step of length E along the gradient changes q by at least ``E‖∇q‖ − E²Λ`` towards the shape; so
 ``|q| + E²Λ ≤ E‖∇q‖`` shows that x is at most E away from the shape. Where ``‖∇q‖ ≥ 64 EΛ``, the lines along the
 gradient lead from the curve to the shape within 17/16 E, and meet no other; the curve goes on along the shape where
 ``[∇q, γ′]`` keeps its sign. For lines and circles both are said more simply, with the same meaning.
