@@ -63,8 +63,12 @@ class _OnSegment(Kind):
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
     ) -> Evaluated:
-        """The argument of the kind."""
+        """The argument of the kind, its polynomials included."""
         return self.whole.argument(dimension, operand, one, polynomial=polynomial)
+
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
+        """The argument of the kind."""
+        return self.whole.of_operands(named, dimension, one)
 
 
 @cache

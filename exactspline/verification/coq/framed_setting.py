@@ -5,7 +5,7 @@ Each root follows its inverse in the list of variables; its derivative follows f
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import cast
@@ -67,11 +67,9 @@ class _Rooted(CurveKind):
         """Those of the curve, and the roots."""
         return (*super().symbols(dimension, polynomial=polynomial), *(Symbol(name, name, ()) for name in ROOTS))
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The operands by name."""
-        return Operands(**{symbol.name: operand(symbol) for symbol in self.symbols(dimension)})
+        return Operands(**named)
 
 
 @dataclass(frozen=True)
