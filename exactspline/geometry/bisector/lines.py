@@ -12,7 +12,7 @@ from typing import Generic, TypeVar
 from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.geometry.bisector.flats import ALL, Conditions
-from exactspline.geometry.bisector.over_root import OverRoot, by_powers
+from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.geometry.bisector.polynomials import Euclidean, common_divisor
 from exactspline.geometry.bisector.root_lines import RootLines
 from exactspline.geometry.bisector.system import System
