@@ -21,16 +21,22 @@ from typing import NamedTuple
 
 from flint import fmpz, fmpz_mat, fmpz_poly
 
+from exactspline.numbers.exact import mpz
 from exactspline.polynomials.bernstein import substituted
-from exactspline.polynomials.cost import check_reach, height_bits
+from exactspline.polynomials.cost import LONGEST_LOOP, check_reach
+from exactspline.polynomials.elimination import through
 
 Matrix = list[list[fmpz_poly]]
 Point3 = tuple[fmpz, fmpz, fmpz]
 
 #: Up to this size a determinant is written out; above, the entries are packed into integers.
 WRITTEN_OUT = 3
-#: Hundredths of a nanosecond of a determinant of packed entries, per bit of the result and cube of the size.
-PACKED = 60
+#: From this size, it is interpolated between values instead.
+INTERPOLATED = 6
+#: Hundredths of a nanosecond: of a determinant of packed entries, per bit of the result and cube of the size; of one
+#: value, per bit and cube of the size, and of the interpolation, per bit and value (measured: 30 to 50; 15 to 25; 11 to
+#: 15).
+PACKED, VALUE, INTERPOLATION = 60, 30, 15
 ZERO = fmpz_poly([])
 
 
@@ -90,14 +96,14 @@ def straight_line(curve: PlaneForms) -> Point3 | None:
     return None if along(line, curve) else line
 
 
-def moving_lines(curve: PlaneForms, point: PlaneForms) -> dict[tuple[int, int], fmpz_poly]:
-    """``D_ij = det(Q, p_i, p_j)`` for i < j: forms in the parameter of the moving point Q."""
-    coefficients = [curve.coefficient(i) for i in range(curve.degree + 1)]
-    return {
-        (i, j): along(across(coefficients[i], coefficients[j]), point)
-        for i in range(curve.degree + 1)
-        for j in range(i + 1, curve.degree + 1)
-    }
+def moving_lines(curve: PlaneForms, point: PlaneForms) -> list[list[fmpz_poly]]:
+    """``D_ij = det(Q, p_i, p_j)`` for i < j, in row i: forms in the parameter of the moving point Q."""
+    _, x, y, w = point
+    points = [curve.coefficient(i) for i in range(curve.degree + 1)]
+    rows = []
+    for i, (a, b, c) in enumerate(points):
+        rows.append([x * (b * f - c * e) + y * (c * d - a * f) + w * (a * e - b * d) for d, e, f in points[i + 1 :]])
+    return rows
 
 
 def minors(point: PlaneForms, curve: PlaneForms) -> tuple[fmpz_poly, fmpz_poly, fmpz_poly]:
@@ -114,14 +120,15 @@ def bezout_matrix(curve: PlaneForms, point: PlaneForms) -> Matrix:
     >>> bezout_matrix(parabola, origin)
     [[0, 0], [0, 1]]
     """
-    m, d = curve.degree, moving_lines(curve, point)
+    m, lines = curve.degree, moving_lines(curve, point)
     matrix = [[ZERO] * m for _ in range(m)]
     for k in range(m):
         for j in range(k, m):
             # (σⁱ sʲ − σʲ sⁱ)/(s − σ) has the terms σᵏ sˡ with k + l = i + j − 1 and i ≤ k, l
-            total = ZERO
-            for i in range(max(0, k + j + 1 - m), k + 1):
-                total = total + d[i, k + j + 1 - i]
+            least = max(0, k + j + 1 - m)
+            total = lines[least][k + j - 2 * least]
+            for i in range(least + 1, k + 1):
+                total = total + lines[i][k + j - 2 * i]
             matrix[k][j] = matrix[j][k] = total
     return matrix
 
@@ -167,7 +174,7 @@ def determinant(matrix: Matrix, degree: int) -> fmpz_poly:
     """
     size = len(matrix)
     if size > WRITTEN_OUT:
-        return _packed_determinant(matrix, degree)
+        return (_interpolated if size >= INTERPOLATED else _packed)(matrix, degree)
     if size == 0:
         return fmpz_poly([1])
     if size == 1:
@@ -179,22 +186,41 @@ def determinant(matrix: Matrix, degree: int) -> fmpz_poly:
     return a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)
 
 
-def _packed_determinant(matrix: Matrix, degree: int) -> fmpz_poly:
+def _packed(matrix: Matrix, degree: int) -> fmpz_poly:
     """By Kronecker's substitution: the entries at a power of two that is larger than all coefficients of the
     determinant.
     """
-    size = len(matrix)
-    height = height_bits(x for row in matrix for x in [fmpz(1) << e.height_bits() if e else fmpz(0) for e in row])
-    bits = size * (height + (degree + 1).bit_length() + size.bit_length())
-    width = (bits + 2 + 7) // 8
-    length = size * degree + 1
-    cost = size**3 * length * width * 8 * PACKED // 100
-    check_reach(
-        cost, lambda: f"a determinant of {size} × {size} forms of degree {degree} with numbers of {height} bits"
-    )
+    size, height, bits = len(matrix), _height(matrix), _bits_of_determinant(matrix, degree)
+    width, length = (bits + 9) // 8, size * degree + 1
+    _check(size**3 * length * bits * PACKED // 100, size, degree, height)
     base = fmpz(1) << (8 * width)
     value = fmpz_mat([[x(base) for x in row] for row in matrix]).det()
     return _unpacked(int(value), width, length)
+
+
+def _interpolated(matrix: Matrix, degree: int) -> fmpz_poly:
+    """From its values at consecutive integers: an interruptible loop."""
+    size, height = len(matrix), _height(matrix)
+    count = size * degree + 1
+    bits = _bits_of_determinant(matrix, degree) + size * degree * count.bit_length()
+    _check(count * bits * (size**3 * VALUE + count * INTERPOLATION) // 100, size, degree, height)
+    start = -(count // 2)
+    values = [fmpz_mat([[x(k) for x in row] for row in matrix]).det() for k in range(start, start + count)]
+    return through([mpz(int(value)) for value in values])(fmpz_poly([-start, 1]))
+
+
+def _height(matrix: Matrix) -> int:
+    return max(int(x.height_bits()) for row in matrix for x in row)
+
+
+def _bits_of_determinant(matrix: Matrix, degree: int) -> int:
+    size = len(matrix)
+    return size * (_height(matrix) + (degree + 1).bit_length() + size.bit_length())
+
+
+def _check(cost: int, size: int, degree: int, bits: int) -> None:
+    what = f"a determinant of {size} × {size} forms of degree {degree} with numbers of {bits} bits"
+    check_reach(cost, lambda: what, LONGEST_LOOP)
 
 
 def _unpacked(value: int, width: int, length: int) -> fmpz_poly:
@@ -210,6 +236,12 @@ def _unpacked(value: int, width: int, length: int) -> fmpz_poly:
         carry = int(digit >= half)
         coefficients.append(sign * (digit - base if carry else digit))
     return fmpz_poly(coefficients)
+
+
+def first_cofactors(matrix: Matrix) -> tuple[fmpz_poly, fmpz_poly, fmpz_poly]:
+    """The first row of the adjugate of a symmetric 3 × 3 matrix."""
+    (_, b, c), (_, e, f), (_, _, i) = matrix
+    return e * i - f * f, c * f - b * i, b * f - c * e
 
 
 def without(matrix: Matrix, row: int, column: int) -> Matrix:

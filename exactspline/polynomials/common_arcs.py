@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple, Protocol
 
-from flint import fmpz_poly
+from flint import arb, arb_poly, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpz
@@ -35,6 +35,12 @@ class RationalMap:
         """Itself."""
         return self
 
+    def near(self, place: Place, bits: int) -> arb | None:
+        """A ball around ``top/bottom`` at a place below 1; None if it is not known to be finite."""
+        z = place.z(bits)
+        value = arb_poly(self.top)(z) / arb_poly(self.bottom)(z)
+        return value if value.is_finite() else None
+
     @property
     def slope(self) -> fmpz_poly:
         """``top′ bottom − top bottom′``, a form of degree ``2 degree − 2`` with the sign of the derivative."""
@@ -58,6 +64,9 @@ class Mapping(Protocol):
     def map(self) -> RationalMap:
         """The map."""
 
+    def near(self, place: Place, bits: int) -> arb | None:
+        """A ball around ``top/bottom`` at a place below 1; None if it is not known to be finite."""
+
 
 @dataclass(frozen=True)
 class Image:
@@ -70,6 +79,12 @@ class Image:
     def map(self) -> RationalMap:
         """The map; its forms may have common zeros elsewhere."""
         return self.by.map
+
+    def z(self, bits: int) -> arb | None:
+        """A ball around ``z = s/(1 − s)``, from a place known to this many bits; None if it is not known to be finite.
+        FLINT's precision is the caller's.
+        """
+        return self.by.near(self.place, bits)
 
 
 #: The local parameter of a common point on one of the curves.
@@ -200,10 +215,14 @@ def collinear_arcs(first: PlaneForms, second: PlaneForms | None = None) -> Meeti
                 found.arcs.append(Arc(s, t, None))
             elif low == high and (second or ours.end < theirs.start):
                 found.points.append(Meeting(ours.parameter(low), theirs.parameter(low), None))
-    at_arcs = {(s.exact, t.exact) for arc in found.arcs for s, t in zip(arc.first, arc.second, strict=True)}
-    single = {(p.first.exact, p.second.exact): p for p in found.points}
+    at_arcs = {tuple(map(_exact, pair)) for arc in found.arcs for pair in zip(arc.first, arc.second, strict=True)}
+    single = {(_exact(p.first), _exact(p.second)): p for p in found.points}
     found.points = [p for key, p in single.items() if key not in at_arcs]
     return found
+
+
+def _exact(local: Local) -> mpq | None:
+    return local.exact if isinstance(local, Place) else None
 
 
 class _Run(NamedTuple):

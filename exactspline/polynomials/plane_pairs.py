@@ -11,9 +11,10 @@ Segments are those of `exactspline.polynomials.bernstein`: parameters are local,
 from __future__ import annotations
 
 from collections.abc import Iterator
+from enum import Enum
 from functools import cached_property
 
-from flint import arb_mat, ctx, fmpz_poly
+from flint import arb, arb_mat, arb_poly, ctx, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
@@ -42,6 +43,15 @@ BY_BALLS = 4
 IDENTITY = RationalMap(1, fmpz_poly([0, 1]), fmpz_poly([1]))
 
 
+class Several(Enum):
+    """The answer that there is not exactly one parameter."""
+
+    SEVERAL = 0
+
+
+SEVERAL = Several.SEVERAL
+
+
 class Elimination:
     """A matrix of forms in t that is singular where a point of the second curve lies on the first, with the vectors of
     the parameters s of the first in its kernel.
@@ -53,6 +63,11 @@ class Elimination:
     @cached_property
     def determinant(self) -> fmpz_poly:
         """F, a form of degree ``size · degree``."""
+        if self.size == 3:
+            # its cofactors are needed, too
+            self.first, self.second, third = bezout.first_cofactors(self.matrix)
+            a, b, c = self.matrix[0]
+            return a * self.first + b * self.second + c * third
         return bezout.determinant(self.matrix, self.degree)
 
     @property
@@ -94,32 +109,42 @@ class Elimination:
 
     def _by_balls(self, i: int, j: int, place: Place) -> int:
         """The sign, if balls decide it, else 0."""
-        minor = bezout.without(self.matrix, i, j)
         bits = FIRST
-        while bits <= SUSPICIOUS:
-            low, high = place.refine(bits)
-            if low == high:
-                return 0
+        while bits <= SUSPICIOUS and place.exact is None:
             with ctx.workprec(4 * bits):
-                value = arb_mat([[place.value(x, self.degree) for x in row] for row in minor]).det()
+                value = self._entry(i, j, place.z(bits))
                 if not value.contains(0):
-                    return (1 if value > 0 else -1) * (-1 if (i + j) % 2 else 1)
+                    return 1 if value > 0 else -1
             bits *= 2
         return 0
+
+    def _entry(self, i: int, j: int, z: arb) -> arb:
+        """A ball around an entry of the adjugate."""
+        minor = arb_mat([[arb_poly(x)(z) for x in row] for row in bezout.without(self.matrix, i, j)]).det()
+        return -minor if (i + j) % 2 else minor
+
+    def near(self, place: Place, bits: int) -> arb | None:
+        """A ball around ``s/u`` at a place below 1; None if it is not known to be finite."""
+        z = place.z(bits)
+        if self.size < BY_BALLS:
+            value = arb_poly(self.second)(z) / arb_poly(self.first)(z)
+        else:
+            value = self._entry(0, 1, z) / self._entry(0, 0, z)
+        return value if value.is_finite() else None
 
     def is_simple(self, place: Place) -> bool:
         """Whether there is exactly one parameter s at a zero of F, on the segment or not."""
         return bool(self.sign(0, 0, place) or self.sign(self.size - 1, self.size - 1, place))
 
-    def partner(self, place: Place) -> Local | int | None:
-        """The parameter s of a zero of F on the segment; None if it is outside the segment, and the integer 0 if there
+    def partner(self, place: Place) -> Local | Several | None:
+        """The parameter s of a zero of F on the segment; None if it is outside the segment, and `SEVERAL` if there
         is not exactly one.
         """
         bottom = self.sign(0, 0, place)
         if bottom:
             top = self.sign(0, 1, place) * bottom
             return None if top < 0 else at(mpq(0), 0) if top == 0 else Image(place, self)
-        return at(mpq(1), 0) if self.sign(self.size - 1, self.size - 1, place) else 0
+        return at(mpq(1), 0) if self.sign(self.size - 1, self.size - 1, place) else SEVERAL
 
 
 class LineElimination(Elimination):
@@ -139,11 +164,15 @@ class LineElimination(Elimination):
         """The parameter on the line."""
         return RationalMap(self.degree, *self._forms)
 
+    def near(self, place: Place, bits: int) -> arb | None:
+        """A ball around the parameter."""
+        return self.map.near(place, bits)
+
     def is_simple(self, place: Place) -> bool:
         """A line passes once through each of its points."""
         return True
 
-    def partner(self, place: Place) -> Local | int | None:
+    def partner(self, place: Place) -> Local | Several | None:
         """The parameter on the line; None if it is outside the segment."""
         top, bottom = (place.sign(form, self.degree) for form in self._forms)
         if top * bottom < 0:
@@ -183,7 +212,7 @@ def _meetings(first: PlaneForms, second: PlaneForms) -> Meetings:
     found = Meetings()
     for place in places(eliminated.isolation):
         partner = eliminated.partner(place)
-        if partner == 0:
+        if partner is SEVERAL:
             if first.is_straight:
                 return _with_straight(first, second)
             found.points += _found_at(first, second, place)
@@ -289,7 +318,7 @@ def _crossings(first: PlaneForms, second: PlaneForms, carried: RationalMap) -> I
     )
     for place in places(crossed.isolation):
         partner = crossed.partner(place)
-        if partner == 0:
+        if partner is SEVERAL:
             yield from _crossings_at(first, second, carried, place)
         elif partner is not None and not _is_value(partner, carried, place):
             yield Meeting(partner, place, place.multiplicity)
@@ -343,7 +372,7 @@ def _own_crossings(curve: PlaneForms, crossed: Elimination) -> Iterator[Meeting]
     every = places(crossed.isolation)
     for i, place in enumerate(every):
         partner = crossed.partner(place)
-        if partner == 0:
+        if partner is SEVERAL:
             fibre = Fibre(curve, curve, place, IDENTITY)
             for s in every[:i]:
                 if fibre.contains(s):

@@ -11,14 +11,12 @@ from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_poly
 from exactspline.numbers.exact import mpq, ratio, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Interval
-from exactspline.polynomials.bernstein import backwards
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.isolation import Isolation, LocalPolynomial, LocalZero, end_signs
 from exactspline.polynomials.refinement import enclosures, sign_at
 
 #: The first precision (bits) of a place, and the one after which a value is suspected to be zero.
-FIRST, SUSPICIOUS = 48, 200
-HALF = mpq(1, 2)
+FIRST, SUSPICIOUS = 40, 200
 
 
 class Place:
@@ -31,11 +29,12 @@ class Place:
     (0, -1)
     """
 
-    __slots__ = ("_irreducible", "bits", "interval", "zero")
+    __slots__ = ("_ball", "_irreducible", "bits", "interval", "zero")
 
     def __init__(self, zero: LocalZero) -> None:
         self.zero, self.interval, self.bits = zero, Interval(zero.low, zero.high), 0
         self._irreducible: fmpz_poly | None = None
+        self._ball: tuple[int, arb] | None = None
 
     @property
     def exact(self) -> mpq | None:
@@ -69,7 +68,7 @@ class Place:
             if low == high:
                 return sign_of(c[n]) if low == 1 else sign_at(c, low)
             with ctx.workprec(2 * bits):
-                value = self.value(c, n)
+                value = arb_poly(c)(self.z(bits))
                 if not value.contains(0):
                     return 1 if value > 0 else -1
             if bits >= SUSPICIOUS and not suspected:
@@ -78,22 +77,16 @@ class Place:
                 suspected = True
             bits *= 2
 
-    def value(self, c: fmpz_poly, n: int) -> arb:
-        """A ball that contains the value of a form, up to a positive factor that depends only on n (and on the half of
-        the segment); FLINT's precision is the caller's.
-        """
-        low, high = self.interval
-        if high <= HALF:
-            return arb_poly(c)(_ball(low / (1 - low), high / (1 - high)))
-        return arb_poly(backwards(c, n))(_ball((1 - high) / high, (1 - low) / low))
-
     def z(self, bits: int) -> arb:
         """A ball around ``z = t/(1 − t)``, for a parameter below 1; FLINT's precision is the caller's."""
         low, high = self.refine(bits)
-        while high == 1:
-            bits *= 2
-            low, high = self.refine(bits)
-        return _ball(low / (1 - low), high / (1 - high))
+        if self._ball is None or self._ball[0] != bits:
+            while high == 1:
+                bits *= 2
+                low, high = self.refine(bits)
+            first, last = low / (1 - low), high / (1 - high)
+            self._ball = bits, arb(to_fmpq(first)).union(arb(to_fmpq(last)))
+        return self._ball[1]
 
     def _is_zero_of(self, c: fmpz_poly) -> bool:
         common = greatest_common_divisor([self.zero.factor.polynomial, c])
@@ -133,10 +126,6 @@ class Place:
         """The sign of a polynomial in ``z = t/(1 − t)`` with rational coefficients, for a parameter below 1."""
         numerator = x.numer()
         return self.sign(numerator, max(numerator.degree(), 0))
-
-
-def _ball(low: mpq, high: mpq) -> arb:
-    return arb(to_fmpq(low)).union(arb(to_fmpq(high)))
 
 
 def places(isolation: Isolation) -> list[Place]:
