@@ -356,5 +356,8 @@ def _overlap(arc: Arc, first: Interval, second: Interval) -> Overlap:
     if arc.map is None:
         return Overlap(one, other, None, None)
     sides = (second, first) if arc.exchanged else (first, second)
-    top, bottom = (tuple(int(x) for x in p.coeffs()) for p in segment_polynomials(image_splines(arc.map, *sides), 0))
-    return Overlap(one, other, top, bottom, arc.exchanged)
+    top, bottom = segment_polynomials(image_splines(arc.map, *sides), 0)
+    # in lowest terms up to a constant already
+    common = top.content().gcd(bottom.content()) * (-1 if bottom.leading_coefficient() < 0 else 1)
+    coefficients = [tuple(int(x // common) for x in p.coeffs()) for p in (top, bottom)]
+    return Overlap(one, other, coefficients[0], coefficients[1], arc.exchanged)

@@ -10,7 +10,7 @@ from flint import arb, arb_poly, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpz
-from exactspline.polynomials.bernstein import ONE, value
+from exactspline.polynomials.bernstein import ONE, quotient_slope, value
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.cost import REMEDY
 from exactspline.polynomials.factors import greatest_common_divisor
@@ -44,7 +44,7 @@ class RationalMap:
     @property
     def slope(self) -> fmpz_poly:
         """``top′ bottom − top bottom′``, a form of degree ``2 degree − 2`` with the sign of the derivative."""
-        return self.top.derivative() * self.bottom - self.top * self.bottom.derivative()
+        return quotient_slope(self.top, self.bottom)
 
     def at(self, place: Place) -> Local:
         """The value at a place where it is in [0, 1]."""

@@ -12,7 +12,7 @@ from fractions import Fraction
 from math import comb, lcm
 from typing import NamedTuple
 
-from flint import Ordering, acb, arb, arb_poly, ctx, fmpq, fmpz_mpoly_ctx, fmpz_poly
+from flint import Ordering, arb, ctx, fmpz_mpoly_ctx, fmpz_poly
 
 BITS = 700
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
@@ -72,26 +72,39 @@ def roots(p: fmpz_poly) -> list[tuple[arb, int]]:
     return found
 
 
-def common_points(first: Rows, second: Rows) -> list[Common] | None:
-    """All common points, sorted; None if the curves have a common component."""
+def common_points(first: Rows, second: Rows) -> tuple[list[Common], bool]:
+    """The common points, sorted, and whether the curves have a common component; its points are left out."""
     with ctx.workprec(BITS):
         p, q = powers(first), powers(second)
         equations = [
             _lifted(p[i], 0) * _lifted(q[j], 1) - _lifted(p[j], 0) * _lifted(q[i], 1)
             for i, j in ((0, 2), (1, 2), (0, 1))
         ]
-        # a combination of the minors, so that w = w̄ = 0 is no common zero of all
-        f, g = equations[0] + 3 * equations[2], equations[1] - 5 * equations[2]
-        by = [_in_one(f.resultant(g, name), 1 - k) for k, name in enumerate(("s", "t"))]
-        if not by[0] or not by[1]:
-            return None
+        if not any(equations):
+            return [], True
+        component = equations[0].gcd(equations[1]).gcd(equations[2])
+        shared = component.total_degree() > 0
+        if not all(equations):
+            equations = [e for e in equations if e] * 2
+        if shared:
+            equations = [e / component for e in equations]
+        # combinations of the minors: those that vanish on one line through both curves are none of them
+        for i, j in ((3, -5), (7, 2), (-4, 11)):
+            f, g = equations[0] + i * equations[-1], equations[1] + j * equations[-1]
+            if not f or not g or f.total_degree() <= 0 or g.total_degree() <= 0:
+                return [], shared
+            by = [_in_one(f.resultant(g, name), 1 - k) for k, name in enumerate(("s", "t"))]
+            if all(by):
+                break
+        assert all(by), "the common component has been removed"
         ts, ss = (roots(r) for r in by)
         found = []
         for s, of_s in ss:
             for t, of_t in ts:
-                if all(_is_zero(e, s, t) for e in equations):
+                on_component = shared and _is_zero(component, s, t)
+                if not on_component and all(_is_zero(e, s, t) for e in equations):
                     found.append(Common(float(s), float(t), of_s, of_t))
-        return sorted(found)
+        return sorted(found), shared
 
 
 def _is_zero(e, s: arb, t: arb) -> bool:
