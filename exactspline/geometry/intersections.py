@@ -17,7 +17,7 @@ from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet, shift_fo
 from exactspline.geometry.sides_at_knots import backward_ray, changes_side, forward_ray, rays_interlace
 from exactspline.geometry.space_meetings import SpaceForms, space_meetings
 from exactspline.hooks import Displayed
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import common_divisor, mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Arc, Meetings
@@ -358,6 +358,6 @@ def _overlap(arc: Arc, first: Interval, second: Interval) -> Overlap:
     sides = (second, first) if arc.exchanged else (first, second)
     top, bottom = segment_polynomials(image_splines(arc.map, *sides), 0)
     # in lowest terms up to a constant already
-    common = top.content().gcd(bottom.content()) * (-1 if bottom.leading_coefficient() < 0 else 1)
+    common = common_divisor([top.content(), bottom.content()]) * (-1 if bottom.leading_coefficient() < 0 else 1)
     coefficients = [tuple(int(x // common) for x in p.coeffs()) for p in (top, bottom)]
     return Overlap(one, other, coefficients[0], coefficients[1], arc.exchanged)

@@ -95,10 +95,10 @@ class Fibre:
 def local_multiplicity(
     first: PlaneForms, second: PlaneForms, s: Place, t: Place, carried: RationalMap | None = None
 ) -> int:
-    """The intersection multiplicity of two branches at a common point through which both curves may pass several times:
-    that of the value ``z_t + λ z_s`` as a zero of the resultant, the least over as many λ as there may be zeros: some of
-    them separate it from the values of all other common zeros. A factor that belongs to a map from the second to the
-    first is divided out.
+    """The intersection multiplicity of two branches at a common point through which both curves may pass several
+    times: that of the value ``z_t + λ z_s`` as a zero of the resultant, the least over as many λ as there may be
+    zeros: one of them separates it from the values of all other common zeros. A factor that belongs to a map from the
+    second to the first is divided out.
     """
     if s.exact == 1:
         first, s = _reversed(first), at(mpq(0), 0)
