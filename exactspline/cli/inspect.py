@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import asdict, replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 from exactspline.cli.answers import answer_questions
 from exactspline.cli.common import CURVE_HELP, Read, also_in_their_planes, distinguish, read_curves, standard_input
 from exactspline.cli.output import OptionsError, Output, is_quiet, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.words import choice
-
-if TYPE_CHECKING:
-    from exactspline.display.sheet import Sheet
 
 #: The word for all approaches, side by side.
 ALL = "all"
@@ -84,6 +81,7 @@ def inspect(
     maps of the plane the sign of the Jacobian.
     """
     from exactspline.cli.surfaces import inspect_surfaces, is_surface
+    from exactspline.display.features import feature_sheet
     from exactspline.geometry.inspection import Approach
     from exactspline.interchange.curve_files import write_json
 
@@ -127,8 +125,8 @@ def inspect(
         _draw(inspected, given, plot, ", ".join(curve))
     out.give(
         "inspect",
-        lambda: [data for *_, data in inspected],
-        lambda: _sheets(inspected),
+        (data for *_, data in inspected),
+        (feature_sheet(c, data) for c, _, data in inspected),
         lambda: _print_all(out, inspected),
         by="curve",
     )
@@ -160,12 +158,6 @@ def _emit(curve: Any, path: str) -> None:
 
     text = theorem_of(curve)
     write_text(path, text)
-
-
-def _sheets(inspected: list[tuple[Any, Any, dict[str, Any]]]) -> list[Sheet]:
-    from exactspline.display.features import feature_sheet
-
-    return [feature_sheet(c, data) for c, _, data in inspected]
 
 
 def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:

@@ -82,8 +82,8 @@ def _of_papers(
         rows = tracked(formula_degrees(formulas), "degrees")
         out.give(
             "formula degrees",
-            lambda: [{"key": f"{row.formula} ({row.curves})"} | vars(row) for row in rows],
-            lambda: [formula_degree_sheet(rows)],
+            [{"key": f"{row.formula} ({row.curves})"} | vars(row) for row in rows],
+            [formula_degree_sheet(rows)],
         )
         return
     given, good = loaded(curve or [])
@@ -108,12 +108,12 @@ def _give(out: Output, tables: list[tuple[Nurbs, list[DegreeRow]]]) -> None:
 
     out.give(
         "degrees",
-        lambda: [
+        [
             {"key": f"{c.name} ({c.dimension}D): {row.formula}, {row.variant}", "curve": c.name} | row.data()
             for c, rows in tables
             for row in rows
         ],
-        lambda: [degree_sheet(c, rows, f"{c.name}: {described(c)}") for c, rows in tables],
+        [degree_sheet(c, rows, f"{c.name}: {described(c)}") for c, rows in tables],
         by="curve",
     )
 
@@ -135,8 +135,8 @@ def _on_patches(out: Output, paper: list[str], trust: bool, names: list[str], pa
     rows = tracked(patch_table([f for f in formulas if not names or f.name in names], degrees), "degrees")
     out.give(
         "patch degrees",
-        lambda: [{"key": f"{row.formula} ({row.patches})"} | vars(row) | {"agrees": row.agrees} for row in rows],
-        lambda: [patch_sheet(rows, degrees)],
+        [{"key": f"{row.formula} ({row.patches})"} | vars(row) | {"agrees": row.agrees} for row in rows],
+        [patch_sheet(rows, degrees)],
     )
     if not all(row.agrees for row in rows):
         raise Exit(1)
@@ -197,10 +197,8 @@ def _generic(out: Output, names: list[str]) -> None:
     kinds = {kind: [row for row in rows if _is_one_of(row.object, names)] for kind, rows in found.items()}
     out.give(
         "generic",
-        lambda: [
-            {"key": f"{kind}: {row.object}", "curves": kind} | vars(row) for kind, rows in kinds.items() for row in rows
-        ],
-        lambda: [generic_sheet(kind, rows) for kind, rows in kinds.items()],
+        [{"key": f"{kind}: {row.object}", "curves": kind} | vars(row) for kind, rows in kinds.items() for row in rows],
+        [generic_sheet(kind, rows) for kind, rows in kinds.items()],
         by="curves",
     )
     if any(row.differ for rows in kinds.values() for row in rows):

@@ -1,0 +1,51 @@
+"""Papers: ``paper new``, ``paper figures``."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated
+
+from exactspline.cli.common import tell_how_surfaces_are_drawn, tracked
+from exactspline.cli.output import Output, printing
+from exactspline.cli.parameters import Argument, Option
+from exactspline.display.sheet import Sheet
+
+
+def new(folder: Annotated[str, Argument(help="The folder to write; it must not exist, or be empty.")]) -> None:
+    """Write a small working paper: formulas.py, claims.toml, curves/ and README.md, with comments, to be edited."""
+    from exactspline.display import console
+    from exactspline.errors import command_name
+    from exactspline.papers.new import write_new_paper
+
+    written = write_new_paper(folder)
+    shown = console.console()
+    for file in written:
+        console.lines(shown, str(file))
+    console.lines(shown, f"Now: {command_name()} prove --paper {folder}")
+
+
+@printing
+def figures(
+    out: Output,
+    folder: Annotated[
+        str, Option("--out", metavar="FOLDER", help="The folder to write into; it is created if necessary.")
+    ],
+    figure: Annotated[
+        list[int] | None,
+        Option("--figure", metavar="N", help="The number of a figure; may be repeated. All of them without it."),
+    ] = None,
+) -> None:
+    """Draw the figures of the paper (SVG and PNG, surfaces also as HTML that turns); counts in captions are computed
+    from the objects.
+    """
+    from exactspline.display.figures import FIGURES, make
+    from exactspline.display.figures import folder as made_folder
+
+    place = made_folder(folder)
+    made = tracked([partial(make, number, place) for number in figure or FIGURES], "drawing")
+    if any(file.endswith(".html") for m in made for file in m.files):
+        tell_how_surfaces_are_drawn()
+    numbered = list(zip(figure or FIGURES, made, strict=True))
+    rows = [{"key": str(n)} | vars(m) for n, m in numbered]
+    cells = [(n, m.caption, ", ".join(map(str, m.files))) for n, m in numbered]
+    out.give("figures", rows, [Sheet("figure", "caption", "files", rows=cells, prose=["caption", "files"])])
