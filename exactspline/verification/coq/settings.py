@@ -11,8 +11,7 @@ from functools import cached_property
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT, Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, Kind, PairKind, Symbol, TableKind

@@ -8,8 +8,7 @@ from dataclasses import field, replace
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, embedded
+from exactspline.language.arguments import Curve, Evaluated, embedded
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import POINT_IN_SPACE, Kind, kind_of
 from exactspline.language.parts import split
