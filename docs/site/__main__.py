@@ -30,6 +30,7 @@ WRITTEN = (
     "degree-theorem",
     "surfaces",
     "bisectors",
+    "two-parameters",
     "conditioning",
     "approximated",
     "certified-filter",

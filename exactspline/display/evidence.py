@@ -60,8 +60,8 @@ TEMPLATES: dict[type, str] = {
     e.Vanishes: "0 {where:words}",
     e.NotBetter: "not better at the zero {zero:words}",
     e.OfType: "{type}",
-    e.SpeaksOf: "its arguments are of the kind {kind!r}",
-    e.SpeaksOfAnother: "{formula} is a formula of {kind!r}, not of {asked!r}",
+    e.OfKind: "its arguments are of the kind {kind!r}",
+    e.OfAnotherKind: "{formula} is a formula of {kind!r}, not of {asked!r}",
 }
 
 

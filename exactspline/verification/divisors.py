@@ -80,7 +80,7 @@ def _known(claim: Claim, kind: Kind, argument: Evaluated) -> Iterator[fmpq_mpoly
         for name in WEIGHTS if {"x", "p1"} & operands.keys() else ():  # where w is a denominator, not any function
             if isinstance(value := operands.get(name), JetFraction):
                 yield value.top
-    for assumed in filter(lambda assumed: assumed.speaks_of(kind), _all(claim.assumes)):
+    for assumed in filter(lambda assumed: assumed.applies_to(kind), _all(claim.assumes)):
         try:
             yield assumed.polynomial(argument).top
         except ExactSplineError:

@@ -304,8 +304,6 @@ def test_what_rounds_is_found(code):
 UNBOUNDED = {
     "geometry/balls.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
     "geometry/bisector/common_zeros.py: _certainly_apart": "modulo a prime, in one variable",
-    "geometry/bisector/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
-    "geometry/bisector/over_root.py: _most": "modulo a prime, in one variable",
     "geometry/bisector/polynomials.py: common_divisor": "over the field of a root: Euclid's algorithm, bounded",
     "numbers/exact.py: common_divisor": "integers",
     "polynomials/bernstein.py: add": "integers",
@@ -325,6 +323,9 @@ UNBOUNDED = {
     "polynomials/factors.py: certainly_square_free": "modulo a prime, in one variable",
     "polynomials/factors.py: factorize_square_free": "the door",
     "polynomials/factors.py: prime_factors": "integers, of a bounded number of bits",
+    "polynomials/fibres.py: Fibre.__init__": "over the field of a place: Euclid's algorithm, bounded",
+    "polynomials/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
+    "polynomials/over_root.py: _most": "modulo a prime, in one variable",
     "verification/minimality.py: bezout_combination": "modulo a prime, in one variable",
 }
 
