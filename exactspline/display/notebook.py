@@ -16,6 +16,7 @@ from exactspline.display.latex import fraction, latex, mathematics
 from exactspline.display.numbers import Numbers, decimals
 from exactspline.display.plot.canvas import in_words, settle
 from exactspline.display.quotations import quoted
+from exactspline.display.reading_along import ReadingAlong, along_html
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import counted
@@ -221,6 +222,11 @@ def _(e: Erratum) -> str:
         ]
     lines += [("true", escape(line)) for line in e.truth] + [("why", escape(line)) for line in e.why]
     return facts(f"{e.id}: {e.title}", [line for line in lines if line[1]])
+
+
+@html.register
+def _(read: ReadingAlong) -> str:
+    return along_html(read)
 
 
 @html.register
