@@ -30,6 +30,9 @@ from exactspline.symbolic.reduction import Reduction, counted_in, reduce, reduct
 from exactspline.verification.check_arguments import argument
 from exactspline.verification.vocabulary import Name
 
+if TYPE_CHECKING:
+    from exactspline.geometry.constructions import Construction
+
 
 def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
     """The quotient of two formulas for all curves of that dimension, or None when they are not proportional.
@@ -158,10 +161,6 @@ def table_1_degrees() -> Operands:
     """The operands of Table 1 in the degree reading."""
     one, two = [[Degree.named(name) for _ in range(5)] for name in ("d1", "d2")]
     return Operands(p1=one[0], w1=one[1], v1=Vector(*one[2:]), p2=two[0], w2=two[1], v2=Vector(*two[2:]))
-
-
-if TYPE_CHECKING:
-    from exactspline.geometry.constructions import Construction
 
 
 def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = False) -> Degree:
