@@ -30,6 +30,7 @@ __all__ = [
     "check_output",
     "claims_of_papers",
     "curves_in",
+    "each_read",
     "load_curve",
     "loaded",
     "quiet_fonts",
@@ -115,22 +116,24 @@ def loaded(names: Iterable[str], given: bytes | None = None) -> tuple[list[Nurbs
 
 
 def read_curves(names: Iterable[str], given: bytes | None = None) -> tuple[list[Read], bool]:
-    """The curves that can be read, and whether all could: a bad curve is reported, and the rest are read. `given` is
-    standard input where it was read before.
-    """
+    """The curves that can be read, and whether all could. `given` is standard input where it was read before."""
+    found, good = each_read(names, lambda name: (name, *_found_in(name, given)))
+    curves = [Read(name, index, curve) for name, own, _ in found for index, curve in enumerate(own)]
+    return curves, good and all(complete for *_, complete in found)
+
+
+def each_read(names: Iterable[str], read: Callable[[str], V]) -> tuple[list[V], bool]:
+    """What can be read, and whether all could: what is bad is reported, and the rest is read."""
     from exactspline.display.console import show_error
 
-    curves, good = list[Read](), True
+    found, good = list[V](), True
     for name in names:
         try:
-            found, complete = _found_in(name, given)
+            found.append(read(name))
         except ExactSplineError as error:
             show_error(error)
             good = False
-        else:
-            curves += [Read(name, index, curve) for index, curve in enumerate(found)]
-            good = good and complete
-    return curves, good
+    return found, good
 
 
 def distinguish(rows: list[dict[str, object]]) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from exactspline.cli.common import each_read
 from exactspline.cli.output import OptionsError, Output
 from exactspline.cli.parameters import Exit
 from exactspline.errors import ExactSplineError
@@ -41,18 +42,9 @@ def is_surface(name: str, given: bytes | None = None) -> bool:
 
 def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str, given: bytes | None = None) -> None:
     """Print what surfaces have; a bad one is reported and the rest goes on. `given` is what stands for ``-``."""
-    from exactspline.display.console import show_error
-
     if plot and len(names) > 1:
         raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
-    told: list[tuple[dict[str, object], Sheet]] = []
-    good = True
-    for name in names:
-        try:
-            told.append(_inspected(_loaded(name, given), digits, plot))
-        except ExactSplineError as error:
-            show_error(error)
-            good = False
+    told, good = each_read(names, lambda name: _inspected(_loaded(name, given), digits, plot))
     out.give(
         "inspect surface",
         [{"key": str(data["surface"])} | data for data, _ in told],

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from exactspline.display import console
-from exactspline.display.console import decimal
 from exactspline.display.described import described
+from exactspline.display.numbers import decimal
 from exactspline.display.sheet import Sheet
 from exactspline.interchange.curve_files import curve_data
 from exactspline.numbers.exact import text
@@ -22,11 +22,8 @@ NUMBERS = ("degree", "condition", "minimal / this", "at most", "double error")
 def comparison_sheet(c: Nurbs, each: Conditioning) -> Sheet:
     """Every form at every zero of a curve, one per row."""
     title = f"{c.name}: {described(c)}; {each.construction}"
-    made = Sheet("zero", "form", *NUMBERS, title=title, name=c.name, numbers=NUMBERS, heads=2)
-    for row in each.roots:
-        for f in row.forms:
-            made.add_row(_place(row.root), f.form, *_cells(row, f))
-    return made
+    cells = [(_place(row.root), f.form, *_cells(row, f)) for row in each.roots for f in row.forms]
+    return Sheet("zero", "form", *NUMBERS, rows=cells, title=title, name=c.name, numbers=NUMBERS, heads=2)
 
 
 def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], tallies: Sequence[Tally], *, quiet: bool) -> None:
@@ -67,11 +64,12 @@ def tally_sheet(tallies: Sequence[Tally]) -> Sheet:
     """The counts of a search."""
     numbers = ("worse", "better", "proved not better", "smallest ratio", "largest ratio")
     columns = ("curves with", "construction", "against", *numbers)
-    made = Sheet(*columns, title="Search: the reduced form is … conditioned", name="search", numbers=numbers, heads=3)
-    for t in tallies:
-        ratios = [decimal(ratio, 3) for ratio, _ in t.extremes]
-        made.add_row(t.family, t.construction, t.form, t.worse, t.better, t.proved, *ratios)
-    return made
+    cells = [
+        (t.family, t.construction, t.form, t.worse, t.better, t.proved, *(decimal(ratio, 3) for ratio, _ in t.extremes))
+        for t in tallies
+    ]
+    title = "Search: the reduced form is … conditioned"
+    return Sheet(*columns, rows=cells, title=title, name="search", numbers=numbers, heads=3)
 
 
 def comparison_data(each: Conditioning) -> dict[str, object]:

@@ -11,24 +11,9 @@ from typing import IO
 from rich.console import Console, RenderableType
 from rich.text import Text
 
-from exactspline.display.numbers import decimal, decimal_milliseconds, decimals
-from exactspline.display.sheet import PIPE, Sheet
+from exactspline.display.sheet import PIPE
 from exactspline.display.wrapping import hanging, visible
 
-__all__ = [
-    "PIPE",
-    "Sheet",
-    "console",
-    "decimal",
-    "decimal_milliseconds",
-    "decimals",
-    "legend",
-    "lines",
-    "plain",
-    "show_error",
-    "table",
-    "width",
-]
 #: The smallest width that is assumed of a terminal.
 NARROWEST = 20
 
@@ -60,13 +45,6 @@ def console(stream: IO[str] | None = None) -> Console:
         no_color=plain,
         color_system=None if plain else "auto",
     )
-
-
-def table(*columns: str, title: str = "", right: Iterable[str] = (), prose: Iterable[str] = ()) -> Sheet:
-    """An empty table; the columns in `right` are aligned to the right, those in `prose` are broken into lines where
-    needed.
-    """
-    return Sheet(*columns, title=title, numbers=right, prose=prose)
 
 
 def lines(out: Console, text: str, indent: int = 2, style: str = "", first: int = 0) -> None:

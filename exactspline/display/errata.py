@@ -33,13 +33,13 @@ def erratum_data(entry: Erratum) -> dict[str, object]:
 def errata_sheet(entries: Sequence[Erratum], numbers: Numbers) -> Sheet:
     """The statements of errors, one per row."""
     columns = ("error", "place", "printed", "which says", "found", "witness", "true", "why")
-    made = Sheet(*columns, prose=columns[1:])
-    for entry in entries:
-        for each in entry.statements:
-            seen = worded(each.witness, numbers)
-            truth, why = "; ".join(entry.truth), "; ".join(entry.why)
-            made.add_row(entry.title, each.place, each.words, each.statement, worded(each.found), seen, truth, why)
-    return made
+    cells = [
+        (e.title, each.place, each.words, each.statement, worded(each.found), worded(each.witness, numbers), *reasons)
+        for e in entries
+        for reasons in [("; ".join(e.truth), "; ".join(e.why))]
+        for each in e.statements
+    ]
+    return Sheet(*columns, rows=cells, prose=columns[1:])
 
 
 def print_errata(entries: Sequence[Erratum], errors: Sequence[Erratum], numbers: Numbers, *, quiet: bool) -> None:

@@ -120,12 +120,12 @@ def ledger(
     """The rows of one curve (or of all curves), one per line; with `kernel`, the results of Coq's kernel."""
     asked = () if kernel is None else ("kernel",)
     columns = ("verdict", "claim", "statement", "found", "witness", *asked)
-    made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness", *asked), heads=2)
+    cells = []
     for row in rows:
         mark = "" if row.as_recorded else f" (recorded: {recorded(row)})"
         says = () if kernel is None else (kernel.get((row.paper, row.key), ""),)
-        made.add_row(row.verdict + mark, row.id, row.statement, found(row), witness(row, numbers), *says)
-    return made
+        cells.append((row.verdict + mark, row.id, row.statement, found(row), witness(row, numbers), *says))
+    return Sheet(*columns, rows=cells, title=title, name=name, prose=columns[2:], heads=2)
 
 
 def by_section(rows: Iterable[Row]) -> Sheet:

@@ -65,13 +65,10 @@ def sheets(scheme: Scheme) -> list[Sheet]:
 
 def _triangle_sheets(triangle: Triangle) -> list[Sheet]:
     steps = [f"step {r}" for r in range(1, len(triangle.columns))]
-    points = Sheet("point", "given", *steps, title=title(triangle), name=title(triangle))
-    for label, *cells in _grid(triangle, triangle.columns, point_text):
-        points.add_row(label, *cells)
-    shares = Sheet("point", *steps, title=f"Shares s. {rule(triangle)}", name="shares")
-    for label, *cells in _grid(triangle, ((), *triangle.ratios), text):
-        if any(cells):
-            shares.add_row(label, *cells[1:])
+    cells, heading = _grid(triangle, triangle.columns, point_text), title(triangle)
+    points = Sheet("point", "given", *steps, rows=cells, title=heading, name=heading)
+    ratios = ([label, *rest] for label, _, *rest in _grid(triangle, ((), *triangle.ratios), text) if any(rest))
+    shares = Sheet("point", *steps, rows=ratios, title=f"Shares s. {rule(triangle)}", name="shares")
     made = [points, shares] if triangle.ratios else [points]
     return [*made, *_result_sheets(triangle)]
 
@@ -80,26 +77,24 @@ def _result_sheets(triangle: Triangle) -> list[Sheet]:
     if triangle.method == "de Boor":
         if not triangle.rational:
             return []
-        made = Sheet("point of the curve", title="Divided by its weight", name="tip")
-        made.add_row(point_text(triangle.tip))
-        return [made]
+        tip = [[point_text(triangle.tip)]]
+        return [Sheet("point of the curve", rows=tip, title="Divided by its weight", name="tip")]
     if not triangle.made or triangle.knots is None:
         return []
-    made = Sheet("point", "is", title=f"Knots: {', '.join(map(text, triangle.knots))}", name="result")
-    for i, row in enumerate(triangle.made):
-        made.add_row(f"e{i}", point_text(row))
-    return [made]
+    cells = [(f"e{i}", point_text(row)) for i, row in enumerate(triangle.made)]
+    knots = ", ".join(map(text, triangle.knots))
+    return [Sheet("point", "is", rows=cells, title=f"Knots: {knots}", name="result")]
 
 
 def _product_sheets(table: ProductTable) -> list[Sheet]:
     columns = [f"·{text(b)} [{k}]" for k, b in enumerate(table.right)]
-    made = Sheet("times", *columns, title=title(table), name=title(table))
-    for a, row in zip(table.left, table.table, strict=True):
-        made.add_row(text(a), *map(text, row))
-    sums = Sheet("diagonal", "sum", "Bézier point", title=rule(table), name="diagonals")
-    for m, (total, point) in enumerate(zip(table.sums, table.points, strict=True)):
-        sums.add_row(f"{m}", text(total), text(point))
-    return [made, sums]
+    products = [(text(a), *map(text, row)) for a, row in zip(table.left, table.table, strict=True)]
+    pairs = enumerate(zip(table.sums, table.points, strict=True))
+    sums = [(m, text(total), text(point)) for m, (total, point) in pairs]
+    return [
+        Sheet("times", *columns, rows=products, title=title(table), name=title(table)),
+        Sheet("diagonal", "sum", "Bézier point", rows=sums, title=rule(table), name="diagonals"),
+    ]
 
 
 def _grid(
