@@ -8,6 +8,7 @@ from typing import Annotated, Any
 from exactspline.cli.common import check_output, tell_notes, tell_skipped
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
 
 
@@ -60,8 +61,7 @@ def convert(
             "key": named.name,
             "format": reading.format,
             "target": target,
-            "degree": named.curve.degree,
-            "dimension": named.curve.dimension,
+            **picked(named.curve, "degree", "dimension"),
             "control_points": len(named.curve.control_points),
             "notes": [*named.notes, *reading.notes, *notes],
             "skipped": [] if i else skipped,

@@ -6,6 +6,7 @@ from typing import Annotated
 
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument
+from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
 
 
@@ -19,18 +20,9 @@ def curves(out: Output) -> None:
     from exactspline.interchange.examples import example, example_names
 
     found = [example(name) for name in example_names()]
+    shape = ("name", "degree", "dimension", "polynomial", "segments")
     rows = [
-        {
-            "key": c.name,
-            "name": c.name,
-            "degree": c.degree,
-            "dimension": c.dimension,
-            "polynomial": c.polynomial,
-            "segments": c.segments,
-            "control_points": len(c.control_points),
-            "note": c.note,
-        }
-        for c in found
+        {"key": c.name, **picked(c, *shape), "control_points": len(c.control_points), "note": c.note} for c in found
     ]
     numbers = ("degree", "segments", "points", "dimension")
     cells = [
@@ -45,18 +37,8 @@ def surfaces(out: Output) -> None:
     from exactspline.interchange.examples import example_surface, example_surface_names
 
     found = [example_surface(name) for name in example_surface_names()]
-    rows = [
-        {
-            "key": s.name,
-            "name": s.name,
-            "degree": list(s.degree),
-            "dimension": s.dimension,
-            "polynomial": s.polynomial,
-            "patches": list(s.patches),
-            "note": s.note,
-        }
-        for s in found
-    ]
+    shape = ("name", "degree", "dimension", "polynomial", "patches", "note")
+    rows = [{"key": s.name, **picked(s, *shape)} for s in found]
     cells = [
         (s.name, _kind(s.polynomial), *(f"{m} × {n}" for m, n in (s.degree, s.patches)), s.dimension, s.note)
         for s in found

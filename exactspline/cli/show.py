@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 from exactspline.cli.common import Papers, Trust, claims_of_papers
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.display.data import picked
 from exactspline.display.sheet import COLOURS, Sheet
 
 if TYPE_CHECKING:
@@ -57,14 +58,8 @@ def _list(out: Output, claims: Sequence[Claim]) -> None:
     from exactspline.display.ledger import section
 
     rows = [
-        {
-            "key": f"{c.paper}/{c.key}",
-            "id": c.id,
-            "status": str(c.status),
-            "section": section(c),
-            "source": c.source,
-            "statement": c.statement,
-        }
+        {"key": f"{c.paper}/{c.key}", **picked(c, "id", "status"), "section": section(c)}
+        | picked(c, "source", "statement")
         for c in claims
     ]
     cells = [(row["id"], row["section"], row["statement"]) for row in rows]

@@ -6,6 +6,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from exactspline.display.data import picked
 from exactspline.display.evidence import worded
 from exactspline.display.numbers import EXACT, Numbers
 from exactspline.display.sheet import Sheet
@@ -85,13 +86,7 @@ def row_data(row: Row) -> dict[str, object]:
     """
     claim, finding = row.claim, row.finding
     beside = f", {worded(row.beside)}" if row.beside else ""
-    return {
-        "id": claim.id,
-        "key": claim.key,
-        "paper": claim.paper,
-        "status": claim.status,
-        "kind": claim.kind,
-        "source": claim.source,
+    return picked(claim, "id", "key", "paper", "status", "kind", "source") | {
         "statement": row.statement,
         "assumes": claim.assumed,
         "assumptions": list(finding.assumptions),

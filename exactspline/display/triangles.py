@@ -7,6 +7,7 @@ from html import escape
 
 from exactspline.classroom.triangles import ProductTable, Row, Triangle
 from exactspline.display import mathml
+from exactspline.display.data import Data, picked
 from exactspline.display.latex import fraction, mathematics
 from exactspline.display.page import page
 from exactspline.display.sheet import Sheet
@@ -190,33 +191,12 @@ def _listed(what: str, rows: Sequence[Row]) -> str:
 # ---- data
 
 
-def scheme_data(scheme: Scheme) -> dict[str, object]:
+def scheme_data(scheme: Scheme) -> Data:
     """A scheme as data: numbers as text."""
-
-    def rows(points: Iterable[Row]) -> list[list[str]]:
-        return [list(map(text, row)) for row in points]
-
-    data: dict[str, object] = {"key": title(scheme), "span": list(map(text, scheme.span))}
+    data: Data = {"key": title(scheme)} | picked(scheme, "span")
     if isinstance(scheme, ProductTable):
-        return data | {
-            "method": "product",
-            "left": list(map(text, scheme.left)),
-            "right": list(map(text, scheme.right)),
-            "table": rows(scheme.table),
-            "sums": list(map(text, scheme.sums)),
-            "points": list(map(text, scheme.points)),
-        }
-    data |= {
-        "method": scheme.method,
-        "degree": scheme.degree,
-        "parameter": None if scheme.parameter is None else text(scheme.parameter),
-        "rational": scheme.rational,
-        "first": scheme.first,
-        "columns": [rows(column) for column in scheme.columns],
-        "ratios": rows(scheme.ratios),
-    }
+        return data | {"method": "product"} | picked(scheme, "left", "right", "table", "sums", "points")
+    data |= picked(scheme, "method", "degree", "parameter", "rational", "first", "columns", "ratios")
     if scheme.method == "de Boor":
-        data["tip"] = list(map(text, scheme.tip))
-    if scheme.made and scheme.knots is not None:
-        data |= {"knots": list(map(text, scheme.knots)), "made": rows(scheme.made)}
-    return data
+        data |= picked(scheme, "tip")
+    return data | picked(scheme, "knots", "made") if scheme.made and scheme.knots is not None else data
