@@ -156,7 +156,7 @@ class _Values:
                 points[-1][(group - code) // 10] = decimal(value, self.collector.limits)
         return points
 
-    def frame(self) -> tuple[list[mpq], list[mpq], list[mpq]]:
+    def frame(self) -> tuple[Sequence[mpq], Sequence[mpq], Sequence[mpq]]:
         """The axes of the entity's coordinate system, by the arbitrary axis algorithm; raises `ShapeError` if they are
         irrational.
         """
