@@ -153,7 +153,8 @@ def curves_in(name: str, given: bytes | None = None) -> list[Nurbs]:
 
 def _found_in(name: str, given: bytes | None) -> tuple[list[Nurbs], bool]:
     """The same, and whether no curve of the file is missing."""
-    from exactspline.interchange.examples import curve_from_text, load
+    from exactspline.interchange.curve_files import curve_from_text
+    from exactspline.interchange.examples import load
 
     given = (standard_input() if given is None else given) if name == "-" else None
     part = name.rpartition(":")[0]
@@ -179,7 +180,7 @@ def _found_in(name: str, given: bytes | None) -> tuple[list[Nurbs], bool]:
 
 def standard_input() -> bytes:
     """All of standard input; `CurveFileError` where it is too large."""
-    from exactspline.interchange.curve_files import MAX_BYTES
+    from exactspline.interchange.json_files import MAX_BYTES
 
     data = sys.stdin.buffer.read(8 * MAX_BYTES + 1)
     if len(data) > 8 * MAX_BYTES:

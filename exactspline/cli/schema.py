@@ -36,7 +36,8 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
 
     text = resources.files(__package__).joinpath("schemas.json").read_text(encoding="utf-8")
     own: dict[str, dict[str, dict[str, object]]] = json.loads(text)
-    found = {name: {"key": {"type": "string"}} | fields for name, fields in own.items()}
+    key: dict[str, dict[str, object]] = {"key": {"type": "string"}}
+    found = {name: key | fields for name, fields in own.items()}
     found["inspect"] |= answers("plane curve", "space curve")
     found["inspect surface"] |= answers("surface in space", "map of a rectangle into the plane")
     # a row may also be the bisector of a point and a curve

@@ -23,9 +23,9 @@ def is_surface(name: str, given: bytes | None = None) -> bool:
     >>> is_surface("torus"), is_surface("circle")
     (True, False)
     """
+    from exactspline.interchange.curve_files import looks_like_surface
     from exactspline.interchange.examples import example_names, example_surface_names
     from exactspline.interchange.json_files import MAX_BYTES
-    from exactspline.interchange.surface_files import looks_like_surface
 
     if name == "-":
         return given is not None and len(given) <= MAX_BYTES and looks_like_surface(given.decode(errors="replace"))
@@ -57,8 +57,8 @@ def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str, 
 
 def _loaded(name: str, given: bytes | None) -> NurbsSurface:
     """The surface that a name, a file or standard input means."""
+    from exactspline.interchange.curve_files import surface_from_text
     from exactspline.interchange.examples import load_surface
-    from exactspline.interchange.surface_files import surface_from_text
 
     if name != "-" or given is None:
         return load_surface(name)

@@ -14,11 +14,10 @@ from typing import Any
 
 from exactspline.errors import CurveFileError
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.curve_files import curve_data, curve_from_data
+from exactspline.interchange.curve_files import curve_data, curve_from_data, surface_from_data
 from exactspline.interchange.json_files import parsed
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.surface_files import surface_from_data
 
 #: The fields of a curve that are long.
 SIZED = "knots", "control_points", "weights"
