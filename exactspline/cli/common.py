@@ -29,7 +29,6 @@ __all__ = [
     "also_in_their_planes",
     "check_output",
     "claims_of_papers",
-    "curves_in",
     "each_read",
     "load_curve",
     "loaded",
@@ -83,7 +82,7 @@ def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, .
 
 def load_curve(name: str) -> Nurbs:
     """The one curve that a name, a file or standard input (``-``) means."""
-    found = curves_in(name)
+    found, _ = _found_in(name)
     if len(found) > 1:
         names = ", ".join(c.name for c in found[:8]) + (", …" if len(found) > 8 else "")
         raise CurveFileError(
@@ -109,9 +108,9 @@ class Read:
         return {"source": self.source, "index": self.index, "digest": curve_digest(self.curve)}
 
 
-def loaded(names: Iterable[str], given: bytes | None = None) -> tuple[list[Nurbs], bool]:
+def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
     """The curves that can be read, and whether all could (see `read_curves`)."""
-    found, good = read_curves(names, given)
+    found, good = read_curves(names)
     return [each.curve for each in found], good
 
 
@@ -144,15 +143,11 @@ def distinguish(rows: list[dict[str, object]]) -> None:
             row["key"] = f"{row['key']} ({row['source']}, curve {row['index']})"
 
 
-def curves_in(name: str, given: bytes | None = None) -> list[Nurbs]:
+def _found_in(name: str, given: bytes | None = None) -> tuple[list[Nurbs], bool]:
     """An example curve by its name, or the curves of a file in any format (``font.ttf:ampersand``; ``-`` for standard
-    input, `given` where it was read before); whatever is skipped is named on standard error, and so are notes.
+    input, `given` where it was read before), and whether none is missing; whatever is skipped is named on standard
+    error, and so are notes.
     """
-    return _found_in(name, given)[0]
-
-
-def _found_in(name: str, given: bytes | None) -> tuple[list[Nurbs], bool]:
-    """The same, and whether no curve of the file is missing."""
     from exactspline.interchange.curve_files import curve_from_text
     from exactspline.interchange.examples import load
 

@@ -5,10 +5,8 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable
-from io import StringIO
-from typing import IO
 
-from rich.console import Console, RenderableType
+from rich.console import Console
 from rich.text import Text
 
 from exactspline.display.sheet import PIPE
@@ -18,12 +16,11 @@ from exactspline.display.wrapping import hanging, visible
 NARROWEST = 20
 
 
-def width(stream: IO[str] | None = None) -> int:
-    """The columns of the terminal behind a stream; output to a file or a pipe is not limited, unless the environment
-    sets ``COLUMNS``.
+def width() -> int:
+    """The columns of the terminal; output to a file or a pipe is not limited, unless the environment sets
+    ``COLUMNS``.
     """
-    stream = stream or sys.stdout
-    columns = os.environ.get("COLUMNS", "")
+    stream, columns = sys.stdout, os.environ.get("COLUMNS", "")
     if columns.isdigit() and int(columns):
         return max(NARROWEST, int(columns))
     try:
@@ -32,13 +29,12 @@ def width(stream: IO[str] | None = None) -> int:
         return 80 if stream.isatty() else PIPE
 
 
-def console(stream: IO[str] | None = None) -> Console:
-    """A console on a stream (by default standard output); without colours where ``NO_COLOR`` is set."""
-    stream = stream or sys.stdout
+def console() -> Console:
+    """A console on standard output; without colours where ``NO_COLOR`` is set."""
     plain = bool(os.environ.get("NO_COLOR"))
     return Console(
-        file=stream,
-        width=width(stream),
+        file=sys.stdout,
+        width=width(),
         highlight=False,
         emoji=False,
         markup=False,
@@ -62,13 +58,6 @@ def legend(out: Console, words: Iterable[str]) -> None:
         out.print()
     for term, meaning in explanations:
         lines(out, f"{term}: {meaning}")
-
-
-def plain(made: RenderableType, columns: int = 160) -> str:
-    """The text that a console would show, for use without a terminal."""
-    written = StringIO()
-    Console(highlight=False, width=columns, color_system=None, file=written, force_jupyter=False).print(made)
-    return "\n".join(line.rstrip() for line in written.getvalue().splitlines())
 
 
 def show_error(error: object) -> None:

@@ -117,20 +117,17 @@ def breakable(text: str) -> str:
 class Verdicts(Grid):
     """The rows of a ledger as a table; `rows_of_ledger` are the rows themselves."""
 
-    def __init__(self, rows: Iterable[Row], title: str = "") -> None:
+    def __init__(self, rows: Iterable[Row]) -> None:
         self.rows_of_ledger = list(rows)
         columns = ["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"]
         cells: list[tuple[str, ...]] = [
             (r.verdict, r.id, r.curve, r.statement, r.claimed, worded(r.computed), remark(r), r.claim.source)
             for r in self.rows_of_ledger
         ]
-        if not any(r.curve for r in self.rows_of_ledger):
-            columns, cells, title = (
-                [*columns[:2], *columns[3:]],
-                [(*c[:2], *c[3:]) for c in cells],
-                title or "for all curves",
-            )
-        super().__init__(columns, cells, title)
+        if any(r.curve for r in self.rows_of_ledger):
+            super().__init__(columns, cells)
+        else:
+            super().__init__([*columns[:2], *columns[3:]], [(*c[:2], *c[3:]) for c in cells], "for all curves")
 
     @property
     def as_recorded(self) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from html import escape
 
+from exactspline.classroom.answers import shown
 from exactspline.classroom.triangles import ProductTable, Row, Triangle
 from exactspline.display import mathml
 from exactspline.display.data import Data, picked
@@ -49,16 +50,6 @@ def rule(scheme: Scheme) -> str:
     return "An entry is 1 − s times the entry above it in the previous column plus s times the entry to its left."
 
 
-def point_text(row: Row) -> str:
-    """A value, or a point between parentheses.
-
-    >>> from exactspline.numbers.exact import mpq
-    >>> point_text((mpq(1, 2),)), point_text((mpq(1, 2), mpq(3)))
-    ('1/2', '(1/2, 3)')
-    """
-    return text(row[0]) if len(row) == 1 else f"({', '.join(map(text, row))})"
-
-
 def sheets(scheme: Scheme) -> list[Sheet]:
     """The points, below them the weights with which neighbours were combined, and the result."""
     return _product_sheets(scheme) if isinstance(scheme, ProductTable) else _triangle_sheets(scheme)
@@ -66,7 +57,7 @@ def sheets(scheme: Scheme) -> list[Sheet]:
 
 def _triangle_sheets(triangle: Triangle) -> list[Sheet]:
     steps = [f"step {r}" for r in range(1, len(triangle.columns))]
-    cells, heading = _grid(triangle, triangle.columns, point_text), title(triangle)
+    cells, heading = _grid(triangle, triangle.columns, shown), title(triangle)
     points = Sheet("point", "given", *steps, rows=cells, title=heading, name=heading)
     ratios = ([label, *rest] for label, _, *rest in _grid(triangle, ((), *triangle.ratios), text) if any(rest))
     shares = Sheet("point", *steps, rows=ratios, title=f"Shares s. {rule(triangle)}", name="shares")
@@ -78,11 +69,11 @@ def _result_sheets(triangle: Triangle) -> list[Sheet]:
     if triangle.method == "de Boor":
         if not triangle.rational:
             return []
-        tip = [[point_text(triangle.tip)]]
+        tip = [[shown(triangle.tip)]]
         return [Sheet("point of the curve", rows=tip, title="Divided by its weight", name="tip")]
     if not triangle.made or triangle.knots is None:
         return []
-    cells = [(f"e{i}", point_text(row)) for i, row in enumerate(triangle.made)]
+    cells = [(f"e{i}", shown(row)) for i, row in enumerate(triangle.made)]
     knots = ", ".join(map(text, triangle.knots))
     return [Sheet("point", "is", rows=cells, title=f"Knots: {knots}", name="result")]
 
@@ -98,20 +89,18 @@ def _product_sheets(table: ProductTable) -> list[Sheet]:
     ]
 
 
-def _grid(
-    triangle: Triangle, columns: Sequence[Sequence[object]], shown: Callable[..., str], name: str = "d"
-) -> Iterable[list[str]]:
+def _grid(triangle: Triangle, columns: Sequence[Sequence[object]], written: Callable[..., str]) -> Iterable[list[str]]:
     """Labelled rows of cells. Each column begins one row lower than the one before, so that an entry is next to the
     lower of the two entries from which it is computed; in elevation each column ends one row lower.
     """
     bezier = triangle.first < 0
-    first, letter = (0, "b") if bezier else (triangle.first, name)
+    first, letter = (0, "b") if bezier else (triangle.first, "d")
     height = max(map(len, columns)) if bezier else len(triangle.columns[0])
     for i in range(height):
         cells = []
         for column in columns:
             k = i if bezier else i - (height - len(column))
-            cells.append(shown(column[k]) if 0 <= k < len(column) else "")
+            cells.append(written(column[k]) if 0 <= k < len(column) else "")
         yield [f"{letter}{first + i}", *cells]
 
 

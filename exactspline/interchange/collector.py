@@ -94,8 +94,6 @@ class Collector:
         name: str = "",
         notes: Sequence[str] = (),
         within: tuple[mpq, mpq] | None = None,
-        source: str | None = None,
-        note: str = "",
     ) -> None:
         """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`; `within` is the part of its
         domain that the file uses. Data that do not define a curve are recorded as skipped, with the reason.
@@ -104,11 +102,11 @@ class Collector:
         try:
             self.count(len(points) + len(knots))
             self._check(degree, knots, points, weights or ())
-            source = f"{self.source.name} {where}".strip() if source is None else source
+            source = f"{self.source.name} {where}".strip()
             if homogeneous:
-                curve = Nurbs.from_homogeneous(degree, knots, points, name=name, source=source, note=note)
+                curve = Nurbs.from_homogeneous(degree, knots, points, name=name, source=source)
             else:
-                curve = Nurbs(degree, knots, points, weights=weights, name=name, source=source, note=note)
+                curve = Nurbs(degree, knots, points, weights=weights, name=name, source=source)
             if within is not None and within != curve.domain:
                 curve = curve.restrict(*within)
         except ExactSplineError as error:
