@@ -68,14 +68,12 @@ def _list(out: Output, claims: Sequence[Claim]) -> None:
 
 def _print_theorems(found: list[Statement]) -> None:
     """For copying, so that lines are not broken."""
-    from rich.text import Text
-
     from exactspline.display import console
     from exactspline.display.theorem import theorem
 
     shown = console.console()
     for each in found:
-        shown.print(Text(theorem(each), no_wrap=True, overflow="ignore"), soft_wrap=True)
+        console.unbroken(shown, theorem(each))
         shown.print()
 
 

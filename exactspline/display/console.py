@@ -46,7 +46,12 @@ def console() -> Console:
 def lines(out: Console, text: str, indent: int = 2, style: str = "", first: int = 0) -> None:
     """Print a text in lines no longer than the width of the console, all but the first indented."""
     for line in hanging(text, out.width, indent, first) or [""]:
-        out.print(Text(line, style=style, no_wrap=True, overflow="ignore"), soft_wrap=True)
+        unbroken(out, line, style)
+
+
+def unbroken(out: Console, text: str, style: str = "") -> None:
+    """Print a text as it is, to be copied: a line longer than the width of the console is not broken."""
+    out.print(Text(text, style=style, no_wrap=True, overflow="ignore"), soft_wrap=True)
 
 
 def legend(out: Console, words: Iterable[str]) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rich.console import Console
-from rich.text import Text
 
 from exactspline.display import console
 from exactspline.display.code import code_lines
@@ -75,5 +74,5 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
     # code begins where the line begins, so that it can be pasted
     for line in dict.fromkeys(line for each in entry.statements for line in each.check):
         for part in code_lines(line, shown.width):
-            shown.print(Text(part, no_wrap=True, overflow="ignore"), soft_wrap=True)
+            console.unbroken(shown, part)
     shown.print()

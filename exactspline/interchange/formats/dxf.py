@@ -146,15 +146,15 @@ class _Values:
         x, y, z = default or (None, None, 0)
         return [self.number(code, x), self.number(code + 10, y), self.number(code + 20, z)]
 
-    def points(self, code: int) -> list[list[mpq]]:
-        """All points whose x coordinate has the group code `code`."""
-        points: list[list[mpq]] = []
+    def rows(self, *codes: int) -> list[list[mpq]]:
+        """All rows of values with these group codes, each begun by the first of them; a missing value is 0."""
+        rows: list[list[mpq]] = []
         for group, value in self.entity.pairs:
-            if group == code:
-                points.append([decimal(value, self.collector.limits), mpq(0), mpq(0)])
-            elif group in (code + 10, code + 20) and points:
-                points[-1][(group - code) // 10] = decimal(value, self.collector.limits)
-        return points
+            if group == codes[0]:
+                rows.append([mpq(0)] * len(codes))
+            if group in codes and rows:
+                rows[-1][codes.index(group)] = decimal(value, self.collector.limits)
+        return rows
 
     def frame(self) -> tuple[Sequence[mpq], Sequence[mpq], Sequence[mpq]]:
         """The axes of the entity's coordinate system, by the arbitrary axis algorithm; raises `ShapeError` if they are
@@ -178,7 +178,7 @@ class _Values:
 
 
 def _spline(values: _Values) -> None:
-    points, knots, weights = values.points(10), values.numbers(40), values.numbers(41)
+    points, knots, weights = values.rows(10, 20, 30), values.numbers(40), values.numbers(41)
     flags = values.flag(70)
     if not points and values.entity.texts(11):
         raise CurveFileError("a spline with fit points only", remedy="control points and knots are required")
@@ -243,12 +243,7 @@ def _elliptic(values: _Values, centre: Sequence[mpq], u: Sequence[mpq], v: Seque
 
 
 def _polyline(values: _Values) -> None:
-    vertices: list[list[mpq]] = []
-    for group, text in values.entity.pairs:
-        if group == 10:
-            vertices.append([decimal(text, values.collector.limits), mpq(0), mpq(0)])
-        elif group in (20, 42) and vertices:
-            vertices[-1][1 if group == 20 else 2] = decimal(text, values.collector.limits)
+    vertices = values.rows(10, 20, 42)
     if values.flag(70) & CLOSED:
         vertices.append([*vertices[0][:2], mpq(0)] if vertices else [])
     segments: list[Segment] = []
