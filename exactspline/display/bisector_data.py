@@ -78,7 +78,7 @@ def control_net(splines: list[TensorSpline]) -> Data:
     rows = zip(*[x.control_points for x in splines], strict=True)
     return {
         "degree": list(first.degree),
-        "knots": [plain(list(knots)) for knots in first.knots],
+        "knots": [plain(knots) for knots in first.knots],
         "homogeneous_control_net": [plain(list(zip(*row, strict=True))) for row in rows],
     }
 
@@ -130,7 +130,7 @@ def _root_lines_data(lines: RootLines, digits: int) -> Data:
     def net(part: tuple[Coordinate, ...], field: str) -> Data:
         first = part[0][0]
         rows = zip(*[zip(*[f.control_points for f in coordinate], strict=True) for coordinate in part], strict=True)
-        return {"degree": first.degree, "knots": plain(list(first.knots)), field: plain(list(rows))}
+        return {"degree": first.degree, "knots": plain(first.knots), field: plain(list(rows))}
 
     return {
         "parameter": NAMES[lines.of],

@@ -6,6 +6,7 @@ from enum import Enum
 from operator import attrgetter
 
 from exactspline.numbers.exact import mpq, text
+from exactspline.splines.knots import KnotVector
 
 Data = dict[str, object]
 
@@ -20,7 +21,7 @@ def plain(value: object) -> object:
         return value.value
     if isinstance(value, type(mpq())):
         return text(value)
-    return [plain(each) for each in value] if isinstance(value, (tuple, list)) else value
+    return [plain(each) for each in value] if isinstance(value, (tuple, list, KnotVector)) else value
 
 
 def picked(of: object, *names: str) -> Data:
