@@ -57,13 +57,10 @@ Papers = Annotated[
     ),
 ]
 Trust = Annotated[
-    bool, Option("--trust", help="Run the formulas of a folder or a file as they stand: any Python, unchecked.")
+    bool, Option("--trust", help="Run the formulas of a folder or a file unchanged: any Python, unchecked.")
 ]
 Digits = Annotated[
-    int,
-    Option(
-        "--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits beside them."
-    ),
+    int, Option("--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits too.")
 ]
 Exact = Annotated[bool, Option("--exact", help="Show long fractions in full instead of as decimals.")]
 
@@ -86,7 +83,7 @@ def load_curve(name: str) -> Nurbs:
     if len(found) > 1:
         names = ", ".join(c.name for c in found[:8]) + (", …" if len(found) > 8 else "")
         raise CurveFileError(
-            f"{len(found)} curves, where one is wanted",
+            f"{len(found)} curves, where one is expected",
             where=name,
             remedy=f"take one: {command_name()} convert {name} one.json --only NAME, of {names}",
         )

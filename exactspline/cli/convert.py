@@ -78,13 +78,13 @@ def convert(
         "convert",
         rows,
         [Sheet(*columns, rows=cells, numbers=numbers, prose=["notes"])],
-        lambda: _told(out, [*notes], f"{counted(len(curves), 'curve')} from {reading.format} to {target}"),
+        lambda: _report(out, [*notes], f"{counted(len(curves), 'curve')} from {reading.format} to {target}"),
     )
     if not reading.complete:
         raise Exit(2)
 
 
-def _told(out: Output, notes: list[str], summary: str) -> None:
+def _report(out: Output, notes: list[str], summary: str) -> None:
     """The outcome, on standard error, since standard output may hold the curves."""
     if not out.quiet:
         sys.stderr.writelines(f"note: {note}\n" for note in notes)

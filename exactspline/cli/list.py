@@ -98,8 +98,8 @@ def words(
     from exactspline.display.glossary import glossary, meaning
 
     topics = {"": {each: meaning(each) for each in term}} if term else glossary()
-    cells = [(each, told) for terms in topics.values() for each, told in terms.items()]
-    rows = [{"key": each, "meaning": told} for each, told in cells]
+    cells = [(each, explained) for terms in topics.values() for each, explained in terms.items()]
+    rows = [{"key": each, "meaning": explained} for each, explained in cells]
     out.give("glossary", rows, [Sheet("term", "meaning", rows=cells, prose=["meaning"])], lambda: _print(topics))
 
 

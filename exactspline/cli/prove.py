@@ -97,7 +97,7 @@ def prove(
     from exactspline.interchange.examples import load_surface
     from exactspline.verification.ledger import settled, tasks
 
-    wanted = [_word(each, WORDS) for each in verdict or []]
+    requested = [_word(each, WORDS) for each in verdict or []]
     known = claims_of_papers(_papers(paper, curve, surface), trust)
     claims = of_sections(named_claims(claim or [], known), section or [])
     given, good = loaded(curve or [])
@@ -106,10 +106,10 @@ def prove(
     if curve or surface:
         curves = [*also_in_their_planes(given), *patches]
     if judge and curves is not None:
-        told = "--judge and --curve" if curve else "--judge and --surface"
-        raise OptionsError(told, remedy="another judge decides for all: leave it out")
+        options = "--judge and --curve" if curve else "--judge and --surface"
+        raise OptionsError(options, remedy="another judge decides for all: leave it out")
     found, kernel = _judged(judge, claims) if judge else (settled(tracked(tasks(claims, curves), "proving")), None)
-    chosen = [row for row in found if not wanted or row.verdict in wanted]
+    chosen = [row for row in found if not requested or row.verdict in requested]
     if html:
         from exactspline.display.ledger_page import ledger_page
 
@@ -174,18 +174,18 @@ def _word(name: str, known: Sequence[str]) -> str:
     return name.upper()
 
 
-def of_sections(claims: Sequence[Claim], wanted: Sequence[str]) -> list[Claim]:
-    """The claims of some sections; all of them where none is wanted."""
+def of_sections(claims: Sequence[Claim], requested: Sequence[str]) -> list[Claim]:
+    """The claims of some sections; all of them where none is named."""
     from exactspline.display.ledger import section
 
     known = list(dict.fromkeys(map(section, claims)))
-    for name in wanted:
+    for name in requested:
         if not any(_within(each, name) for each in known):
             raise ClaimError(f"there is no section called {name!r}", remedy=nearest(name, known))
-    return [claim for claim in claims if not wanted or any(_within(section(claim), name) for name in wanted)]
+    return [claim for claim in claims if not requested or any(_within(section(claim), name) for name in requested)]
 
 
-def _within(section: str, wanted: str) -> bool:
-    """Whether a section is the wanted one or a part of it: §4.2 is one of 4."""
-    a, b = section.lower().removeprefix("§"), wanted.lower().removeprefix("§").strip()
+def _within(section: str, requested: str) -> bool:
+    """Whether a section is the requested one or a part of it: §4.2 is one of 4."""
+    a, b = section.lower().removeprefix("§"), requested.lower().removeprefix("§").strip()
     return a == b or a.startswith(f"{b}.")

@@ -94,10 +94,10 @@ def schema_of(name: str) -> dict[str, object]:
     fields = known[name]
     row = {
         "type": "object",
-        "required": [field for field, told in fields.items() if not told.get("optional")],
+        "required": [field for field, form in fields.items() if not form.get("optional")],
         "additionalProperties": False,
         "properties": {
-            field: {word: what for word, what in told.items() if word != "optional"} for field, told in fields.items()
+            field: {word: what for word, what in form.items() if word != "optional"} for field, form in fields.items()
         },
     }
     return {

@@ -44,11 +44,11 @@ def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str, 
     """Print what surfaces have; a bad one is reported and the rest goes on. `given` is what stands for ``-``."""
     if plot and len(names) > 1:
         raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
-    told, good = each_read(names, lambda name: _inspected(_loaded(name, given), digits, plot))
+    inspected, good = each_read(names, lambda name: _inspected(_loaded(name, given), digits, plot))
     out.give(
         "inspect surface",
-        [{"key": str(data["surface"])} | data for data, _ in told],
-        [sheet for _, sheet in told],
+        [{"key": str(data["surface"])} | data for data, _ in inspected],
+        [sheet for _, sheet in inspected],
         by="surface",
     )
     if not good:
@@ -69,7 +69,7 @@ def _loaded(name: str, given: bytes | None) -> NurbsSurface:
 
 
 def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str, object], Sheet]:
-    """What a surface has as data and as a table, and the picture where one is wanted."""
+    """What a surface has as data and as a table, and the picture where one is requested."""
     from exactspline.display.surface_data import map_data, map_sheet, surface_inspection_data, surface_sheet
     from exactspline.geometry.surface.inspection import inspect_surface
     from exactspline.geometry.surface.planar_maps import jacobian_sign
