@@ -1,4 +1,5 @@
-"""Tables for notebooks and terminals: degrees, control points, verdicts, printed numbers next to computed ones.
+"""Tables for notebooks and terminals: degrees, control points, verdicts, printed numbers next to computed ones, and a
+source section by section.
 
 >>> from exactspline.papers import find
 >>> from exactspline.interchange.examples import example
@@ -7,6 +8,7 @@
 """
 
 from exactspline.display.latex import mathematics
+from exactspline.display.reading_along import reading_along
 from exactspline.display.serialize import derived_data, inspection_data
 from exactspline.display.tables import (
     Grid,
@@ -21,8 +23,8 @@ from exactspline.display.tables import (
 )
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.curve_check import table_1_splines
+from exactspline.verification.degree_tables import measurable, measure
 from exactspline.verification.generic_proof import table_1_degrees
-from exactspline.verification.measure import measurable, measure
 from exactspline.verification.patch_degrees import patch_table, variants_table
 
 __all__ = [
@@ -39,6 +41,7 @@ __all__ = [
     "numerical_claims",
     "patch_table",
     "printed_numbers",
+    "reading_along",
     "reduction_table",
     "symbolic_table",
     "table_1_degrees",

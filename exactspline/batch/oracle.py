@@ -1,7 +1,7 @@
 """The exact oracle: questions about a curve, answered exactly, in certified intervals and as correctly rounded doubles.
 
 A question is text: a name, an argument after a colon, parameters after an @. ``value@1/2``, ``derivative:2@0,1/3``,
-``curvature@inflections``, ``elevate:2``, ``inflections``.
+``value@cusps``, ``elevate:2``, ``cusps``.
 """
 
 from __future__ import annotations
@@ -24,14 +24,15 @@ from exactspline.geometry.extent import coordinate_range, slope_zeros
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature, JointKind
 from exactspline.geometry.planarity import Plane
-from exactspline.geometry.values_along import point_at
+from exactspline.geometry.recognition.pieces import RecognizedPiece
+from exactspline.geometry.values_along import point_at, unit
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, text
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.questions.entry import Entry
 from exactspline.reals.real import Real, real
-from exactspline.roots.values import exact_place, unit
+from exactspline.roots.values import exact_place
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.control_points import Direction
@@ -64,9 +65,9 @@ def oracle(curve: Nurbs, asked: str) -> Answer:
     """The answer to a question about a curve.
 
     >>> from exactspline import example
-    >>> [item] = oracle(example("cubic_s"), "inflections").items
+    >>> [item] = oracle(example("cusp"), "cusps").items
     >>> item.what, item.values["parameter"].exact, item.values["parameter"].double()
-    ('inflection', mpq(1,2), 0.5)
+    ('cusp', mpq(1,2), 0.5)
     >>> oracle(example("circle"), "length").items[0].values["length"].double("up")
     6.283185307179587
 
@@ -107,7 +108,7 @@ def _frame(curve: Nurbs, t: mpq | Real) -> Values:
     return {
         f"{name}{axis}": x
         for name, vector in vectors.items()
-        for axis, x in zip(axes(curve), unit(list(vector), t, name), strict=True)
+        for axis, x in zip(axes(curve), unit(vector, t, name), strict=True)
     }
 
 
@@ -262,13 +263,17 @@ def _items(curve: Nurbs, answer: Any) -> Iterator[Item]:
             yield _piece(EVERYWHERE, piece)
 
 
-def _item(curve: Nurbs, each: Feature | Joint | CurvePiece | Plane | tuple[CurvePiece, Plane]) -> Item:
+def _item(
+    curve: Nurbs, each: Feature | Joint | CurvePiece | RecognizedPiece | Plane | tuple[CurvePiece, Plane]
+) -> Item:
     if isinstance(each, Feature):
         return _point(curve, each)
     if isinstance(each, Joint):
         return _joint(each)
     if isinstance(each, CurvePiece):
         return _piece("piece", each)
+    if isinstance(each, RecognizedPiece):
+        return _shape(each)
     piece, plane = each if isinstance(each, tuple) else (None, each)
     ends = {} if piece is None else _piece("", piece).values
     return Item("planar piece" if piece else "plane", ends, {"plane": str(plane)})
@@ -281,6 +286,16 @@ def _point(curve: Nurbs, feature: Feature) -> Item:
         values["curvature"] = values_along.curvature(curve, place)
     facts = {"at_knot": feature.at_knot, "by_jump": feature.by_jump, "multiplicity": feature.root.multiplicity}
     return Item(str(feature.kind), values, facts)
+
+
+def _shape(found: RecognizedPiece) -> Item:
+    ends = {**_piece("", found.piece).values, "within": real(found.within)}
+    numbers = {
+        name if len(values) == 1 else f"{name} {i + 1}": value
+        for name, values in found.shape.numbers.items()
+        for i, value in enumerate(values)
+    }
+    return Item(str(found.shape.kind), ends | numbers, {"whole": found.whole})
 
 
 def _piece(what: str, piece: CurvePiece) -> Item:

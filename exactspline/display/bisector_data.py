@@ -34,8 +34,8 @@ from exactspline.questions.entry import Of
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.common import with_common_knots
+from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.values import SplineVector
 
 NAMES = "st"
 

@@ -16,6 +16,7 @@ from exactspline.display.latex import fraction, latex, mathematics
 from exactspline.display.numbers import Numbers
 from exactspline.display.plot.canvas import in_words, settle
 from exactspline.display.quotations import quoted
+from exactspline.display.reading_along import ReadingAlong, along_html
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import counted
@@ -35,7 +36,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
 from exactspline.verification.errata import Erratum
 from exactspline.verification.rows import Row
-from exactspline.verification.statement import Side, Statement, latex_of, sides
+from exactspline.verification.statement import Side, Statement, sides
 
 #: How many numbers of a list are written out, and the number of control points above which a spline is described
 #: instead.
@@ -203,9 +204,7 @@ def _side_lines(sides: tuple[Side, ...]) -> list[tuple[str, str]]:
 
 @html.register
 def _(c: Claim) -> str:
-    return facts(
-        f"{c.id}, {c.source}", [*_claim_lines(c, latex_of(c)), *_side_lines(sides(c)), ("recorded", c.expected)]
-    )
+    return facts(f"{c.id}, {c.source}", [*_claim_lines(c, c.latex), *_side_lines(sides(c)), ("recorded", c.expected)])
 
 
 def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:
@@ -225,6 +224,11 @@ def _(e: Erratum) -> str:
         ]
     lines += [("true", escape(line)) for line in e.truth] + [("why", escape(line)) for line in e.why]
     return facts(f"{e.id}: {e.title}", [line for line in lines if line[1]])
+
+
+@html.register
+def _(read: ReadingAlong) -> str:
+    return along_html(read)
 
 
 @html.register

@@ -7,14 +7,12 @@ of curves can be compared with one in ∇F and the Hessian of F.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from itertools import combinations_with_replacement
 from typing import Any
 
 from exactspline.errors import FormulaError
-from exactspline.language.accompanied import Accompanied, vector_of
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import PARAMETERS, Curve, T
+from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, T, vector_of
 from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.vector import S, Vector, cross
 
@@ -104,11 +102,8 @@ class ImplicitKind(Kind):
             dimension in self.dimensions and other.name in ("curve", ("plane", "space")[dimension - 2])
         )
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve with the partial derivatives along it."""
-        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension)}
         curve = Curve(vector_of(named, *self.axes), one, polynomial=True)
         additional = {name: value for name, value in named.items() if name not in self.axes}
         return Accompanied(curve, additional, self._made)

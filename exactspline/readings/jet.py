@@ -14,7 +14,7 @@ from typing import Any, cast
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind
 from exactspline.language.letters import refuse_letter
@@ -189,10 +189,7 @@ class Jet(RingOperand):
         """An exact constant of the ring."""
         return self.ring.number(value)
 
-    def __add__(self, other: object) -> Jet:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: Jet) -> Jet:
         return Jet(self.ring, self.polynomial + right.polynomial, (SUM, self.provenance, right.provenance))
 
     def __sub__(self, other: object) -> Jet:
@@ -201,20 +198,13 @@ class Jet(RingOperand):
             return NotImplemented
         return Jet(self.ring, self.polynomial - right.polynomial, (DIFFERENCE, self.provenance, right.provenance))
 
-    def __mul__(self, other: object) -> Jet:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: Jet) -> Jet:
         product = bounded_product(self.polynomial, right.polynomial)
         return Jet(self.ring, product, (PRODUCT, self.provenance, right.provenance))
 
     def scaled(self, constant: Constant) -> Jet:
         """The polynomial times an exact constant."""
         return Jet(self.ring, self.polynomial * to_fmpq(rational(constant)), (MULTIPLE, self.provenance, mpq(constant)))
-
-    def elevated_to(self, other: object) -> Jet:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Jet:
         """The total derivative, or the derivative with respect to one parameter.
@@ -295,7 +285,16 @@ def _jet(ring: JetRing, terms: Terms) -> Jet:
     return Jet(ring, ring.of_terms(terms))
 
 
-class JetReading(Reading):
+class IndeterminateReading(Reading):
+    """A reading in which the operands, and their derivatives up to an order, are indeterminate."""
+
+    proves = "an identity for every curve of every degree"
+
+    def __init__(self, order: int) -> None:
+        self.order = order
+
+
+class JetReading(IndeterminateReading):
     """The argument with indeterminate operands, and their derivatives up to an order.
 
     >>> from exactspline.language.kinds import PAIR
@@ -305,10 +304,6 @@ class JetReading(Reading):
     """
 
     name = "jet"
-    proves = "an identity for every curve of every degree"
-
-    def __init__(self, order: int) -> None:
-        self.order = order
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The argument in which every operand is an indeterminate; a polynomial curve has the denominator 1."""

@@ -10,13 +10,12 @@ from flint import fmpq, fmpq_mpoly
 from flint.utils.flint_exceptions import DomainError
 
 from exactspline.errors import VanishingDivisorError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
-from exactspline.language.reading import Reading
 from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
-from exactspline.readings.jet import Jet, JetRing, Terms, terms_of
+from exactspline.readings.jet import IndeterminateReading, Jet, JetRing, Terms, terms_of
 
 
 class JetFraction(FieldOperand):
@@ -44,10 +43,7 @@ class JetFraction(FieldOperand):
         """An exact constant."""
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
 
-    def __add__(self, other: object) -> JetFraction:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: JetFraction) -> JetFraction:
         if self.bottom.is_one() and right.bottom.is_one():
             return JetFraction(self.ring, self.top + right.top, self.bottom)
         if self.bottom == right.bottom:
@@ -62,10 +58,7 @@ class JetFraction(FieldOperand):
         top, rest = _without_common(total, shared)
         return JetFraction(self.ring, top, bounded_product(bounded_product(mine, its), rest))
 
-    def __mul__(self, other: object) -> JetFraction:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: JetFraction) -> JetFraction:
         if self.bottom.is_one() and right.bottom.is_one():
             return JetFraction(self.ring, bounded_product(self.top, right.top), self.bottom)
         if self is right:
@@ -87,10 +80,6 @@ class JetFraction(FieldOperand):
         """The fraction times an exact constant."""
         factor = to_fmpq(rational(constant))
         return JetFraction(self.ring, self.top * factor, self.bottom if factor else self.ring.context.constant(1))
-
-    def elevated_to(self, other: object) -> JetFraction:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> JetFraction:
         """The total derivative."""
@@ -164,14 +153,10 @@ def _divides(b: fmpq_mpoly, a: fmpq_mpoly) -> bool:
     return True
 
 
-class RationalJetReading(Reading):
+class RationalJetReading(IndeterminateReading):
     """The argument with indeterminate operands, whose quotients are in lowest terms."""
 
     name = "rational jet"
-    proves = "an identity for every curve of every degree"
-
-    def __init__(self, order: int) -> None:
-        self.order = order
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The argument in which every operand is an indeterminate."""

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import cache, reduce
 from heapq import heapify, heappop, heappush
 from itertools import cycle
-from math import gcd
+from math import lcm
 from typing import Any, Self, cast
 
 import sympy
@@ -19,7 +19,7 @@ from sympy.core.function import AppliedUndef
 from sympy.polys.rings import PolyElement, PolyRing
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
@@ -54,16 +54,10 @@ class SympyExpression(FieldOperand):
         """An exact constant."""
         return self._made(_number(value), frozenset())
 
-    def __add__(self, other: object) -> Self:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: Self) -> Self:
         return self._made(self.expression + right.expression, self.parameters | right.parameters)
 
-    def __mul__(self, other: object) -> Self:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: Self) -> Self:
         return self._made(self.expression * right.expression, self.parameters | right.parameters)
 
     def reciprocal(self) -> Self:
@@ -75,10 +69,6 @@ class SympyExpression(FieldOperand):
     def scaled(self, constant: Constant) -> Self:
         """The expression times an exact constant."""
         return self._made(self.expression * _number(constant), self.parameters)
-
-    def elevated_to(self, other: object) -> Self:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The derivative with respect to its parameter, or the one that is named.
@@ -258,7 +248,7 @@ class Fractions:
         """The sum: common factors are factored out, the rest is expanded."""
         terms = [term for term in terms if term.unit]
         common = reduce(Factorization.shared, [term.powers for term in terms]) if terms else Factorization()
-        denominator = reduce(_lcm, [int(term.unit.denominator) for term in terms], 1)
+        denominator = lcm(*[int(term.unit.denominator) for term in terms])
         total = self.ring.zero
         for term in terms:
             lifted = self.ring.ground_new(int(term.unit * denominator))
@@ -337,7 +327,3 @@ def exact_quotient(p: PolyElement, q: PolyElement) -> PolyElement | None:
                 heappush(heap, tuple(-e for e in place))
             remainder[place] = remainder.get(place, 0) - factor * coefficient
     return q.ring.from_dict(quotient)
-
-
-def _lcm(a: int, b: int) -> int:
-    return a * b // gcd(a, b)

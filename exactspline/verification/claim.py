@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
-from typing import ClassVar, TypeVar
+from string import Template
+from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
 from exactspline.hooks import Displayed
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Operands
+from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
@@ -21,16 +21,14 @@ from exactspline.numbers.immutable import Immutable
 from exactspline.papers import Paper
 from exactspline.papers import paper as paper_named
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
 from exactspline.symbolic.factorization import sharing
-from exactspline.verification.check_arguments import free_operands
-from exactspline.verification.claim_factor import WEIGHTS
+from exactspline.verification.check_arguments import free_operands, too_long
 from exactspline.verification.claim_fields import claim_kind, declared
 from exactspline.verification.decision import Statement
-from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.evaluation import Evaluation, evaluation
 from exactspline.verification.evidence import (
     AnyOperands,
     Evidence,
@@ -41,10 +39,9 @@ from exactspline.verification.evidence import (
     Undefined,
     UndefinedAt,
 )
-from exactspline.verification.notation import symbol
+from exactspline.verification.notation import WEIGHTS, symbol
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names, one_patch_surfaces
 from exactspline.verification.segments import on_segments
-from exactspline.verification.surface_check import too_long
 from exactspline.verification.verdict import (
     CONTRADICTION,
     PROVED,
@@ -108,6 +105,12 @@ def formula_name(claim: Claim, name: str, value: str) -> Name:
     return Name(str(value))
 
 
+def any_formula(claim: Claim, name: str, value: str) -> str:
+    """The name of a formula with any kind of argument."""
+    claim.find(value)
+    return str(value)
+
+
 def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[Name, ...]:
     """Several such names."""
     return tuple(formula_name(claim, name, each) for each in value)
@@ -140,7 +143,7 @@ def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) 
     """Assumptions by their names, each about the arguments of the claim."""
     assumptions = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
     for each in assumptions:
-        if claim.curve != ArgumentKind.TABLE and not each.speaks_of(kind_of(claim.curve)):
+        if claim.curve != ArgumentKind.TABLE and not each.applies_to(kind_of(claim.curve)):
             raise ClaimError(
                 f"the assumption {each.name!r} does not apply to {str(claim.curve)!r}",
                 where=name,
@@ -204,10 +207,21 @@ class Claim(Immutable, Displayed):
 
     kind: ClassVar[str] = ""
     reading: ClassVar[Name] = Name("jet")
+    #: What is claimed, and the statement in LaTeX: ``$name`` is the value of a field, in LaTeX the symbol of a formula.
+    value: ClassVar[str] = ""
+    notation: ClassVar[str] = ""
+    #: The fields that name two formulas, which must be different ones.
+    sides: ClassVar[tuple[str, ...]] = ()
+    #: Whether it is about a single curve, not about pairs or the operands of Table 1.
+    of_one_curve: ClassVar[bool] = False
     #: Whether such claims can be decided where roots are adjoined.
     of_frames: ClassVar[bool] = False
-    #: Whether it states that something vanishes: then it is decided on one curve for all values of the free operands.
-    has_residues: ClassVar[bool] = False
+    #: Whether it is decided by zeros or signs of functions of one parameter.
+    asks_for_zeros: ClassVar[bool] = False
+    #: Whether `examine` decides for all arguments with the given curve, and not only for the given one.
+    tries_all: ClassVar[bool] = False
+    #: Whether the formulas are evaluated before a check, to see that they exist on the whole curve.
+    evaluated_first: ClassVar[bool] = True
 
     paper: str
     id: str
@@ -274,6 +288,14 @@ class Claim(Immutable, Displayed):
                 remedy="name the error, or omit the field",
             )
 
+        if self.sides and len({getattr(self, name) for name in self.sides}) < len(self.sides):
+            raise ClaimError("both sides are one formula", where=self.sides[-1], remedy="name another one")
+        if self.of_one_curve and (self.of_pair or self.curve == ArgumentKind.TABLE):
+            raise ClaimError(
+                f"claims of the kind {self.kind!r} are not decided for {str(self.curve)!r}",
+                where="curve",
+                remedy="name a curve",
+            )
         if kind_of(self.curve).adjoins_roots and not self.of_frames:
             raise ClaimError(
                 f"claims of the kind {self.kind!r} are not decided where roots are adjoined",
@@ -335,7 +357,7 @@ class Claim(Immutable, Displayed):
         """The dimensions to which it applies."""
         return kind_of(self.curve).dimensions
 
-    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+    def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """Whether it applies to single curves (or surfaces) of that dimension and kind: splines have no roots."""
         kind = kind_of(self.curve)
         made = kind.made_of_a_surface if surface else kind.made_of_a_curve
@@ -343,14 +365,18 @@ class Claim(Immutable, Displayed):
         return decidable and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
-    @abstractmethod
-    def latex(self) -> str:
-        """The statement as LaTeX."""
-
-    @property
     def claims(self) -> str:
         """The claimed value, as a row of the ledger shows it."""
-        return ""
+        return Template(self.value).substitute(vars(self))
+
+    @property
+    def latex(self) -> str:
+        """The statement as LaTeX."""
+        fields: dict[str, Any] = vars(self) | {"claims": self.claims}
+        for name, check, _ in declared(self.__class__).checks:
+            if check in (formula_name, any_formula):
+                fields[name] = self.symbol(fields[name])
+        return Template(self.notation).substitute(fields)
 
     def prove(self) -> tuple[Name, Finding]:
         """The reading in which it is decided for all curves, and the finding: the worst of all cases, that is of
@@ -362,17 +388,14 @@ class Claim(Immutable, Displayed):
 
     @property
     def equality(self) -> Statement | None:
-        """Its statement, where that is an equality: decided in any exact reading."""
+        """Its statement, where that is an equality: decided in any exact reading, and on one curve for all values of
+        the free operands.
+        """
         return None
 
     @abstractmethod
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The finding for all curves of a dimension, with w = 1 or with any w."""
-
-    @property
-    def asks_for_zeros(self) -> bool:
-        """Whether it is decided by zeros or signs of functions of one parameter."""
-        return False
 
     def check(
         self,
@@ -389,17 +412,17 @@ class Claim(Immutable, Displayed):
             return left(Fact.ZEROS_IN_TWO_PARAMETERS)
         if isinstance(own.curve, NurbsSurface) and (long := too_long(map(self.find, self.named), own.curve)):
             return left(long)
-        argument = own.handed(self.curve)
+        argument = own.argument(self.curve)
         gone = self.missing(argument)
         finding = vacuous(gone) if gone else self.examine(argument, own)
         if finding.verdict in (REFUTED, VACUOUS) and (failing := own.failing(self.curve, self.assumes)):
             return inapplicable(failing, finding.computed, finding.relation)
-        part = None if self.tries_all else own.part(self.curve)
+        part = self.part_tried(own)
         if part and finding.verdict == VERIFIED:
-            if not (self.has_residues and isinstance(own.curve, Nurbs)):
+            if self.equality is None or not isinstance(own.curve, Nurbs):
                 return sampled(finding, part)
             holds = not own.failing(self.curve, self.assumes) and self._is_proved(proof or self.prove)
-            return finding if holds else self._on_all(finding, own, part)
+            return finding if holds else self._on_all(self.equality, finding, own, part)
         if part and finding.verdict == REFUTED:
             return replace(finding, witness=OnPart(finding.witness, part))
         return finding
@@ -410,14 +433,14 @@ class Claim(Immutable, Displayed):
         except ExactSplineError:  # reported where the proof is requested
             return False
 
-    def _on_all(self, finding: Finding, own: Evaluation, part: Evidence) -> Finding:
+    def _on_all(self, equality: Statement, finding: Finding, own: Evaluation, part: Evidence) -> Finding:
         """A finding on a part, decided on the whole curve with indeterminates for the free operands; undecided if too
         expensive.
         """
         free = free_operands(self.curve) or AnyOperands()
         try:
             for segment in on_segments(kind_of(self.curve), own.curve, self.highest_derivative(own.curve.dimension)):
-                if failing := [x for x in self.residues(segment.argument) if not x.is_zero]:
+                if failing := [x for x in equality.residues(segment.argument) if not x.is_zero]:
                     fails = FailsWithOthers(segment.place(failing[0]), free, part)
                     return replace(finding, verdict=REFUTED, computed=Fact.NOT_SO, witness=fails)
         except VanishingDivisorError:
@@ -429,23 +452,16 @@ class Claim(Immutable, Displayed):
         return finding
 
     @abstractmethod
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The finding on one curve, given as the argument of the formulas."""
-
-    def residues(self, c: Evaluated) -> list[JetFraction]:
-        """The values that vanish exactly if a claim that `has_residues` holds for an argument in a reading with
-        division.
-        """
-        return []
 
     def highest_derivative(self, dimension: int) -> int:
         """The highest derivative that its formulas need."""
         return max(order_of(formula, dimension) for formula in self.compared)
 
-    @property
-    def tries_all(self) -> bool:
-        """Whether `examine` decides for all arguments with the given curve, and not only for the given one."""
-        return False
+    def part_tried(self, own: Evaluation) -> Evidence | None:
+        """Which part of all arguments with a curve is tried in a check; None where it is all of them."""
+        return None if self.tries_all else own.given(self.curve).part
 
     @property
     def compared(self) -> list[Formula]:
@@ -454,14 +470,14 @@ class Claim(Immutable, Displayed):
 
     def beside(self, own: Evaluation) -> Evidence | None:
         """The operands in addition to the curve in a check; None where there are none."""
-        free = free_operands(self.curve) if self.has_residues else None
-        return free or own.beside(self.curve)
+        free = free_operands(self.curve) if self.equality else None
+        return free or own.given(self.curve).beside
 
-    def missing(self, argument: Handed) -> Evidence | None:
+    def missing(self, argument: Evaluated) -> Evidence | None:
         """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; None when
         all exist.
         """
-        if self.curve == ArgumentKind.TABLE:
+        if self.curve == ArgumentKind.TABLE or not self.evaluated_first:
             return None
         for name in self.named:
             value = self.find(name)(argument)
@@ -469,6 +485,12 @@ class Claim(Immutable, Displayed):
             if any(isinstance(part, Rational) and not all(part.denominator.polynomials) for part in parts):
                 return Undefined(name)
         return None
+
+    def only_component(self, name: str, components: Sequence[V]) -> V:
+        """The one component of a scalar. Raises `ClaimError` for a vector."""
+        if len(components) > 1:
+            raise ClaimError(f"{name!r} is a vector", where=self.key, remedy="name a formula whose value is a scalar")
+        return components[0]
 
     def refuted_on_examples(self, proof: Callable[[], tuple[Name, Finding]] | None = None) -> Finding:
         """The first example curve on which it fails, as a witness; UNDECIDED when there is none. `proof` is that of
@@ -488,9 +510,9 @@ class Claim(Immutable, Displayed):
         """The example curves and surfaces to which it applies, the one named as witness first."""
         for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
             curve = self.curve_named(name)
-            if self.speaks_of(curve.dimension, curve.polynomial):
+            if self.applies_to(curve.dimension, curve.polynomial):
                 yield False, name, curve
         if kind_of(self.curve).made_of_a_surface:
             for surface in one_patch_surfaces():
-                if self.speaks_of(surface.dimension, surface.polynomial, surface=True):
+                if self.applies_to(surface.dimension, surface.polynomial, surface=True):
                     yield True, surface.name, surface

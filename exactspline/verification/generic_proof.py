@@ -7,8 +7,7 @@ from functools import cache
 
 from exactspline.errors import ExactSplineError, FormulaError, ReachError, as_flag, as_integer
 from exactspline.interchange.examples import example, example_surface
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Operands, Pair
+from exactspline.language.arguments import Evaluated, Operands, Pair
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import SURFACE, TableKind
@@ -144,6 +143,12 @@ def cached_reduction(
         ReachError,
     ) as error:  # for a formula that is too large this is only known after a long computation
         return error
+
+
+def degree_in_table_1(formula: Formula) -> Degree:
+    """The degree of a row of Table 1."""
+    degree: Degree = formula(table_1_degrees()).degree
+    return degree
 
 
 def table_1_degrees() -> Operands:

@@ -24,12 +24,11 @@ from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.evidence import Evidence, ExactQuotient, Fact, JudgesDisagree, WrongDegree
-from exactspline.verification.judges import Jets, agreed, compared_rows, second_opinions
-from exactspline.verification.kinds import Identity
+from exactspline.verification.judges import Jets, Sympy, agreed, compared_rows, second_opinions
+from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.questions import Proof
 from exactspline.verification.rows import Row
-from exactspline.verification.sympy_judge import Sympy
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Name
 
@@ -229,7 +228,7 @@ def test_what_a_row_says_already_is_not_said_again():
     assert false.witness == ExactQuotient(false.factor)
     assert (found(false), witness(false)) == ("f1 = w · f2", "")
     degree = next(c for c in select(["C4.1c"]) if c.kind == "degree" and c.measure == "nominal")
-    curve = next(c for c in map(example, example_names()) if degree.speaks_of(c.dimension, c.polynomial))
+    curve = next(c for c in map(example, example_names()) if degree.applies_to(c.dimension, c.polynomial))
     (row,) = audit([replace(degree, claimed="99")], [curve])
     assert isinstance(row.witness, WrongDegree)
     assert (found(row), witness(row)) == (f"{row.witness.degree}, not 99", "")

@@ -179,7 +179,6 @@ def vanishes(value: Iterable[object]) -> bool:
 #: Formulas that are equal and of which a claim speaks as parts of what is equal.
 PARTS = [
     {"jerk", "third_derivative", "jerk_terms", "jerk_shared", "jet_3"},
-    {"curvature_squared_inverted", "curvature_radius_squared", "primer_radius_squared"},
     {"radius_squared", "inverse_curvature_squared", "curvature_radius_squared"},
     {"radius_vector", "towards_the_circle"},
     {"bisector_numerators", "bisector_numerators_levelled"},
@@ -303,8 +302,8 @@ ALLOWED = {
     "verification.coq.framed_setting:flat": "fractions with and without roots",
     "verification.coq.proofs:_whole": "what is assumed of a fraction",
     "verification.coq.proofs:met": "what is assumed of a fraction",
-    "verification.kinds.surfaces:_but": "zeros in two parameters are not compared",
-    "verification.kinds.value_type:_independent": "roots within roots: whether they are independent",
+    "verification.kinds.equality:_but": "zeros in two parameters are not compared",
+    "verification.kinds.types:_independent": "roots within roots: whether they are independent",
 }
 
 

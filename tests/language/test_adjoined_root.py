@@ -19,9 +19,9 @@ from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.verification.claims import all_claims
+from exactspline.verification.judges import Sympy
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.ledger import proved
-from exactspline.verification.sympy_judge import Sympy
 from tests.support.numeric_reading import numeric_curve
 
 
@@ -201,7 +201,7 @@ def test_the_claims_over_roots_are_as_recorded_also_by_sympy(claim):
     """By two algebras; on single curves nothing is said: splines have no roots."""
     assert proved(claim).verdict == claim.expected
     assert Sympy().decide(claim).verdict == claim.expected
-    assert not any(claim.speaks_of(n, polynomial) for n in (2, 3) for polynomial in (False, True))
+    assert not any(claim.applies_to(n, polynomial) for n in (2, 3) for polynomial in (False, True))
 
 
 def test_frames_in_the_plane_and_in_space_are_in_the_ledger():

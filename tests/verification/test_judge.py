@@ -17,15 +17,10 @@ from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.combined import combined
 from exactspline.verification.evidence import Fact, OnAllOf, OnExample
-from exactspline.verification.kinds import (
-    Coefficients,
-    DegreeClaim,
-    Identity,
-    SameSurface,
-    SquareClass,
-    Vanishing,
-    ZeroSet,
-)
+from exactspline.verification.kinds.coefficients import Coefficients
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.kinds.equality import Identity, SameSurface, Vanishing
+from exactspline.verification.kinds.zeros import SquareClass, ZeroSet
 from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import CONTRADICTION, INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import Reason
@@ -359,7 +354,7 @@ def test_what_is_proved_of_the_generic_curve_is_met_by_an_example():
     rows = audit(generic, map(example, example_names()))
     met = {row.key for row in rows if row.verdict == VERIFIED or row.reason == Reason.SAMPLED}
     spoken_of = [
-        c for c in generic if any(c.speaks_of(example(n).dimension, example(n).polynomial) for n in example_names())
+        c for c in generic if any(c.applies_to(example(n).dimension, example(n).polynomial) for n in example_names())
     ]
     assert spoken_of
     assert [c.key for c in spoken_of if c.key not in met] == []

@@ -7,6 +7,7 @@ from dataclasses import field
 from typing import ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import CURVE
 from exactspline.language.vector import Vector
 from exactspline.readings.bernstein_term import BernsteinTermReading, every_coefficient
@@ -14,7 +15,7 @@ from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import (
     CoefficientIsZero,
     Fact,
@@ -28,7 +29,6 @@ from exactspline.verification.vocabulary import ArgumentKind, Curves, Name
 
 #: The degrees for which the generic Bézier segment is computed.
 GENERIC_DEGREES = range(2, 7)
-NONE = "none vanishes"
 
 
 @claim_kind
@@ -38,6 +38,8 @@ class Coefficients(Claim):
     """
 
     kind: ClassVar[str] = "coefficients"
+    value: ClassVar[str] = "none vanishes"
+    notation: ClassVar[str] = r"$formula \;\text{has no vanishing coefficient}"
 
     formula: Name = field(metadata=read(formula_name))
     curves: Curves = field(default=Curves.EVERY, metadata=read(one_of(Curves)))
@@ -49,19 +51,9 @@ class Coefficients(Claim):
         if not all(is_polynomial(self.find(self.formula), n) for n in self.dimensions):
             raise ClaimError(f"{self.formula!r} is a quotient", where="formula", remedy="name a polynomial")
 
-    @property
-    def claims(self) -> str:
-        """None vanishes."""
-        return NONE
-
-    @property
-    def latex(self) -> str:
-        """The formula has no vanishing coefficient."""
-        return rf"{self.symbol(self.formula)} \;\text{{has no vanishing coefficient}}"
-
-    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+    def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """A generic claim does not apply to single curves."""
-        return self.curves == Curves.EVERY and super().speaks_of(dimension, polynomial, surface=surface)
+        return self.curves == Curves.EVERY and super().applies_to(dimension, polynomial, surface=surface)
 
     def prove(self) -> tuple[Name, Finding]:
         """A claim about every curve can only be refuted, by a single curve; one about the generic curve is decided by
@@ -91,7 +83,7 @@ class Coefficients(Claim):
         degrees = ForDegrees(GENERIC_DEGREES[0], GENERIC_DEGREES[-1])
         return sampled(Finding(VERIFIED, OnlyForDegrees(degrees)), degrees)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """No control point is zero."""
         value = self.find(self.formula)(argument)
         components = list(value) if isinstance(value, Vector) else [value]

@@ -8,14 +8,14 @@ from functools import cache
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError, VanishingDivisorError
-from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import JetFraction, RationalJetReading
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import AtLeast, ContactOrder, DerivativeAt, Evidence, Fact, UndefinedAt, Vanishes
 from exactspline.verification.segments import at_equal_parameters, equated, on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, inapplicable, vacuous
@@ -45,6 +45,9 @@ class Contact(Claim):
     """
 
     kind: ClassVar[str] = "contact"
+    notation: ClassVar[str] = r"$formula\;\text{has contact of order}\;$claims"
+    tries_all: ClassVar[bool] = True
+    evaluated_first: ClassVar[bool] = False
 
     formula: Name = field(metadata=read(formula_name))
     order: int = field(metadata=read(order_of_contact))
@@ -63,11 +66,6 @@ class Contact(Claim):
     def claims(self) -> str:
         """The order."""
         return f"{'≥ ' if self.relation == Relation.AT_LEAST else ''}{self.order}"
-
-    @property
-    def latex(self) -> str:
-        """The name and the order."""
-        return rf"{self.symbol(self.formula)}\;\text{{has contact of order}}\;{self.claims}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The derivatives as differential polynomials of a single curve in place of both."""
@@ -97,19 +95,11 @@ class Contact(Claim):
         higher = self.relation == Relation.EQUAL and all(on_diagonal(x).is_zero for x in value)
         return self.order + 1 if higher else None
 
-    @property
-    def tries_all(self) -> bool:
-        """All segments are covered, with indeterminates."""
-        return True
-
     def beside(self, own: Evaluation) -> Evidence:
         """Both curves are the given one."""
         return Fact.WITH_ITSELF
 
-    def missing(self, argument: Handed) -> None:
-        """No check in advance: the formula takes the curve twice."""
-
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The derivatives as polynomials in the two parameters, on every segment."""
         formula, curve = self.find(self.formula), own.curve
         if is_singular(formula, curve.dimension, curve.polynomial):

@@ -11,9 +11,7 @@ from functools import cache, partial
 from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, VanishingDivisorError
-from exactspline.language.accompanied import Accompanied
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import PARAMETERS, Curve, T
+from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, T
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Symbol
 from exactspline.language.kinds import CurveKind, Kind, kind_of
@@ -27,7 +25,7 @@ from exactspline.symbolic.motions import MAPS, Map
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.decision import Changed
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DifferUnder, Evidence, UndefinedAt, UnderEvery, UnderMap, Weight
 from exactspline.verification.segments import OnSegment, on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS, VERIFIED, Finding, vacuous
@@ -94,6 +92,7 @@ class Invariance(Claim):
     """
 
     kind: ClassVar[str] = "invariance"
+    tries_all: ClassVar[bool] = True
 
     formula: Name = field(metadata=read(formula_name))
     under: Group = field(metadata=read(one_of(Group)))
@@ -149,16 +148,11 @@ class Invariance(Claim):
         changed = UnderMap(Name(name), factor)
         return Finding(REFUTED, changed, witness=self.refuted_on_examples().witness or changed)
 
-    @property
-    def tries_all(self) -> bool:
-        """All segments are covered, with indeterminates."""
-        return True
-
     def beside(self, own: Evaluation) -> Evidence:
         """All elements of the group are covered together."""
         return UnderEvery(self.under)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """On every segment of the curve, with indeterminates for the constants of the group, or for the change of
         parameter.
         """
@@ -228,14 +222,11 @@ class _Wider(CurveKind):
         """The symbols of a curve, and ρ."""
         return (*super().symbols(dimension, polynomial=polynomial), Symbol(SPEED, "ρ", PARAMETERS[:1]))
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve, with the constants and with ρ."""
-        made = {s.name: operand(s) for s in self.symbols(dimension, polynomial=polynomial)}
         plain = CurveKind(self.name, self.dimensions, with_point=self.with_point)
-        curve: Any = plain.argument(dimension, lambda s: made[s.name], one, polynomial=polynomial)
-        return Accompanied(curve, {name: made[name] for name in (*self.constants, SPEED)})
+        curve: Any = plain.of_operands(named, dimension, one)
+        return Accompanied(curve, {name: named[name] for name in (*self.constants, SPEED)})
 
 
 @cache

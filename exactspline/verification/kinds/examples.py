@@ -1,0 +1,234 @@
+"""Claims about a single example curve: the numbers of captions, and which form of a problem is better conditioned."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import field
+from itertools import pairwise
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError
+from exactspline.language.arguments import Evaluated
+from exactspline.language.formula import Formula
+from exactspline.language.parts import joined, split
+from exactspline.language.rational import Rational
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
+from exactspline.roots.root import Root
+from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms
+from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.claim import Claim, example_name, formula_name, read
+from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evidence import (
+    AtKnot,
+    Conditions,
+    Counted,
+    Enclosure,
+    Fact,
+    Isolated,
+    NotBetter,
+    OnExample,
+    Undefined,
+)
+from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
+from exactspline.verification.vocabulary import Counter, Name, word
+
+
+@claim_kind
+class ExampleClaim(Claim):
+    """A claim about a single example curve."""
+
+    reading: ClassVar[Name] = Name("spline")
+
+    example: str = field(metadata=read(example_name))
+
+    def validate(self) -> None:
+        """Reject an example to which the claim does not apply."""
+        curve = self.curve_named(self.example)
+        if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
+            raise ClaimError(
+                f"{self.example!r} is not a curve to which the claim applies",
+                where="example",
+                remedy="name another one",
+            )
+
+    def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+        """It applies to its example only."""
+        return False
+
+    def prove(self) -> tuple[Name, Finding]:
+        """The finding on the example."""
+        own = Evaluation(self.curve_named(self.example))
+        return self.reading, self.examine(own.argument(self.curve), own)
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """The same for every case."""
+        return self.prove()[1]
+
+
+def counts(claimed: str) -> list[tuple[int, Counter]]:
+    """The numbers of a caption with their units.
+
+    >>> [(n, str(what)) for n, what in counts("degree 96, 388 control points")]
+    [(96, 'degree'), (388, 'control points')]
+
+    Raises `ClaimError` when it cannot be read.
+    """
+    numbers = []
+    for part in (part.strip() for part in claimed.replace("−", "-").split(",")):
+        number = re.search(r"-?\d+", part)
+        if number is None:
+            raise ClaimError(f"the count {part!r} has no number", where="claimed", remedy='write "degree 6"')
+        numbers.append((int(number[0]), word(Counter, part.replace(number[0], "", 1).strip(), "count")))
+    return numbers
+
+
+def counted(claim: Claim, name: str, value: str) -> str:
+    """Numbers with their units."""
+    counts(value)
+    return str(value)
+
+
+@claim_kind
+class Count(ExampleClaim):
+    """The numbers in ``claimed`` are those of ``formula`` on the curve ``example``."""
+
+    kind: ClassVar[str] = "count"
+    value: ClassVar[str] = "$claimed"
+    notation: ClassVar[str] = r"$formula: \;\text{$claimed}"
+
+    formula: Name = field(metadata=read(formula_name))
+    claimed: str = field(metadata=read(counted))
+
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
+        """Only the claimed numbers are computed."""
+        value = joined(self.find(self.formula)(argument))
+        numerators, below = split(value)
+        if below is not None and below.vanishes_somewhere:
+            return vacuous(Undefined(self.formula))
+        if all(p.is_zero for p in numerators):
+            return vacuous(Fact.VANISHES)
+        claimed = counts(self.claimed)
+        if not numerators[0].breakpoints[1:-1] and {what for _, what in claimed} & CONTINUITIES:
+            return vacuous(Fact.NO_JOINT)
+        numbers = [(self._counted(what, value, own), what) for _, what in claimed]
+        counts_here = Counted(tuple(numbers))
+        if numbers == claimed:
+            return Finding(VERIFIED, counts_here)
+        return Finding(REFUTED, counts_here, witness=OnExample(Name(self.example), counts_here))
+
+    def _counted(self, what: Counter, value: Any, own: Evaluation) -> int | None:
+        """One of the numbers; None where it is infinite, or not defined by the formula."""
+        if what == Counter.CUSPS:
+            return _cusps(self.find(self.formula), own)
+        if what == Counter.ENDS:
+            return extrema_at_ends(own.curve)
+        numerators = split(value)[0]
+        if what == Counter.DEGREE:
+            return int(value.degree)
+        if what == Counter.CONTROL_POINTS:
+            return int(control_point_count(value))
+        if what == Counter.NOMINAL_CONTINUITY:
+            return int(min(min(p.continuity) for p in numerators))
+        if what == Counter.TRUE_CONTINUITY:
+            return int(min(p.continuity_at(t) for p in numerators for t in p.breakpoints[1:-1]))
+        lowest = split(in_lowest_terms(value) if isinstance(value, Rational) else value)
+        zero_set = zeros(self.only_component(self.formula, lowest[0]), periodic=own.curve.closed)
+        if what == Counter.ROOTS:
+            return None if zero_set.intervals else len(zero_set)
+        return count_of_extrema(zero_set, own)
+
+
+#: The quantities counted at knots.
+CONTINUITIES = {Counter.NOMINAL_CONTINUITY, Counter.TRUE_CONTINUITY}
+
+
+def count_of_extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
+    """The number of extrema of the curvature, if a formula with these zeros changes its sign there and nowhere else;
+    otherwise None, since the formula does not determine them.
+    """
+    from exactspline.geometry.analysis import analyse
+
+    extrema = analyse(own.curve).curvature_extrema
+    changes = [root for root in zero_set if root.sign_change]
+    changes += [jump_root(jump) for jump in zero_set.jumps if jump.sign_change]
+    same = len(extrema) == len(changes) and all(any(each.root == root for root in changes) for each in extrema)
+    return len(extrema) if same and not zero_set.intervals else None
+
+
+def extrema_at_ends(curve: Nurbs) -> int:
+    """The most extrema of the curvature that lie at the ends of one segment, where κ′ changes its sign by a jump.
+
+    >>> from exactspline.interchange.examples import example
+    >>> extrema_at_ends(example("six_segment_cubic"))
+    2
+    """
+    from exactspline.geometry.analysis import analyse
+
+    jumps = [each.root for each in analyse(curve).curvature_extrema if each.by_jump]
+    return max(sum(root in ends for root in jumps) for ends in pairwise(curve.breakpoints))
+
+
+def _cusps(formula: Formula, own: Evaluation) -> int | None:
+    """The number of places where a derived curve turns back, between its poles; None where it is not one curve."""
+    from exactspline.geometry.derived import derive
+    from exactspline.geometry.poles import between_poles
+
+    derived = derive(formula, own.curve)
+    return None if derived.missing else len(between_poles(derived).reversals)
+
+
+@claim_kind
+class Condition(ExampleClaim):
+    """At every zero that ``left`` and ``right`` have in common on the curve ``example``, ``left`` has the smaller
+    condition number: a relative change of its Bernstein coefficients moves the zero less.
+    """
+
+    kind: ClassVar[str] = "condition"
+    value: ClassVar[str] = "better at every common zero"
+    notation: ClassVar[str] = r"$left \;\text{is better conditioned than}\; $right"
+    sides: ClassVar[tuple[str, ...]] = ("left", "right")
+
+    left: Name = field(metadata=read(formula_name))
+    right: Name = field(metadata=read(formula_name))
+
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
+        """Undecided where enclosures do not separate two condition numbers."""
+        f, g = (self.only_component(n, split(self.find(n)(argument))[0]) for n in (self.left, self.right))
+        theirs = list(zeros(g, periodic=own.curve.closed))
+        pairs = [
+            (root, _condition(f, root), _condition(g, other))
+            for root in zeros(f, periodic=own.curve.closed)
+            for other in theirs
+            if root == other
+        ]
+        if not pairs:
+            return vacuous(Fact.NO_COMMON_ZERO)
+        conditions = Conditions(tuple((a, b) for _, a, b in pairs))
+        if all(a[1] < b[0] for _, a, b in pairs):
+            return Finding(VERIFIED, conditions)
+        for root, a, b in pairs:
+            if a[0] >= b[1]:
+                witness = OnExample(Name(self.example), NotBetter(place_of_root(root)))
+                return Finding(REFUTED, conditions, witness=witness)
+        return Finding(UNDECIDED, conditions)
+
+
+def _condition(f: BSpline, root: Root) -> Enclosure:
+    """The condition number of a zero; at a knot it is 0, since the end coefficient is zero and does not change."""
+    from exactspline.verification.conditioning.condition_number import condition_number
+
+    if root.at_knot:
+        return Interval.point(mpq(0))
+    if root.segment is None:
+        raise ClaimError("a zero without a segment", remedy="report this")
+    i = f.breakpoints.index(root.segment[0])
+    return condition_number(f.forms[i], f.degree, root, root.multiplicity)
+
+
+def place_of_root(root: Root) -> AtKnot | Isolated:
+    """Where a root is, as a typed place."""
+    return AtKnot(root.low) if root.at_knot else Isolated(root.low, root.high)
