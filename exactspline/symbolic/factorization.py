@@ -15,8 +15,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import ClaimError, ExactSplineError, ReachError, as_flag, as_integer, as_items
 from exactspline.hooks import Displayed
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, Pair, T
+from exactspline.language.arguments import Curve, Evaluated, Pair, T
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split

@@ -10,8 +10,7 @@ from types import MappingProxyType
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Pair
+from exactspline.language.arguments import Evaluated, Pair
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, kind_of

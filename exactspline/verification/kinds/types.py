@@ -9,8 +9,7 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, ExactSplineError, VanishingDivisorError
 from exactspline.language.adjoined_root import Adjoined
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import POINT, Operands
+from exactspline.language.arguments import POINT, Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind, kind_of
 from exactspline.language.parts import joined, split
