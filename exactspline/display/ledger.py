@@ -59,11 +59,7 @@ def found(row: Row, numbers: Numbers = EXACT) -> str:
         return degree if row.verdict in HOLDS or not degree else f"{degree}, not {row.claimed}"
     if isinstance(row.claim, Vanishing) and row.verdict in HOLDS:
         return "identically zero"
-    return (
-        f"{computed}: {worded(row.finding.factor, numbers)}"
-        if row.finding.factor and row.verdict in HOLDS
-        else computed
-    )
+    return f"{computed}: {worded(row.factor, numbers)}" if row.factor and row.verdict in HOLDS else computed
 
 
 def witness(row: Row, numbers: Numbers = EXACT) -> str:

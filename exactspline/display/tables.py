@@ -141,7 +141,7 @@ def remark(row: Row) -> str:
     >>> remark(proved(select(["C4.1a"])[0]))
     'w'
     """
-    return _cut(worded(row.witness or row.finding.factor, Written()))
+    return _cut(worded(row.witness or row.factor, Written()))
 
 
 def _cut(text: str) -> str:

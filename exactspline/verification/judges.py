@@ -118,7 +118,7 @@ def second_opinions(judge: Judge, claims: Iterable[Claim], first: Judge | None =
     one (by default the jets).
 
     >>> from exactspline.verification.claims import select
-    >>> [(str(task().finding.factor), str(task().verdict)) for task in second_opinions(Sympy(), select(["C4.1a"]))]
+    >>> [(str(task().factor), str(task().verdict)) for task in second_opinions(Sympy(), select(["C4.1a"]))]
     [('w', 'PROVED'), ('w^-3', 'PROVED')]
     """
     compared = Jets() if first is None else first

@@ -83,6 +83,11 @@ class Row(Displayed):
         return self.finding.computed
 
     @property
+    def factor(self) -> Found | None:
+        """The factor between two sides."""
+        return self.finding.factor
+
+    @property
     def witness(self) -> Evidence | None:
         """Where it fails, or why nothing was decided."""
         return self.finding.witness

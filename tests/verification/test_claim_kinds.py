@@ -202,7 +202,7 @@ def test_checks_are_python_that_runs(capsys):
 def test_rows_tell_what_was_asked_of_whom():
     (row,) = audit([claim("C41a-f1-f2")], [PARABOLA])
     assert (row.reading, row.curve, row.verdict) == ("spline", "(unnamed curve)", VERIFIED)
-    assert worded(row.finding.factor) == "w = 1 (polynomial: w = 1)"
+    assert worded(row.factor) == "w = 1 (polynomial: w = 1)"
     assert row.expected == (VERIFIED,)
     assert row.as_recorded
     (flat,) = audit([claim("C41a-f1-f2")], [LINE])

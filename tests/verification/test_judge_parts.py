@@ -83,7 +83,7 @@ def test_the_witness_of_an_identity_is_what_differs():
 )
 def test_ruling_parameters_differ_by_a_shift_where_directrices_do(key, begins):
     (claim,) = select([key])
-    factor = str(proved(claim).finding.factor)
+    factor = str(proved(claim).factor)
     assert factor.startswith(begins)
     assert (")⁻¹ + (" in factor) == (begins[-1] == "(")
 
