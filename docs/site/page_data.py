@@ -17,9 +17,8 @@ from exactspline.display.plot.turning_surface import inspected_scene
 from exactspline.display.quotations import parts
 from exactspline.display.statement import statement_data
 from exactspline.papers import papers
-from exactspline.readings.degree import parse_degree
 from exactspline.verification.claims import claims_in
-from exactspline.verification.degree_tables import generic_table
+from exactspline.verification.degree_tables import GenericRow, generic_table
 from exactspline.verification.evidence import Evidence, OnExample
 from exactspline.verification.statement import statement
 
@@ -64,17 +63,15 @@ def curve_data(curve: xs.Nurbs) -> dict[str, Any]:
 def degrees() -> dict[str, list[dict[str, Any]]]:
     """The degrees of the constructions as expressions and at d = 2, 3, …."""
 
-    def both(text: str) -> dict[str, Any]:
-        if not text.strip("–"):
-            return {"text": "–", "values": {}}
-        degree = parse_degree(text)
-        return {"text": text, "values": {d: int(degree.at({"d": d})) for d in DEGREES}}
+    def both(row: GenericRow, name: str) -> dict[str, Any]:
+        values = {d: row.at(d)[name] for d in DEGREES}
+        return {"text": vars(row)[name], "values": {d: n for d, n in values.items() if n is not None}}
 
     made: dict[str, list[dict[str, Any]]] = {}
     for polynomial in (False, True):
         table = [call() for call in generic_table(polynomial=polynomial)]
         made["polynomial" if polynomial else "rational"] = [
-            {"object": r.object, "naive": both(r.naive), "paper": both(r.paper), "lowest": both(r.true)} for r in table
+            {"object": row.object} | {name: both(row, name) for name in ("naive", "paper", "true")} for row in table
         ]
     return made
 

@@ -79,7 +79,7 @@ def bisector(
     if out.for_people and (output or plot):
         return
     key = f"{c.name} and {other or point}"
-    out.give("bisector", lambda: [{"key": key} | answer.data], lambda: [_sheet(answer)], lambda: _print(c, answer))
+    out.give("bisector", lambda: [{"key": key} | answer.data], lambda: [_sheet(answer)], lambda: _print(out, c, answer))
 
 
 def _coordinates(point: str) -> list[str]:
@@ -155,13 +155,15 @@ def _sheet(answer: Answer) -> Sheet:
     return bisector_sheet(answer.rows, answer.title)
 
 
-def _print(c: Nurbs, answer: Answer) -> None:
+def _print(out: Output, c: Nurbs, answer: Answer) -> None:
     from exactspline.display import console
     from exactspline.display.bisector_sheet import bisector_sheet
     from exactspline.display.described import described
 
-    out = console.console()
-    console.lines(out, answer.title, style="bold")
-    out.print(bisector_sheet(answer.rows, described(c)))
+    shown, sheet = console.console(), bisector_sheet(answer.rows, described(c))
+    console.lines(shown, answer.title, style="bold")
+    shown.print(sheet)
     for note in answer.notes:
-        console.lines(out, note)
+        console.lines(shown, note)
+    if not out.quiet:
+        console.legend(shown, [*sheet.columns, *sheet.tags])

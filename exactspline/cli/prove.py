@@ -14,10 +14,10 @@ from exactspline.cli.common import (
     also_in_their_planes,
     claims_of_papers,
     loaded,
-    tracked,
 )
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Exit, Option
+from exactspline.cli.progress import tracked
 from exactspline.errors import ClaimError, nearest
 
 if TYPE_CHECKING:

@@ -252,7 +252,7 @@ def short(x: object) -> str:
     if isinstance(x, BSpline):
         a, b = x.domain
         described = (
-            f"degree {x.degree}, {len(x.control_points)} control points on [{text(a)}, {text(b)}], "
+            f"degree {x.degree}, {counted(len(x.control_points), 'control point')} on [{text(a)}, {text(b)}], "
             f"{counted(len(x.mesh), 'segment')}"
         )
         return f"<BSpline: {described}>" if len(x.control_points) > LONG else repr(x)

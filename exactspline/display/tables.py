@@ -159,7 +159,7 @@ def remark(row: Row) -> str:
 
 
 def _cut(text: str) -> str:
-    return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} … ({len(text)} characters)"
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} … ({counted(len(text), 'character')})"
 
 
 def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = ()) -> Verdicts:

@@ -11,7 +11,7 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError, ExactSplineError, counted
 from exactspline.interchange.json_files import (
     SURFACE,
     USUAL,
@@ -94,7 +94,7 @@ def _list(value: Any, where: str, count: int | None = None) -> list[Any]:
     if not isinstance(value, list):
         raise CurveFileError("is not a list", where=where, remedy="write a JSON list")
     if count is not None and len(value) != count:
-        raise CurveFileError(f"has {len(value)} entries", where=where, remedy="one for u and one for v")
+        raise CurveFileError(f"has {counted(len(value), 'entry')}", where=where, remedy="one for u and one for v")
     return value
 
 

@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.errors import ShapeError, shown
+from exactspline.errors import ShapeError, counted, shown
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -92,7 +92,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         points = exact_row(control_points, "control_points")
         if len(points) != len(vector) - degree - 1:
             raise ShapeError(
-                f"{len(points)} control points for {len(vector)} knots of degree {degree}",
+                f"{counted(len(points), 'control point')} for {counted(len(vector), 'knot')} of degree {degree}",
                 where="control_points",
                 remedy=f"there must be {len(vector) - degree - 1} (knots − degree − 1)",
             )

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from math import comb
 from typing import cast
 
-from exactspline.errors import DomainError, ShapeError, WeightError
+from exactspline.errors import DomainError, ShapeError, WeightError, counted
 from exactspline.formulas.derivatives import across
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.arguments import Curve
@@ -376,7 +376,7 @@ def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: 
     knots.check(degree)
     if len(points) != len(knots) - degree - 1:
         raise ShapeError(
-            f"{len(points)} control points for {len(knots)} knots of degree {degree}",
+            f"{counted(len(points), 'control point')} for {counted(len(knots), 'knot')} of degree {degree}",
             where="control_points",
             remedy=f"there must be {len(knots) - degree - 1} (knots − degree − 1)",
         )

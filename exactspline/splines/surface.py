@@ -10,7 +10,7 @@ from enum import StrEnum
 from itertools import product
 from math import comb
 
-from exactspline.errors import ExactSplineError, ShapeError, WeightError, shown
+from exactspline.errors import ExactSplineError, ShapeError, WeightError, counted, shown
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import checked_order
 from exactspline.language.rational import Rational
@@ -394,20 +394,20 @@ def _checked_net(given: object, rows: int, columns: int) -> Net:
             raise error.moved("control_points", place) from None
         if len(points) != columns:
             raise ShapeError(
-                f"{len(points)} control points in a row",
+                f"{counted(len(points), 'control point')} in a row",
                 where=place,
                 remedy=f"there must be {columns} (knots − degree − 1 along v)",
             )
         if net and len(points[0]) != len(net[0][0]):
             raise ShapeError(
-                f"{len(points[0])} coordinates where control_points[0] has {len(net[0][0])}",
+                f"{counted(len(points[0]), 'coordinate')} where control_points[0] has {len(net[0][0])}",
                 where=place,
                 remedy="use one dimension",
             )
         net.append(points)
     if len(net) != rows:
         raise ShapeError(
-            f"{len(net)} rows of control points",
+            f"{counted(len(net), 'row')} of control points",
             where="control_points",
             remedy=f"there must be {rows} (knots − degree − 1 along u)",
         )
@@ -421,7 +421,7 @@ def _checked_weights(given: object, net: Net) -> Weights:
     rows = [] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
     if len(rows) != len(net):
         raise ShapeError(
-            f"{len(rows)} rows of weights for {len(net)} rows of control points",
+            f"{counted(len(rows), 'row')} of weights for {counted(len(net), 'row')} of control points",
             where="weights",
             remedy="give one weight per control point, in rows along u",
         )

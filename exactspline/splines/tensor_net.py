@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from typing import Any
 
-from exactspline.errors import ExactSplineError, ShapeError, shown
+from exactspline.errors import ExactSplineError, ShapeError, counted, shown
 from exactspline.numbers.exact import Number, mpq
 from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline
@@ -50,7 +50,7 @@ def checked_net(net: object, rows: int, columns: int) -> list[tuple[mpq, ...]]:
     found = [_checked_row(row, f"control_points[{i}]", columns) for i, row in enumerate(net)]
     if len(found) != rows:
         raise ShapeError(
-            f"{len(found)} rows of control points",
+            f"{counted(len(found), 'row')} of control points",
             where="control_points",
             remedy=f"there must be {rows} (knots − degree − 1 along s)",
         )
@@ -65,7 +65,7 @@ def _checked_row(row: Any, where: str, columns: int) -> tuple[mpq, ...]:
     points = exact_row(row, where)
     if len(points) != columns:
         raise ShapeError(
-            f"{len(points)} control points in a row",
+            f"{counted(len(points), 'control point')} in a row",
             where=where,
             remedy=f"there must be {columns} (knots − degree − 1 along t)",
         )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from exactspline.errors import InapplicableError
+from exactspline.errors import InapplicableError, counted
 from exactspline.language.accompanied import Accompanied
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
@@ -119,7 +119,9 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
     if asked.constants:
         values = dict(zip(asked.constants, CONSTANTS, strict=False))
         if len(values) < len(asked.constants):
-            raise InapplicableError(f"{len(asked.constants)} constants", remedy=f"at most {len(CONSTANTS)} are tried")
+            raise InapplicableError(
+                counted(len(asked.constants), "constant"), remedy=f"at most {len(CONSTANTS)} are tried"
+            )
         handed = Accompanied(handed, {name: curve.w.constant(value) for name, value in values.items()})
     chosen = Chosen(point, tuple((Name(name), value) for name, value in values.items())) if point or values else None
     return Given(handed, chosen, chosen)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
-from exactspline.cli.common import tell_how_surfaces_are_drawn, tracked
+from exactspline.cli.common import tell_how_surfaces_are_drawn
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Option
+from exactspline.cli.progress import tracked
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet

@@ -8,6 +8,7 @@ from exactspline.display.plot.canvas import GREEN, ORANGE, PAGE, SILVER, VERMILL
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.display.plot.html import Scene
+from exactspline.errors import counted
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.zero_forms import zero_form
@@ -98,10 +99,11 @@ def figure_1() -> Drawn:
             f"a jump, {extrema_at_ends(curve)} extrema at the ends of one segment."
         ),
         (
-            f"(b) the numerator of (κ²)′, {cost(squared)}; {len(squared_zeros)} roots, {len(extra)} of them extra "
-            "ones where κ = 0."
+            f"(b) the numerator of (κ²)′, {cost(squared)}; {counted(len(squared_zeros), 'root')}, {len(extra)} of them "
+            "extra ones where κ = 0."
         ),
-        f"(c) g0, {cost(direct)}; {len(direct_zeros)} roots. Graphs scaled by {powers[0]} and {powers[1]} and trimmed.",
+        f"(c) g0, {cost(direct)}; {counted(len(direct_zeros), 'root')}.",
+        f"Graphs scaled by {powers[0]} and {powers[1]} and trimmed.",
     )
     return captioned(figure, 1, " ".join(parts))
 
@@ -161,7 +163,7 @@ def figure_2() -> Drawn:
             f"(b) the ellipse and the graph of g2, eq. (11), {cost(reduced)}, scaled by {powers[1]}. Control "
             "polygons in green."
         ),
-        f"{len(squared_zeros)} and {len(reduced_zeros)} roots, the rightmost being the leftmost.",
+        f"{len(squared_zeros)} and {counted(len(reduced_zeros), 'root')}, the rightmost being the leftmost.",
         (
             f"Both graphs are C{'/'.join(map(superscript, smooth))} in a C{'/'.join(map(superscript, stored))} "
             "representation."

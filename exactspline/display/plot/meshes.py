@@ -9,7 +9,7 @@ from typing import Any
 
 from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
 from exactspline.display.plot.frames import Box, clipped, homogeneous, kept, usual_box
-from exactspline.errors import ShapeError, as_items
+from exactspline.errors import ShapeError, as_items, counted
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -98,7 +98,7 @@ def _two(given: Iterable[Number], what: str) -> tuple[mpq, mpq]:
     """Both ends of an interval, exactly."""
     ends = tuple(map(rational, as_items(given, what)))
     if len(ends) != 2:
-        raise ShapeError(f"{len(ends)} numbers for {what}", where=what, remedy="give two, (low, high)")
+        raise ShapeError(f"{counted(len(ends), 'number')} for {what}", where=what, remedy="give two, (low, high)")
     return ends
 
 

@@ -23,7 +23,7 @@ from exactspline.display.plot.curves import plot_quotient
 from exactspline.display.plot.frames import Box, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.display.plot.options import check_options, exact_box
-from exactspline.errors import FormulaError, ShapeError, as_items, as_text
+from exactspline.errors import FormulaError, ShapeError, as_items, as_text, counted
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, Kind
 from exactspline.language.rational import Rational
@@ -243,7 +243,7 @@ def _argument(curve: Curve[BSpline], other: Any) -> tuple[Kind, str, Any]:
     point = tuple(map(rational, as_items(other, "the coordinates of a point")))
     if len(point) != curve.dimension or len(point) not in (2, 3):
         raise ShapeError(
-            f"a point of {len(point)} coordinates with a curve in R{curve.dimension}",
+            f"a point of {counted(len(point), 'coordinate')} with a curve in R{curve.dimension}",
             remedy="both in the plane or both in space",
         )
     kind, default = (
