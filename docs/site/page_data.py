@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import exactspline as xs
+from docs.play.python import page
 from exactspline.display.figures import FIGURES
 from exactspline.display.plot.canvas import Run, sampled
 from exactspline.display.plot.html import Scene, scenes_data
@@ -45,8 +46,12 @@ def write(folder: Path, ledger: list[dict[str, Any]]) -> None:
 
 
 def curves() -> list[dict[str, Any]]:
-    """Example curves of the plane, as the pages hold curves."""
-    return [curve_data(xs.example(name)) for name in CURVES]
+    """Example curves of the plane, as the pages hold curves, with the answers that are shown until the library runs."""
+    made = []
+    for curve in map(curve_data, map(xs.example, CURVES)):
+        asked = {"curve": curve, "variants": ["squaring", "paper", "minimal"]}
+        made.append(curve | {"answers": {"features": page.features(curve), "forms": page.forms(asked)}})
+    return made
 
 
 def curve_data(curve: xs.Nurbs) -> dict[str, Any]:

@@ -22,6 +22,8 @@ from exactspline.numbers.exact import text
 _LATEX = {
     "\\": r"\textbackslash{}",
     "_": r"\_",
+    "^": r"\textasciicircum{}",
+    "…": r"\ldots{}",
     "%": r"\%",
     "&": r"\&",
     "#": r"\#",

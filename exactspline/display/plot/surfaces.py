@@ -97,7 +97,8 @@ def plot_mesh(
 
 def shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
     """The colour of a face by its angle to the light, the same for both of its sides."""
-    (px, py, pz), (qx, qy, qz), (rx, ry, rz), (sx, sy, sz) = corners
+    (px, py, pz), (qx, qy, qz), (rx, ry, rz), *more = corners
+    sx, sy, sz = more[0] if more else (rx, ry, rz)
     ax, ay, az, bx, by, bz = rx - px, ry - py, rz - pz, sx - qx, sy - qy, sz - qz
     normal = (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
     length = hypot(*normal)
