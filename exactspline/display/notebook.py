@@ -13,6 +13,7 @@ from exactspline.classroom.triangles import ProductTable, Triangle
 from exactspline.display.evidence import worded
 from exactspline.display.exercises import task_html
 from exactspline.display.latex import fraction, latex, mathematics
+from exactspline.display.ledger import claimed
 from exactspline.display.numbers import Numbers, decimals
 from exactspline.display.plot.canvas import in_words, settle
 from exactspline.display.quotations import quoted
@@ -229,7 +230,7 @@ def _(e: Erratum) -> str:
 def _(s: Statement) -> str:
     c, f = s.claim, s.finding
     fields = [
-        ("claimed", c.claims),
+        ("claimed", claimed(c)),
         ("computed", worded(f.computed)),
         ("factor", worded(f.factor)),
         ("witness", worded(f.witness)),

@@ -16,6 +16,7 @@ from exactspline.papers import Paper, default_papers, known_as
 from exactspline.readings.printing.text import symbol_text
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification.claim import Claim
+from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import combined
 from exactspline.verification.counts import error_of
@@ -127,6 +128,16 @@ def true_relation(claim: Claim, finding: Finding) -> Relating | None:
     if not isinstance(claim, Identity) or not isinstance(factor, Factor | StatedFactor):
         return None
     return Relating(name_of(claim, claim.left), factor, name_of(claim, claim.right))
+
+
+def claimed_relation(claim: Identity) -> Relating:
+    """The relation between the two sides that an identity claims."""
+    powers = tuple((_symbol(claim, name), exponent) for name, exponent in factor_parts(claim.factor))
+    return Relating(name_of(claim, claim.left), StatedFactor(powers), name_of(claim, claim.right))
+
+
+def _symbol(claim: Claim, name: str) -> Name:
+    return Name(name) if name.isdigit() or name == "w" else name_of(claim, name)
 
 
 def name_of(claim: Claim, formula: str) -> Name:

@@ -69,12 +69,12 @@ class SurfaceMesh:
                     corners = tuple(x for x in (p, q, s, r) if x is not None)
                     if len(corners) == 4:
                         faces.append(corners)
+        known: dict[Point, int] = {}
         for polygon in self.cut:
+            first, *more = [known.setdefault(p, len(points) + len(known)) for p in polygon]
             # in a fan of quadrilaterals and at most one triangle
-            start = len(points)
-            points += polygon
-            for k in range(1, len(polygon) - 1, 2):
-                faces.append((start, *range(start + k, min(start + k + 3, len(points)))))
+            faces += [(first, *more[k : k + 3]) for k in range(0, len(more) - 1, 2)]
+        points += known
         return points, faces
 
     def isolines(self, along: int, across: int) -> list[Run]:
