@@ -21,8 +21,8 @@ from exactspline.display.tables import (
 )
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.curve_check import table_1_splines
+from exactspline.verification.degree_tables import measurable, measure
 from exactspline.verification.generic_proof import table_1_degrees
-from exactspline.verification.measure import measurable, measure
 from exactspline.verification.patch_degrees import patch_table, variants_table
 
 __all__ = [

@@ -30,10 +30,10 @@ def sweep(
     Plane curves are read and computed in groups, the first of 16, later ones of up to 512: the generator computes ahead
     by the rest of a group, with several processes by up to 4096 curves each.
 
-    >>> for line in sweep(["circle", "six_segment_cubic"], find=["inflections"]):
-    ...     print(line.curve, [each.low for each in line.found["inflections"]])
-    circle []
-    six_segment_cubic ['2.8047601064', '3.2708817832']
+    >>> for line in sweep(["circle", "six_segment_cubic"], find=["turning_points:0"]):
+    ...     print(line.curve, [each.low for each in line.found["turning_points:0"]])
+    circle ['0', '2']
+    six_segment_cubic ['1.9264459962', '5.1715728752']
 
     Raises `FormulaError`, `ClaimError` or `BackendError` for unknown names, before anything is computed.
     """

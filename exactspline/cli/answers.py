@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from exactspline.cli.common import Read, distinguish, read_curves
 from exactspline.cli.output import OptionsError, Output
 from exactspline.cli.parameters import Exit
-
-if TYPE_CHECKING:
-    from exactspline.display.sheet import Sheet
-
+from exactspline.display.sheet import Sheet
 
 #: The most digits of the certified intervals of an answer.
 DIGITS = 1000
@@ -25,7 +22,7 @@ def answer_questions(out: Output, curves: list[str], asked: list[str], digits: i
     given, good = read_curves(curves)
     rows = [_answered(read, question, digits, certificates) for read in given for question in asked]
     distinguish(rows)
-    out.give("oracle", lambda: rows, lambda: [_sheet(row, digits) for row in rows], by="answer")
+    out.give("oracle", rows, (_sheet(row, digits) for row in rows), by="answer")
     if not good or any(row["error"] for row in rows):
         raise Exit(2)
 
@@ -48,8 +45,6 @@ def _answered(read: Read, asked: str, digits: int, certificates: bool) -> dict[s
 
 def _sheet(row: dict[str, Any], digits: int) -> Sheet:
     """An answer, one number per row."""
-    from exactspline.display.sheet import Sheet
-
     made = Sheet("what", "name", "value", "double", title=row["key"], name=row["key"], prose=["value"])
     for item in row["items"]:
         for name, number in item["values"].items():

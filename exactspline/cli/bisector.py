@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from exactspline.display.bisector_sheet import Row
-    from exactspline.display.sheet import Sheet
     from exactspline.splines.nurbs import Nurbs
 
 
@@ -54,6 +53,7 @@ def bisector(
     """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles beside it), of a point
     and a space curve (ruled), or, trimmed to equal distances, of a point and a plane curve.
     """
+    from exactspline.display.bisector_sheet import bisector_sheet
     from exactspline.errors import ShapeError
     from exactspline.interchange.curve_files import write_json
 
@@ -79,7 +79,8 @@ def bisector(
     if out.for_people and (output or plot):
         return
     key = f"{c.name} and {other or point}"
-    out.give("bisector", lambda: [{"key": key} | answer.data], lambda: [_sheet(answer)], lambda: _print(out, c, answer))
+    sheets = [bisector_sheet(answer.rows, answer.title)]
+    out.give("bisector", [{"key": key} | answer.data], sheets, lambda: _print(out, c, answer))
 
 
 def _coordinates(point: str) -> list[str]:
@@ -147,12 +148,6 @@ def _ruled(c: Nurbs, point: list[str], variant: str, digits: int, title: str) ->
         f"{title} ({found.variant})",
         lambda: plot_point_bisector(found, c, point),
     )
-
-
-def _sheet(answer: Answer) -> Sheet:
-    from exactspline.display.bisector_sheet import bisector_sheet
-
-    return bisector_sheet(answer.rows, answer.title)
 
 
 def _print(out: Output, c: Nurbs, answer: Answer) -> None:

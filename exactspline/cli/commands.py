@@ -38,11 +38,11 @@ FORMULA = {
     ),
 }
 PAPER = {
-    "new": Entry("Begin a paper of your own.", ("paper new my-paper",), "paper.new:new"),
+    "new": Entry("Begin a paper of your own.", ("paper new my-paper",), "paper:new"),
     "figures": Entry(
         "Draw the figures of the paper.",
         ("paper figures --out pictures", "paper figures --out pictures --figure 2"),
-        "paper.figures:figures",
+        "paper:figures",
     ),
 }
 TEACH = {
@@ -76,12 +76,12 @@ TEACH = {
     ),
 }
 LIST = {
-    "curves": Entry("The example curves.", ("list curves", "list curves --json"), "list.curves:curves"),
-    "surfaces": Entry("The example surfaces.", ("list surfaces",), "list.surfaces:surfaces"),
-    "formulas": Entry("What can be derived.", ("list formulas",), "list.formulas:formulas"),
-    "papers": Entry("The papers that come along.", ("list papers",), "list.papers:papers"),
-    "questions": Entry("What can be asked of a curve.", ("list questions",), "list.questions:questions"),
-    "words": Entry("Words and signs, explained.", ("list words", "list words nominal"), "list.words:words"),
+    "curves": Entry("The example curves.", ("list curves", "list curves --json"), "list:curves"),
+    "surfaces": Entry("The example surfaces.", ("list surfaces",), "list:surfaces"),
+    "formulas": Entry("What can be derived.", ("list formulas",), "list:formulas"),
+    "papers": Entry("The papers that come along.", ("list papers",), "list:papers"),
+    "questions": Entry("What can be asked of a curve.", ("list questions",), "list:questions"),
+    "words": Entry("Words and signs, explained.", ("list words", "list words nominal"), "list:words"),
 }
 COMMANDS = {
     "prove": Entry(

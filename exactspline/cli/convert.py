@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated, Any
 
 from exactspline.cli.common import check_output, tell_notes, tell_skipped
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
-
-if TYPE_CHECKING:
-    from exactspline.display.sheet import Sheet
-    from exactspline.interchange.records import NamedCurve
+from exactspline.display.sheet import Sheet
 
 
 @printing
@@ -57,36 +54,34 @@ def convert(
         sys.stdout.buffer.write(data)
     else:
         notes = write(curves, target, to_format or None, rounding=rounding)
-    rows = [_row(named, reading.format, target, [*named.notes, *reading.notes, *notes]) for named in curves]
     skipped = [f"{s.where}: {s.what}: {s.why}" for s in reading.skipped]
+    rows: list[dict[str, Any]] = [
+        {
+            "key": named.name,
+            "format": reading.format,
+            "target": target,
+            "degree": named.curve.degree,
+            "dimension": named.curve.dimension,
+            "control_points": len(named.curve.control_points),
+            "notes": [*named.notes, *reading.notes, *notes],
+            "skipped": [] if i else skipped,
+        }
+        for i, named in enumerate(curves)
+    ]
+    numbers = ("degree", "dimension", "control points")
+    cells = [
+        (row["key"], row["format"], *(row[each.replace(" ", "_")] for each in numbers), "; ".join(row["notes"]))
+        for row in rows
+    ]
+    columns = ("curve", "read as", *numbers, "notes")
     out.give(
         "convert",
-        lambda: [row | {"skipped": skipped if i == 0 else []} for i, row in enumerate(rows)],
-        lambda: [_sheet(rows)],
+        rows,
+        [Sheet(*columns, rows=cells, numbers=numbers, prose=["notes"])],
         lambda: _told(out, [*notes], f"{counted(len(curves), 'curve')} from {reading.format} to {target}"),
     )
     if not reading.complete:
         raise Exit(2)
-
-
-def _row(named: NamedCurve, read_as: str, target: str, notes: list[str]) -> dict[str, object]:
-    c = named.curve
-    row: dict[str, object] = {"key": named.name, "format": read_as, "target": target, "degree": c.degree}
-    return row | {"dimension": c.dimension, "control_points": len(c.control_points), "notes": notes}
-
-
-def _sheet(rows: list[dict[str, object]]) -> Sheet:
-    from exactspline.display.sheet import Sheet
-
-    numbers = ("degree", "dimension", "control points")
-    made = Sheet("curve", "read as", *numbers, "notes", numbers=numbers, prose=["notes"])
-    for row in rows:
-        notes = row["notes"]
-        assert isinstance(notes, list)
-        made.add_row(
-            row["key"], row["format"], row["degree"], row["dimension"], row["control_points"], "; ".join(notes)
-        )
-    return made
 
 
 def _told(out: Output, notes: list[str], summary: str) -> None:

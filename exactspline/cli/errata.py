@@ -46,8 +46,8 @@ def errata(
 
     out.give(
         "errata",
-        lambda: [erratum_data(entry) for entry in entries],
-        lambda: [errata_sheet(entries, numbers)],
+        (erratum_data(entry) for entry in entries),
+        [errata_sheet(entries, numbers)],
         lambda: print_errata(entries, found, numbers, quiet=out.quiet),
     )
 

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from exactspline.cli.common import Trust
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Exit
-
-if TYPE_CHECKING:
-    from exactspline.display.sheet import Sheet
-    from exactspline.verification.questions import Proof
+from exactspline.display.sheet import Sheet
 
 
 @printing
@@ -24,19 +21,8 @@ def identity(
     from exactspline.verification.questions import proof_of
 
     found = proof_of(text, trust=trust)
-    out.give(
-        "identity",
-        lambda: [found.data()],
-        lambda: [_sheet(found)],
-        lambda: console.lines(console.console(), str(found)),
-    )
+    cells = (found.left, found.factor, found.right, found.verdict, str(found.quotient or "–"))
+    made = Sheet("left", "factor", "right", "verdict", "quotient", rows=[cells])
+    out.give("identity", [found.data()], [made], lambda: console.lines(console.console(), str(found)))
     if not found:
         raise Exit(1)
-
-
-def _sheet(found: Proof) -> Sheet:
-    from exactspline.display.sheet import Sheet
-
-    made = Sheet("left", "factor", "right", "verdict", "quotient")
-    made.add_row(found.left, found.factor, found.right, found.verdict, str(found.quotient or "–"))
-    return made

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 from exactspline.cli.answers import answer_questions
 from exactspline.cli.common import CURVE_HELP, Read, also_in_their_planes, distinguish, read_curves, standard_input
@@ -11,9 +11,6 @@ from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import ticking
 from exactspline.words import choice
-
-if TYPE_CHECKING:
-    from exactspline.display.sheet import Sheet
 
 #: The word for all approaches, side by side.
 ALL = "all"
@@ -85,6 +82,7 @@ def inspect(
     maps of the plane the sign of the Jacobian.
     """
     from exactspline.cli.surfaces import inspect_surfaces, is_surface
+    from exactspline.display.features import feature_sheet
     from exactspline.geometry.inspection import Approach
     from exactspline.interchange.curve_files import write_json
 
@@ -128,8 +126,8 @@ def inspect(
         _draw(inspected, given, plot, ", ".join(curve))
     out.give(
         "inspect",
-        lambda: [data for *_, data in inspected],
-        lambda: _sheets(inspected),
+        (data for *_, data in inspected),
+        (feature_sheet(c, data) for c, _, data in inspected),
         lambda: _print_all(out, inspected),
         by="curve",
     )
@@ -161,12 +159,6 @@ def _emit(curve: Any, path: str) -> None:
 
     text = theorem_of(curve)
     write_text(path, text)
-
-
-def _sheets(inspected: list[tuple[Any, Any, dict[str, Any]]]) -> list[Sheet]:
-    from exactspline.display.features import feature_sheet
-
-    return [feature_sheet(c, data) for c, _, data in inspected]
 
 
 def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:

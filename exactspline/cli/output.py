@@ -14,12 +14,11 @@ from functools import wraps
 from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 
 from exactspline.cli.parameters import Option
+from exactspline.display.sheet import Sheet, csv_of, in_markdown
 from exactspline.errors import ExactSplineError
 
 if TYPE_CHECKING:
     from typing_extensions import Buffer
-
-    from exactspline.display.sheet import Sheet
 
 #: The version of every JSON document; it increases when a field changes its meaning or is removed.
 VERSION = 2
@@ -55,34 +54,31 @@ class Output:
     def give(
         self,
         schema: str,
-        rows: Callable[[], Iterable[Mapping[str, object]]],
-        sheets: Callable[[], Sequence[Sheet]],
+        rows: Iterable[Mapping[str, object]],
+        sheets: Iterable[Sheet],
         people: Callable[[], None] | None = None,
         by: str = "",
     ) -> None:
         """Print the result: `rows` as JSON, `sheets` as CSV or Markdown (`by` heads the column of their names), or call
-        `people` for a person; by default the sheets with their legend are printed.
+        `people` for a person; by default the sheets with their legend are printed. What is costly is generated.
         """
+        remark = f"{RAN}: {', '.join(unchecked())}" if unchecked() else ""
         if self.format == "json":
-            print_json(document(schema, rows()))
+            print_json(document(schema, rows))
         elif self.format == "csv":
-            from exactspline.display.sheet import csv_of
-
-            sys.stdout.write(csv_of(sheets(), by, unchecked=unchecked()))
+            sys.stdout.write(csv_of(list(sheets), by, unchecked=unchecked()))
         elif self.format == "markdown":
-            from exactspline.display.sheet import in_markdown
-
-            told = [in_markdown(f"{RAN}: {', '.join(unchecked())}")] if unchecked() else []
-            sys.stdout.write("\n\n".join([*[sheet.markdown() for sheet in sheets()], *told]) + "\n")
+            told = [in_markdown(remark)] if remark else []
+            sys.stdout.write("\n\n".join([*[sheet.markdown() for sheet in sheets], *told]) + "\n")
         else:
-            people() if people else self.show(sheets())
-            if unchecked():
+            people() if people else self.show(list(sheets))
+            if remark:
                 from exactspline.display import console
 
-                console.lines(console.console(), f"{RAN}: {', '.join(unchecked())}", style="bold")
+                console.lines(console.console(), remark, style="bold")
 
-    def show(self, sheets: Sequence[Sheet], *more: str) -> None:
-        """Tables one below the other, then the meaning of their columns and of `more` words."""
+    def show(self, sheets: Sequence[Sheet]) -> None:
+        """Tables one below the other, then the meaning of their columns."""
         from exactspline.display import console
 
         out = console.console()
@@ -92,7 +88,7 @@ class Output:
             out.print(sheet)
         if not self.quiet:
             tags = [tag for sheet in sheets for tag in sheet.tags]
-            console.legend(out, [*[name for sheet in sheets for name in sheet.columns], *tags, *more])
+            console.legend(out, [*[name for sheet in sheets for name in sheet.columns], *tags])
 
 
 #: What is said where formulas ran unchecked.

@@ -120,7 +120,11 @@ def prove(
     listed = rows or bool(claim or section or verdict) or len(claims) <= FEW
     run = Run(chosen, claims, curves, Numbers(digits, exact), kernel)
     out.give(
-        "prove", run.data, run.sheets, lambda: run.print(listed=listed, everything=rows, quiet=out.quiet), by="curve"
+        "prove",
+        run.data(),
+        run.sheets(),
+        lambda: run.print(listed=listed, everything=rows, quiet=out.quiet),
+        by="curve",
     )
     if not (good and all_read):
         raise Exit(2)

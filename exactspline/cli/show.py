@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Annotated
 from exactspline.cli.common import Papers, Trust, claims_of_papers
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.display.sheet import COLOURS, Sheet
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from exactspline.display.sheet import Sheet
     from exactspline.verification.claim import Claim
     from exactspline.verification.statement import Statement
 
@@ -33,7 +33,7 @@ def show(
     """Spell out a claim: what it says, its naive and its reduced side, the factor, the degrees, the verdict, the
     source.
     """
-    from exactspline.display.statement import statement_data
+    from exactspline.display.statement import fields, statement_data
     from exactspline.verification.claims import located
     from exactspline.verification.statement import statement
 
@@ -42,10 +42,11 @@ def show(
         _list(out, claims)
         return
     found = [statement(each) for each in located(claim, claims)]
+    cells = [(s.claim.id, what, text) for s in found for what, text in fields(s)]
     out.give(
         "show",
-        lambda: [statement_data(s) | {"key": f"{s.claim.paper}/{s.claim.key}"} for s in found],
-        lambda: _sheets(found),
+        (statement_data(s) | {"key": f"{s.claim.paper}/{s.claim.key}"} for s in found),
+        [Sheet("claim", "what", "is", rows=cells, prose=["is"])],
         lambda: _print_theorems(found) if latex else _print(out, found),
     )
     if not all(s.as_recorded for s in found):
@@ -54,13 +55,6 @@ def show(
 
 def _list(out: Output, claims: Sequence[Claim]) -> None:
     from exactspline.display.ledger import section
-    from exactspline.display.sheet import Sheet
-
-    def sheets() -> list[Sheet]:
-        made = Sheet("claim", "section", "statement", prose=["statement"])
-        for claim in claims:
-            made.add_row(claim.id, section(claim), claim.statement)
-        return [made]
 
     rows = [
         {
@@ -73,18 +67,8 @@ def _list(out: Output, claims: Sequence[Claim]) -> None:
         }
         for c in claims
     ]
-    out.give("claims", lambda: rows, sheets)
-
-
-def _sheets(found: list[Statement]) -> list[Sheet]:
-    from exactspline.display.sheet import Sheet
-    from exactspline.display.statement import fields
-
-    made = Sheet("claim", "what", "is", prose=["is"])
-    for s in found:
-        for what, text in fields(s):
-            made.add_row(s.claim.id, what, text)
-    return [made]
+    cells = [(row["id"], row["section"], row["statement"]) for row in rows]
+    out.give("claims", rows, [Sheet("claim", "section", "statement", rows=cells, prose=["statement"])])
 
 
 def _print_theorems(found: list[Statement]) -> None:
@@ -102,7 +86,6 @@ def _print_theorems(found: list[Statement]) -> None:
 
 def _print(out: Output, found: list[Statement]) -> None:
     from exactspline.display import console
-    from exactspline.display.sheet import COLOURS
     from exactspline.display.statement import fields, heading
 
     shown = console.console()

@@ -55,8 +55,8 @@ def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str, 
             good = False
     out.give(
         "inspect surface",
-        lambda: [{"key": str(data["surface"])} | data for data, _ in told],
-        lambda: [sheet for _, sheet in told],
+        [{"key": str(data["surface"])} | data for data, _ in told],
+        [sheet for _, sheet in told],
         by="surface",
     )
     if not good:

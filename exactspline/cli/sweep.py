@@ -14,13 +14,13 @@ from exactspline.cli.common import quiet_fonts
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import bar
+from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError, counted
 
 if TYPE_CHECKING:
     from exactspline.batch.corpus import Source
     from exactspline.batch.lines import Line
     from exactspline.batch.summary import Summary
-    from exactspline.display.sheet import Sheet
 
 INTERRUPTED = 130
 Tick = Callable[[float, "Line", bool], None]
@@ -136,7 +136,7 @@ def sweep(
         raise Exit(INTERRUPTED)
     if not to_stdout:
         seconds = monotonic() - start
-        out.give("sweep", lambda: _rows(summary), lambda: [_sheet(summary)], lambda: _print(out, summary, seconds))
+        out.give("sweep", _rows(summary), [_sheet(summary)], lambda: _print(out, summary, seconds))
     if not summary.as_expected:
         raise Exit(1)
     if not summary.all_read:
@@ -241,13 +241,13 @@ def _rows(summary: Summary) -> list[dict[str, object]]:
 
 
 def _sheet(summary: Summary) -> Sheet:
-    from exactspline.display.sheet import Sheet
-
-    made = Sheet("what", "name", "count", "seconds", numbers=("count", "seconds"), prose=["name"], heads=2)
-    for each in summary.entries():
-        seconds = "" if each.seconds is None else f"{each.seconds:.3f}"
-        made.add_row(each.what, each.name, "" if each.count is None else each.count, seconds)
-    return made
+    numbers = ("count", "seconds")
+    cells = [
+        (each.what, each.name, "" if each.count is None else each.count, "" if seconds is None else f"{seconds:.3f}")
+        for each in summary.entries()
+        for seconds in (each.seconds,)
+    ]
+    return Sheet("what", "name", *numbers, rows=cells, numbers=numbers, prose=["name"], heads=2)
 
 
 def _print(out: Output, summary: Summary, seconds: float) -> None:

@@ -18,7 +18,8 @@ from exactspline.verification.claim import Claim
 from exactspline.verification.counts import Counts, count_statements
 from exactspline.verification.errata import claimed_relation, numbered, true_relation
 from exactspline.verification.evidence import DegreeHere, ExactQuotient, WrongDegree
-from exactspline.verification.kinds import DegreeClaim, Identity, Vanishing
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.rows import Row
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict

@@ -36,7 +36,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
 from exactspline.verification.errata import Erratum
 from exactspline.verification.rows import Row
-from exactspline.verification.statement import Side, Statement, latex_of, sides
+from exactspline.verification.statement import Side, Statement, sides
 
 #: How many numbers of a list are written out, and the number of control points above which a spline is described
 #: instead.
@@ -202,9 +202,7 @@ def _side_lines(sides: tuple[Side, ...]) -> list[tuple[str, str]]:
 
 @html.register
 def _(c: Claim) -> str:
-    return facts(
-        f"{c.id}, {c.source}", [*_claim_lines(c, latex_of(c)), *_side_lines(sides(c)), ("recorded", c.expected)]
-    )
+    return facts(f"{c.id}, {c.source}", [*_claim_lines(c, c.latex), *_side_lines(sides(c)), ("recorded", c.expected)])
 
 
 def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:

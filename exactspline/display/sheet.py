@@ -8,12 +8,15 @@ import csv
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from io import StringIO
+from typing import TYPE_CHECKING
 
 from rich.cells import cell_len
-from rich.console import Console, ConsoleOptions
-from rich.text import Text
 
 from exactspline.display.wrapping import hanging, visible, words_in
+
+if TYPE_CHECKING:
+    from rich.console import Console, ConsoleOptions
+    from rich.text import Text
 
 #: Wider than any terminal: output to a file or a pipe is neither broken nor padded at the end.
 PIPE = 1 << 20
@@ -36,14 +39,13 @@ COLOURS = {
 
 
 class Sheet:
-    """A table of texts under headings.
+    """A table of texts under headings: one cell per column in each of the ``rows``.
 
     ``numbers`` names the columns that are aligned to the right, ``prose`` those whose cells may be broken into lines.
     ``name`` is the subject of the table: CSV and Markdown put it into a separate column when several tables are
     combined. Where rows become blocks, the first ``heads`` cells head the block.
 
-    >>> sheet = Sheet("curve", "degree", numbers=["degree"])
-    >>> sheet.add_row("circle", "2")
+    >>> sheet = Sheet("curve", "degree", rows=[("circle", 2)], numbers=["degree"])
     >>> print(sheet.text(40))
     curve   degree
     circle       2
@@ -56,6 +58,7 @@ class Sheet:
     def __init__(
         self,
         *columns: str,
+        rows: Iterable[Sequence[object]] = (),
         title: str = "",
         name: str = "",
         numbers: Iterable[str] = (),
@@ -65,6 +68,8 @@ class Sheet:
         self.columns, self.title, self.name, self.heads = columns, visible(title), visible(name), heads
         self.numbers, self.prose = frozenset(numbers), frozenset(prose)
         self.rows: list[tuple[str, ...]] = []
+        for row in rows:
+            self.add_row(*row)
 
     def add_row(self, *cells: object) -> None:
         """Add a row, one cell per column; runs of blanks and line breaks in a cell become single blanks."""
@@ -93,6 +98,8 @@ class Sheet:
 
     def lines(self, width: int = PIPE) -> list[Text]:
         """The styled lines of the table: none is longer than the width, and no cell is cropped."""
+        from rich.text import Text  # when a table is printed: help texts need none
+
         head = [Text(line, style="bold") for line in hanging(self.title, width)] if self.title else []
         if width >= PIPE:
             return head + self._aligned()
@@ -138,6 +145,8 @@ class Sheet:
         return [self._line(parts, widths, heading) for parts in zip(*padded, strict=True)]
 
     def _line(self, parts: Sequence[str], widths: Sequence[int], heading: bool) -> Text:
+        from rich.text import Text
+
         line = Text()
         for name, part, width in zip(self.columns, parts, widths, strict=True):
             blank = " " * max(0, width - cell_len(part))
@@ -158,6 +167,8 @@ class Sheet:
 
     def _in_blocks(self, width: int) -> list[Text]:
         """A row as a heading and, indented below it, the other cells with their headings: short ones side by side."""
+        from rich.text import Text
+
         lines: list[Text] = []
         for row in self.rows:
             heading = ", ".join(cell for cell in row[: self.heads] if cell)

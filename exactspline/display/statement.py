@@ -6,7 +6,8 @@ from exactspline.display.evidence import worded
 from exactspline.display.ledger import claimed
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import true_relation
-from exactspline.verification.kinds import DegreeClaim, Identity
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.statement import Statement
 from exactspline.verification.vocabulary import Status
 

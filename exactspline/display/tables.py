@@ -22,10 +22,10 @@ from exactspline.symbolic.factorization import POLYNOMIAL
 from exactspline.symbolic.reduction import reduce
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
-from exactspline.verification.degree_tables import construction_table, generic_table
-from exactspline.verification.kinds import Count, DegreeClaim
+from exactspline.verification.degree_tables import construction_table, generic_table, measurable, measure
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.kinds.examples import Count
 from exactspline.verification.ledger import audit, proved
-from exactspline.verification.measure import measurable, measure
 from exactspline.verification.rows import Row
 from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, VERIFIED

@@ -14,7 +14,8 @@ from exactspline.verification.claims import claims_of
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import numbered, true_relation
 from exactspline.verification.evidence import ExactQuotient
-from exactspline.verification.kinds import DegreeClaim, Identity
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.statement import Statement
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
 from exactspline.verification.vocabulary import Measure, Status

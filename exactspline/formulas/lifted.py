@@ -62,6 +62,10 @@ def critical_curvature_lifted(c):
     return logarithmic_numerator((inflections_lifted(c), 2), (tangent_lifted_squared(c), -3), (c.w, 6))
 
 
+#: κ, κ′ and ‖γ′‖² of a plane curve up to positive factors: from their zeros its features are read.
+PLANE_FORMS = (inflections_lifted, critical_curvature_lifted, tangent_lifted_squared)
+
+
 @formula("lifted", on="plane", symbol="S")
 def osculating_circle(c):
     """The circle through three consecutive points of the curve, ``(a, b, c)`` as above."""

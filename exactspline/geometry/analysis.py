@@ -63,7 +63,7 @@ class Analysis(SpaceFacts, Displayed):
         """The construction whose zeros are the critical points of the curvature."""
         return "space_critical_curvature" if self.in_space else "critical_curvature"
 
-    @question(*CURVES, proof=lambda facts: facts.flatness.zeros, known=lambda known: known.inflections)
+    @question(*CURVES, proof=lambda facts: facts.flatness.zeros, known=lambda known: known.curvature)
     def inflections(self) -> Places[Feature]:
         """The zeros of the curvature at regular points.
 
@@ -82,11 +82,11 @@ class Analysis(SpaceFacts, Displayed):
 
         Raises `ShapeError` for a curve that is neither in the plane nor in space.
         """
-        features = space_features.flat_points(self) if self.in_space else plane_features.inflections(self)
-        return Places(tuple(features), self.straight_pieces)
+        module = space_features if self.in_space else plane_features
+        return Places(tuple(module.flat_points(self)), self.straight_pieces)
 
     @question(
-        *CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros, known=lambda known: known.extrema
+        *CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros, known=lambda known: known.critical
     )
     def critical_points(self) -> Places[Feature]:
         """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``).
@@ -112,7 +112,7 @@ class Analysis(SpaceFacts, Displayed):
         *CURVES,
         part_of="critical_points",
         proof=lambda facts: facts.zero_form(facts.critical_form).zeros,
-        known=lambda known: known.extrema,
+        known=lambda known: known.critical,
     )
     def curvature_extrema(self) -> Places[Feature]:
         """The extrema of the curvature (in space except those with κ = 0).

@@ -16,6 +16,7 @@ from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.curvature import polynomial_root
+from exactspline.language.vector import norm2
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import ball_around
 from exactspline.polynomials.factors import greatest_common_divisor
@@ -63,8 +64,7 @@ def length(curve: Nurbs) -> Real:
     2.295587149392638
     """
     velocity = analyse(curve).velocity
-    squared = sum((x * x for x in velocity[1:]), start=velocity[0] * velocity[0])
-    known = _exact_length(squared) if curve.polynomial else None
+    known = _exact_length(norm2(velocity)) if curve.polynomial else None
     if known is not None:
         return known
     return InBalls(partial(_length_ball, curve))

@@ -40,7 +40,6 @@ from exactspline.geometry.joints import (
     turned,
 )
 from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
-from exactspline.geometry.pieces import pieces, runs
 from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE, Kind
@@ -58,6 +57,7 @@ from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.runs import intervals_of, runs
 from exactspline.splines.values import SplineValue
 from exactspline.words import choice
 
@@ -445,7 +445,11 @@ class Facts(Remembers):
                 return False
             return self._tangents(i - 1, i) is None and self._joint(i).same_curvature
 
-        return pieces(self.breaks, runs(holds, [joined(i) for i in range(len(holds))]))
+        return self._pieces(holds, [joined(i) for i in range(len(holds))])
+
+    def _pieces(self, holds: Sequence[bool], joined: Sequence[bool]) -> list[CurvePiece]:
+        """The maximal pieces made of segments on which something holds (see `runs`)."""
+        return [CurvePiece(intervals_of(self.breaks, *run)) for run in runs(holds, joined)]
 
     @question(*CURVES, answered=Answered.PIECES, known=lambda _: (), of_piece="stands still")
     def standing_pieces(self) -> tuple[CurvePiece, ...]:
@@ -453,7 +457,7 @@ class Facts(Remembers):
         if not any(self.standing):
             return ()
         joined = [joint.kind is JointKind.STILL for joint in self.joints]
-        return tuple(pieces(self.breaks, runs(self.standing, joined if self.closed else [False, *joined])))
+        return tuple(self._pieces(self.standing, joined if self.closed else [False, *joined]))
 
     def check_dimension(self) -> None:
         """Raise `ShapeError` for a curve that is neither in the plane nor in space."""

@@ -1,5 +1,5 @@
-"""The forms of inflections and extrema of many segments in doubles, and their zeros: what is certified, and which
-segments must be decided in exact arithmetic. This module loads numpy.
+"""The forms of κ and κ′ of many segments in doubles, and their zeros: what is certified, and which segments must be
+decided in exact arithmetic. This module loads numpy.
 
 Derivation: docs/certified-filter.md.
 """
@@ -12,10 +12,19 @@ from typing import NamedTuple
 import numpy as np
 
 from exactspline.errors import FormulaError
-from exactspline.formulas.lifted import critical_curvature_lifted, inflections_lifted, tangent_lifted_squared
+from exactspline.formulas.lifted import PLANE_FORMS
 from exactspline.language.kinds import PLANE
-from exactspline.polynomials.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates, without_zeros
-from exactspline.programs.doubles import Floats, in_doubles
+from exactspline.polynomials.doubles import (
+    Bounded,
+    Flags,
+    Floats,
+    Isolated,
+    isolated,
+    narrowed,
+    ordinates,
+    without_zeros,
+)
+from exactspline.programs.doubles import in_doubles
 from exactspline.programs.program import Program, program_of
 from exactspline.programs.reading import Signature
 
@@ -26,7 +35,7 @@ AT_ONCE = 4096
 class Form(NamedTuple):
     """A form on many segments: its ordinates, and its zeros on the segments where they are certified."""
 
-    rows: Rows
+    rows: Bounded
     zeros: Isolated
 
 
@@ -54,15 +63,11 @@ def _signature(degree: int, rational: bool) -> Signature:
     return Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, unit_widths=True, true_degree=True)
 
 
-#: κ, κ′ and ‖γ′‖² up to positive factors: the forms that `analyse` solves.
-FORMS = (inflections_lifted, critical_curvature_lifted, tangent_lifted_squared)
-
-
 @cache
 def programs(degree: int, rational: bool) -> Programs:
     """The programs of one degree."""
     signature = _signature(degree, rational)
-    return Programs(*[program_of(form, signature) for form in FORMS])
+    return Programs(*[program_of(form, signature) for form in PLANE_FORMS])
 
 
 def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Filtered | None:
@@ -97,7 +102,7 @@ def _solved(program: Program, operands: list[Floats], undecided: Flags) -> Form:
     return Form(rows, zeros)
 
 
-def _rows(program: Program, operands: list[Floats]) -> Rows:
+def _rows(program: Program, operands: list[Floats]) -> Bounded:
     """The ordinates of a form."""
     (form,) = in_doubles(program, operands, roundings=2)
-    return ordinates(form.values, form.errors)
+    return ordinates(*form)

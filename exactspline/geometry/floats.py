@@ -33,11 +33,11 @@ def floats(
     values: Exact | Iterable[Exact] | Iterable[Iterable[Exact]], rounding: str = Rounding.NEAREST
 ) -> float | list[float] | list[list[float]]:
     """The correctly rounded double (``nearest``, ``down`` or ``up``) of a number, of the parameter
-    of a feature; of every number in a sequence or in rows: knots, control points, zeros, inflections.
+    of a feature; of every number in a sequence or in rows: knots, control points, zeros, features.
 
     >>> from exactspline import analyse, example
     >>> curve = example("cubic_s")
-    >>> floats(analyse(curve).inflections), floats(curve.control_points[1]), floats(mpq(1, 10), "up") - 0.1
+    >>> floats(analyse(example("cusp")).cusps), floats(curve.control_points[1]), floats(mpq(1, 10), "up") - 0.1
     ([0.5], [1.0, 2.0], 0.0)
 
     Raises `NumberError` for anything that is not an exact number, `OverflowError` beyond the largest double.

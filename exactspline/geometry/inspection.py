@@ -97,8 +97,8 @@ def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpli
 class ApproachResult:
     """The cost and the result of one approach to critical curvature.
 
-    `extraneous` are roots at which κ′ neither vanishes nor changes its sign by a jump (the inflections of a plane curve
-    that squaring adds, and singular points); `missing` are critical points that it does not find.
+    `extraneous` are roots at which κ′ neither vanishes nor changes its sign by a jump (those of κ that squaring
+    adds for a plane curve, and singular points); `missing` are critical points that it does not find.
     """
 
     name: Approach

@@ -20,8 +20,7 @@ from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.filtered import AT_ONCE, filtered
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.numbers.exact import Rounding, double, from_floats, is_float, mpq, rational
-from exactspline.polynomials.doubles import Flags, Integers
-from exactspline.programs.doubles import Floats
+from exactspline.polynomials.doubles import Flags, Floats, Integers
 from exactspline.splines.nurbs import Nurbs
 
 #: The codes of the kinds in an array.

@@ -1,5 +1,5 @@
-"""The parameters of inflections and curvature extrema of many plane curves through the certified filter: exact where
-they are rational, and proved to be irrational otherwise.
+"""The parameters at which κ or κ′ of many plane curves vanishes, through the certified filter: exact where they are
+rational, and proved to be irrational otherwise.
 
 The filter decides how many zeros there are, and on which segments. Only on these are the forms computed in integers, by
 the same programs, rounded once, and evaluated in doubles with proved bounds around every zero; a form without zeros
@@ -25,7 +25,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import ONE
-from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW, Flags, Isolated, Rows, narrowed, ordinates
+from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW, Bounded, Flags, Isolated, narrowed, ordinates
 from exactspline.polynomials.modular import without_rational_zero
 from exactspline.programs.program import Program
 from exactspline.reals.real import Real
@@ -99,13 +99,13 @@ class Point(NamedTuple):
 
 
 class Settled(NamedTuple):
-    """The inflections and the extrema of a curve for which everything is certified, in the order of the parameter. It
+    """The zeros of κ and of κ′ of a curve for which everything is certified, in the order of the parameter. It
     has no other zeros of κ and κ′ and no singular points, and is neither straight nor an arc of a circle on any
     segment.
     """
 
-    inflections: list[Point]
-    extrema: list[Point]
+    curvature: list[Point]
+    critical: list[Point]
 
 
 def settled(curves: Sequence[Nurbs]) -> Iterator[tuple[list[int], list[Settled | None]]]:
@@ -114,7 +114,7 @@ def settled(curves: Sequence[Nurbs]) -> Iterator[tuple[list[int], list[Settled |
 
     >>> from exactspline import example
     >>> [(numbers, [found])] = settled([example("six_segment_cubic")])
-    >>> [(point.kind, round(float(point.place.low), 8)) for point in found.inflections]
+    >>> [(point.kind, round(float(point.place.low), 8)) for point in found.curvature]
     [('inflection', 2.80476011), ('inflection', 3.27088178)]
     """
     groups: dict[tuple[int, bool], list[int]] = {}
@@ -182,7 +182,7 @@ def _exactly(program: Program, where: Sequence[tuple[Nurbs, int]]) -> list[fmpz_
     return [fmpz_poly(row[0]) for row in program.run(operands, [below], [(ONE, ONE)] * len(where))]
 
 
-def _in_doubles(forms: Sequence[list[int]]) -> Rows:
+def _in_doubles(forms: Sequence[list[int]]) -> Bounded:
     """Forms in doubles, each divided by a power of two so that no coefficient is larger than 1, and rounded once."""
     values = np.array([rounded(form, 1, max(map(abs, form)).bit_length()) for form in forms])
     return ordinates(values, ROUNDING * np.abs(values) + UNDERFLOW)

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from exactspline.geometry.filtered import Filtered, Form, filtered
 from exactspline.geometry.many_curves import KINDS, Found, outside
 from exactspline.numbers.exact import mpq
-from exactspline.polynomials.doubles import Flags, Integers, Rows
-from exactspline.programs.doubles import ROUNDING
+from exactspline.polynomials.doubles import ROUNDING, Bounded, Flags, Integers
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
@@ -127,7 +126,7 @@ class Segments:
         differ: Flags = (values[self.before, -1] > 0) != (values[self.behind, 0] > 0)
         return differ
 
-    def _jumps(self, rows: Rows) -> Flags:
+    def _jumps(self, rows: Bounded) -> Flags:
         """Where the curvature of two sides with the same first derivatives certainly differs: the form of κ in local
         parameters is κ‖γ′‖³ times the cube of the width of a segment, up to what both sides have in common.
         """

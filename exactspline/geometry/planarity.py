@@ -13,11 +13,11 @@ from dataclasses import dataclass
 from flint import fmpz, fmpz_mat
 
 from exactspline.geometry.domain import space
-from exactspline.geometry.pieces import pieces
-from exactspline.numbers.exact import content, mpq, ratio, sign, text
+from exactspline.numbers.exact import common_divisor, content, mpq, ratio, sign, text
 from exactspline.polynomials.bernstein import Form, over_common_denominator
 from exactspline.questions.answers import CurvePiece
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.runs import intervals_of
 
 AXES = "xyz"
 
@@ -97,8 +97,10 @@ def planar_pieces(curve: Nurbs) -> list[tuple[CurvePiece, Plane]]:
             if 1 <= first <= count
         ]
     planar = sorted((run for run in planar_runs if len(run[2]) == 3), key=lambda run: run[:2])
-    shown = pieces(breaks, [(first, last - first) for first, last, _ in planar])
-    return [(piece, _plane(_relations(span)[0])) for piece, (_, _, span) in zip(shown, planar, strict=True)]
+    return [
+        (CurvePiece(intervals_of(breaks, first, last - first)), _plane(_relations(span)[0]))
+        for first, last, span in planar
+    ]
 
 
 Rows = list[tuple[fmpz, ...]]
@@ -150,9 +152,7 @@ def _span(rows: Rows) -> Rows:
 
 
 def _primitive(row: Sequence[fmpz]) -> tuple[fmpz, ...]:
-    divisor = fmpz(0)
-    for x in row:
-        divisor = divisor.gcd(x)
+    divisor = common_divisor(row)
     return tuple([x // divisor for x in row])
 
 

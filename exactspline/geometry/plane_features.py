@@ -14,15 +14,15 @@ from exactspline.roots.root import Root
 SQUARING = "squaring"
 
 
-def inflections(facts: Facts, variant: Variant | str = Variant.MINIMAL) -> list[Feature]:
+def flat_points(facts: Facts) -> list[Feature]:
     """The zeros of the curvature at regular points."""
     features = []
-    for root, by_jump in facts.regular(facts.zero_form("zero_curvature", variant).zeros):
+    for root, by_jump in facts.regular(facts.zero_form("zero_curvature").zeros):
         if root.at_knot and facts.has_corner(root.low):
             continue
         joint = facts.joint(root.low) if root.at_knot else None
         if joint is None or joint.tangent_continuous:
-            features.append(Feature(_flat(root), root, variant, by_jump))
+            features.append(Feature(_flat(root), root, Variant.MINIMAL, by_jump))
     return features
 
 

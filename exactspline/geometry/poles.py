@@ -2,8 +2,8 @@
 between them.
 
 A pole is a zero of the denominator, as a rule an irrational number. The curve is analysed on pieces with rational ends
-that come so close to the poles that nothing it has lies between: the forms whose zeros are its singular points,
-inflections and critical points have none there but the pole itself.
+that come so close to the poles that nothing it has lies between: the forms from whose zeros its features are read have
+none there but the pole itself.
 """
 
 from __future__ import annotations
@@ -14,11 +14,10 @@ from functools import cached_property
 from itertools import groupby, pairwise
 
 from exactspline.errors import ShapeError
-from exactspline.formulas.lifted import critical_curvature_lifted, inflections_lifted, tangent_lifted_squared
+from exactspline.formulas.lifted import PLANE_FORMS
 from exactspline.geometry.analysis import Analysis, analyse
 from exactspline.geometry.derived import Derived, Piece
 from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
@@ -51,24 +50,9 @@ class BetweenPoles(Displayed):
         return tuple(analyse(piece) for piece in self.pieces)
 
     @property
-    def singular_points(self) -> tuple[Feature, ...]:
-        """The points with γ′ = 0, those at joints included."""
-        return tuple(each for own in self.analyses for each in own.singular_points)
-
-    @property
     def corners(self) -> tuple[Joint, ...]:
         """The joints at which the direction of the tangent jumps."""
         return tuple(joint for own in self.analyses for joint in own.corners)
-
-    @property
-    def inflections(self) -> tuple[Feature, ...]:
-        """The points at which the sign of the curvature changes."""
-        return tuple(each for own in self.analyses for each in own.inflections)
-
-    @property
-    def curvature_extrema(self) -> tuple[Feature, ...]:
-        """The local extrema of the curvature."""
-        return tuple(each for own in self.analyses for each in own.curvature_extrema)
 
     @property
     def reversals(self) -> tuple[Root | mpq, ...]:
@@ -121,8 +105,8 @@ def _gaps(p: Vector[BSpline], w: BSpline, poles: Sequence[Root], domain: Interva
     """An interval around each pole that holds no other pole, no knot, and no zero of a form but the pole."""
     curve = Curve(p, w)
     others: list[Root | mpq] = [t for t in w.breakpoints if all(pole != t for pole in poles)]
-    for form in (tangent_lifted_squared(curve), inflections_lifted(curve), critical_curvature_lifted(curve)):
-        others += [root for root in zeros(form) if all(root != pole for pole in poles)]
+    for form in PLANE_FORMS:
+        others += [root for root in zeros(form(curve)) if all(root != pole for pole in poles)]
     return [_gap(pole, [*others, *(each for each in poles if each is not pole)], domain) for pole in poles]
 
 

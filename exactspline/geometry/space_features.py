@@ -1,9 +1,8 @@
 """Zeros of the torsion, extrema and zeros of the curvature, and special pieces of a space curve, from its facts.
 
-In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it has a minimum: these points are listed as inflections,
-undulations and flat points, and not again among the extrema. The form [D1 D2 D3] of the torsion vanishes there whether
-or not τ does, so that τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point and nothing
-else.
+In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it has a minimum: these points are listed by their own
+kinds, and not again among the extrema. The form [D1 D2 D3] of the torsion vanishes there whether or not τ does, so that
+τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point and nothing else.
 """
 
 from __future__ import annotations

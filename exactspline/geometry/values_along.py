@@ -1,4 +1,4 @@
-"""Curvature and torsion of a curve at a parameter, rational or not, as real numbers."""
+"""Points, directions, curvature and torsion of a curve at a parameter, rational or not, as real numbers."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.domain import part, space
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector, norm2
 from exactspline.numbers.exact import Number, mpq, text
 from exactspline.numbers.sides import Side
 from exactspline.papers import find
@@ -48,6 +49,23 @@ def _derivative(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline]:
         numerators = [f.d() * curve.w - (slope * f).scaled(k) for f in numerators]
         denominator = denominator * curve.w
     return numerators, denominator
+
+
+def unit(vector: Vector[BSpline], place: mpq | Real, name: str = "T") -> list[Real]:
+    """The components of a vector divided by its length at a parameter.
+
+    >>> from exactspline import BSpline
+    >>> t = BSpline.identity(0, 2)
+    >>> unit(Vector(t, t * t), mpq(1))
+    [<Real √2/2>, <Real √2/2>]
+
+    Raises `DomainError` if the vector vanishes there.
+    """
+    signs = [sign_at(x, place) for x in vector]
+    if not any(signs):
+        raise DomainError(f"{name} is undefined: the vector vanishes there", remedy="choose another parameter")
+    squared = norm2(vector)
+    return [signed_root(s, value_at(x * x, squared, place)) for x, s in zip(vector, signs, strict=True)]
 
 
 def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:

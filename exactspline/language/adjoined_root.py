@@ -56,16 +56,10 @@ class Adjoined(FieldOperand):
             )
         return element
 
-    def __add__(self, other: object) -> Adjoined:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: Adjoined) -> Adjoined:
         return Adjoined(self.plain + right.plain, self.rooted + right.rooted, self.square)
 
-    def __mul__(self, other: object) -> Adjoined:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: Adjoined) -> Adjoined:
         plain = self.plain * right.plain + self.rooted * right.rooted * self.square
         return Adjoined(plain, self.plain * right.rooted + self.rooted * right.plain, self.square)
 
@@ -87,10 +81,6 @@ class Adjoined(FieldOperand):
     def scaled(self, constant: Constant) -> Adjoined:
         """The element times an exact constant."""
         return Adjoined(self.plain.scaled(constant), self.rooted.scaled(constant), self.square)
-
-    def elevated_to(self, other: object) -> Adjoined:
-        """Itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Adjoined:
         """The derivative: ``a′ + (b′ + b S′/(2 S)) σ``."""

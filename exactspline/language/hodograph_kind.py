@@ -6,7 +6,7 @@ plane curve whose speed is a polynomial is of this form.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from exactspline.language.accompanied import Accompanied
@@ -53,11 +53,8 @@ class HodographKind(Kind):
         """Whether formulas of the other kind apply; those for plane curves do."""
         return other is self or (dimension == 2 and other.name in ("curve", "plane"))
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve with its hodograph."""
-        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
         return curve_of_hodograph(named, one)
 
 

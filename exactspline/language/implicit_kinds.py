@@ -7,7 +7,7 @@ of curves can be compared with one in ∇F and the Hessian of F.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from itertools import combinations_with_replacement
 from typing import Any
 
@@ -104,11 +104,8 @@ class ImplicitKind(Kind):
             dimension in self.dimensions and other.name in ("curve", ("plane", "space")[dimension - 2])
         )
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve with the partial derivatives along it."""
-        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension)}
         curve = Curve(vector_of(named, *self.axes), one, polynomial=True)
         additional = {name: value for name, value in named.items() if name not in self.axes}
         return Accompanied(curve, additional, self._made)

@@ -68,10 +68,15 @@ class Kind(ABC):
         """The operands, numerators before denominators; a polynomial curve has no denominator."""
 
     @abstractmethod
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
+        """The argument made from its operands, given by name; `one` is the denominator of polynomial curves."""
+
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
     ) -> Evaluated:
-        """The argument made from its operands; `one` is used as the denominator of polynomial curves."""
+        """The argument, each of its operands made from its symbol."""
+        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
+        return self.of_operands(named, dimension, one)
 
     @abstractmethod
     def names(self, dimension: int) -> dict[str, bool]:

@@ -5,7 +5,7 @@ readings construct arguments from its declarations.
 from __future__ import annotations
 
 import copyreg
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import Any
 
@@ -112,11 +112,8 @@ class CurveKind(Kind):
         """
         return _with_constants(self, tuple(sorted({*self.constants, *names})))
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve."""
-        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
         point = Vector(*[named[name] for name in POINT[:dimension]]) if self.with_point else None
         plain = _curve(named, COORDINATES[:dimension], "w", one, point)
         return Accompanied(plain, {name: named[name] for name in self.constants}) if self.constants else plain
@@ -142,11 +139,8 @@ class PairKind(Kind):
         """The two curves."""
         return {"first": self.curve, "second": self.curve}
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The pair."""
-        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
         first = _curve(named, COORDINATES[:dimension], "w", one)
         return Pair(first, _curve(named, BARRED[:dimension], "W", one))
 
@@ -166,11 +160,8 @@ class TableKind(Kind):
         """The scalars and vectors with index 1 and 2."""
         return {f"{x}{i}": x == "v" for i in "12" for x in "pwv"}
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The operands by name."""
-        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension)}
         scalars = {name: x for name, x in named.items() if "_" not in name}
         vectors = {f"v{i}": Vector(*[named[f"v{j}_{i}"] for j in range(dimension)]) for i in "12"}
         return Operands(**scalars, **vectors)
@@ -189,11 +180,9 @@ class FramedKind(CurveKind):
         """The names of a curve, and the roots."""
         return super().names(dimension) | {"sigma": False} | ({"rho": False} if dimension == 3 else {})
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve with its roots."""
-        curve: Any = super().argument(dimension, operand, one, polynomial=polynomial)
+        curve: Any = super().of_operands(named, dimension, one)
         return framed(curve)
 
 
@@ -204,7 +193,7 @@ def _functions(names: str, w: str, dimension: int, which: int, polynomial: bool)
     return tuple(Symbol(name, name.lower() + bar, (PARAMETERS[which],)) for name in letters)
 
 
-def _curve(named: dict[str, Any], names: str, w: str, one: Any, point: Vector[Any] | None = None) -> Curve[Any]:
+def _curve(named: Mapping[str, Any], names: str, w: str, one: Any, point: Vector[Any] | None = None) -> Curve[Any]:
     return Curve(Vector(*[named[name] for name in names]), named.get(w, one), polynomial=w not in named, point=point)
 
 

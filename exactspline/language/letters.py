@@ -42,10 +42,6 @@ class Letter(FieldOperand):
         """A constant, taken as a function of the same parameters."""
         return self
 
-    def elevated_to(self, other: object) -> Letter:
-        """The operand itself."""
-        return self
-
     def d(self, order: int = 1, *, by: str | None = None) -> Letter:
         """A derivative: a function of the same parameters.
 

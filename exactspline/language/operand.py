@@ -150,15 +150,29 @@ class Operand(Displayed, ABC):
         """A hash of the quotient by this operand, the same for equal quotients; a reading may refine it."""
         return 1
 
-    @abstractmethod
-    def __add__(self, other: Self | Constant, /) -> Self: ...
+    def __add__(self, other: Self | Constant, /) -> Self:
+        right = self.coerced(other)
+        return NotImplemented if right is None else self._plus(right)
 
-    @abstractmethod
-    def __mul__(self, other: Self | Constant, /) -> Self: ...
+    def __mul__(self, other: Self | Constant, /) -> Self:
+        right = self.coerced(other)
+        return NotImplemented if right is None else self._times(right)
+
+    def _plus(self, right: Self) -> Self:
+        """The sum with an operand of the same reading: what a reading implements, if not ``+`` itself."""
+        raise NotImplementedError
+
+    def _times(self, right: Self) -> Self:
+        """The product with an operand of the same reading: what a reading implements, if not ``*`` itself."""
+        raise NotImplementedError
 
     @abstractmethod
     def scaled(self, constant: Constant, /) -> Self:
         """The operand times an exact constant."""
+
+    def elevated_to(self, other: Self, /) -> Self:
+        """The same function, of at least the degree of another; the operand itself where a reading has no degrees."""
+        return self
 
     @abstractmethod
     def constant(self, value: Constant, /) -> Self:

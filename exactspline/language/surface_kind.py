@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Generic
 
@@ -75,14 +75,10 @@ class SurfaceKind(Kind):
         """Numerator, denominator, and the surface itself."""
         return {"p": True, "w": False, "S": True}
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The surface."""
-        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
-        return Surface(
-            Vector(*[named[name] for name in COORDINATES[:dimension]]), named.get("w", one), polynomial=polynomial
-        )
+        p = Vector(*[named[name] for name in COORDINATES[:dimension]])
+        return Surface(p, named.get("w", one), polynomial="w" not in named)
 
 
 SURFACE, PLANAR_MAP = SurfaceKind("surface", 3), SurfaceKind("planar map", 2)
@@ -143,13 +139,10 @@ class SurfaceCurveKind(Kind):
         """Whether formulas of the other kind apply; those for surfaces and for space curves do."""
         return other is self or other.name in ("surface", "curve", "space")
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve on the surface."""
-        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
         p = Vector(*[named[name] for name in COORDINATES[:dimension]])
-        return SurfaceCurve(p, named.get("w", one), named["u"], named["v"], polynomial=polynomial)
+        return SurfaceCurve(p, named.get("w", one), named["u"], named["v"], polynomial="w" not in named)
 
 
 class FormsKind(Kind):
@@ -178,11 +171,9 @@ class FormsKind(Kind):
         """The six coefficients and w."""
         return dict.fromkeys("EFGLMNw", False)
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The coefficients by name."""
-        return Operands(**{symbol.name: operand(symbol) for symbol in self.symbols(dimension)})
+        return Operands(**named)
 
 
 FORMS, CURVE_ON_SURFACE = FormsKind(), SurfaceCurveKind()

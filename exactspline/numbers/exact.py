@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable
 from decimal import Decimal
 from enum import StrEnum
 from fractions import Fraction
+from functools import reduce
 from math import inf, isfinite, nextafter
 from numbers import Integral, Rational, Real
 from typing import Any, SupportsIndex, TypeAlias, TypeGuard, cast, overload
@@ -99,10 +100,8 @@ def rational(value: Number) -> mpq:
         if not given.is_finite():
             raise NumberError(f"{value} is not a number", remedy="write a finite number")
         return _from_text(str(given))
-    if kind is flint.fmpq:
-        return mpq(int(given.p), int(given.q))
-    if kind is flint.fmpz:
-        return mpq(int(given))
+    if kind in (flint.fmpq, flint.fmpz):
+        return from_flint(given)
     if kind is float:
         raise _refuse_float(given)
     if isinstance(value, Integral) and not isinstance(value, int):
@@ -323,6 +322,29 @@ def content(values: Iterable[mpq]) -> mpq:
     """
     numbers = list(values)
     return mpq(gcd(*[x.numerator for x in numbers]), lcm(*[x.denominator for x in numbers]))
+
+
+def common_multiple(numbers: Iterable[flint.fmpz]) -> flint.fmpz:
+    """The least common multiple of FLINT's integers, 1 for none.
+
+    >>> common_multiple([flint.fmpz(4), flint.fmpz(6)])
+    12
+    """
+    return reduce(flint.fmpz.lcm, numbers, flint.fmpz(1))
+
+
+def common_divisor(numbers: Iterable[flint.fmpz]) -> flint.fmpz:
+    """The greatest common divisor of FLINT's integers, 0 for none; once it is 1 no more of them are computed.
+
+    >>> common_divisor([flint.fmpz(4), flint.fmpz(6)])
+    2
+    """
+    common = flint.fmpz(0)
+    for x in numbers:
+        common = common.gcd(x)
+        if common == 1:
+            break
+    return common
 
 
 def over_one_denominator(values: Iterable[mpq]) -> tuple[list[int], int]:

@@ -10,13 +10,22 @@ derivative is ``∂v − ∂u``. All operations stay in the Bernstein basis.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from functools import cache, reduce
+from functools import cache
 from itertools import pairwise
 from math import comb
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.numbers.exact import from_flint, lcm, mpq, over_one_denominator, ratio, to_fmpq, to_fmpz
+from exactspline.numbers.exact import (
+    common_multiple,
+    from_flint,
+    lcm,
+    mpq,
+    over_one_denominator,
+    ratio,
+    to_fmpq,
+    to_fmpz,
+)
 from exactspline.polynomials.factors import factorize_square_free
 
 Form = tuple[fmpz_poly, fmpz]
@@ -76,7 +85,7 @@ def over_common_denominator(forms: Sequence[Form]) -> tuple[list[fmpz_poly], fmp
     >>> over_common_denominator([(fmpz_poly([1, 1]), fmpz(2)), (fmpz_poly([1]), fmpz(3))])
     ([3*x + 3, 2], 6)
     """
-    common = reduce(fmpz.lcm, [m for _, m in forms])
+    common = common_multiple(m for _, m in forms)
     return [c if m == common else c * (common // m) for c, m in forms], common
 
 

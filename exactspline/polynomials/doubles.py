@@ -3,7 +3,7 @@ certain.
 
 Every form is a row of coefficients in the scaled Bernstein basis with bounds on their errors. A sign is certain if the
 coefficient is larger than its error bound; Descartes' rule is applied with the largest number of sign changes that the
-certain signs allow. Rows for which this never yields 0 or 1 are decided by exact arithmetic. Derivation:
+certain signs allow. Bounded for which this never yields 0 or 1 are decided by exact arithmetic. Derivation:
 docs/certified-filter.md.
 
 This module and `exactspline.polynomials.modular` are the only ones of `polynomials` that load numpy.
@@ -21,7 +21,10 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
-ROUNDING, UNDERFLOW = 2.0**-52, 2.0**-1022
+#: The relative error of one operation is below this in every rounding mode.
+ROUNDING = 2.0**-52
+#: The largest loss by underflow in one operation, even where subnormal numbers are flushed to zero.
+UNDERFLOW = 2.0**-1022
 #: The parameter at which pieces are split: not the midpoint, where symmetric curves have zeros. Splitting ten times is
 #: exact in doubles.
 SPLIT, DEPTH = 15 / 32, 9
@@ -34,11 +37,18 @@ STEPS, REACHED = 40, 2.0**-48
 WIDTHS = (2.0**-46, 2.0**-42, 2.0**-37, 2.0**-30, 2.0**-20, 2.0**-10)
 
 
-class Rows(NamedTuple):
-    """Bézier ordinates, one row per form, and bounds on their errors."""
+class Bounded(NamedTuple):
+    """Numbers, one row per form, and bounds on their errors. Where a number is infinite or NaN, so is its bound: its
+    sign is not certain.
+    """
 
     values: Floats
     errors: Floats
+
+    @property
+    def signs(self) -> Integers:
+        """1 and −1 where the sign is certain, 0 elsewhere."""
+        return np.where(self.values > self.errors, 1, np.where(self.values < -self.errors, -1, 0))
 
 
 class Isolated(NamedTuple):
@@ -56,28 +66,30 @@ class Isolated(NamedTuple):
         return Isolated(self.row[holds], self.low[holds], self.high[holds], self.before[holds])
 
 
-def ordinates(values: Floats, errors: Floats) -> Rows:
+def ordinates(values: Floats, errors: Floats) -> Bounded:
     """The Bézier ordinates of coefficients in the scaled basis."""
     n = values.shape[1] - 1
     scale = np.array([float(comb(n, i)) for i in range(n + 1)])
     with np.errstate(all="ignore"):
         values_found = values / scale
-        return Rows(values_found, errors / scale * (1 + 8 * ROUNDING) + 2 * ROUNDING * np.abs(values_found) + UNDERFLOW)
+        return Bounded(
+            values_found, errors / scale * (1 + 8 * ROUNDING) + 2 * ROUNDING * np.abs(values_found) + UNDERFLOW
+        )
 
 
-def isolated(rows: Rows) -> tuple[Isolated, Flags]:
+def isolated(rows: Bounded) -> tuple[Isolated, Flags]:
     """The zeros inside (0, 1) of the forms for which they are certain, in order, and a mask of the uncertain forms.
 
-    >>> found, open_ = isolated(Rows(np.array([[1.0, -2, 1], [1, 2, 1], [0, 1, 2]]), np.full((3, 3), 1e-9)))
+    >>> found, open_ = isolated(Bounded(np.array([[1.0, -2, 1], [1, 2, 1], [0, 1, 2]]), np.full((3, 3), 1e-9)))
     >>> found.row.tolist(), found.before.tolist(), open_.tolist()
     ([0, 0], [1, -1], [False, False, True])
     """
-    values, errors = rows
-    undecided = np.zeros(len(values), dtype=bool)
-    index, low, width = np.arange(len(values)), np.zeros(len(values)), np.ones(len(values))
+    count, part = len(rows.values), rows
+    undecided = np.zeros(count, dtype=bool)
+    index, low, width = np.arange(count), np.zeros(count), np.ones(count)
     parts: list[tuple[NDArray[np.generic], ...]] = []
     for level in range(DEPTH + 1):
-        signs = np.where(values > errors, 1, np.where(values < -errors, -1, 0))
+        signs = part.signs
         blind = (signs[:, 0] == 0) | (signs[:, -1] == 0)
         most = most_changes(signs)
         one = (most == 1) & ~blind
@@ -88,8 +100,7 @@ def isolated(rows: Rows) -> tuple[Isolated, Flags]:
             undecided[index[again]] = True
             break
         index, low, width = index[again], low[again], width[again]
-        left, right = split_in_two(Rows(values[again], errors[again]))
-        values, errors = (np.concatenate(pair) for pair in zip(left, right, strict=True))
+        part = _halved(part, again)
         index = np.concatenate([index, index])
         low = np.concatenate([low, low + width * SPLIT])
         width = np.concatenate([width * SPLIT, width * (1 - SPLIT)])
@@ -99,18 +110,17 @@ def isolated(rows: Rows) -> tuple[Isolated, Flags]:
     return zeros.where(~undecided[zeros.row]), undecided
 
 
-def without_zeros(rows: Rows) -> Flags:
+def without_zeros(rows: Bounded) -> Flags:
     """A mask of the forms that certainly have no zero on [0, 1]: on all pieces the ordinates have one certain sign. The
     ends of pieces need not be exact, so that pieces may be smaller than for isolation.
 
-    >>> without_zeros(Rows(np.array([[1, -0.999, 1], [1, -1.0, 1]]), np.full((2, 3), 1e-15))).tolist()
+    >>> without_zeros(Bounded(np.array([[1, -0.999, 1], [1, -1.0, 1]]), np.full((2, 3), 1e-15))).tolist()
     [True, False]
     """
     certain = np.ones(len(rows.values), dtype=bool)
     index, part = np.arange(len(rows.values)), rows
     for level in range(DEEP + 1):
-        values, errors = part
-        signs = np.where(values > errors, 1, np.where(values < -errors, -1, 0))
+        signs = part.signs
         # an uncertain sign at an end, or two signs: there is a zero, or its absence cannot be shown
         certain[index[(signs[:, 0] == 0) | (signs[:, 0] != signs[:, -1])]] = False
         again = (signs != signs[:, :1]).any(axis=1) & certain[index]
@@ -118,9 +128,14 @@ def without_zeros(rows: Rows) -> Flags:
             certain[index[again]] = False
             break
         index = np.concatenate([index[again]] * 2)
-        pair = split_in_two(Rows(values[again], errors[again]))
-        part = Rows(*(np.concatenate(column) for column in zip(*pair, strict=True)))
+        part = _halved(part, again)
     return certain
+
+
+def _halved(rows: Bounded, chosen: Flags) -> Bounded:
+    """The left parts of some forms, then their right parts."""
+    pair = split_in_two(Bounded(rows.values[chosen], rows.errors[chosen]))
+    return Bounded(*(np.concatenate(column) for column in zip(*pair, strict=True)))
 
 
 def most_changes(signs: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -132,7 +147,7 @@ def most_changes(signs: NDArray[np.int64]) -> NDArray[np.int64]:
     return np.maximum(ends_up, ends_down)
 
 
-def split_in_two(rows: Rows) -> tuple[Rows, Rows]:
+def split_in_two(rows: Bounded) -> tuple[Bounded, Bounded]:
     """The forms to the left and right of `SPLIT`, by de Casteljau's algorithm."""
     (value, error), n = rows, rows.values.shape[1] - 1
     left, right = [(value[:, 0], error[:, 0])], [(value[:, -1], error[:, -1])]
@@ -148,12 +163,12 @@ def split_in_two(rows: Rows) -> tuple[Rows, Rows]:
     return _stacked(left), _stacked(right[::-1])
 
 
-def _stacked(columns: list[tuple[Floats, Floats]]) -> Rows:
+def _stacked(columns: list[tuple[Floats, Floats]]) -> Bounded:
     values, errors = zip(*columns, strict=True)
-    return Rows(np.stack(values, axis=1), np.stack(errors, axis=1))
+    return Bounded(np.stack(values, axis=1), np.stack(errors, axis=1))
 
 
-def values_at(rows: Rows, index: Integers, t: Floats) -> tuple[Floats, Floats]:
+def values_at(rows: Bounded, index: Integers, t: Floats) -> tuple[Floats, Floats]:
     """The values of forms at parameters in [0, 1], and bounds on their errors."""
     b = rows.values[index]
     n = b.shape[1] - 1
@@ -166,7 +181,7 @@ def values_at(rows: Rows, index: Integers, t: Floats) -> tuple[Floats, Floats]:
     return b[:, 0], bound[:, 0] * (1 + 8 * (n + 1) * ROUNDING) + 16 * (n + 1) * UNDERFLOW
 
 
-def narrowed(rows: Rows, zeros: Isolated) -> Isolated:
+def narrowed(rows: Bounded, zeros: Isolated) -> Isolated:
     """The same zeros in narrower intervals, where the signs at their ends are certain."""
     index, low, high, before = zeros
     if not len(index):
@@ -186,7 +201,7 @@ def narrowed(rows: Rows, zeros: Isolated) -> Isolated:
     return Isolated(index, new_low, new_high, before)
 
 
-def _approximated(rows: Rows, zeros: Isolated) -> Floats:
+def _approximated(rows: Bounded, zeros: Isolated) -> Floats:
     """Unproved approximations of the zeros, by Newton's method safeguarded by bisection when it leaves the bracket or
     is slow. Zeros for which it has converged are not iterated further.
     """

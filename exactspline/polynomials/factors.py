@@ -20,7 +20,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly, fmpz, fmpz_mpoly, fmpz_poly, nmod_poly
 
 from exactspline.errors import FormulaError, ReachError, counted
-from exactspline.numbers.exact import PRIME
+from exactspline.numbers.exact import PRIME, common_divisor
 from exactspline.polynomials.cost import LONGEST, LONGEST_LOOP, REMEDY, affords, check_reach, height_bits
 from exactspline.polynomials.factorization import Factorization, multiplied
 
@@ -252,7 +252,7 @@ def _believed(p: P, constant: Any, factors: list[tuple[P, int]]) -> Factored[P]:
 
 
 def _content(p: fmpz_mpoly) -> fmpz:
-    return reduce(lambda x, y: x.gcd(y), p.coeffs(), fmpz(0))
+    return common_divisor(p.coeffs())
 
 
 # ---- cost

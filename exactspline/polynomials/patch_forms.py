@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from flint import fmpz, fmpz_mat, fmpz_poly
 
-from exactspline.numbers.exact import lcm, mpq
+from exactspline.numbers.exact import common_divisor, lcm, mpq
 from exactspline.numbers.intervals import Box, hull
 
 
@@ -150,11 +150,7 @@ class PatchForm:
 
     def primitive(self) -> PatchForm:
         """The form divided by the common factor of its coefficients."""
-        common = fmpz(0)
-        for x in self.entries:
-            common = common.gcd(x)
-            if common == 1:
-                return self
+        common = common_divisor(self.entries)
         return PatchForm(fmpz_mat(*self._shape, [x // common for x in self.entries])) if common > 1 else self
 
     @property

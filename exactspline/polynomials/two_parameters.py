@@ -5,11 +5,10 @@ may vanish together.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import reduce
 
 from flint import Ordering, arb, arb_poly, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
-from exactspline.numbers.exact import from_flint, mpq, to_fmpq
+from exactspline.numbers.exact import common_divisor, from_flint, mpq, to_fmpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.cost import affords, height_bits
@@ -97,7 +96,7 @@ def _norm_bits(p: fmpz_poly) -> int:
 def as_polynomial(form: PatchForm) -> fmpz_mpoly:
     """The form as a primitive polynomial in both parameters, up to a positive constant."""
     rows = powers_of(form)
-    common = reduce(fmpz.gcd, [x for row in rows for x in row])
+    common = common_divisor(x for row in rows for x in row)
     return CONTEXT.from_dict({(i, j): x // common for i, row in enumerate(rows) for j, x in enumerate(row) if x})
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from flint import fmpz, fmpz_poly
 
 from exactspline.polynomials.bernstein import U_PLUS_V, raiser
-from exactspline.programs.denominators import Denominator, common_multiple
+from exactspline.programs.denominators import Denominator
 from exactspline.programs.instructions import UNIT, ZERO, Instruction
 
 #: A multiplier of a segment: the quotient of two denominators, or a power of the denominator of its width.
@@ -39,13 +39,7 @@ def compiled(
     >>> run([[fmpz_poly([1, 1])], [fmpz_poly([2, 3])]], [[fmpz(5)]], [(fmpz(1), fmpz(1))])
     [(3*x^2 + 5*x + 2, 25)]
     """
-    constants: dict[str, Any] = {
-        "one": fmpz_poly([1]),
-        "nothing": fmpz_poly([]),
-        "u_plus_v": U_PLUS_V,
-        "fmpz": fmpz,
-        "common_multiple": common_multiple,
-    }
+    constants: dict[str, Any] = {"one": fmpz_poly([1]), "nothing": fmpz_poly([]), "u_plus_v": U_PLUS_V, "fmpz": fmpz}
     used = needed(listed, [i for i, _ in outputs], given)
     own = [i for i in sorted(used) if i not in given]
     lifts = dict.fromkeys(listed[i].numbers[0] for i in own if listed[i].name == "lift")

@@ -10,8 +10,6 @@ from dataclasses import dataclass
 from math import gcd, lcm
 from typing import NamedTuple
 
-from flint import fmpz
-
 
 class OfOperand(NamedTuple):
     """The denominator of an operand: the same number for all operands of a group."""
@@ -94,11 +92,6 @@ class Denominator:
 ONE = Denominator(1)
 
 
-def common_multiple(a: fmpz, b: fmpz) -> fmpz:
-    """The least common multiple of two positive numbers."""
-    return a // a.gcd(b) * b
-
-
 def _in_order(powers: dict[Atom, int]) -> tuple[tuple[Atom, int], ...]:
     return tuple(sorted(((atom, e) for atom, e in powers.items() if e), key=repr))
 
@@ -108,4 +101,4 @@ def _text(atom: Atom) -> str:
         return f"below{atom.group}"
     if isinstance(atom, WidthNumerator):
         return "top"
-    return f"common_multiple({atom.first.text}, {atom.second.text})"
+    return f"({atom.first.text}).lcm({atom.second.text})"

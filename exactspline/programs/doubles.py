@@ -14,40 +14,18 @@ from dataclasses import dataclass
 from math import comb
 
 import numpy as np
-from numpy.typing import NDArray
 
 from exactspline.errors import FormulaError
+from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW, Bounded, Floats
 from exactspline.programs.compiled import needed
 from exactspline.programs.instructions import UNIT, ZERO, Instruction
 from exactspline.programs.program import Program
 
-Floats = NDArray[np.float64]
-
-#: The relative error of one operation is below this in every rounding mode.
-ROUNDING = 2.0**-52
-#: The largest loss by underflow in one operation, even where subnormal numbers are flushed to zero.
-UNDERFLOW = 2.0**-1022
 #: A factor that covers the rounding of the bounds themselves and the quadratic terms of (1 + ROUNDING)^K, for K below
 #: 2^40.
 SLACK = 1.0625
 #: The largest number of bits of a number or a loss (in units of `UNDERFLOW`) in a program for doubles.
 RANGE = 400
-
-
-@dataclass(frozen=True)
-class Bounded:
-    """Coefficients, one row per segment, and bounds on their errors. Where a number is infinite or NaN, so is its
-    bound: its sign is not certain.
-    """
-
-    values: Floats
-    errors: Floats
-
-    @property
-    def signs(self) -> NDArray[np.int8]:
-        """1 and −1 where the sign is certain, 0 elsewhere."""
-        certain: NDArray[np.int8] = np.where(self.values > self.errors, 1, np.where(self.values < -self.errors, -1, 0))
-        return certain
 
 
 @dataclass(frozen=True)

@@ -205,9 +205,9 @@ def values(formulas: tuple[Formula, ...], given: Given) -> dict[Formula, SplineV
     >>> from exactspline.papers import find
     >>> from exactspline.interchange.examples import example
     >>> given = operands_of(find("f2").kind, example("rational_cubic"), true_degree=True)
-    >>> found = values((find("inflections_lifted"), find("critical_curvature_lifted")), given)
+    >>> found = values((find("tangent_lifted_squared"), find("critical_curvature_lifted")), given)
     >>> [f.degree for f in found.values()]
-    [3, 12]
+    [8, 12]
     """
     made: Any = _program_of_all(formulas, given.signature).on(given)
     return dict(zip(formulas, made, strict=True))

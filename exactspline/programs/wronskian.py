@@ -28,10 +28,10 @@ class TermAtTrueDegree(Term, OwnWronskians):
     >>> from exactspline.programs.given import operands_of
     >>> from exactspline.programs.program import program_of
     >>> from exactspline.interchange.examples import example
-    >>> lifted, curve = find("inflections_lifted"), example("rational_cubic")
+    >>> lifted, curve = find("critical_curvature_lifted"), example("rational_cubic")
     >>> read = [operands_of(lifted.kind, curve, true_degree=true_degree) for true_degree in (False, True)]
     >>> [program_of(lifted, given.signature).on(given).degree for given in read]
-    [6, 3]
+    [18, 12]
     """
 
     __slots__ = ()

@@ -103,11 +103,11 @@ class Known(Protocol):
     """
 
     @property
-    def inflections(self) -> object:
-        """Its inflections."""
+    def curvature(self) -> object:
+        """The zeros of its curvature."""
 
     @property
-    def extrema(self) -> object:
+    def critical(self) -> object:
         """The extrema of its curvature: all its critical points."""
 
 

@@ -14,7 +14,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from exactspline.errors import FormulaError
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import CONSTANTS, Constant
+from exactspline.language.operand import Constant
 from exactspline.language.parts import Value
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
@@ -36,18 +36,14 @@ class Monomials(RingOperand):
         zero = self.exponents[0] * 0
         return Monomials((zero, zero), {(0, 0): zero + to_fmpq(rational(value))})
 
-    def __add__(self, other: object) -> Monomials:
-        if isinstance(other, CONSTANTS):
-            other = self.constant(other)
-        if not isinstance(other, Monomials):
-            return NotImplemented
-        if self.exponents != other.exponents:
+    def _plus(self, right: Monomials) -> Monomials:
+        if self.exponents != right.exponents:
             raise FormulaError(
                 "a sum of terms of different degrees in p or in w",
                 remedy="this reading requires formulas homogeneous in both",
             )
         terms = self._no_terms() | self.terms
-        for shift, c in other.terms.items():
+        for shift, c in right.terms.items():
             terms[shift] += c
         return Monomials(self.exponents, terms)
 
@@ -55,26 +51,18 @@ class Monomials(RingOperand):
         zero = self.exponents[0] * 0
         return defaultdict(lambda: zero)
 
-    def __mul__(self, other: object) -> Monomials:
-        if isinstance(other, CONSTANTS):
-            return self.scaled(other)
-        if not isinstance(other, Monomials):
-            return NotImplemented
+    def _times(self, right: Monomials) -> Monomials:
         terms = self._no_terms()
         for (i, j), x in self.terms.items():
-            for (k, m), y in other.terms.items():
+            for (k, m), y in right.terms.items():
                 terms[i + k, j + m] += x * y
-        (u, v), (s, t) = self.exponents, other.exponents
+        (u, v), (s, t) = self.exponents, right.exponents
         return Monomials((u + s, v + t), terms)
 
     def scaled(self, constant: Constant) -> Monomials:
         """The terms times an exact constant."""
         q = to_fmpq(rational(constant))
         return Monomials(self.exponents, {shift: c * q for shift, c in self.terms.items()})
-
-    def elevated_to(self, other: object) -> Monomials:
-        """The operand itself: this reading needs no degree elevation."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Monomials:
         """``(∂v − ∂u)``, the derivative with respect to the local parameter, term by term."""

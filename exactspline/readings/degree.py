@@ -14,6 +14,7 @@ from exactspline.errors import FormulaError, InapplicableError, as_text
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.choices import Counting, Parameter
+from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import CONSTANTS, Constant, PartlyOrdered
 from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -288,6 +289,16 @@ class DegreeReading(Reading):
         self.degree = degree
         self.parameter = choice(Parameter, parameter, "parameter")
         self.counting = choice(Counting, counting, "counting")
+
+    def count(self, formula: Formula, dimension: int, *, polynomial: bool = False) -> Degree:
+        """The degree of a formula; for a value of several parts the larger one.
+
+        >>> from exactspline.papers import find
+        >>> DegreeReading().count(find("g2"), 2)
+        9d − 6
+        """
+        degree: Degree = formula(self.argument(formula.kind, dimension, polynomial=polynomial)).degree
+        return degree
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The degrees of the operands; those that do not depend on the parameter `counted` have degree 0."""

@@ -9,7 +9,7 @@ from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind
-from exactspline.language.operand import CONSTANTS, Constant
+from exactspline.language.operand import Constant
 from exactspline.language.parts import joined
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
@@ -31,14 +31,10 @@ class Order(RingOperand):
     def __init__(self, order: int) -> None:
         self.order = order
 
-    def __add__(self, other: object) -> Order:
-        if isinstance(other, CONSTANTS):
-            return self
-        if not isinstance(other, Order):
-            return NotImplemented
-        return self if other.order <= self.order else other
+    def _plus(self, right: Order) -> Order:
+        return self if right.order <= self.order else right
 
-    __mul__ = __add__
+    _times = _plus
 
     def scaled(self, constant: Constant) -> Order:
         """The same order: a constant factor needs no derivative."""
@@ -47,10 +43,6 @@ class Order(RingOperand):
     def constant(self, value: Constant) -> Order:
         """Order 0: a constant needs no derivative."""
         return Order(0)
-
-    def elevated_to(self, other: object) -> Order:
-        """The same order: degree elevation needs no derivative."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Order:
         """The order increased by that of the derivative."""

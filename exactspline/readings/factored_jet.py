@@ -64,10 +64,7 @@ class FactoredJet(RingOperand):
         """The expanded polynomial."""
         return multiplied(self.ring, self.powers) * self.unit
 
-    def __mul__(self, other: object) -> FactoredJet:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: FactoredJet) -> FactoredJet:
         provenance = (PRODUCT, self.provenance, right.provenance)
         if self.is_zero or right.is_zero:
             return FactoredJet(self.ring, fmpq(0), ONE, provenance)
@@ -101,10 +98,6 @@ class FactoredJet(RingOperand):
         return FactoredJet(
             self.ring, unit, self.powers if unit else ONE, (MULTIPLE, self.provenance, rational(constant))
         )
-
-    def elevated_to(self, other: object) -> FactoredJet:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> FactoredJet:
         """The total derivative, by the product rule for all factors."""

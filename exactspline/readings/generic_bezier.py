@@ -13,7 +13,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from exactspline.errors import FormulaError
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import CONSTANTS, Constant
+from exactspline.language.operand import Constant
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.numbers.exact import rational, to_fmpq
@@ -56,23 +56,15 @@ class Generic(RingOperand):
             else self * Generic(self.context, [self.context.constant(comb(by, i)) for i in range(by + 1)])
         )
 
-    def __add__(self, other: object) -> Generic:
-        if isinstance(other, CONSTANTS):
-            other = self.constant(other)
-        if not isinstance(other, Generic):
-            return NotImplemented
-        a, b = self.elevated_to(other), other.elevated_to(self)
+    def _plus(self, right: Generic) -> Generic:
+        a, b = self.elevated_to(right), right.elevated_to(self)
         return Generic(self.context, [x + y for x, y in zip(a.coefficients, b.coefficients, strict=True)])
 
-    def __mul__(self, other: object) -> Generic:
-        if isinstance(other, CONSTANTS):
-            return self.scaled(other)
-        if not isinstance(other, Generic):
-            return NotImplemented
+    def _times(self, right: Generic) -> Generic:
         zero = self.context.constant(0)
-        product = [zero] * (self.degree + other.degree + 1)
+        product = [zero] * (self.degree + right.degree + 1)
         for i, x in enumerate(self.coefficients):
-            for j, y in enumerate(other.coefficients):
+            for j, y in enumerate(right.coefficients):
                 product[i + j] += x * y
         return Generic(self.context, product)
 

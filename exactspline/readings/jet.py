@@ -189,10 +189,7 @@ class Jet(RingOperand):
         """An exact constant of the ring."""
         return self.ring.number(value)
 
-    def __add__(self, other: object) -> Jet:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: Jet) -> Jet:
         return Jet(self.ring, self.polynomial + right.polynomial, (SUM, self.provenance, right.provenance))
 
     def __sub__(self, other: object) -> Jet:
@@ -201,20 +198,13 @@ class Jet(RingOperand):
             return NotImplemented
         return Jet(self.ring, self.polynomial - right.polynomial, (DIFFERENCE, self.provenance, right.provenance))
 
-    def __mul__(self, other: object) -> Jet:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: Jet) -> Jet:
         product = bounded_product(self.polynomial, right.polynomial)
         return Jet(self.ring, product, (PRODUCT, self.provenance, right.provenance))
 
     def scaled(self, constant: Constant) -> Jet:
         """The polynomial times an exact constant."""
         return Jet(self.ring, self.polynomial * to_fmpq(rational(constant)), (MULTIPLE, self.provenance, mpq(constant)))
-
-    def elevated_to(self, other: object) -> Jet:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Jet:
         """The total derivative, or the derivative with respect to one parameter.

@@ -18,7 +18,7 @@ from exactspline.language.arguments import PARAMETERS
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, Symbol
-from exactspline.language.operand import CONSTANTS, Constant
+from exactspline.language.operand import Constant
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
@@ -91,25 +91,17 @@ class Expansion(RingOperand):
         zero = self.context.constant(0)
         return self._made({(0, 0): [self.context.constant(number), *[zero] * (self.known - 1)]})
 
-    def __add__(self, other: object) -> Expansion:
-        if isinstance(other, CONSTANTS):
-            other = self.constant(other)
-        if not isinstance(other, Expansion):
-            return NotImplemented
+    def _plus(self, right: Expansion) -> Expansion:
         parts = dict(self.parts)
-        for grading, terms in other.parts.items():
+        for grading, terms in right.parts.items():
             present = parts.get(grading)
             parts[grading] = terms if present is None else [a + b for a, b in zip(present, terms, strict=True)]
         return self._made(parts)
 
-    def __mul__(self, other: object) -> Expansion:
-        if isinstance(other, CONSTANTS):
-            return self.scaled(other)
-        if not isinstance(other, Expansion):
-            return NotImplemented
+    def _times(self, right: Expansion) -> Expansion:
         result, zero = self._made({}), self.context.constant(0)
         for (k, m), a in self.parts.items():
-            for (n, o), b in other.parts.items():
+            for (n, o), b in right.parts.items():
                 terms = [sum((a[j] * b[i - j] for j in range(i + 1)), zero) for i in range(self.known)]
                 result = result + self._made({(k + n, m + o): terms})
         return result
@@ -119,10 +111,6 @@ class Expansion(RingOperand):
         q = to_fmpq(rational(constant))
         parts = {grading: [q * a for a in terms] for grading, terms in self.parts.items()} if q else {}
         return self._made(parts)
-
-    def elevated_to(self, other: object) -> Expansion:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Expansion:
         """The derivative, term by term; that of a constant is exactly zero. For the other parameter of a surface, the

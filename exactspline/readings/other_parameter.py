@@ -31,13 +31,11 @@ class InOtherParameter(FieldOperand):
         """An exact constant."""
         return self._made(self.value.constant(value))
 
-    def __add__(self, other: object) -> InOtherParameter:
-        right = self.coerced(other)
-        return NotImplemented if right is None else self._made(self.value + right.value)
+    def _plus(self, right: InOtherParameter) -> InOtherParameter:
+        return self._made(self.value + right.value)
 
-    def __mul__(self, other: object) -> InOtherParameter:
-        right = self.coerced(other)
-        return NotImplemented if right is None else self._made(self.value * right.value)
+    def _times(self, right: InOtherParameter) -> InOtherParameter:
+        return self._made(self.value * right.value)
 
     def reciprocal(self) -> InOtherParameter:
         """``1 / a``."""
@@ -46,10 +44,6 @@ class InOtherParameter(FieldOperand):
     def scaled(self, constant: Constant) -> InOtherParameter:
         """The operand times an exact constant."""
         return self._made(self.value.scaled(constant))
-
-    def elevated_to(self, other: object) -> InOtherParameter:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> InOtherParameter:
         """The derivative with respect to the other parameter."""

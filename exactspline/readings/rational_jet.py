@@ -44,10 +44,7 @@ class JetFraction(FieldOperand):
         """An exact constant."""
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
 
-    def __add__(self, other: object) -> JetFraction:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: JetFraction) -> JetFraction:
         if self.bottom.is_one() and right.bottom.is_one():
             return JetFraction(self.ring, self.top + right.top, self.bottom)
         if self.bottom == right.bottom:
@@ -62,10 +59,7 @@ class JetFraction(FieldOperand):
         top, rest = _without_common(total, shared)
         return JetFraction(self.ring, top, bounded_product(bounded_product(mine, its), rest))
 
-    def __mul__(self, other: object) -> JetFraction:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: JetFraction) -> JetFraction:
         if self.bottom.is_one() and right.bottom.is_one():
             return JetFraction(self.ring, bounded_product(self.top, right.top), self.bottom)
         if self is right:
@@ -87,10 +81,6 @@ class JetFraction(FieldOperand):
         """The fraction times an exact constant."""
         factor = to_fmpq(rational(constant))
         return JetFraction(self.ring, self.top * factor, self.bottom if factor else self.ring.context.constant(1))
-
-    def elevated_to(self, other: object) -> JetFraction:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> JetFraction:
         """The total derivative."""

@@ -54,16 +54,10 @@ class SympyExpression(FieldOperand):
         """An exact constant."""
         return self._made(_number(value), frozenset())
 
-    def __add__(self, other: object) -> Self:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: Self) -> Self:
         return self._made(self.expression + right.expression, self.parameters | right.parameters)
 
-    def __mul__(self, other: object) -> Self:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: Self) -> Self:
         return self._made(self.expression * right.expression, self.parameters | right.parameters)
 
     def reciprocal(self) -> Self:
@@ -75,10 +69,6 @@ class SympyExpression(FieldOperand):
     def scaled(self, constant: Constant) -> Self:
         """The expression times an exact constant."""
         return self._made(self.expression * _number(constant), self.parameters)
-
-    def elevated_to(self, other: object) -> Self:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The derivative with respect to its parameter, or the one that is named.

@@ -43,16 +43,10 @@ class Series(FieldOperand):
         zero = self.coefficients[0] * 0
         return Series([zero + value, *[zero] * (len(self.coefficients) - 1)])
 
-    def __add__(self, other: object) -> Series:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: Series) -> Series:
         return Series(a + b for a, b in zip(self.coefficients, right.coefficients, strict=False))
 
-    def __mul__(self, other: object) -> Series:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: Series) -> Series:
         a, b = self.coefficients, right.coefficients
         return Series(sum(a[j] * b[i - j] for j in range(i + 1)) for i in range(min(len(a), len(b))))
 
@@ -71,10 +65,6 @@ class Series(FieldOperand):
     def scaled(self, constant: Constant) -> Series:
         """The series times an exact constant."""
         return Series(a * constant for a in self.coefficients)
-
-    def elevated_to(self, other: object) -> Series:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Series:
         """The derivative, with correspondingly fewer terms."""

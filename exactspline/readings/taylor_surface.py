@@ -40,19 +40,13 @@ class DoubleSeries(FieldOperand):
         """An exact constant."""
         return DoubleSeries({(0, 0): mpq(value)}, self.terms)
 
-    def __add__(self, other: object) -> DoubleSeries:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: DoubleSeries) -> DoubleSeries:
         total = dict(self.coefficients)
         for place, a in right.coefficients.items():
             total[place] = total.get(place, mpq(0)) + a
         return DoubleSeries(total, min(self.terms, right.terms))
 
-    def __mul__(self, other: object) -> DoubleSeries:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _times(self, right: DoubleSeries) -> DoubleSeries:
         product, terms = Coefficients(), min(self.terms, right.terms)
         for (i, j), a in self.coefficients.items():
             for (m, n), b in right.coefficients.items():
@@ -74,10 +68,6 @@ class DoubleSeries(FieldOperand):
     def scaled(self, constant: Constant) -> DoubleSeries:
         """The series times an exact constant."""
         return DoubleSeries({place: a * mpq(constant) for place, a in self.coefficients.items()}, self.terms)
-
-    def elevated_to(self, other: object) -> DoubleSeries:
-        """The operand itself: degree elevation does not change a function."""
-        return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> DoubleSeries:
         """The derivative with respect to one of the two parameters, with `order` fewer terms.

@@ -8,10 +8,9 @@ divisor.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import reduce
 from typing import overload
 
-from flint import fmpq_poly, fmpz, fmpz_poly
+from flint import fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError, ShapeError, a_kind
 from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
@@ -19,7 +18,7 @@ from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
 from exactspline.numbers.sides import Side
 from exactspline.polynomials import annihilating
-from exactspline.polynomials.bernstein import in_parameter
+from exactspline.polynomials.bernstein import in_parameter, over_common_denominator
 from exactspline.polynomials.centred_form import bounds_over
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
@@ -162,7 +161,8 @@ def values_between(f: BSpline, low: mpq, high: mpq) -> Interval | None:
         return None
     if f.degree < 0:
         return Interval(mpq(0), mpq(0))
-    return Interval(*bounds_over(f.forms[i], f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
+    form = f.polynomials[i], f.denominators[i]
+    return Interval(*bounds_over(form, f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
 
 
 def _segment_between(f: BSpline, low: mpq, high: mpq) -> int | None:
@@ -228,8 +228,7 @@ def segment_polynomials(splines: Sequence[BSpline], i: int) -> list[fmpz_poly]:
     [x, 2]
     """
     parts = [in_powers(f, i) for f in splines]
-    common = reduce(fmpz.lcm, [f.denom() for f in parts])
-    return [f.numer() * (common // f.denom()) for f in parts]
+    return over_common_denominator([(f.numer(), f.denom()) for f in parts])[0]
 
 
 def segment_polynomial(f: BSpline, i: int) -> fmpz_poly:
@@ -241,20 +240,3 @@ def segment_polynomial(f: BSpline, i: int) -> fmpz_poly:
     """
     p = in_powers(f, i).numer()
     return p // p.content() if p else p
-
-
-def unit(vector: Sequence[BSpline], place: mpq | Real, name: str = "T") -> list[Real]:
-    """The components of a vector divided by its length at a parameter.
-
-    >>> from exactspline import BSpline
-    >>> t = BSpline.identity(0, 2)
-    >>> unit([t, t * t], mpq(1))
-    [<Real √2/2>, <Real √2/2>]
-
-    Raises `DomainError` if the vector vanishes there.
-    """
-    signs = [sign_at(x, place) for x in vector]
-    if not any(signs):
-        raise DomainError(f"{name} is undefined: the vector vanishes there", remedy="choose another parameter")
-    squared = sum((x * x for x in vector[1:]), start=vector[0] * vector[0])
-    return [signed_root(s, value_at(x * x, squared, place)) for x, s in zip(vector, signs, strict=True)]

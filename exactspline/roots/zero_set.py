@@ -16,6 +16,7 @@ from exactspline.roots.certificate import certificate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import spline_of
+from exactspline.splines.runs import intervals_of, runs
 
 
 class Side(NamedTuple):
@@ -243,27 +244,13 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
 
 def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bool) -> list[ZeroInterval]:
     """The segments on which the spline vanishes, with adjacent ones merged."""
-    breaks, count = f.mesh.breaks, len(isolations)
-    if not any(isolations):
-        return [ZeroInterval((f.mesh.domain,), (None, None))]
-    runs: list[list[int]] = []
-    for i, isolation in enumerate(isolations):
-        if isolation is None and runs and runs[-1][1] == i:
-            runs[-1][1] = i + 1
-        elif isolation is None:
-            runs.append([i, i + 1])
-    if periodic and len(runs) > 1 and runs[0][0] == 0 and runs[-1][1] == count:
-        runs[-1][1] += runs.pop(0)[1]
-    result = []
-    for first, last in runs:
+    count, result = len(isolations), []
+    for first, number in runs([x is None for x in isolations], [periodic, *[True] * (count - 1)]):
+        last = first + number
         before = isolations[first - 1] if first or periodic else None
         behind = isolations[last % count] if last < count or periodic else None
         signs = (before and before.signs[1], behind and behind.signs[0])
-        over = (
-            Interval(breaks[first], breaks[min(last, count)]),
-            *([Interval(breaks[0], breaks[last - count])] if last > count else []),
-        )
-        result.append(ZeroInterval(over, signs))
+        result.append(ZeroInterval(intervals_of(f.mesh.breaks, first, number), signs))
     return result
 
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from functools import lru_cache, reduce
+from functools import lru_cache
 from itertools import accumulate
 from math import comb
 
 from flint import fmpq, fmpz, fmpz_mat, fmpz_poly
 
-from exactspline.numbers.exact import mpq, over_one_denominator, to_fmpq
-from exactspline.polynomials.bernstein import ONE, Form, blossom
+from exactspline.numbers.exact import common_multiple, mpq, over_one_denominator, to_fmpq
+from exactspline.polynomials.bernstein import ONE, Form, blossom, over_common_denominator, primitive
 
 #: Numbers over one denominator.
 Row = tuple[list[fmpz], fmpz]
@@ -31,8 +31,7 @@ def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -
     for j, following in zip(spans, [*spans[1:], None], strict=True):
         widths, _ = _over_one([x - knots[j] for x in knots[j + 1 : j + n + 1]])
         points, ends, bottom = _inserted(row, widths)
-        polynomial, bottom_of_form = _primitive([x * y for x, y in zip(points, binomials, strict=True)], bottom)
-        yield polynomial, bottom_of_form
+        yield primitive((fmpz_poly([x * y for x, y in zip(points, binomials, strict=True)]), bottom))
         if following is not None:
             row = _next_row([control_points[following - r] for r in range(min(following - j, n + 1))], ends, bottom)
 
@@ -79,23 +78,16 @@ def _next_row(own: list[fmpq], ends: list[fmpz], bottom: fmpz) -> Row:
     common = bottom.lcm(below)
     kept = ends[: max(len(ends) - len(mine), 0)]
     joined = [x * (common // below) for x in mine] + [x * (common // bottom) for x in kept]
-    polynomial, least = _primitive(joined[::-1], common)
+    polynomial, least = primitive((fmpz_poly(joined[::-1]), common))
     return [polynomial[i] for i in range(len(joined))], least
 
 
 def _over_one(values: Sequence[fmpq]) -> Row:
     below = [x.q for x in values]
-    bottom = reduce(fmpz.lcm, below, ONE)
+    bottom = common_multiple(below)
     if bottom == 1:
         return [x.p for x in values], bottom
     return [x.p * (bottom // m) for x, m in zip(values, below, strict=True)], bottom
-
-
-def _primitive(numbers: list[fmpz], bottom: fmpz) -> Form:
-    """Numbers over a denominator, as coefficients, without their common factor."""
-    polynomial = fmpz_poly(numbers)
-    common = polynomial.content().gcd(bottom)
-    return (polynomial, bottom) if common == 1 else (polynomial // common, bottom // common)
 
 
 def to_control_points(
@@ -159,11 +151,9 @@ def common_forms(
     for j, pattern in zip(spans, patterns, strict=True):
         numbers, least = over_one_denominator([x for row in rows[j - n : j + 1] for x in row])
         matrix, bottom = _matrix(n, pattern)
-        products = (matrix * fmpz_mat(n + 1, len(columns), numbers)).entries()
-        below = fmpz(least) * bottom
-        common = fmpz_poly(products).content().gcd(below)
-        if common != 1:
-            products, below = [x // common for x in products], below // common
+        product = fmpz_poly((matrix * fmpz_mat(n + 1, len(columns), numbers)).entries())
+        whole, below = primitive((product, fmpz(least) * bottom))
+        products = whole.coeffs()
         found.append(([fmpz_poly(products[k :: len(columns)]) for k in range(len(columns))], below))
     return found
 
@@ -190,10 +180,9 @@ def _worth_it(n: int, patterns: Sequence[Pattern]) -> bool:
 def _matrix(n: int, pattern: Pattern) -> tuple[fmpz_mat, fmpz]:
     """The matrix of a pattern over a denominator: its columns are the forms of the control points 0, …, 1, …, 0."""
     t = [pattern[0], *pattern, pattern[-1]]
-    columns = []
+    columns: list[Form] = []
     for k in range(n + 1):
         ((form, below),) = forms_of(t, n, [mpq(i == k) for i in range(n + 1)], [n])
-        columns.append(([form[i] for i in range(n + 1)], below))
-    common = reduce(fmpz.lcm, [below for _, below in columns], ONE)
-    rows = [[column[i] * (common // below) for column, below in columns] for i in range(n + 1)]
-    return fmpz_mat(rows), common
+        columns.append((form, below))
+    polynomials, common = over_common_denominator(columns)
+    return fmpz_mat([[c[i] for c in polynomials] for i in range(n + 1)]), common

@@ -15,7 +15,6 @@ from typing import Any, ClassVar
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.errors import ShapeError, counted, shown
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -35,10 +34,9 @@ from exactspline.polynomials.bernstein import (
     value,
 )
 from exactspline.splines import blossom, refinement
-from exactspline.splines.forms import Forms, Polynomials
-from exactspline.splines.given import MAX_DEGREE, checked_degree, checked_side, exact_row
+from exactspline.splines.forms import Polynomials
+from exactspline.splines.given import checked_degree, checked_side, exact_row
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
-from exactspline.splines.refinement import composed
 
 
 class _Parts:
@@ -90,12 +88,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         vector = knots if isinstance(knots, KnotVector) else KnotVector(knots)
         vector.check(degree)
         points = exact_row(control_points, "control_points")
-        if len(points) != len(vector) - degree - 1:
-            raise ShapeError(
-                f"{counted(len(points), 'control point')} for {counted(len(vector), 'knot')} of degree {degree}",
-                where="control_points",
-                remedy=f"there must be {len(vector) - degree - 1} (knots − degree − 1)",
-            )
+        vector.check_count(degree, len(points))
         mesh, continuity, spans = mesh_of(vector, degree)
         forms = list(blossom.forms_of(vector.knots, degree, points, spans))
         fill(
@@ -172,9 +165,9 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         return Polynomials(self._polynomials)
 
     @property
-    def forms(self) -> Forms:
+    def forms(self) -> tuple[Form, ...]:
         """The form of every segment: a polynomial (a copy) over its denominator."""
-        return Forms(self.polynomials, self.denominators)
+        return tuple(zip(self.polynomials, self.denominators, strict=True))
 
     @property
     def knots(self) -> KnotVector:
@@ -314,7 +307,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
 
     def elevated_to(self, other: BSpline) -> BSpline:
         """The same function, at least of the degree of `other`."""
-        return self if self.degree >= other.degree else refinement.elevate(self, other.degree - self.degree)
+        return self if self.degree >= other.degree else self.elevate_degree(other.degree - self.degree)
 
     # ---- the function
 
@@ -366,59 +359,19 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         """
         return max(true_degree(form, self.degree) for form in zip(self._polynomials, self.denominators, strict=True))
 
-    def continuity_at(self, t: Number) -> int:
-        """How many derivatives agree at a parameter: −1 at a jump, `degree` where the two sides are one polynomial.
+    # ---- other representations and parts
 
-        >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
-        1
-        """
-        return refinement.continuity_at(self, rational(t))
-
-    # ---- other representations and parts (see exactspline.splines.refinement)
-
-    def elevate_degree(self, by: int = 1) -> BSpline:
-        """The same function, its degree raised."""
-        if type(by) is not int or not 0 <= by <= MAX_DEGREE:
-            remedy = f"an integer from 0 to {MAX_DEGREE} (use reduce_degree to lower a degree)"
-            raise ShapeError(f"degree elevation by {shown(by)}", remedy=remedy)
-        return refinement.elevate(self, by)
-
-    def reduce_degree(self, by: int = 1) -> BSpline:
-        """The same function, its degree lowered; `ReductionError` names a segment where that cannot be done exactly."""
-        return refinement.reduce(self, by)
-
-    def insert_knot(self, t: Number, times: int = 1) -> BSpline:
-        """The same function with one more knot inside the domain."""
-        return refinement.insert_knot(self, rational(t), times)
-
-    def remove_knot(self, t: Number, times: int = 1) -> BSpline:
-        """The same function with one knot removed; `ReductionError` names the derivative that jumps there."""
-        return refinement.remove_knot(self, rational(t), times)
-
-    def split(self, t: Number) -> tuple[BSpline, BSpline]:
-        """The parts left and right of an inner parameter."""
-        a, b = self.domain
-        return self.restrict(a, t), self.restrict(t, b)
-
-    def restrict(self, a: Number, b: Number) -> BSpline:
-        """The part over [a, b]."""
-        return refinement.restricted(self, rational(a), rational(b))
-
-    def reverse(self) -> BSpline:
-        """The reversed spline, over the same domain."""
-        return refinement.reversed_(self)
-
-    def reparametrize(self, a: Number, b: Number) -> BSpline:
-        """The same control points over the domain [a, b], mapped affinely."""
-        return refinement.reparametrized(self, rational(a), rational(b))
-
-    def bezier_segments(self) -> list[BSpline]:
-        """One polynomial spline per segment."""
-        return [self.restrict(a, b) for a, b in zip(self.breakpoints, self.breakpoints[1:], strict=False)]
-
-    def compose(self, inner: BSpline) -> BSpline:
-        """``t ↦ self(inner(t))``; `ReductionError` where a knot of this spline has an irrational preimage."""
-        return composed(self, inner)
+    continuity_at = refinement.continuity_at
+    elevate_degree = refinement.elevate_degree
+    reduce_degree = refinement.reduce_degree
+    insert_knot = refinement.insert_knot
+    remove_knot = refinement.remove_knot
+    split = refinement.split
+    restrict = refinement.restrict
+    reverse = refinement.reverse
+    reparametrize = refinement.reparametrize
+    bezier_segments = refinement.bezier_segments
+    compose = refinement.compose
 
 
 _new = object.__new__

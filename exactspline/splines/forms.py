@@ -1,5 +1,5 @@
-"""The forms of a spline, for reading: since FLINT's polynomials can be changed in place, every returned one
-is a copy.
+"""The polynomials of a spline, for reading: since FLINT's polynomials can be changed in place, every returned one is a
+copy.
 """
 
 from __future__ import annotations
@@ -8,9 +8,7 @@ from collections.abc import Iterator, Sequence
 from operator import eq
 from typing import overload
 
-from flint import fmpz, fmpz_poly
-
-from exactspline.polynomials.bernstein import Form
+from flint import fmpz_poly
 
 
 class Polynomials(Sequence[fmpz_poly]):
@@ -41,38 +39,6 @@ class Polynomials(Sequence[fmpz_poly]):
 
     def __iter__(self) -> Iterator[fmpz_poly]:
         return map(fmpz_poly, self._own)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Sequence) and len(other) == len(self) and all(map(eq, self, other))
-
-    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
-
-    def __repr__(self) -> str:
-        return repr(tuple(self))
-
-
-class Forms(Sequence[Form]):
-    """The forms of a spline, each a polynomial (a copy of it) over its denominator."""
-
-    __slots__ = ("_denominators", "_polynomials")
-
-    def __init__(self, polynomials: Polynomials, denominators: tuple[fmpz, ...]) -> None:
-        self._polynomials, self._denominators = polynomials, denominators
-
-    def __len__(self) -> int:
-        return len(self._denominators)
-
-    @overload
-    def __getitem__(self, index: int) -> Form: ...
-    @overload
-    def __getitem__(self, index: slice) -> tuple[Form, ...]: ...
-    def __getitem__(self, index: int | slice) -> Form | tuple[Form, ...]:
-        if isinstance(index, slice):
-            return tuple(zip(self._polynomials[index], self._denominators[index], strict=True))
-        return self._polynomials[index], self._denominators[index]
-
-    def __iter__(self) -> Iterator[Form]:
-        return zip(self._polynomials, self._denominators, strict=True)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Sequence) and len(other) == len(self) and all(map(eq, self, other))

@@ -13,7 +13,7 @@ from itertools import groupby, pairwise
 
 from flint import fmpz
 
-from exactspline.errors import DomainError, KnotError, NumberError, as_items, counted
+from exactspline.errors import DomainError, KnotError, NumberError, ShapeError, as_items, counted
 from exactspline.numbers.exact import Number, mpq, rational, short_text, text, to_fmpz
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
@@ -136,6 +136,16 @@ class KnotVector(Immutable):
                 domain=(a, b),
             )
         self._known[degree] = None
+
+    def check_count(self, degree: int, points: int) -> None:
+        """Raise `ShapeError` unless a spline of the given degree has this many control points."""
+        needed = len(self.knots) - degree - 1
+        if points != needed:
+            raise ShapeError(
+                f"{points} control points for {counted(len(self.knots), 'knot')} of degree {degree}",
+                where="control_points",
+                remedy=f"there must be {needed} (knots − degree − 1)",
+            )
 
 
 class Mesh(Immutable):

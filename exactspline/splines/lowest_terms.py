@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import overload
 
-from flint import fmpz, fmpz_poly
+from flint import fmpz_poly
 
 from exactspline.errors import ReductionError
 from exactspline.language.parts import split
@@ -15,8 +15,8 @@ from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import text
-from exactspline.polynomials.bernstein import ONE, divide_u_plus_v, raiser
+from exactspline.numbers.exact import common_divisor, text
+from exactspline.polynomials.bernstein import ONE, divide_u_plus_v, over_common_denominator, raiser
 from exactspline.polynomials.factors import certainly_coprime, greatest_common_divisor
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
@@ -42,10 +42,7 @@ def common_factor(v: Vector[BSpline]) -> BSpline:
 
 def _greatest_common_divisor(parts: Sequence[fmpz_poly]) -> fmpz_poly:
     if len(parts) > 1 and parts[0] and certainly_coprime(parts[0], parts[1]):
-        content = parts[0].content()
-        for c in parts[1:]:
-            content = content.gcd(c.content())
-        return fmpz_poly([content])
+        return fmpz_poly([common_divisor(c.content() for c in parts)])
     return greatest_common_divisor(parts)
 
 
@@ -108,19 +105,12 @@ def _lowest_rows(scalars: list[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
     n = max(s.degree for s in scalars)
     rows = []
     for forms in zip(*[s.forms for s in scalars], strict=True):
-        scale = _common([m for _, m in forms])
-        homogeneous = [c * (scale // m) * raiser(n - s.degree) for (c, m), s in zip(forms, scalars, strict=True)]
+        polynomials, _ = over_common_denominator(forms)
+        homogeneous = [c * raiser(n - s.degree) for c, s in zip(polynomials, scalars, strict=True)]
         rows.append(
             _lowest(homogeneous, n) if homogeneous[-1] else ([*[fmpz_poly([])] * (len(scalars) - 1), fmpz_poly([1])], 0)
         )
     return rows
-
-
-def _common(denominators: Sequence[fmpz]) -> fmpz:
-    total = denominators[0]
-    for m in denominators[1:]:
-        total = total * (m // total.gcd(m))
-    return total
 
 
 def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tuple[list[fmpz_poly], int]:
@@ -174,17 +164,8 @@ def primitive(f: BSpline) -> BSpline:
     """
     if f.is_zero:
         return f
-    first = f.denominators[0]
-    if all(m == first for m in f.denominators):
-        polynomials = list(f._polynomials)
-    else:
-        scale = _common(f.denominators)
-        polynomials = [c * (scale // m) for c, m in zip(f._polynomials, f.denominators, strict=True)]
-    content = polynomials[0].content()
-    for c in polynomials[1:]:
-        if content == 1:
-            break
-        content = content.gcd(c.content())
+    polynomials, _ = over_common_denominator(list(zip(f._polynomials, f.denominators, strict=True)))
+    content = common_divisor(c.content() for c in polynomials)
     if content != 1:
         polynomials = [c // content for c in polynomials]
     ones = (ONE,) * len(polynomials)
@@ -246,8 +227,8 @@ def primitive_part(value: SplineVector) -> Vector[BSpline]:
     assert isinstance(vector, Vector)
     n, mesh, rows = vector.degree, vector[0].mesh, []
     for forms in zip(*[c.forms for c in vector], strict=True):
-        scale = _common([m for _, m in forms])
-        parts = [c * (scale // m) * raiser(n - x.degree) for (c, m), x in zip(forms, vector, strict=True)]
+        polynomials, _ = over_common_denominator(forms)
+        parts = [c * raiser(n - x.degree) for c, x in zip(polynomials, vector, strict=True)]
         rows.append(_lowest(parts, n, sign_of_last=False) if any(parts) else (parts, 0))
     highest = max(degree for _, degree in rows)
     columns = zip(*[[(c * raiser(highest - degree), ONE) for c in forms] for forms, degree in rows], strict=True)

@@ -5,16 +5,17 @@ formulas use.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from math import comb
 from typing import cast
 
-from exactspline.errors import DomainError, ShapeError, WeightError, counted
+from exactspline.errors import DomainError, ShapeError, WeightError
 from exactspline.formulas.derivatives import across
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.arguments import Curve
 from exactspline.language.operand import checked_order
 from exactspline.language.vector import Vector, norm2, perp
-from exactspline.numbers.exact import Number, from_float, is_float, mpq, rational, text
+from exactspline.numbers.exact import Number, from_float, is_float, mpq, rational, sign, text
 from exactspline.numbers.immutable import Immutable
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
@@ -235,8 +236,8 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
         vars(self).setdefault(name, value)
 
     def __reduce__(self) -> tuple[object, ...]:
-        data = self.degree, self.knots, self.control_points, self.weights
-        return _restored, (*data, self.name, self.source, self.note)
+        named = partial(Nurbs, name=self.name, source=self.source, note=self.note)
+        return named, (self.degree, self.knots, self.control_points, self.weights)
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function on the same domain, whatever their knots, degrees and weights."""
@@ -374,12 +375,7 @@ def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: 
     """The fields of a curve with this data."""
     polynomial = len(set(weights)) == 1 and weights[0] != 0
     knots.check(degree)
-    if len(points) != len(knots) - degree - 1:
-        raise ShapeError(
-            f"{counted(len(points), 'control point')} for {counted(len(knots), 'knot')} of degree {degree}",
-            where="control_points",
-            remedy=f"there must be {len(knots) - degree - 1} (knots − degree − 1)",
-        )
+    knots.check_count(degree, len(points))
     rows = points if polynomial else [(*lifted(x, w), w) for x, w in zip(points, weights, strict=True)]
     splines = splines_over(degree, knots, list(zip(*rows, strict=True)))
     w = splines[0].constant(1) if polynomial else splines.pop()
@@ -396,43 +392,18 @@ def _exact(value: float, snap: bool) -> mpq:
     return rational(str(value)) if snap else from_float(value)
 
 
-def _restored(
-    degree: int,
-    knots: KnotVector,
-    points: tuple[Point, ...],
-    weights: tuple[mpq, ...],
-    name: str,
-    source: str,
-    note: str,
-) -> Nurbs:
-    """The unpickled object, checked like any other data."""
-    return Nurbs(degree, knots, points, weights, name=name, source=source, note=note)
-
-
 def _check_weight(w: BSpline) -> None:
-    sign: mpq | None = None
-    for i, (c, _) in enumerate(w.forms):
-        a, b = w.breakpoints[i : i + 2]
+    def refused(problem: str, low: mpq, high: mpq) -> WeightError:
+        at = f"at the parameter {text(low)}" if low == high else f"between the parameters {text(low)} and {text(high)}"
+        remedy = "w must keep its sign on the domain"
+        return WeightError(f"the denominator w {problem} {at}", where="weights", remedy=remedy, witness=(low, high))
+
+    before = 0
+    for c, a, b in zip(w._polynomials, w.breakpoints, w.breakpoints[1:], strict=False):
         witness = zero_on_segment(c, w.degree)
         if witness is not None:
-            low, high = Interval(a, b).part(witness)
-            place = (
-                f"at the parameter {text(low)}"
-                if low == high
-                else f"between the parameters {text(low)} and {text(high)}"
-            )
-            raise WeightError(
-                f"the denominator w has a zero {place}",
-                where="weights",
-                remedy="w must keep its sign on the domain",
-                witness=(low, high),
-            )
-        value = w((a + b) / 2)
-        if sign is not None and sign * value < 0:
-            raise WeightError(
-                f"the denominator w changes sign by a jump at the parameter {text(a)}",
-                where="weights",
-                remedy="w must keep its sign on the domain",
-                witness=(a, a),
-            )
-        sign = value
+            raise refused("has a zero", *Interval(a, b).part(witness))
+        here = sign(c[0])
+        if before * here < 0:
+            raise refused("changes sign by a jump", a, a)
+        before = here

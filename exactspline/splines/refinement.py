@@ -1,4 +1,4 @@
-"""Other representations of the same spline, its parts, and compositions: functions behind the methods of `BSpline`."""
+"""Other representations of the same spline, its parts, and compositions: methods of `BSpline`."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from typing import Protocol, Self, TypeVar
 
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError, shown
 from exactspline.language.provenance import Provenance
-from exactspline.numbers.exact import Number, mpq, ratio, short_text, text, to_fmpz
+from exactspline.numbers.exact import Number, mpq, ratio, rational, short_text, text, to_fmpz
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials import bernstein
 from exactspline.polynomials.bernstein import Form
 from exactspline.polynomials.factors import factorize
 from exactspline.polynomials.isolation import LocalZero, end_signs, is_nonnegative, isolate
-from exactspline.splines.forms import Forms
+from exactspline.splines.given import MAX_DEGREE
 from exactspline.splines.knots import SMOOTH, Mesh
 
 
@@ -39,7 +39,7 @@ class Piecewise(Protocol):
         """The piecewise polynomial with these forms."""
 
     @property
-    def forms(self) -> Forms:
+    def forms(self) -> tuple[Form, ...]:
         """The form of every segment."""
 
     @property
@@ -79,19 +79,23 @@ def over(f: S, mesh: Mesh) -> S:
 
 
 def _parts(f: Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
-    for a, b in zip(mesh.breaks, mesh.breaks[1:], strict=False):
+    forms = f.forms
+    for a, b in pairwise(mesh.breaks):
         i = f.mesh.locate(a)
-        yield bernstein.restrict(f.forms[i], f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
+        yield bernstein.restrict(forms[i], f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
 
 
-def elevate(f: S, by: int) -> S:
-    """Degree raised by multiplying every form with a power of u + v."""
+def elevate_degree(f: S, by: int = 1) -> S:
+    """The same function, its degree raised."""
+    if type(by) is not int or not 0 <= by <= MAX_DEGREE:
+        remedy = f"an integer from 0 to {MAX_DEGREE} (use reduce_degree to lower a degree)"
+        raise ShapeError(f"degree elevation by {shown(by)}", remedy=remedy)
     lift = bernstein.raiser(by)
     return type(f).from_forms(f.degree + by, f.mesh, f.continuity, [(p * lift, k) for p, k in f.forms], f.provenance)
 
 
-def reduce(f: S, by: int) -> S:
-    """Degree lowered by dividing every form by a power of u + v, exactly or not at all."""
+def reduce_degree(f: S, by: int = 1) -> S:
+    """The same function, its degree lowered; `ReductionError` names a segment where that cannot be done exactly."""
     if type(by) is not int or by < 0:
         raise ShapeError(
             f"degree reduction by {shown(by)}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)"
@@ -125,28 +129,30 @@ def _without_smooth_knots(f: S) -> S:
     keep = [i for i, c in enumerate(f.continuity) if c < f.degree]
     if len(keep) == len(f.continuity):
         return f
-    starts = [0, *[i + 1 for i in keep]]
+    starts, forms = [0, *[i + 1 for i in keep]], f.forms
     breaks = [f.mesh.breaks[i] for i in starts] + [f.mesh.breaks[-1]]
     merged = [
-        bernstein.restrict(f.forms[i], f.degree, mpq(0), f.mesh.local(i, b))
+        bernstein.restrict(forms[i], f.degree, mpq(0), f.mesh.local(i, b))
         for i, b in zip(starts, breaks[1:], strict=True)
     ]
     return type(f).from_forms(f.degree, Mesh(breaks), tuple(f.continuity[i] for i in keep), merged)
 
 
-def _inner(f: Piecewise, t: mpq) -> None:
-    a, b = f.domain
+def _inner(f: Piecewise, given: Number) -> mpq:
+    """A parameter inside the domain."""
+    (a, b), t = f.domain, rational(given)
     if not a < t < b:
         raise DomainError(
             f"{short_text(t)} is not inside the domain ({text(a)}, {text(b)})",
             remedy="choose a parameter inside the domain",
             parameter=t,
         )
+    return t
 
 
-def insert_knot(f: S, t: mpq, times: int) -> S:
-    """One more knot (or several) at t; the function does not change."""
-    _inner(f, t)
+def insert_knot(f: S, t: Number, times: int = 1) -> S:
+    """The same function with one more knot (or several) at a parameter inside the domain."""
+    t = _inner(f, t)
     if type(times) is not int or times < 1:
         raise KnotError(f"{shown(times)} knots to insert", remedy="insert an integer of them, at least one")
     g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
@@ -161,9 +167,9 @@ def insert_knot(f: S, t: mpq, times: int) -> S:
     return type(f).from_forms(f.degree, g.mesh, _replaced(g.continuity, position, lowered), g.forms)
 
 
-def remove_knot(f: S, t: mpq, times: int) -> S:
-    """One knot (or several) removed at t, when enough derivatives agree there."""
-    _inner(f, t)
+def remove_knot(f: S, t: Number, times: int = 1) -> S:
+    """The same function with one knot (or several) removed; `ReductionError` names the derivative that jumps there."""
+    t = _inner(f, t)
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
     if type(times) is not int or not 1 <= times <= multiplicity:
         raise KnotError(
@@ -190,9 +196,14 @@ def _replaced(continuity: tuple[int, ...], position: int, by: int) -> tuple[int,
     return (*continuity[:position], by, *continuity[position + 1 :])
 
 
-def continuity_at(f: Piecewise, t: mpq) -> int:
-    """Number of derivatives that agree at t, −1 at a jump; the degree where the sides are one polynomial."""
-    _inner(f, t)
+def continuity_at(f: Piecewise, t: Number) -> int:
+    """How many derivatives agree at a parameter: −1 at a jump, the degree where the two sides are one polynomial.
+
+    >>> from exactspline import BSpline
+    >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
+    1
+    """
+    t = _inner(f, t)
     if t not in f.mesh.breaks:
         return f.degree
     derivative = f
@@ -203,8 +214,20 @@ def continuity_at(f: Piecewise, t: mpq) -> int:
     return f.degree
 
 
-def restricted(f: S, a: mpq, b: mpq) -> S:
+def split(f: S, t: Number) -> tuple[S, S]:
+    """The parts left and right of an inner parameter."""
+    a, b = f.domain
+    return restrict(f, a, t), restrict(f, t, b)
+
+
+def bezier_segments(f: S) -> list[S]:
+    """One polynomial spline per segment."""
+    return [restrict(f, a, b) for a, b in pairwise(f.mesh.breaks)]
+
+
+def restrict(f: S, a: Number, b: Number) -> S:
     """The part over [a, b]."""
+    a, b = rational(a), rational(b)
     low, high = f.domain
     if not low <= a < b <= high:
         raise DomainError(
@@ -218,8 +241,8 @@ def restricted(f: S, a: mpq, b: mpq) -> S:
     return type(f).from_forms(f.degree, mesh, tuple(known[t] for t in inner), _parts(f, mesh))
 
 
-def reversed_(f: S) -> S:
-    """``t ↦ f(a + b − t)`` on [a, b]."""
+def reverse(f: S) -> S:
+    """The reversed spline, over the same domain: ``t ↦ f(a + b − t)`` on [a, b]."""
     a, b = f.domain
     mesh = Mesh([a + b - t for t in reversed(f.mesh.breaks)])
     return type(f).from_forms(
@@ -227,8 +250,9 @@ def reversed_(f: S) -> S:
     )
 
 
-def reparametrized(f: S, a: mpq, b: mpq) -> S:
-    """The affine image of the domain is [a, b]."""
+def reparametrize(f: S, a: Number, b: Number) -> S:
+    """The same control points over the domain [a, b], mapped affinely."""
+    a, b = rational(a), rational(b)
     if not a < b:
         raise DomainError(f"[{text(a)}, {text(b)}] is empty", remedy="give a < b (see reverse)")
     low, high = f.domain
@@ -236,7 +260,7 @@ def reparametrized(f: S, a: mpq, b: mpq) -> S:
     return type(f).from_forms(f.degree, mesh, f.continuity, f.forms)
 
 
-def composed(outer: S, inner: S) -> S:
+def compose(outer: S, inner: S) -> S:
     """``t ↦ outer(inner(t))``, of the product of the degrees.
 
     The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` when
@@ -252,14 +276,14 @@ def composed(outer: S, inner: S) -> S:
         continuity[t] = min([c, *[kinks[x] for x in (inner(t, Side.LEFT), inner(t)) if x in kinks]])
     a, b = inner.domain
     mesh = Mesh([a, *sorted(t for t in continuity if a < t < b), b])
-    parts = []
+    parts, forms, outer_forms = [], inner.forms, outer.forms
     for low, high in pairwise(mesh.breaks):
         i = inner.mesh.locate(low)
-        piece = bernstein.restrict(inner.forms[i], inner.degree, inner.mesh.local(i, low), inner.mesh.local(i, high))
+        piece = bernstein.restrict(forms[i], inner.degree, inner.mesh.local(i, low), inner.mesh.local(i, high))
         j = outer.mesh.locate(_typical(inner, outer, low, high))
         parts.append(
             bernstein.compose(
-                outer.forms[j], outer.degree, _localized(piece, inner.degree, outer.mesh, j), inner.degree
+                outer_forms[j], outer.degree, _localized(piece, inner.degree, outer.mesh, j), inner.degree
             )
         )
     inside = tuple(continuity[t] for t in mesh.breaks[1:-1])

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from enum import StrEnum
+from functools import partial
 from itertools import product
 from math import comb
 
@@ -27,7 +28,7 @@ from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.tensor_net import checked_degrees, checked_knots
+from exactspline.splines.tensor_net import checked_degrees, checked_knots, checked_net, control_point_counts
 from exactspline.words import choice
 
 #: The limit of boxes on one patch before the search stops.
@@ -174,10 +175,10 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         source: str = "",
         note: str = "",
     ) -> None:
-        degrees = tuple(checked_degrees(degree))
-        vectors = checked_knots(knots_u, degrees[0], "knots_u"), checked_knots(knots_v, degrees[1], "knots_v")
-        rows, columns = (len(vector) - n - 1 for vector, n in zip(vectors, degrees, strict=True))
-        net = _checked_net(control_points, rows, columns)
+        m, n = checked_degrees(degree)
+        degrees = m, n
+        vectors = checked_knots(knots_u, m, "knots_u"), checked_knots(knots_v, n, "knots_v")
+        net = _checked_net(control_points, control_point_counts(vectors, degrees))
         scale = _checked_weights(weights, net)
         first = scale[0][0]
         polynomial = first != 0 and all(x == first for row in scale for x in row)
@@ -217,8 +218,8 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     # ---- a value
 
     def __reduce__(self) -> tuple[object, ...]:
-        data = self.degree, *self.knots, self.control_points, self.weights
-        return _restored, (*data, self.name, self.source, self.note)
+        named = partial(NurbsSurface, name=self.name, source=self.source, note=self.note)
+        return named, (self.degree, *self.knots, self.control_points, self.weights)
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function on the same rectangle, whatever their knots, degrees and weights."""
@@ -377,40 +378,24 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         return NurbsSurface.from_splines(map(change, self.p), w, name=self.name)
 
 
-def _checked_net(given: object, rows: int, columns: int) -> Net:
-    """A net of points as given by a user, with a given number of rows along u and of points along v."""
-    if isinstance(given, str) or not isinstance(given, Iterable):
-        raise ShapeError(
-            f"{shown(given)} is not a net", where="control_points", remedy="give rows of control points along u"
-        )
-    net: list[tuple[Point, ...]] = []
-    for i, row in enumerate(given):
-        place = f"control_points[{i}]"
-        if isinstance(row, str) or not isinstance(row, Iterable):
-            raise ShapeError(f"{shown(row)} is not a row of points", where=place, remedy="give a list of points")
+def _checked_net(given: object, counts: tuple[int, int]) -> Net:
+    """A net of points of one dimension as given by a user."""
+
+    def row_of(row: Iterable[Iterable[Number]], place: str) -> tuple[Point, ...]:
         try:
-            points = exact_points(row)
+            return exact_points(row)
         except ExactSplineError as error:
             raise error.moved("control_points", place) from None
-        if len(points) != columns:
+
+    net = checked_net(given, counts, BOTH, row_of)
+    dimension = len(net[0][0])
+    for i, points in enumerate(net):
+        if len(points[0]) != dimension:
             raise ShapeError(
-                f"{counted(len(points), 'control point')} in a row",
-                where=place,
-                remedy=f"there must be {columns} (knots − degree − 1 along v)",
-            )
-        if net and len(points[0]) != len(net[0][0]):
-            raise ShapeError(
-                f"{counted(len(points[0]), 'coordinate')} where control_points[0] has {len(net[0][0])}",
-                where=place,
+                f"{counted(len(points[0]), 'coordinate')} where control_points[0] has {dimension}",
+                where=f"control_points[{i}]",
                 remedy="use one dimension",
             )
-        net.append(points)
-    if len(net) != rows:
-        raise ShapeError(
-            f"{counted(len(net), 'row')} of control points",
-            where="control_points",
-            remedy=f"there must be {rows} (knots − degree − 1 along u)",
-        )
     return tuple(net)
 
 
@@ -453,17 +438,3 @@ def _splines(
     *p, w = on_one_mesh([*p, spline(weights)], BOTH)
     check_weight(w)
     return Vector(*p), w
-
-
-def _restored(
-    degree: tuple[int, int],
-    knots_u: KnotVector,
-    knots_v: KnotVector,
-    points: Net,
-    weights: Weights,
-    name: str,
-    source: str,
-    note: str,
-) -> NurbsSurface:
-    """The unpickled object, checked like any other data."""
-    return NurbsSurface(degree, knots_u, knots_v, points, weights, name=name, source=source, note=note)

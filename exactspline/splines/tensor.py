@@ -29,8 +29,16 @@ from exactspline.polynomials.bernstein import common_denominators, primitive, ra
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.given import exact_row
 from exactspline.splines.knots import KnotVector, Mesh, clamped
-from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
+from exactspline.splines.tensor_net import (
+    bezier_nets,
+    checked_degrees,
+    checked_knots,
+    checked_net,
+    control_net,
+    control_point_counts,
+)
 from exactspline.splines.tensor_patches import (
     Continuity,
     Degrees,
@@ -80,8 +88,8 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
     ) -> None:
         degree = checked_degrees(degrees)
         vectors = checked_knots(knots_s, degree.s, "knots_s"), checked_knots(knots_t, degree.t, "knots_t")
-        rows, columns = (len(vector) - n - 1 for vector, n in zip(vectors, degree, strict=True))
-        along_t = [BSpline(degree.t, vectors[1], row) for row in checked_net(control_points, rows, columns)]
+        net = checked_net(control_points, control_point_counts(vectors, degree), ("s", "t"), exact_row)
+        along_t = [BSpline(degree.t, vectors[1], row) for row in net]
         bezier = zip(*[[x for part in row.segments for x in part] for row in along_t], strict=True)
         along_s = [BSpline(degree.s, vectors[0], column) for column in bezier]
         stride = tensor_bernstein.stride_for(degree.s)
@@ -133,7 +141,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         """How many control points there are along s and along t."""
         if min(self.degree) < 0:
             return 0, 0
-        return len(self.knots[0]) - self.degree.s - 1, len(self.knots[1]) - self.degree.t - 1
+        return control_point_counts(self.knots, self.degree)
 
     def bezier_net(self, i: int, j: int) -> list[list[mpq]]:
         """The Bézier points of the patch over segment i of s and segment j of t."""

@@ -10,7 +10,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import text
 from exactspline.polynomials import tensor_bernstein
-from exactspline.polynomials.bernstein import ONE, raiser
+from exactspline.polynomials.bernstein import ONE, over_common_denominator, raiser
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.splines.tensor import TensorSpline, aligned, make
 from exactspline.splines.tensor_patches import Degrees
@@ -52,20 +52,14 @@ def in_lowest_terms(value: Rational[TensorSpline]) -> Rational[TensorSpline]:
     w = scalars[-1]
     stride = max(s.stride for s in scalars)
     lowest = []
-    for at, forms in enumerate(
-        zip(*[s._at_stride(stride) for s in scalars], *[s.denominators for s in scalars], strict=True)
-    ):
-        polynomials, denominators = forms[: len(scalars)], forms[len(scalars) :]
+    columns = [zip(s._at_stride(stride), s.denominators, strict=True) for s in scalars]
+    for at, forms in enumerate(zip(*columns, strict=True)):
+        polynomials, _ = over_common_denominator(forms)
         if not polynomials[-1]:
             raise ReductionError(
                 f"the denominator vanishes on all of {place(w, at)}", remedy="restrict the surface to the other patches"
             )
-        common = ONE
-        for m in denominators:
-            common = common * (m // common.gcd(m))
-        lowest.append(
-            _lowest([as_mpoly(c * (common // m), stride) for c, m in zip(polynomials, denominators, strict=True)])
-        )
+        lowest.append(_lowest([as_mpoly(c, stride) for c in polynomials]))
     return _joined(value, w, lowest)
 
 

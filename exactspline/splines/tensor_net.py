@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import product
-from typing import Any
+from typing import Any, TypeVar
 
 from exactspline.errors import ExactSplineError, ShapeError, counted, shown
 from exactspline.numbers.exact import Number, mpq
 from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.given import checked_degree, exact_row
+from exactspline.splines.given import checked_degree
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.tensor_patches import Degrees
 
 Net = list[list[mpq]]
 Points = tuple[tuple[mpq, ...], ...]
+#: The points of a row, or their numbers.
+Row = TypeVar("Row", bound=Sequence[object])
 
 
 def checked_degrees(degrees: object) -> Degrees:
@@ -43,33 +45,40 @@ def checked_knots(knots: Iterable[Number], degree: int, name: str) -> KnotVector
     return vector
 
 
-def checked_net(net: object, rows: int, columns: int) -> list[tuple[mpq, ...]]:
-    """Control points as given by a user: this many rows along s of this many points along t."""
-    if not isinstance(net, Iterable):
-        raise ShapeError(f"{shown(net)} is not a net", where="control_points", remedy="give the control points in rows")
-    found = [_checked_row(row, f"control_points[{i}]", columns) for i, row in enumerate(net)]
-    if len(found) != rows:
-        raise ShapeError(
-            f"{counted(len(found), 'row')} of control points",
-            where="control_points",
-            remedy=f"there must be {rows} (knots − degree − 1 along s)",
-        )
-    return found
+def control_point_counts(knots: tuple[KnotVector, KnotVector], degrees: tuple[int, int]) -> tuple[int, int]:
+    """How many control points there are along each parameter."""
+    first, second = (len(vector) - n - 1 for vector, n in zip(knots, degrees, strict=True))
+    return first, second
 
 
-def _checked_row(row: Any, where: str, columns: int) -> tuple[mpq, ...]:
-    if not isinstance(row, Iterable):
-        raise ShapeError(
-            f"{shown(row)} is not a row of control points", where=where, remedy="give the control points in rows"
-        )
-    points = exact_row(row, where)
-    if len(points) != columns:
-        raise ShapeError(
-            f"{counted(len(points), 'control point')} in a row",
-            where=where,
-            remedy=f"there must be {columns} (knots − degree − 1 along t)",
-        )
-    return points
+def checked_net(
+    given: object, counts: tuple[int, int], letters: tuple[str, str], read: Callable[[Iterable[Any], str], Row]
+) -> list[Row]:
+    """A net of control points as given by a user: this many rows along the first parameter of this many points along
+    the second; `read` takes a row and its place.
+
+    Raises `ShapeError` for a net of another shape, and what `read` raises.
+    """
+    if isinstance(given, str) or not isinstance(given, Iterable):
+        remedy = f"give rows of control points along {letters[0]}"
+        raise ShapeError(f"{shown(given)} is not a net", where="control_points", remedy=remedy)
+    net = []
+    for i, row in enumerate(given):
+        place = f"control_points[{i}]"
+        if isinstance(row, str) or not isinstance(row, Iterable):
+            remedy = "give a list of control points"
+            raise ShapeError(f"{shown(row)} is not a row of control points", where=place, remedy=remedy)
+        points = read(row, place)
+        if len(points) != counts[1]:
+            raise _miscounted(f"{counted(len(points), 'control point')} in a row", place, counts[1], letters[1])
+        net.append(points)
+    if len(net) != counts[0]:
+        raise _miscounted(f"{counted(len(net), 'row')} of control points", "control_points", counts[0], letters[0])
+    return net
+
+
+def _miscounted(problem: str, where: str, count: int, letter: str) -> ShapeError:
+    return ShapeError(problem, where=where, remedy=f"there must be {count} (knots − degree − 1 along {letter})")
 
 
 def bezier_nets(degrees: Degrees, along_s: Sequence[BSpline]) -> Iterator[Net]:

@@ -174,7 +174,7 @@ def _near(chance: random.Random) -> Iterator[Case]:
     shapes: dict[str, Callable[[float], list[Row]]] = {
         # γ′ = 0 at 1/2 for ε = 0
         "cusp": lambda e: [(0, 0), (1, 1), (e, 1), (1, 0)],
-        # both inflections at 1/2 for ε = 0
+        # both zeros of the curvature at 1/2 for ε = 0
         "double inflection": lambda e: [(0, 0), (1, 1), (2, 1 + e), (3, 3)],
         # y touches 0 at 1/2 for ε = 0
         "touching": lambda e: [(0, 1 + e), (1, e - 1), (2, 1 + e)],

@@ -1,23 +1,26 @@
-"""The arguments on which claims about two curves, or about a curve and a point, are checked when one curve is given."""
+"""The arguments on which claims are checked when one curve or surface is given."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from exactspline.errors import InapplicableError, counted
 from exactspline.language.accompanied import Accompanied
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
+from exactspline.language.formula import Formula
 from exactspline.language.hodograph_kind import curve_of_hodograph
 from exactspline.language.kinds import HODOGRAPH, PLANAR_MAP, SURFACE, CurveKind, PairKind, kind_of
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
+from exactspline.readings.degree import DegreeReading
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.integral import integral
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
-from exactspline.verification.evidence import AnyOperands, Chosen, Evidence, Fact
+from exactspline.verification.evidence import AnyOperands, Chosen, Evidence, Fact, TooLong
 from exactspline.verification.vocabulary import Name
 
 #: How many segments of each curve are used in a pair: more would show nothing new, and the number of patches is their
@@ -142,3 +145,24 @@ def free_operands(kind: str) -> AnyOperands | None:
     if not isinstance(asked, CurveKind) or not (asked.with_point or asked.constants):
         return None
     return AnyOperands(point=asked.with_point, constants=tuple(map(Name, asked.constants)))
+
+
+#: The largest degree in a parameter to which formulas are multiplied out on single surfaces.
+LARGEST = 100
+
+
+def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> TooLong | None:
+    """The first formula whose value as written has too high a degree on a surface; None where there is none.
+
+    >>> from exactspline.papers import find
+    >>> from exactspline.interchange.examples import example_surface
+    >>> print(too_long([find("surfaces:E"), find("surfaces:brioschi")], example_surface("torus")))
+    brioschi as written has degree 208 in u there, too high to be multiplied out
+    """
+    for formula in formulas:
+        for parameter, d in zip(formula.kind.counted, surface.degree, strict=True):
+            reading = DegreeReading(parameter=parameter)
+            degree = reading.count(formula, surface.dimension, polynomial=surface.polynomial)
+            if (n := degree.at(dict.fromkeys(degree.names, d))) > LARGEST:
+                return TooLong(Name(formula.name), n, parameter)
+    return None

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
-from typing import ClassVar, TypeVar
+from string import Template
+from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
 from exactspline.hooks import Displayed
@@ -26,8 +27,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
 from exactspline.symbolic.factorization import sharing
-from exactspline.verification.check_arguments import free_operands
-from exactspline.verification.claim_factor import WEIGHTS
+from exactspline.verification.check_arguments import free_operands, too_long
 from exactspline.verification.claim_fields import claim_kind, declared
 from exactspline.verification.decision import Statement
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
@@ -41,10 +41,9 @@ from exactspline.verification.evidence import (
     Undefined,
     UndefinedAt,
 )
-from exactspline.verification.notation import symbol
+from exactspline.verification.notation import WEIGHTS, symbol
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names, one_patch_surfaces
 from exactspline.verification.segments import on_segments
-from exactspline.verification.surface_check import too_long
 from exactspline.verification.verdict import (
     CONTRADICTION,
     PROVED,
@@ -106,6 +105,12 @@ def formula_name(claim: Claim, name: str, value: str) -> Name:
             remedy=f"name a formula that takes a {handed.name!r}",
         )
     return Name(str(value))
+
+
+def any_formula(claim: Claim, name: str, value: str) -> str:
+    """The name of a formula with any kind of argument."""
+    claim.find(value)
+    return str(value)
 
 
 def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[Name, ...]:
@@ -204,10 +209,23 @@ class Claim(Immutable, Displayed):
 
     kind: ClassVar[str] = ""
     reading: ClassVar[Name] = Name("jet")
+    #: What is claimed, and the statement in LaTeX: ``$name`` is the value of a field, in LaTeX the symbol of a formula.
+    value: ClassVar[str] = ""
+    notation: ClassVar[str] = ""
+    #: The fields that name two formulas, which must be different ones.
+    sides: ClassVar[tuple[str, ...]] = ()
+    #: Whether it is about a single curve, not about pairs or the operands of Table 1.
+    of_one_curve: ClassVar[bool] = False
     #: Whether such claims can be decided where roots are adjoined.
     of_frames: ClassVar[bool] = False
     #: Whether it states that something vanishes: then it is decided on one curve for all values of the free operands.
     has_residues: ClassVar[bool] = False
+    #: Whether it is decided by zeros or signs of functions of one parameter.
+    asks_for_zeros: ClassVar[bool] = False
+    #: Whether `examine` decides for all arguments with the given curve, and not only for the given one.
+    tries_all: ClassVar[bool] = False
+    #: Whether the formulas are evaluated before a check, to see that they exist on the whole curve.
+    evaluated_first: ClassVar[bool] = True
 
     paper: str
     id: str
@@ -274,6 +292,14 @@ class Claim(Immutable, Displayed):
                 remedy="name the error, or omit the field",
             )
 
+        if self.sides and len({getattr(self, name) for name in self.sides}) < len(self.sides):
+            raise ClaimError("both sides are one formula", where=self.sides[-1], remedy="name another one")
+        if self.of_one_curve and (self.of_pair or self.curve == ArgumentKind.TABLE):
+            raise ClaimError(
+                f"claims of the kind {self.kind!r} are not decided for {str(self.curve)!r}",
+                where="curve",
+                remedy="name a curve",
+            )
         if kind_of(self.curve).adjoins_roots and not self.of_frames:
             raise ClaimError(
                 f"claims of the kind {self.kind!r} are not decided where roots are adjoined",
@@ -343,14 +369,18 @@ class Claim(Immutable, Displayed):
         return decidable and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
-    @abstractmethod
-    def latex(self) -> str:
-        """The statement as LaTeX."""
-
-    @property
     def claims(self) -> str:
         """The claimed value, as a row of the ledger shows it."""
-        return ""
+        return Template(self.value).substitute(vars(self))
+
+    @property
+    def latex(self) -> str:
+        """The statement as LaTeX."""
+        fields: dict[str, Any] = vars(self) | {"claims": self.claims}
+        for name, check, _ in declared(self.__class__).checks:
+            if check in (formula_name, any_formula):
+                fields[name] = self.symbol(fields[name])
+        return Template(self.notation).substitute(fields)
 
     def prove(self) -> tuple[Name, Finding]:
         """The reading in which it is decided for all curves, and the finding: the worst of all cases, that is of
@@ -368,11 +398,6 @@ class Claim(Immutable, Displayed):
     @abstractmethod
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The finding for all curves of a dimension, with w = 1 or with any w."""
-
-    @property
-    def asks_for_zeros(self) -> bool:
-        """Whether it is decided by zeros or signs of functions of one parameter."""
-        return False
 
     def check(
         self,
@@ -394,7 +419,7 @@ class Claim(Immutable, Displayed):
         finding = vacuous(gone) if gone else self.examine(argument, own)
         if finding.verdict in (REFUTED, VACUOUS) and (failing := own.failing(self.curve, self.assumes)):
             return inapplicable(failing, finding.computed, finding.relation)
-        part = None if self.tries_all else own.part(self.curve)
+        part = self.part_tried(own)
         if part and finding.verdict == VERIFIED:
             if not (self.has_residues and isinstance(own.curve, Nurbs)):
                 return sampled(finding, part)
@@ -442,10 +467,9 @@ class Claim(Immutable, Displayed):
         """The highest derivative that its formulas need."""
         return max(order_of(formula, dimension) for formula in self.compared)
 
-    @property
-    def tries_all(self) -> bool:
-        """Whether `examine` decides for all arguments with the given curve, and not only for the given one."""
-        return False
+    def part_tried(self, own: Evaluation) -> Evidence | None:
+        """Which part of all arguments with a curve is tried in a check; None where it is all of them."""
+        return None if self.tries_all else own.part(self.curve)
 
     @property
     def compared(self) -> list[Formula]:
@@ -461,7 +485,7 @@ class Claim(Immutable, Displayed):
         """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; None when
         all exist.
         """
-        if self.curve == ArgumentKind.TABLE:
+        if self.curve == ArgumentKind.TABLE or not self.evaluated_first:
             return None
         for name in self.named:
             value = self.find(name)(argument)
@@ -469,6 +493,12 @@ class Claim(Immutable, Displayed):
             if any(isinstance(part, Rational) and not all(part.denominator.polynomials) for part in parts):
                 return Undefined(name)
         return None
+
+    def only_component(self, name: str, components: Sequence[V]) -> V:
+        """The one component of a scalar. Raises `ClaimError` for a vector."""
+        if len(components) > 1:
+            raise ClaimError(f"{name!r} is a vector", where=self.key, remedy="name a formula whose value is a scalar")
+        return components[0]
 
     def refuted_on_examples(self, proof: Callable[[], tuple[Name, Finding]] | None = None) -> Finding:
         """The first example curve on which it fails, as a witness; UNDECIDED when there is none. `proof` is that of

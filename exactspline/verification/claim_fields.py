@@ -35,7 +35,7 @@ _DECLARED: dict[type, Declared] = {}
 def declared(kind: type) -> Declared:
     """The fields of a kind of claims.
 
-    >>> from exactspline.verification.kinds import Vanishing
+    >>> from exactspline.verification.kinds.equality import Vanishing
     >>> declared(Vanishing).needed
     ('id', 'source', 'statement', 'status', 'key', 'left')
     """

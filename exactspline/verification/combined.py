@@ -1,24 +1,63 @@
-"""The one verdict on a claim: its proof, compared with the examples."""
+"""The proofs of one run, and the one verdict on a claim: its proof, compared with the examples."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import partial
 from typing import TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError
 from exactspline.papers.folder import Paper
-from exactspline.symbolic.factorization import sharing, speaking_of
+from exactspline.symbolic.factorization import SharedJets, sharing, speaking_of
 from exactspline.verification.claim import Claim
 from exactspline.verification.evaluation import sharing_evaluations
+from exactspline.verification.evidence import Stopped
 from exactspline.verification.verdict import CONTRADICTION, REFUTED, VERIFIED, Finding, compared, undecided
 from exactspline.verification.vocabulary import Name
 
 V = TypeVar("V")
-Combined = tuple[Name, Finding]
-_KNOWN: ContextVar[dict[tuple[Paper, Claim], Combined] | None] = ContextVar("known verdicts", default=None)
+#: The reading in which a claim was decided, and the finding.
+Decided = tuple[Name, Finding]
+
+
+class Proofs:
+    """The proofs of one run, each computed once, and the verdicts that follow from them and the examples."""
+
+    def __init__(self) -> None:
+        self._made: dict[tuple[Paper, Claim], Decided] = {}
+        self._combined: dict[tuple[Paper, Claim], Decided] = {}
+        self._jets: SharedJets = {}
+
+    def __contains__(self, claim: Claim) -> bool:
+        """Whether a claim has been decided in this run."""
+        return (claim.source_paper, claim) in self._made
+
+    def __getitem__(self, claim: Claim) -> Decided:
+        """The reading in which a claim is decided for all curves, and the finding."""
+        key = claim.source_paper, claim
+        if key not in self._made:
+            with sharing(self._jets), speaking_of(claim.source_paper):
+                try:
+                    self._made[key] = fitting(claim, claim.prove)
+                except ExactSplineError as error:
+                    self._made[key] = claim.reading, undecided(error)
+        return self._made[key]
+
+    def combined(self, claim: Claim) -> Decided:
+        """The proof, compared with every example to which the claim applies."""
+        key = claim.source_paper, claim
+        if key not in self._combined:
+            reading, finding = proof = self[claim]
+            if finding.verdict not in (REFUTED, VERIFIED, CONTRADICTION) and not isinstance(finding.witness, Stopped):
+                with sharing(self._jets), speaking_of(claim.source_paper):
+                    refuted = fitting(claim, lambda: claim.refuted_on_examples(lambda: proof))
+                finding = compared(finding, refuted) if refuted.verdict == REFUTED else finding
+            self._combined[key] = reading, finding
+        return self._combined[key]
+
+
+_RUN: ContextVar[Proofs | None] = ContextVar("the proofs of this run", default=None)
 
 
 @contextmanager
@@ -26,18 +65,18 @@ def computed_once() -> Iterator[None]:
     """A context in which the verdicts on many claims share what they compute: each verdict, the indeterminate curves of
     proofs, the values of formulas on the example curves; within one there is no other.
     """
-    if _KNOWN.get() is not None:
+    if _RUN.get() is not None:
         yield
         return
-    token = _KNOWN.set({})
+    token = _RUN.set(Proofs())
     try:
-        with sharing({}), sharing_evaluations():
+        with sharing_evaluations():
             yield
     finally:
-        _KNOWN.reset(token)
+        _RUN.reset(token)
 
 
-def combined(claim: Claim) -> Combined:
+def combined(claim: Claim) -> Decided:
     """The one verdict on a claim: the proof for all curves, compared with every example curve to which it applies; a
     CONTRADICTION when it is proved and fails on one of them.
 
@@ -47,14 +86,7 @@ def combined(claim: Claim) -> Combined:
     ...     combined(first) is combined(first), str(combined(first)[1].verdict)
     (True, 'PROVED')
     """
-    known, key = _KNOWN.get(), (claim.source_paper, claim)
-    if known is not None and key in known:
-        return known[key]
-    with speaking_of(claim.source_paper):
-        found = _combined(claim)
-    if known is not None:
-        known[key] = found
-    return found
+    return (_RUN.get() or Proofs()).combined(claim)
 
 
 def fitting(claim: Claim, call: Callable[[], V]) -> V:
@@ -81,14 +113,3 @@ def fitting(claim: Claim, call: Callable[[], V]) -> V:
             where=f"{claim.paper}, {claim.key}",
             remedy="the formulas are not of the form that the claim requires",
         ) from None
-
-
-def _combined(claim: Claim) -> Combined:
-    try:
-        reading, finding = fitting(claim, claim.prove)
-    except ExactSplineError as error:
-        return claim.reading, undecided(error)
-    if finding.verdict in (REFUTED, VERIFIED, CONTRADICTION):
-        return reading, finding
-    example_finding = fitting(claim, partial(claim.refuted_on_examples, lambda: (reading, finding)))
-    return reading, compared(finding, example_finding) if example_finding.verdict == REFUTED else finding

@@ -19,9 +19,9 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.given import checked_degree
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.tensor import TensorSpline
-from exactspline.verification.claim_factor import WEIGHTS, factor_parts
 from exactspline.verification.evaluation import between, segment
 from exactspline.verification.evidence import At, AtBoth, Place, StatedFactor
+from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.vocabulary import Name
 
 

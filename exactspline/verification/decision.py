@@ -23,7 +23,6 @@ from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import find_factor
-from exactspline.verification.claim_factor import factor_formulas, factor_of_text
 from exactspline.verification.curve_check import stated_factor, where_it_differs
 from exactspline.verification.evidence import (
     ComponentDiffers,
@@ -38,6 +37,7 @@ from exactspline.verification.evidence import (
     Sides,
     SumOfSquares,
 )
+from exactspline.verification.notation import factor_formulas, factor_of_text
 from exactspline.verification.verdict import PROVED, REFUTED, Finding, vacuous
 from exactspline.verification.vocabulary import Name, Verdict
 

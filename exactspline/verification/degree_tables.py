@@ -1,4 +1,4 @@
-"""The rows of the degree tables, and derived objects as data."""
+"""Degrees and numbers of control points, of formulas and of constructions: on one curve, and on the generic one."""
 
 from __future__ import annotations
 
@@ -8,30 +8,83 @@ from functools import cache, partial
 from time import perf_counter
 from typing import Any
 
-from exactspline.errors import FormulaError, InapplicableError, ReachError, ReductionError, ShapeError
+from exactspline.errors import (
+    FormulaError,
+    InapplicableError,
+    ReachError,
+    ReductionError,
+    ShapeError,
+    as_integer,
+    counted,
+)
 from exactspline.geometry.constructions import Construction, Variant, all_constructions, construction, constructions_for
 from exactspline.geometry.derived import derive
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.choices import Parameter
-from exactspline.language.formula import Formula
-from exactspline.language.kinds import CURVE, PAIR, TABLE, Kind
+from exactspline.language.formula import Formula, expect_formula
+from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, TABLE, Kind
+from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
-from exactspline.papers import find
+from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.degree import Degree, DegreeReading, parse_degree
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count, lowest_terms, true_degree_or_none
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.covariants import degree_at, graded, true_degree
+from exactspline.symbolic.covariants import TrueDegree, degree_at, graded, true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.symbolic.substitution import substitute
 from exactspline.verification.generic_degree import lowest_degree, symbolic_minimum
 from exactspline.verification.generic_proof import reduction_of
-from exactspline.verification.measure import measurable, measure, speaks_of
 from exactspline.verification.minimality import attained, witness
+
+
+@dataclass(frozen=True, repr=False)
+class Measure:
+    """The degrees and the size of one formula on one curve.
+
+    ``nominal`` symbolic in d, ``represented`` and ``true`` as numbers (−1 for a formula that vanishes identically; no
+    true degree where a denominator vanishes on a whole segment), ``control_points`` of the representation.
+    """
+
+    formula: str
+    nominal: Degree
+    represented: int
+    true: int | None
+    control_points: int
+
+    def __repr__(self) -> str:
+        degrees = f"degree {self.nominal}, here {self.represented}, true degree {self.true}"
+        return f"<Measure {self.formula}: {degrees}, {counted(self.control_points, 'control point')}>"
+
+
+def measure(formula: Formula, curve: Nurbs) -> Measure:
+    """The degrees and the number of control points of a formula on a curve.
+
+    >>> from exactspline.interchange.examples import example
+    >>> from exactspline.papers import find
+    >>> measure(find("f2"), example("ellipse"))
+    <Measure f2: degree 3d − 3, here 3, true degree 0, 16 control points>
+    """
+    formula, curve = expect_formula(formula), curve_of(curve)
+    value = joined(formula(curve))
+    nominal = DegreeReading().count(formula, curve.dimension, polynomial=curve.polynomial)
+    return Measure(known_as(formula), nominal, value.degree, true_degree_or_none(value), control_point_count(value))
+
+
+def speaks_of(formula: Formula, dimension: int) -> bool:
+    """Whether a formula applies to single curves of this dimension."""
+    return formula.kind in {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
+
+
+def measurable(dimension: int) -> list[Formula]:
+    """The formulas that apply to curves of this dimension."""
+    n = as_integer(dimension, "a dimension", 1)
+    return [formula for formula in all_formulas().values() if speaks_of(formula, n)]
 
 
 @dataclass(frozen=True)
@@ -72,46 +125,31 @@ def construction_table(curve: Nurbs) -> list[Callable[[], DegreeRow]]:
 
 
 def _row(c: Construction, variant: Variant, curve: Nurbs) -> DegreeRow:
-    formula = c.formula(variant)
-    lowest = minimum(c.name, curve.dimension, curve.polynomial)
-    if variant == Variant.MINIMAL:
-        text = (
-            "directrix in lowest terms, the generator without its common factor"
-            if c.ruled
-            else "the lifted variant in lowest terms"
-        )
-        nominal = "–"
-    else:
-        text, nominal = (
-            print_text(trace(formula, curve.dimension)),
-            str(formula(DegreeReading().argument(CURVE, curve.dimension, polynomial=curve.polynomial)).degree),
-        )
+    formula, minimal, n = c.formula(variant), variant == Variant.MINIMAL, curve.dimension
+    lowest = str(minimum(c.name, n, curve.polynomial)) if minimal else "–"
+    nominal = "–" if minimal else str(DegreeReading().count(formula, n, polynomial=curve.polynomial))
     start = perf_counter()
     try:
         value = c.on(curve, variant)
+        true = true_degree_or_none(value)
     except ReductionError:
-        return _in_pieces(c, variant, nominal, curve, perf_counter() - start)
+        true = None
     seconds = perf_counter() - start
-    true = true_degree_or_none(value)
     if true is None:
-        return _in_pieces(c, variant, nominal, curve, seconds)
-    generic = str(lowest) if variant == Variant.MINIMAL else "–"
+        return _in_pieces(c, variant, nominal, lowest, curve, seconds)
+    text = print_text(trace(formula, n)) if not minimal else MINIMAL_RULED if c.ruled else MINIMAL
     counts = value.degree, true, control_point_count(value)
-    return DegreeRow(
-        c.name,
-        variant,
-        nominal,
-        *counts,
-        generic,
-        text,
-        _grading(formula, variant, curve.dimension, curve.polynomial),
-        seconds,
-    )
+    grading = _grading(formula, variant, n, curve.polynomial)
+    return DegreeRow(c.name, variant, nominal, *counts, lowest, text, grading, seconds)
 
 
-def _in_pieces(c: Construction, variant: Variant, nominal: str, curve: Nurbs, seconds: float) -> DegreeRow:
+#: What the minimal variants are.
+MINIMAL = "the lifted variant in lowest terms"
+MINIMAL_RULED = "directrix in lowest terms, the generator without its common factor"
+
+
+def _in_pieces(c: Construction, variant: Variant, nominal: str, lowest: str, curve: Nurbs, seconds: float) -> DegreeRow:
     """The row of an object that does not exist on every segment: of its pieces, with the reason for the gaps."""
-    lowest = str(minimum(c.name, curve.dimension, curve.polynomial)) if variant == Variant.MINIMAL else "–"
     try:
         derived = derive(c.name, curve, variant)
     except ShapeError as error:
@@ -196,53 +234,46 @@ def generic_table(*, polynomial: bool = False) -> list[Callable[[], GenericRow]]
     ]
 
 
+#: By d the proved degree and that of a witness, None for an object that does not exist or vanishes.
+ByDegree = dict[int, tuple[int | None, int | None]]
+
+
+def _of_witnesses(title: str, sides: tuple[str, str], found: TrueDegree, true: Degree, degrees: ByDegree) -> GenericRow:
+    """The row of an object: the counts of both sides, its degree, and where witnesses attain it."""
+    agreed = [d for d, (proved, seen) in degrees.items() if proved == seen]
+    absent = tuple(d for d in agreed if degrees[d][1] is None)
+    attained_at = tuple(d for d in agreed if d not in absent)
+    differ = tuple(d for d in degrees if d not in agreed)
+    k, m, nominal = found.k, found.m, str(found.nominal)
+    return GenericRow(title, *sides, k, m, nominal, found.j, str(true), attained_at, absent, differ)
+
+
 def _generic_row(c: Construction, polynomial: bool) -> GenericRow:
     naive = "squaring" if "squaring" in c.unlifted else next(iter(c.variants))
-    first, paper = (
-        c.formula(variant)
-        for variant in (naive, next((f for f in (Variant.PAPER, Variant.REDUCED) if f in c.unlifted), Variant.MINIMAL))
-    )
+    paper = next((f for f in (Variant.PAPER, Variant.REDUCED) if f in c.unlifted), Variant.MINIMAL)
+    counts = [DegreeReading().count(c.formula(v), c.dimension, polynomial=polynomial) for v in (naive, paper)]
+    sides = str(counts[0]), str(counts[1]) if c.formula(paper).name != c.lifted else "–"
     numerator, denominator = reduction(c.lifted, c.dimension, polynomial).main.lowest
     found = max([true_degree(numerator), true_degree(denominator)], key=lambda t: t.at(WITNESSES[-1]))
     witnesses = [attained(c.name, d, polynomial=polynomial) for d in WITNESSES]
-    operands = DegreeReading().argument(CURVE, c.dimension, polynomial=polynomial)
-    return GenericRow(
-        c.title,
-        str(first(operands).degree),
-        str(paper(operands).degree) if paper.name != c.lifted else "–",
-        found.k,
-        found.m,
-        str(found.nominal),
-        found.j,
-        str(symbolic_minimum(c, c.dimension, polynomial=polynomial)),
-        tuple(w.d for w in witnesses if w.agrees and w.attained is not None),
-        tuple(w.d for w in witnesses if w.agrees and w.attained is None),
-        tuple(w.d for w in witnesses if not w.agrees),
-    )
+    true = symbolic_minimum(c, c.dimension, polynomial=polynomial)
+    return _of_witnesses(c.title, sides, found, true, {w.d: (w.proved, w.attained) for w in witnesses})
 
 
 def _generator_row(title: str, names: tuple[str, str, str], polynomial: bool) -> GenericRow:
     naive, paper, lifted = map(find, names)
-    found = true_degree(reduction(lifted.name, 3, polynomial).main.reduced)
+    main = reduction(lifted.name, 3, polynomial).main
+    found = true_degree(main.reduced)
     operands = DegreeReading().argument(CURVE, 3, polynomial=polynomial)
-    degrees = {}
+    degrees: ByDegree = {}
     for d in WITNESSES:
         curve: Curve[BSpline] = witness(3, d, polynomial=polynomial)
-        value = reduction(lifted.name, 3, polynomial).main.on(curve)
-        degrees[d] = max(f.true_degree for f in (value if isinstance(value, Vector) else [value]))
-    return GenericRow(
-        title,
-        str(naive(operands).generator.degree),
-        str(paper(operands).generator.degree),
-        found.k,
-        found.m,
-        str(found.nominal),
-        found.j,
-        str(found.generic),
-        tuple(d for d, n in degrees.items() if n == found.at(d) >= 0),
-        tuple(d for d, n in degrees.items() if n == found.at(d) == -1),
-        tuple(d for d, n in degrees.items() if n != found.at(d)),
-    )
+        value = main.on(curve)
+        seen = max(f.true_degree for f in (value if isinstance(value, Vector) else [value]))
+        proved = found.at(d)
+        degrees[d] = (None if proved < 0 else proved), (None if seen < 0 else seen)
+    sides = str(naive(operands).generator.degree), str(paper(operands).generator.degree)
+    return _of_witnesses(title, sides, found, found.generic, degrees)
 
 
 def _bisector_row(title: str, names: tuple[str, str, str], polynomial: bool) -> GenericRow:
@@ -251,25 +282,14 @@ def _bisector_row(title: str, names: tuple[str, str, str], polynomial: bool) -> 
     numerator, denominator = reduction(lifted.name, dimension, polynomial).main.lowest
     parts = [part for jet in (*numerator, denominator) for part in graded(jet)]
     found = max(map(true_degree, parts), key=lambda t: t.at(WITNESSES[-1]))
-    operands = DegreeReading().argument(lifted.kind, dimension, polynomial=polynomial)
-    degrees = {}
+    degrees: ByDegree = {}
     for d in WITNESSES:
         handed = bisected_pair(lifted.kind, witness(dimension, d, polynomial=polynomial))
         value = Rational(Vector(*[substitute(jet, handed) for jet in numerator]), substitute(denominator, handed))
-        degrees[d] = max(n for _, n in lowest_terms(value))
-    return GenericRow(
-        title,
-        str(naive(operands).degree),
-        str(paper(operands).degree),
-        found.k,
-        found.m,
-        str(found.nominal),
-        found.j,
-        str(lowest_degree(lifted, dimension, polynomial=polynomial)),
-        tuple(d for d, n in degrees.items() if n == degree_at(parts, d)),
-        (),
-        tuple(d for d, n in degrees.items() if n != degree_at(parts, d)),
-    )
+        degrees[d] = degree_at(parts, d), max(n for _, n in lowest_terms(value))
+    first, second = (str(DegreeReading().count(f, dimension, polynomial=polynomial)) for f in (naive, paper))
+    true = lowest_degree(lifted, dimension, polynomial=polynomial)
+    return _of_witnesses(title, (first, second), found, true, degrees)
 
 
 class _Fixed:
@@ -332,8 +352,7 @@ def _degrees_of(formula: Formula, polynomial: bool, parameter: Parameter) -> For
     if len(formula.kind.counted) > 1:
         curves += f", in {parameter}"
     try:
-        counted = DegreeReading(parameter=parameter).argument(formula.kind, n, polynomial=polynomial)
-        nominal = str(formula(counted).degree)
+        nominal = str(DegreeReading(parameter=parameter).count(formula, n, polynomial=polynomial))
     except InapplicableError as error:
         return FormulaDegrees(formula.name, curves, "–", "–", "–", error.problem)
     try:

@@ -22,7 +22,9 @@ from exactspline.verification.combined import combined
 from exactspline.verification.counts import error_of
 from exactspline.verification.evidence import Evidence, Found, Relating, StatedFactor
 from exactspline.verification.generic_proof import factor_of
-from exactspline.verification.kinds import Count, DegreeClaim, Identity, Vanishing
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.kinds.equality import Identity, Vanishing
+from exactspline.verification.kinds.examples import Count
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 
@@ -228,7 +230,7 @@ def _shown(claim: Claim) -> tuple[str, ...]:
     if isinstance(claim, Count) and source.package:
         return (
             "from exactspline.papers import find; from exactspline.interchange.examples import example",
-            "from exactspline.verification.measure import measure",
+            "from exactspline.verification.degree_tables import measure",
             f'print(measure({found(claim.formula)}, example("{claim.example}")))',
         )
     chosen = repr(source.name).replace("'", '"') if source.package else "paper"

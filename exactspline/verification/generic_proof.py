@@ -146,6 +146,12 @@ def cached_reduction(
         return error
 
 
+def degree_in_table_1(formula: Formula) -> Degree:
+    """The degree of a row of Table 1."""
+    degree: Degree = formula(table_1_degrees()).degree
+    return degree
+
+
 def table_1_degrees() -> Operands:
     """The operands of Table 1 in the degree reading."""
     one, two = [[Degree.named(name) for _ in range(5)] for name in ("d1", "d2")]

@@ -11,15 +11,49 @@ from time import perf_counter
 from typing import Protocol
 
 from exactspline.errors import ClaimError, ExactSplineError, nearest
+from exactspline.language.argument import Evaluated
+from exactspline.language.kinds import kind_of
+from exactspline.readings.sympy_expression import SympyReading
+from exactspline.symbolic.factorization import without_denominator
 from exactspline.verification.claim import Claim
 from exactspline.verification.combined import fitting
 from exactspline.verification.coq_judge import Coq
-from exactspline.verification.evidence import JudgesDisagree
+from exactspline.verification.evidence import Fact, JudgesDisagree
+from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.ledger import Proofs, Task
+from exactspline.verification.notation import factor_formulas
 from exactspline.verification.rows import Row, row
-from exactspline.verification.sympy_judge import Sympy
-from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, Finding, undecided
+from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, Finding, undecided, worst
 from exactspline.verification.vocabulary import Name
+
+
+class Sympy:
+    """The judge that decides equalities in expressions of sympy.
+
+    >>> from exactspline.verification.claims import select
+    >>> [str(Sympy().decide(claim).verdict) for claim in select(["C4.1a", "C4.2g"])]
+    ['PROVED', 'PROVED', 'UNDECIDED']
+    """
+
+    name = Name(SympyReading.name)
+
+    def decide(self, claim: Claim) -> Finding:
+        """The worst finding over all cases: rational and polynomial curves of every dimension."""
+        equality = claim.equality
+        if equality is None:
+            return Finding(UNDECIDED, witness=Fact.NOT_OF_THIS_JUDGE)
+        cases = [(n, polynomial) for polynomial in claim.of.worlds for n in claim.dimensions]
+        return worst([equality.decide(argument_for(claim, n, polynomial)) for n, polynomial in cases])
+
+
+def argument_for(claim: Claim, dimension: int, polynomial: bool) -> Evaluated:
+    """The argument of a formula in this reading."""
+    kind = kind_of(claim.curve)
+    if kind.adjoins_roots:
+        factor = claim.factor if isinstance(claim, Identity) else "1"
+        named = [*map(claim.find, claim.named), *factor_formulas(factor, claim.find)]
+        polynomial = polynomial or without_denominator(named, factor, dimension)
+    return SympyReading().argument(kind, dimension, polynomial=polynomial)
 
 
 class Judge(Protocol):

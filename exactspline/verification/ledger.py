@@ -13,15 +13,15 @@ from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
-from exactspline.symbolic.factorization import SharedJets, sharing, speaking_of
+from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import expect_claim
-from exactspline.verification.combined import fitting
+from exactspline.verification.combined import Proofs, fitting
 from exactspline.verification.curve_check import table_1_splines
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.paper_curves import one_patch_surfaces, own_curves
 from exactspline.verification.rows import Row, row
-from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, Finding, compared, undecided
+from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, compared, undecided
 from exactspline.verification.vocabulary import ArgumentKind, Name
 
 UNNAMED = Name("(unnamed curve)")
@@ -97,32 +97,6 @@ def _on_curves(
             if claim.speaks_of(curve.dimension, curve.polynomial, surface=isinstance(curve, NurbsSurface))
         ]
     return calls
-
-
-class Proofs:
-    """The proofs of one run of the ledger, each computed once."""
-
-    def __init__(self) -> None:
-        self._made: dict[Claim, tuple[Name, Finding]] = {}
-        self._jets: SharedJets = {}
-
-    def __contains__(self, claim: Claim) -> bool:
-        """Whether a claim has been decided in this run."""
-        return claim in self._made
-
-    def __getitem__(self, claim: Claim) -> tuple[Name, Finding]:
-        if claim not in self._made:
-            with sharing(self._jets):
-                self._made[claim] = _proof(claim)
-        return self._made[claim]
-
-
-def _proof(claim: Claim) -> tuple[Name, Finding]:
-    try:
-        with speaking_of(claim.source_paper):
-            return fitting(claim, claim.prove)
-    except ExactSplineError as error:
-        return claim.reading, undecided(error)
 
 
 def proved(claim: Claim, proofs: Proofs | None = None) -> Row:

@@ -94,8 +94,7 @@ def variants_table(source: Paper) -> list[VariantsRow]:
 
 def _counted(formula: Formula, *, polynomial: bool) -> str:
     """The degrees in u and in v by Table 1."""
-    readings = [DegreeReading(parameter=parameter) for parameter in BOTH]
-    u, v = (str(formula(r.argument(formula.kind, 3, polynomial=polynomial)).degree) for r in readings)
+    u, v = (str(DegreeReading(parameter=p).count(formula, 3, polynomial=polynomial)) for p in BOTH)
     return _in_both(u, v)
 
 
@@ -164,9 +163,7 @@ def _pair(u: int, v: int) -> tuple[int, int] | None:
 
 
 def _nominal(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter, degree: int) -> int:
-    counted = formula(
-        DegreeReading(parameter=parameter).argument(formula.kind, dimension, polynomial=polynomial)
-    ).degree
+    counted = DegreeReading(parameter=parameter).count(formula, dimension, polynomial=polynomial)
     return int(counted.at(dict.fromkeys(counted.names, degree)))
 
 

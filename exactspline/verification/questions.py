@@ -207,7 +207,7 @@ def degree(
         raise FormulaError(
             f"the degree of {named.name} in {counted}", remedy=f"it is a function of {' and '.join(known)}"
         )
-    nominal = named(DegreeReading(parameter=counted).argument(named.kind, n, polynomial=polynomial)).degree
+    nominal = DegreeReading(parameter=counted).count(named, n, polynomial=polynomial)
     reduction = reduce(named, dimension=n, polynomial=polynomial, parameter=counted)
     return DegreeAnswer(named.name, n, nominal, reduction.main.generic_lowest)
 

@@ -39,7 +39,7 @@ class _OnSegment(Kind):
         self.both = both
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _on_segment, (self.whole, self.both)
+        return with_explicit_curve, (self.whole, self.both)
 
     def explicit(self, dimension: int) -> set[str]:
         """The names of the operands that are polynomials."""
@@ -63,12 +63,17 @@ class _OnSegment(Kind):
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
     ) -> Evaluated:
-        """The argument of the kind."""
+        """The argument of the kind, its polynomials included."""
         return self.whole.argument(dimension, operand, one, polynomial=polynomial)
+
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
+        """The argument of the kind."""
+        return self.whole.of_operands(named, dimension, one)
 
 
 @cache
-def _on_segment(kind: Kind, both: bool) -> _OnSegment:
+def with_explicit_curve(kind: Kind, both: bool) -> Kind:
+    """A kind whose curve, or both of whose curves, are polynomials in the parameter."""
     return _OnSegment(kind, both=both)
 
 
@@ -110,7 +115,7 @@ def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> 
     ('on [0, 1]', (0) / (1))
     """
     both = same and isinstance(kind, PairKind)
-    ring = JetRing(_on_segment(kind, both), curve.dimension, order, polynomial=curve.polynomial)
+    ring = JetRing(with_explicit_curve(kind, both), curve.dimension, order, polynomial=curve.polynomial)
     one = JetFraction(ring, ring.context.constant(1), ring.context.constant(1))
     splines: dict[str, BSpline] = dict(curve.operands())
     for i, (a, b) in enumerate(zip(curve.breakpoints, curve.breakpoints[1:], strict=False)):

@@ -23,8 +23,8 @@ from exactspline.readings.tree import Node, trace
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
 from exactspline.verification.combined import combined
-from exactspline.verification.generic_proof import table_1_degrees
-from exactspline.verification.kinds import DegreeClaim
+from exactspline.verification.generic_proof import degree_in_table_1
+from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Name, Scope
 
@@ -84,7 +84,7 @@ def statements(claim_id: str) -> Iterator[Statement]:
 def statement(claim: Claim) -> Statement:
     """A claim written out, with its combined verdict: the proof, compared with the example curves."""
     reading, finding = combined(claim)
-    return Statement(claim, latex_of(claim), sides(claim), reading, finding)
+    return Statement(claim, claim.latex, sides(claim), reading, finding)
 
 
 def sides(claim: Claim) -> tuple[Side, ...]:
@@ -135,8 +135,7 @@ def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> 
     formula = claim.find(name)
     counting = claim.counting if isinstance(claim, DegreeClaim) else Counting.TABLE_1
     if formula.kind is TABLE:
-        degree: Degree = formula(table_1_degrees()).degree
-        return degree
+        return degree_in_table_1(formula)
     if formula.kind.adjoins_roots:
         return None
     return _represented(formula, dimension_of(formula, claim), polynomial, parameter, counting)
@@ -147,12 +146,10 @@ def _represented(
     formula: Formula, dimension: int, polynomial: bool, parameter: Parameter, counting: Counting
 ) -> Degree | None:
     """The degree that a formula has as written, computed once for all claims about it."""
-    reading = DegreeReading("d", parameter, counting)
     try:
-        degree: Degree = formula(reading.argument(formula.kind, dimension, polynomial=polynomial)).degree
+        return DegreeReading("d", parameter, counting).count(formula, dimension, polynomial=polynomial)
     except InapplicableError:
         return None
-    return degree
 
 
 def degree_of_cubic(name: str, claim: Claim) -> int:
@@ -173,12 +170,3 @@ def telling_tree(formula: Formula, dimension: int) -> Node:
     tree = trace(formula, dimension)
     repeats = formula.symbol and print_text(tree) == symbol_text(formula.symbol)
     return trace(formula, dimension, expand=True) if repeats else tree
-
-
-def latex_of(claim: Claim) -> str:
-    r"""The statement of a claim as LaTeX.
-
-    >>> latex_of(select(["C4.1a"])[0]), latex_of(select(["C4.2g"])[0])
-    ('f_1 = w\\,f_2', '\\deg g_2 = 9d - 6')
-    """
-    return claim.latex

@@ -14,9 +14,8 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.batch.families import Family
-from exactspline.batch.oracle import oracle
+from exactspline.batch.oracle import QUESTIONS, oracle
 from exactspline.batch.oracle_answers import Item, QuestionError, answer_data, number_data
-from exactspline.batch.oracle_questions import QUESTIONS
 from exactspline.certificates import check_certificate
 from exactspline.cli import app
 from exactspline.errors import ExactSplineError, OpenError

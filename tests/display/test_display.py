@@ -36,7 +36,7 @@ from exactspline.readings.jet import JetReading
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.claims import all_claims, claims_of, select
-from exactspline.verification.statement import latex_of, sides, statements
+from exactspline.verification.statement import sides, statements
 from exactspline.verification.verdict import REFUTED
 from tests.support.decided import errors_in_print
 
@@ -175,7 +175,7 @@ def test_numbers_degrees_jets_and_vectors_are_latex():
 @pytest.mark.parametrize("section", ["T", "C3", "C4", "C5", "C6", "Fig", "E", "L"])
 def test_every_statement_is_latex_and_its_naive_side_has_the_higher_degree(section):
     for claim in [claim for claim in all_claims() if claim.id.startswith(section)]:
-        assert is_latex(latex_of(claim).replace("−", "-").replace("…", "")), claim.statement
+        assert is_latex(claim.latex.replace("−", "-").replace("…", "")), claim.statement
         for side in sides(claim):
             assert is_latex(side.latex)
         roles = [side.role for side in sides(claim)]

@@ -24,12 +24,11 @@ from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.evidence import Evidence, ExactQuotient, Fact, JudgesDisagree, WrongDegree
-from exactspline.verification.judges import Jets, agreed, compared_rows, second_opinions
-from exactspline.verification.kinds import Identity
+from exactspline.verification.judges import Jets, Sympy, agreed, compared_rows, second_opinions
+from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.questions import Proof
 from exactspline.verification.rows import Row
-from exactspline.verification.sympy_judge import Sympy
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Name
 

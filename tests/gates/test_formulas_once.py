@@ -303,8 +303,8 @@ ALLOWED = {
     "verification.coq.framed_setting:flat": "fractions with and without roots",
     "verification.coq.proofs:_whole": "what is assumed of a fraction",
     "verification.coq.proofs:met": "what is assumed of a fraction",
-    "verification.kinds.surfaces:_but": "zeros in two parameters are not compared",
-    "verification.kinds.value_type:_independent": "roots within roots: whether they are independent",
+    "verification.kinds.equality:_but": "zeros in two parameters are not compared",
+    "verification.kinds.types:_independent": "roots within roots: whether they are independent",
 }
 
 

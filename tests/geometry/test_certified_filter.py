@@ -21,7 +21,7 @@ np = pytest.importorskip("numpy")
 
 from exactspline.geometry.filtered import filtered, programs  # noqa: E402  # needs numpy
 from exactspline.geometry.many_curves import features_in_parts, features_of_many, scaled_operands  # noqa: E402
-from exactspline.polynomials.doubles import Rows, isolated, ordinates, values_at  # noqa: E402
+from exactspline.polynomials.doubles import Bounded, isolated, ordinates, values_at  # noqa: E402
 from exactspline.programs.doubles import in_doubles  # noqa: E402
 
 #: The rounding modes of <fenv.h> by their numbers on x86.
@@ -185,11 +185,11 @@ def test_what_is_not_certain_is_left():
     values = np.array([[1.0, -0.5, 1.0], [0.0, 1.0, 2.0], [1.0, np.nan, -1.0], [np.inf, 1, -1]])
     # what overflows has an infinite bound
     errors = np.where(np.isinf(values), np.inf, 1e-3)
-    found, left = isolated(Rows(values, errors))
+    found, left = isolated(Bounded(values, errors))
     assert left.tolist() == [False, True, False, True]
     # of 1, none, −1 whatever the middle is there is one sign change
     assert found.row.tolist() == [2]
-    double = Rows(np.array([[1.0, -1.0, 1.0]]), np.full((1, 3), 1e-12))
+    double = Bounded(np.array([[1.0, -1.0, 1.0]]), np.full((1, 3), 1e-12))
     assert isolated(double)[1].tolist() == [True]
 
 

@@ -114,10 +114,6 @@ def test_a_vertex_form_of_the_ellipse_has_degree_four():
     assert [made.on(ellipse, variant).degree for variant in ("squaring", "paper", Variant.MINIMAL)] == [96, 12, 4]
 
 
-def test_the_torsion_form_of_a_rational_space_cubic_is_constant():
-    assert construction("zero_torsion").on(example("rational_space_cubic"), Variant.MINIMAL).degree == 0
-
-
 def test_unknown_names_are_refused():
     with pytest.raises(FormulaError, match="no construction"):
         construction("involute")

@@ -15,7 +15,7 @@ from exactspline.roots.zero_set import zeros
 np = pytest.importorskip("numpy")
 
 from exactspline.geometry.many_splines import features_of_curves  # noqa: E402  # needs numpy
-from exactspline.polynomials.doubles import Rows, without_zeros  # noqa: E402
+from exactspline.polynomials.doubles import Bounded, without_zeros  # noqa: E402
 
 #: Families of integers of that many bits: what is left of 3000 curves of each.
 BITS = (10, 6, 4, 2)
@@ -73,8 +73,8 @@ def test_a_form_that_is_all_but_zero_is_told_from_one_that_is():
         return [1 / 9 + epsilon**2, -2 / 9 + epsilon**2, 4 / 9 + epsilon**2]
 
     values = np.array([row(10.0**-k) for k in range(1, 7)] + [row(0), [1, 1, -1], [0, 1, 1], [1, -9, 1]])
-    assert without_zeros(Rows(values, np.full(values.shape, 1e-15))).tolist() == [True] * 6 + [False] * 4
-    assert not without_zeros(Rows(values, np.full(values.shape, 1e-2)))[2:].any()
+    assert without_zeros(Bounded(values, np.full(values.shape, 1e-15))).tolist() == [True] * 6 + [False] * 4
+    assert not without_zeros(Bounded(values, np.full(values.shape, 1e-2)))[2:].any()
 
 
 if __name__ == "__main__":

@@ -19,15 +19,6 @@ from tests.support.space_curves import power_curve
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_the_curvature_of_a_circle_with_weights_of_either_sign(sign):
-    arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[sign, sign, 2 * sign])
-    (piece,) = curvature_function(arc)
-    assert piece.radicand == 1
-    assert [piece.value(t) for t in (mpq(0), mpq(1, 3), mpq(1))] == [1, 1, 1]
-    assert values_along.curvature(arc, mpq(1, 3)) == 1
-
-
-@pytest.mark.parametrize("sign", [1, -1])
 def test_both_ways_to_the_curvature_agree_with_its_definition(sign):
     """Of the cubic with hodograph (1 + 2it)², by κ = [γ′ γ″]/‖γ′‖³, whatever the weights."""
     cubic = power_curve([0, 1, 0, mpq(-4, 3)], [0, 0, 2], domain=(0, 1))

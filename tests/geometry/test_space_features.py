@@ -9,7 +9,6 @@ import pytest
 from click.testing import CliRunner
 from gmpy2 import mpq
 from hypothesis import assume, given, settings
-from hypothesis import strategies as st
 
 from exactspline import Nurbs
 from exactspline.certificates import check_certificate
@@ -22,8 +21,7 @@ from exactspline.geometry.values_along import curvature, torsion
 from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from tests.geometry.test_shared_curves import FILES, read_curve
-from tests.support.answers import pieces, places
-from tests.support.space_curves import MIRRORED, SCALED, TURNED, backwards, moved, power_curve
+from tests.support.space_curves import MIRRORED, TURNED, moved, power_curve
 from tests.support.strategies import nurbs
 
 SPACE = [name for name in example_names() if example(name).dimension == 3]
@@ -136,20 +134,6 @@ def test_curvature_is_extremal_where_it_says_so(name):
             assert (kappa(t) < kappa((low + high) / 2)) == (f.kind == "maximum")
 
 
-def signature(curve):
-    """Everything that `inspect` finds, without the values."""
-    found = {name: [(f.kind, f.root, f.by_jump) for f in places_of] for name, places_of in places(curve).items()}
-    return found, pieces(curve), [p.parts for p, _ in analyse(curve).planar_pieces]
-
-
-@settings(max_examples=40)
-@given(
-    nurbs(dimension=3, low=1, high=4), st.sampled_from([TURNED, MIRRORED, SCALED]), st.tuples(*[st.integers(-5, 5)] * 3)
-)
-def test_similarities_change_no_feature(curve, matrix, shift):
-    assert signature(curve) == signature(moved(curve, matrix, shift))
-
-
 @settings(max_examples=40)
 @given(nurbs(dimension=3, low=1, high=4))
 def test_reflections_turn_the_sign_of_the_torsion(curve):
@@ -159,38 +143,6 @@ def test_reflections_turn_the_sign_of_the_torsion(curve):
     assert [(f.root, f.root.signs) for f in analyse(mirrored).torsion_zeros] == [
         (f.root, tuple(None if s is None else -s for s in f.root.signs)) for f in analyse(curve).torsion_zeros
     ]
-
-
-@settings(max_examples=40)
-@given(nurbs(dimension=3, low=1, high=4))
-def test_running_backwards_mirrors_the_parameters_and_nothing_else(curve):
-    turned = backwards(curve)
-    assume(not curve.closed)
-    total = sum(curve.domain)
-    lists, own, planar = signature(curve)
-    back, mirrored, planar_back = signature(turned)
-    for forward, other in zip(lists.values(), back.values(), strict=True):
-        assert len(forward) == len(other)
-        for (kind, root, by_jump), (kind_, root_, by_jump_) in zip(forward, reversed(other), strict=True):
-            assert (kind, by_jump) == (kind_, by_jump_)
-            (low, high), (low_, high_) = root.refine(30), root_.refine(30)
-            assert low + low_ <= total <= high + high_
-    for before, after in zip([*own.values(), planar], [*mirrored.values(), planar_back], strict=True):
-        assert after == [((total - b, total - a),) for ((a, b),) in reversed(before)]
-    assert [f.root.signs for f in analyse(turned).torsion_zeros] == [
-        f.root.signs[::-1] for f in reversed(analyse(curve).torsion_zeros)
-    ]
-
-
-@settings(max_examples=25)
-@given(nurbs(dimension=3, low=2, high=3))
-def test_the_sign_of_the_weights_does_not_matter(curve):
-    minus = Nurbs(curve.degree, curve.knots, curve.control_points, [-w for w in curve.weights])
-    assert signature(curve) == signature(minus)
-    for approach in Approach:
-        assert [(f.kind, f.root) for f in inspect_curve(minus, approach).critical_points] == [
-            (f.kind, f.root) for f in analyse(curve).critical_points
-        ]
 
 
 @settings(max_examples=25)

@@ -117,23 +117,6 @@ def test_path_data_beside_svgelements(name):
         assert set(theirs) <= ours
 
 
-@pytest.mark.parametrize("name", ["skym_squircle2.dxf", "ezdxf_no_layouts.dxf"])
-def test_splines_beside_ezdxf(name):
-    recover = pytest.importorskip("ezdxf.recover")
-    document, _ = recover.readfile(FILES / name)
-    theirs = [e.construction_tool() for e in document.modelspace().query("SPLINE") if e.control_point_count()]
-    ours = [named.curve for named in read(FILES / name).curves if named.curve.degree > 1]
-    assert len(ours) == len(theirs)
-    for curve, tool in zip(ours, theirs, strict=True):
-        a, b = curve.domain
-        for k in range(1, 8):
-            t = a + (b - a) * k / 8
-            point = [*(float(x) for x in curve(t)), 0.0][:3]
-            assert max(abs(x - y) for x, y in zip(point, tool.point(float(t)), strict=True)) < 1e-6 * (
-                1 + max(map(abs, point))
-            )
-
-
 @pytest.mark.parametrize(("name", "count"), [
     ("igestoolbox_example.igs", 224), ("rhino_curve_geom_plate.igs", 6),
     ("splinelib_read2.iges", 1), ("igesio_single_rounded_cube.iges", 30),

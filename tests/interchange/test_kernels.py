@@ -7,7 +7,6 @@ from exactspline.interchange import read
 from exactspline.interchange.examples import example
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
-from tests.interchange.test_shared_files import FOLDER, needs_files
 from tests.support.interchange_seeds import ARC, CUBIC, SPACE
 
 PERIODIC = b"""DBRep_DrawableShape
@@ -91,14 +90,6 @@ def test_open_cascade_evaluates_a_periodic_curve_alike(tmp_path):
     [theirs] = occt_curves(place)
     [named] = read(place).curves
     assert agree(named.curve, theirs)
-
-
-@needs_files
-@pytest.mark.parametrize("name", ["as_BSplHelix.brep", "as_occShoeBSplC0.brep", "as_edge_deg14.brep"])
-def test_open_cascade_evaluates_real_files_alike(name):
-    theirs = occt_curves(FOLDER / name)
-    for ours in (named.curve for named in read(FOLDER / name).curves if named.curve.dimension == 3):
-        assert any(agree(ours, curve) for curve in theirs)
 
 
 @pytest.mark.parametrize(("name", "reader"), [("step", "STEPControl"), ("iges", "IGESControl")])

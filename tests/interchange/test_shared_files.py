@@ -6,14 +6,12 @@ import os
 from pathlib import Path
 
 import pytest
-from gmpy2 import mpq
 
 from exactspline.errors import NumberError
 from exactspline.interchange import read
 from exactspline.interchange.curve_files import read_curve
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
-from exactspline.numbers.exact import from_float
 from tests.geometry.test_shared_curves import FILES, needs_curves
 
 FOLDER = Path(os.environ.get("EXACTSPLINE_FILES", Path(__file__).resolve().parents[3] / "shared" / "files"))
@@ -169,84 +167,3 @@ def test_dxf_against_ezdxf(name):
         assert [float(t) for t in a.knots] == list(b.knots)
         assert [tuple(map(float, p)) for p in a.control_points] == [tuple(p)[:2] for p in b.control_points]
         assert [float(w) for w in a.weights] == (list(b.weights) or [1.0] * len(a.weights))
-
-
-@needs_files
-@pytest.mark.parametrize("name", ["igestoolbox_example.igs", "rhino_curve_geom_plate.igs", "splinelib_read2.iges"])
-def test_iges_against_pyiges(name):
-    """pyiges holds doubles and follows no matrix: these files move no curve."""
-    pyiges = pytest.importorskip("pyiges")
-    theirs = pyiges.read(str(FOLDER / name)).bsplines()
-    ours = splines_of(name, "entity 126")
-    assert len(ours) == len(theirs)
-    for a, b in zip(ours, theirs, strict=True):
-        assert (a.degree, len(a.control_points)) == (b.M, b.K + 1)
-        assert [float(t) for t in a.knots] == list(map(float, b.T))
-        assert [float(w) for w in a.weights] == list(map(float, b.W))
-        points = [tuple(map(float, p)) for p in b.control_points]
-        assert [tuple(map(float, p)) for p in a.control_points] == [p[: a.dimension] for p in points]
-
-
-@needs_files
-@pytest.mark.parametrize(
-    "name", ["w3c_paths-data-01-t.svg", "w3c_paths-data-02-t.svg", "w3c_paths-data-18-f.svg", "svgpathtools_groups.svg"]
-)
-def test_svg_against_svgelements(name):
-    """svgelements computes in floats: its end points agree to 1e-9, and it reads what we skip."""
-    svgelements = pytest.importorskip("svgelements")
-    theirs = set()
-    for element in svgelements.SVG.parse(FOLDER / name, ppi=96, transform=None, reify=False).elements():
-        if isinstance(element, svgelements.Path):
-            raw = svgelements.Path(element)
-            theirs |= {(round(s.end.x, 6), round(s.end.y, 6)) for s in abs(raw) if s.end is not None}
-    ours = [named.curve for named in opened(name).curves if named.curve.source.split()[1] == "path"]
-    assert ours
-    view = svgelements.SVG.parse(FOLDER / name).viewbox_transform
-    matrix = svgelements.Matrix(view)
-    for curve in ours:
-        for t in curve.breakpoints[1:]:
-            x, y = matrix.point_in_matrix_space(tuple(map(float, curve(t, "left"))))
-            assert any(abs(x - u) < 1e-5 and abs(y - v) < 1e-5 for u, v in theirs), (x, y)
-
-
-@needs_files
-@pytest.mark.parametrize("name", ["Karla_wght.ttf", "Lobster.subset.otf"])
-def test_fonts_against_the_points_of_fonttools(name):
-    """The on-curve and off-curve points that fontTools records are control points of ours."""
-    pytest.importorskip("fontTools")
-    from fontTools.pens.recordingPen import DecomposingRecordingPen
-    from fontTools.ttLib import TTFont
-
-    font = TTFont(FOLDER / name)
-    glyphs = font.getGlyphSet()
-    by_glyph = {}
-    for named in opened(name).curves:
-        points = by_glyph.setdefault(named.name.rpartition(".")[0], set())
-        points |= {tuple(point) for point in named.curve.control_points}
-    assert len(by_glyph) > 10
-    for glyph, points in list(by_glyph.items())[:120]:
-        pen = DecomposingRecordingPen(glyphs)
-        glyphs[glyph].draw(pen)
-        # fontTools shifts the outline so that its left end is the left side bearing
-        recorded = [p for _, given in pen.value for p in given if p is not None]
-        exact = {tuple(mpq(*float(x).as_integer_ratio()) for x in p) for p in recorded}
-        shift = min(x for x, _ in exact) - min(x for x, _ in points)
-        assert {(x - shift, y) for x, y in exact} <= points
-
-
-@needs_files
-def test_3dm_against_the_evaluation_of_rhino3dm():
-    """A point evaluated by openNURBS in doubles is near the exact one, for homogeneous points too."""
-    rhino3dm = pytest.importorskip("rhino3dm")
-    curve = next(c for c in (read_curve(f) for f in FILES) if "circle" in c.name) if FILES else None
-    if curve is None:
-        pytest.skip("no folder of real curves at hand")
-    data, _ = encoded([curve], "3dm", rounding=True)
-    [named] = read(data).curves
-    theirs = rhino3dm.File3dm.FromByteArray(data).Objects[0].Geometry
-    a, b = named.curve.domain
-    for i in range(9):
-        t = float(a + (b - a) * i / 8)
-        point = theirs.PointAt(t)
-        ours = named.curve(min(from_float(t), b))
-        assert all(abs(float(x) - y) < 1e-12 for x, y in zip(ours, (point.X, point.Y, point.Z)))

@@ -19,9 +19,9 @@ from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.verification.claims import all_claims
+from exactspline.verification.judges import Sympy
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.ledger import proved
-from exactspline.verification.sympy_judge import Sympy
 from tests.support.numeric_reading import numeric_curve
 
 

@@ -9,8 +9,8 @@ np = pytest.importorskip("numpy")
 
 from exactspline.polynomials.doubles import (  # noqa: E402  # needs numpy
     SPLIT,
+    Bounded,
     Isolated,
-    Rows,
     isolated,
     most_changes,
     narrowed,
@@ -24,7 +24,7 @@ SMALL = 2.0**-50
 
 def rows(*values, error=SMALL):
     found = np.array(values, dtype=float)
-    return Rows(found, np.full_like(found, error))
+    return Bounded(found, np.full_like(found, error))
 
 
 def exactly(points, t):
@@ -36,14 +36,14 @@ def exactly(points, t):
 def test_values_are_within_bounds_that_are_narrow(degree):
     points = np.random.default_rng(degree).uniform(-1, 1, (40, degree + 1))
     places = np.random.default_rng(7).uniform(0, 1, 40)
-    found, bound = values_at(Rows(points, np.zeros_like(points)), np.arange(40), places)
+    found, bound = values_at(Bounded(points, np.zeros_like(points)), np.arange(40), places)
     for row, t, value, error in zip(points, places, found, bound, strict=True):
         off = abs(Fraction(float(value)) - exactly(row, Fraction(float(t))))
         assert off <= Fraction(float(error)) <= Fraction(1, 10**13)
 
 
 def test_values_take_the_rows_that_are_named_and_their_errors():
-    given = Rows(np.array([[1.0, 1.0], [5.0, 7.0]]), np.array([[0.25, 0.5], [0.0, 0.0]]))
+    given = Bounded(np.array([[1.0, 1.0], [5.0, 7.0]]), np.array([[0.25, 0.5], [0.0, 0.0]]))
     found, bound = values_at(given, np.array([1, 0, 1]), np.array([0.5, 0.0, 1.0]))
     assert found.tolist() == [6, 1, 7]
     assert 0.25 <= bound[1] <= 0.25 + 1e-12
@@ -82,7 +82,7 @@ def test_the_most_changes_that_certain_signs_allow(signs, most):
 
 def test_halves_are_those_of_the_form():
     points = np.random.default_rng(3).uniform(-1, 1, (5, 5))
-    left, right = split_in_two(Rows(points, np.full_like(points, SMALL)))
+    left, right = split_in_two(Bounded(points, np.full_like(points, SMALL)))
     split = Fraction(SPLIT)
     for row in range(5):
         for k in range(9):
@@ -143,7 +143,7 @@ def test_no_zeros_are_narrowed_to_none():
 
 def test_a_bound_is_not_below_what_the_errors_allow():
     """All coefficients off by one: so is every value."""
-    given = Rows(np.zeros((1, 8)), np.ones((1, 8)))
+    given = Bounded(np.zeros((1, 8)), np.ones((1, 8)))
     for t in (0.0, 0.25, 1.0):
         _, bound = values_at(given, np.array([0]), np.array([t]))
         assert bound[0] >= 1

@@ -9,8 +9,8 @@ from click.testing import CliRunner
 
 import exactspline as xs
 from exactspline.batch.inspections import LISTED, asked_by_sweeps, checked_names, inspected
+from exactspline.batch.oracle import QUESTIONS as ASKED
 from exactspline.batch.oracle import oracle
-from exactspline.batch.oracle_questions import QUESTIONS as ASKED
 from exactspline.cli import app
 from exactspline.cli.schema import answers, schema_of
 from exactspline.display.glossary import glossary

@@ -18,7 +18,7 @@ from exactspline.language.kinds import CURVE, TABLE
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
-from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse_degree
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import Order, order_of
 from exactspline.readings.expression import ATOMS
 from exactspline.readings.jet import Jet, JetReading
@@ -143,68 +143,6 @@ def test_every_formula_is_covered():
 
 
 # ---- degrees
-
-RATIONAL_DEGREES = {
-    "D1": "2d - 1",
-    "D2": "2d - 2",
-    "D3": "2d - 3",
-    "D21": "2d - 3",
-    "velocity": "2d",
-    "acceleration": "4d",
-    "jerk": "8d",
-    "velocity_shared": "2d",
-    "acceleration_shared": "3d",
-    "jerk_shared": "4d",
-    "f0": "6d",
-    "f1": "4d - 3",
-    "f1_expanded": "4d - 3",
-    "f2": "3d - 3",
-    "D1_D2_D3": "6d - 6",
-    "velocity_acceleration_jerk": "14d",
-    "curvature_squared": "24d",
-    "curvature_squared_derivative": "48d",
-    "g0": "26d",
-    "g2": "9d - 6",
-    "evolute": "13d",
-    "evolute_reduced": "6d - 3",
-}
-POLYNOMIAL_DEGREES = {
-    "velocity": "d - 1",
-    "acceleration": "d - 2",
-    "jerk": "d - 3",
-    "f0": "2d - 3",
-    "velocity_acceleration_jerk": "3d - 6",
-    "curvature_squared": "6d - 6",
-    "curvature_squared_derivative": "12(d - 1)",
-    "g0": "4d - 6",
-    "evolute": "3d - 3",
-}
-
-
-@pytest.mark.parametrize("name", RATIONAL_DEGREES)
-def test_naive_degrees_of_rational_curves(name):
-    for dimension in FORMULAS[name].kind.dimensions:
-        assert (
-            equal_from(
-                FORMULAS[name](DegreeReading().argument(CURVE, dimension)).degree, parse_degree(RATIONAL_DEGREES[name])
-            )
-            == 1
-        )
-
-
-@pytest.mark.parametrize("name", POLYNOMIAL_DEGREES)
-def test_naive_degrees_of_polynomial_curves(name):
-    for dimension in FORMULAS[name].kind.dimensions:
-        found = FORMULAS[name](DegreeReading().argument(CURVE, dimension, polynomial=True)).degree
-        assert equal_from(found, parse_degree(POLYNOMIAL_DEGREES[name])) is not None
-        assert all(found.at({"d": d}) == parse_degree(POLYNOMIAL_DEGREES[name]).at({"d": d}) for d in range(2, 12))
-
-
-def test_two_terms_of_g0_have_the_degrees_of_the_paper():
-    assert [repr(FORMULAS[name](DegreeReading().argument(CURVE, 2)).degree) for name in ("g0_term_1", "g0_term_2")] == [
-        "14d",
-        "12d",
-    ]
 
 
 @pytest.mark.parametrize("kind", ["rational", "polynomial"])

@@ -11,13 +11,12 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.errors import FormulaError
-from exactspline.interchange.examples import example
 from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, SURFACE, kind_of
 from exactspline.language.vector import Vector, cross, det, dot, join, perp
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse_degree
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.factored_jet import FactoredJetReading, divided_out
+from exactspline.readings.factored_jet import divided_out
 from exactspline.readings.generic_bezier import GenericReading
 from exactspline.readings.jet import JetReading, JetRing, derivative_mark, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
@@ -29,7 +28,6 @@ from exactspline.readings.sympy_expression import FIRST, Fractions, exact_quotie
 from exactspline.readings.taylor import Series, taylor
 from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.readings.tree import TreeReading, trace
-from tests.support.numeric_reading import NumericSeries, arithmetic, numeric_curve
 
 T = BSpline.identity(0, 1)
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=9)
@@ -147,26 +145,6 @@ def test_symbols_as_text():
     assert symbol_text(r"f_{12}''") == "f12″"
 
 
-def test_factored_jets_are_the_jets():
-    """Sums of products with common factors, derivatives of powers; multiplied out they are what plain jets are."""
-
-    def value(c):
-        x, y, w = *c.p, c.w
-        a, b = x.d(1) * w - x * w.d(1), y * w * w
-        return (a * a * b - a * b * b).d(1) * w + a.scaled(mpq(-2, 3)) - (a * w).d(2)
-
-    plain, factored = (reading(4).argument(CURVE, 2) for reading in (JetReading, FactoredJetReading))
-    assert value(factored).expanded() == value(plain).polynomial
-    x = factored.p[0]
-    assert (x - x).is_zero
-    assert ((x - x) * x).is_zero
-    assert (x * 0).is_zero
-    assert (x - 2 * x).expanded() == -x.expanded()
-    assert (x + (x - x)) == x == (x - x) + x
-    assert ((x - x) - x) == -x
-    assert x != 2 * x
-
-
 def test_how_often_one_polynomial_divides_another():
     x, y = fmpq_mpoly_ctx.get(["x", "y"], Ordering.degrevlex).gens()
     assert divided_out((x + y) ** 3 * x, x + y) == (3, x)
@@ -262,15 +240,6 @@ def test_what_does_not_vanish_exactly_is_resolved_by_more_terms():
     assert (c.w * 0).leading == {}
 
 
-@pytest.mark.parametrize("terms", [1, 2, 3, 5])
-def test_a_curve_of_numbers_is_known_to_as_many_terms(terms):
-    curve = numeric_curve(example("rational_cubic"), "1/3", terms, 30)
-    told = taylor(example("rational_cubic").w, "1/3", terms).coefficients
-    assert len(curve.w.coefficients) == terms
-    for a, b in zip(curve.w.coefficients, told, strict=True):
-        assert abs(a - curve.w.context.mpf(int(b.numerator)) / int(b.denominator)) < curve.w.context.mpf(10) ** -28
-
-
 def test_what_divides_is_never_ruled_out_and_what_does_not_mostly_is():
     x, y = (sympy.Function(name)(FIRST) for name in "xy")
     fractions = Fractions(x + y)
@@ -304,15 +273,6 @@ def test_a_constant_at_infinity_is_known_to_as_many_terms_as_the_curve(terms):
     assert w.constant(0).parts == {}
     assert (w * 3).parts == (w * w.constant(3)).parts == (w + w + w).parts
     assert w.constant(7).d(1).parts == {}
-
-
-@pytest.mark.parametrize("known", [1, 2, 4])
-def test_a_constant_series_of_numbers_is_known_to_as_many_terms(known):
-    h = NumericSeries(arithmetic(20), [1] * known)
-    assert [float(a) for a in h.constant(7).coefficients] == [7, *[0] * (known - 1)]
-    assert [float(a) for a in (h + 2).coefficients] == [3, *[1] * (known - 1)]
-    assert [float(a) for a in (3 * h).coefficients] == [3] * known
-    assert [float(a) for a in (1 - h).coefficients] == [0, *[-1] * (known - 1)]
 
 
 @pytest.mark.parametrize("degree", [1, 2, 3])
@@ -350,14 +310,6 @@ def test_marks_of_derivatives(order):
     assert derivative_mark(("s",), (order,)) == ["", "′", "″", "‴", f"⁽{raised}⁾"][min(order, 4)]
     assert derivative_mark(("u", "v"), (order, 0)) == ("_" + "u" * order if order else "")
     assert derivative_mark(("u", "v"), (order, 2)) == "_" + "u" * order + "vv"
-
-
-def test_a_curve_of_numbers_has_the_coordinates_of_the_curve():
-    curve = example("rational_cubic")
-    series = numeric_curve(curve, "1/3", 2, 30)
-    assert len(series.p) == 2
-    for own, f in zip(series.p, curve.p, strict=True):
-        assert abs(own.value - own.context.mpf(int(f("1/3").numerator)) / int(f("1/3").denominator)) < 1e-28
 
 
 def test_the_variables_of_a_ring_are_derivatives_and_constants_once_each():

@@ -36,14 +36,6 @@ PLANE = [name for name in example_names() if example(name).dimension == 2]
 SPACE = [name for name in example_names() if example(name).dimension == 3]
 
 
-def test_an_ellipse_has_four_vertices_and_a_form_of_degree_four():
-    for name in ("ellipse", "ellipse_skew"):
-        form = construction("critical_curvature").on(example(name), Variant.MINIMAL)
-        assert form.degree <= 4
-        assert len(analyse(example(name)).curvature_extrema) == 4
-    assert construction("critical_curvature").on(example("ellipse_skew"), Variant.MINIMAL).degree == 4
-
-
 def test_the_evolute_of_a_circle_is_its_centre():
     pieces = evolute(example("circle")).pieces
     assert all(piece.value.degree == 0 for piece in pieces)

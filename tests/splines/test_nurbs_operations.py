@@ -11,12 +11,10 @@ import exactspline as xs
 from exactspline.errors import DomainError, FormulaError, KnotError, ShapeError, WeightError
 from exactspline.geometry.values_along import curvature, torsion
 from exactspline.readings.taylor import series_curve
-from exactspline.roots.values import sign_at
 from tests.support.strategies import nurbs
 
 ARC = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2], name="arc")
 PARABOLA = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
-CUBIC = xs.example("twisted_cubic")
 PLACES = [mpq(k, 9) for k in range(1, 9)]
 #: t² = 1/2 on [0, 1].
 (HALF,) = xs.zeros(xs.BSpline.bezier([-1, -1, 1]))
@@ -256,18 +254,6 @@ def test_a_root_outside_the_domain():
     for ask in (xs.at, curvature):
         with pytest.raises(DomainError):
             ask(PARABOLA, far)
-
-
-@settings(max_examples=60)
-@given(st.integers(1, 6), st.integers(-4, 4), st.integers(1, 9))
-def test_signs_at_roots(degree, a, b):
-    t = xs.BSpline.identity(-3, 3)
-    root = next(r for r in xs.zeros(t * t - 2) if r > 0)
-    f = (b * t + a) ** degree
-    expected = 0 if a * a == 2 * b * b else 1 if a >= 0 or a * a < 2 * b * b else -1
-    assert sign_at(f, root) == (expected if degree % 2 else expected**2)
-    assert sign_at(f * (t * t - 2), root) == 0
-    assert sign_at(f * (t * t - 2) - mpq(1, 10**40), root) == -1
 
 
 def test_plot_is_the_function_of_the_display():

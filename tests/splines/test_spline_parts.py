@@ -5,9 +5,8 @@ from flint import fmpz, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline
-from exactspline.errors import KnotError, ReductionError
+from exactspline.errors import ReductionError
 from exactspline.interchange.examples import example, load, load_surface
-from exactspline.language.kinds import TABLE
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.intervals import UNIT
@@ -15,16 +14,12 @@ from exactspline.polynomials.bernstein import LONG, value
 from exactspline.polynomials.patch_forms import PatchForm, Sized
 from exactspline.polynomials.tensor_bernstein import evaluated
 from exactspline.programs.compiled import needed
-from exactspline.programs.given import operands_of
 from exactspline.programs.instructions import Instruction
 from exactspline.reals.real import square_root
 from exactspline.splines.lowest_terms import primitive_part
 from exactspline.splines.surface import DEPTH, zero_at_corners
 from exactspline.splines.tensor import lifted
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
-from exactspline.verification.curve_check import table_1_splines
-
-T = BSpline.identity(0, 1)
 
 
 @pytest.mark.parametrize("a", [2, -2, 3, -12, mpq(1, 2)])
@@ -46,20 +41,6 @@ def test_polynomials_and_forms_are_equal_piece_by_piece():
         assert own != tuple(own)[:1]
         assert own != (*own, own[0])
         assert own != 2
-
-
-def test_knots_are_removed_where_they_are():
-    f = BSpline(3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [0, 2, -1, 5, 1, 3])
-    twice = f.insert_knot(2)
-    assert twice.continuity == (2, 1)
-    assert twice.remove_knot(2) == f
-    with pytest.raises(KnotError, match="2 of 1 knots at 1"):
-        twice.remove_knot(1, 2)
-    with pytest.raises(KnotError, match="3 of 2 knots at 2"):
-        twice.remove_knot(2, 3)
-    with pytest.raises(KnotError, match="1 of 0 knots at 1/2"):
-        twice.remove_knot(mpq(1, 2))
-    assert f.insert_knot(1, 2).remove_knot(1, 2) == f
 
 
 def test_a_primitive_part_points_where_the_vector_does():
@@ -113,13 +94,10 @@ def test_what_is_needed_are_instructions_and_their_arguments():
     assert needed(listed, [-2]) == set()
 
 
-def test_there_is_no_program_over_different_breakpoints():
-    assert operands_of(TABLE, table_1_splines()) is None
-
-
 def test_bounds_grow_with_the_roundings():
     np = pytest.importorskip("numpy")
-    from exactspline.programs.doubles import ROUNDING, SLACK, UNDERFLOW, Known, bounded_by
+    from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW
+    from exactspline.programs.doubles import SLACK, Known, bounded_by
 
     masses = np.array([[1.0, 4.0]])
     for roundings in (1, 8, 64):
@@ -150,15 +128,6 @@ def test_examples_come_before_files_of_their_names(tmp_path, monkeypatch):
         (tmp_path / name).write_text("no curve", encoding="utf-8")
     assert load("circle") == example("circle")
     assert load_surface("enneper").degree == (3, 3)
-
-
-def test_a_knot_is_not_removed_where_a_derivative_jumps():
-    with pytest.raises(ReductionError, match="the derivative of order 1 jumps at 1 by -2"):
-        BSpline(1, [0, 0, 1, 2, 2], [0, 1, 0]).remove_knot(1)
-    kept = BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 1, 2, 3, 9])
-    with pytest.raises(ReductionError, match="the derivative of order 2 jumps"):
-        kept.remove_knot(1, 2)
-    assert kept.remove_knot(1).continuity == (1,)
 
 
 def test_a_primitive_part_vanishes_nowhere():

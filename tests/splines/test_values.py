@@ -4,12 +4,11 @@ import copy
 import pickle
 from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
-from fractions import Fraction
 from multiprocessing import get_context
 
 import pytest
 from flint import fmpz_poly
-from gmpy2 import mpq, mpz
+from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -200,37 +199,6 @@ def test_nothing_is_equal_to_zero_over_zero():
 
 
 # ---- roots are numbers
-
-
-@pytest.mark.parametrize("value", [mpq(1, 3), mpq(-2), mpq(0), mpq(10**30, 7), mpq(1, 2)])
-def test_a_rational_root_is_its_number(value):
-    t = xs.BSpline.identity(value - 1, value + mpq(17, 13))
-    for f in ((t - value) * (t * t + 1), (t - value) ** 3, (t - value) * (t**3 - 2)):
-        (root,) = (r for r in xs.zeros(f) if r == value)
-        assert root == value
-        assert value == root
-        assert hash(root) == hash(value) == hash(Fraction(int(value.numerator), int(value.denominator)))
-        assert {value: "found"}[root] == "found"
-        assert root.exact == value
-    if value.denominator == 1:
-        assert root == int(value) == mpz(value)
-        assert hash(root) == hash(int(value))
-
-
-def test_equal_irrational_roots_have_equal_hashes():
-    """√2 as a root of four polynomials, on other segments, of other multiplicities, is one number."""
-    a = xs.BSpline.identity(1, 2)
-    b = xs.BSpline.identity(-5, mpq(1000, 7))
-    found = [
-        xs.zeros(a * a - 2).roots[0],
-        xs.zeros(a**4 - 4).roots[0],
-        xs.zeros((a * a - 2) ** 2 * (a**5 - 7)).roots[0],
-        next(r for r in xs.zeros((b * b - 2) * (3 * b - 1)) if r > 1),
-        xs.zeros((b * b - 2).insert_knot("7/5").insert_knot("3/2")).roots[-1],
-    ]
-    assert len(set(found)) == 1
-    assert all(r == s and not r < s and not r > s for r in found for s in found)
-    assert all(r.exact is None and r != mpq(7, 5) for r in found)
 
 
 def test_hashing_a_root_factors_nothing(monkeypatch):

@@ -37,6 +37,11 @@ def turned(curve):
     return same(curve, points=[image(p) for p in curve.control_points]), lambda t: t
 
 
+def mirrored(curve):
+    """Mirrored in the line, or the plane, where the first coordinate is 0."""
+    return same(curve, points=[(-p[0], *p[1:]) for p in curve.control_points]), lambda t: t
+
+
 def backwards(curve):
     """Run through the other way."""
     a, b = curve.domain
@@ -102,7 +107,7 @@ def moebius(curve):
     return from_rows(n, [image(t) for t in knots], rows), image
 
 
-#: All of them by name; reversal changes the sign of the curvature of a plane curve.
+#: All of them by name, but for a mirror image; reversal changes the sign of the curvature of a plane curve.
 CHANGES = {
     f.__name__: f for f in (turned, backwards, with_idle_knots, scaled_weights, negated_weights, affine, moebius)
 }

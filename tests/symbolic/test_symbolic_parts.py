@@ -17,7 +17,7 @@ from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.jet import JetReading
 from exactspline.symbolic import covariants, factorization
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
-from exactspline.symbolic.covariants import TrueDegree, product_of, true_degree
+from exactspline.symbolic.covariants import TrueDegree, product_of
 from exactspline.symbolic.factorization import (
     Factor,
     factors_of,
@@ -138,15 +138,6 @@ def test_the_degree_of_a_product_is_the_sum_and_lower_where_a_factor_is():
     same = TrueDegree(1, 0, 0, ((4, 4),))
     assert product_of([(same, 1)]).lower == ()
     assert product_of([(TrueDegree(1, 1, 0, ((4, 2),)), 1)]).lower == ()
-
-
-def test_a_product_in_jets_has_the_degree_of_its_factors():
-    c = JetReading(2).argument(CURVE, 2)
-    f2, w = find("f2")(c), c.w
-    told = product_of([(true_degree(f2), 2), (true_degree(w), 3)])
-    direct = true_degree(f2 * f2 * w * w * w)
-    assert (told.k, told.m, told.j) == (direct.k, direct.m, direct.j)
-    assert [told.at(d) for d in range(1, 9)] == [direct.at(d) for d in range(1, 9)]
 
 
 def test_reduced_forms_keep_what_the_numerator_has_more():

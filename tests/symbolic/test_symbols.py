@@ -10,7 +10,7 @@ from exactspline.symbolic.assumptions import zero_free
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification import generic_proof
 from exactspline.verification.claims import all_claims
-from exactspline.verification.kinds import ZeroSet
+from exactspline.verification.kinds.zeros import ZeroSet
 from exactspline.verification.ledger import proved
 from tests.support.sampled import sample
 

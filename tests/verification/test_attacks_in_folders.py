@@ -25,7 +25,7 @@ from exactspline.verification.claims import claims_of, select
 from exactspline.verification.combined import combined
 from exactspline.verification.coq.answers import theorem_of
 from exactspline.verification.errata import errata
-from exactspline.verification.kinds import Vanishing
+from exactspline.verification.kinds.equality import Vanishing
 from exactspline.verification.ledger import proved
 from exactspline.verification.verdict import PROVED, REFUTED
 from tests.support.decided import errors_in_print

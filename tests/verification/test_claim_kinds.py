@@ -15,7 +15,7 @@ from exactspline.verification.claims import all_claims, select
 from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound
-from exactspline.verification.kinds.degree_proof import held_against, lower_degrees
+from exactspline.verification.kinds.degree import held_against, lower_degrees
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.statement import degree_of_cubic, dimension_of, sides
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
@@ -77,7 +77,7 @@ def test_what_is_a_square_where_the_other_is_not_is_named():
     assert proof.verdict == REFUTED
     assert worded(proof.witness)
     for pair in (("f2", "f2"),):
-        with pytest.raises(ClaimError, match="compared with itself"):
+        with pytest.raises(ClaimError, match="both sides are one formula"):
             replace(wrong, formula=pair[0], right=pair[1])
 
 

@@ -31,12 +31,13 @@ from exactspline.verification.errata import check, unrecorded
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import At, AtKnot, Between, Fact, Isolated
 from exactspline.verification.generic_proof import factor_of, factor_of_numerators
-from exactspline.verification.kinds import Contact, Count, Existence, IsoCurve, SquareClass
 from exactspline.verification.kinds.coefficients import Coefficients, is_decided
-from exactspline.verification.kinds.condition import place_of_root
-from exactspline.verification.kinds.identity import Identity, Vanishing
+from exactspline.verification.kinds.contact import Contact
+from exactspline.verification.kinds.equality import Identity, IsoCurve, Vanishing
+from exactspline.verification.kinds.examples import Count, place_of_root
 from exactspline.verification.kinds.invariance import times_unit, with_article
-from exactspline.verification.kinds.zero_set import ZeroSet
+from exactspline.verification.kinds.types import Existence
+from exactspline.verification.kinds.zeros import SquareClass, ZeroSet
 from exactspline.verification.ledger import Proofs, checked, proved, tasks
 from exactspline.verification.questions import proof_of
 from exactspline.verification.rows import row
@@ -389,7 +390,7 @@ def test_squares_are_those_of_one_curve():
     pair = {"formula": "bisector_determinant_symmetric", "right": "bisector_determinant", "of": "both"}
     with pytest.raises(ClaimError, match="not decided"):
         replace(one, curve="pair", **pair)
-    with pytest.raises(ClaimError, match="itself"):
+    with pytest.raises(ClaimError, match="one formula"):
         replace(one, right=one.formula)
 
 

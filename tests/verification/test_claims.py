@@ -11,9 +11,9 @@ from exactspline.interchange.examples import example
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, equal_from, parse_degree
 from exactspline.symbolic.factorization import find_factor, jets_for
-from exactspline.verification.claim_factor import factor_of_text
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.ledger import audit
+from exactspline.verification.notation import factor_of_text
 from exactspline.verification.verdict import VACUOUS
 
 

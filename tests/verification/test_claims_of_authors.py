@@ -8,7 +8,9 @@ from exactspline.language.formula import formula
 from exactspline.language.vector import det, dot, norm2
 from exactspline.papers import find, paper
 from exactspline.verification.combined import combined
-from exactspline.verification.kinds import Contact, Invariance, SignClaim
+from exactspline.verification.kinds.contact import Contact
+from exactspline.verification.kinds.invariance import Invariance
+from exactspline.verification.kinds.zeros import SignClaim
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 
 BASE = {"paper": "lifted", "id": "X1", "key": "X1-a", "source": "a test", "statement": "a test", "status": "ours"}

@@ -10,9 +10,9 @@ from exactspline.interchange.examples import example
 from exactspline.language.parts import split
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, parse_degree
-from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.claims import all_claims
 from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.notation import factor_parts
 from exactspline.verification.verdict import PROVED, VERIFIED
 from tests.support.sampled import sample
 

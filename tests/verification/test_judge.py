@@ -17,15 +17,10 @@ from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.combined import combined
 from exactspline.verification.evidence import Fact, OnAllOf, OnExample
-from exactspline.verification.kinds import (
-    Coefficients,
-    DegreeClaim,
-    Identity,
-    SameSurface,
-    SquareClass,
-    Vanishing,
-    ZeroSet,
-)
+from exactspline.verification.kinds.coefficients import Coefficients
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.kinds.equality import Identity, SameSurface, Vanishing
+from exactspline.verification.kinds.zeros import SquareClass, ZeroSet
 from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import CONTRADICTION, INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import Reason

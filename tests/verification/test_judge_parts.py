@@ -25,10 +25,10 @@ from exactspline.verification.claims import select, stands_at
 from exactspline.verification.decision import Equation, Outcome, decide_identity
 from exactspline.verification.evaluation import Evaluation, fails_on_surface
 from exactspline.verification.evidence import ComponentDiffers, Components, Fact, HeldOn, OnPatch, OnWholePatch
-from exactspline.verification.kinds import condition
+from exactspline.verification.kinds import examples
 from exactspline.verification.kinds.contact import partial_derivative, rank_of
-from exactspline.verification.kinds.count import count_of_extrema
-from exactspline.verification.kinds.degree_proof import agreed_degree
+from exactspline.verification.kinds.degree import agreed_degree
+from exactspline.verification.kinds.examples import count_of_extrema
 from exactspline.verification.kinds.invariance import MAPS, image_of_point
 from exactspline.verification.ledger import proved
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding, sampled
@@ -50,7 +50,7 @@ def test_enclosures_that_overlap_decide_nothing(monkeypatch, left, right, verdic
     """Passed by a mutant: an enclosure around another one is "not better"."""
     (claim,) = select(["O1-g2-curvature_squared_derivative"])
     enclosures = cycle([left, right])
-    monkeypatch.setattr(condition, "_condition", lambda form, root: Interval(*map(mpq, next(enclosures))))
+    monkeypatch.setattr(examples, "_condition", lambda form, root: Interval(*map(mpq, next(enclosures))))
     own = Evaluation(example("cubic_s"))
     assert claim.examine(own.curve, own).verdict == verdict
 

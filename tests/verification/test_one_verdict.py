@@ -16,7 +16,7 @@ from exactspline.papers import load_paper, papers
 from exactspline.splines.nurbs import Nurbs
 from exactspline.tables import verdicts
 from exactspline.verification.claims import all_claims, claims_in, claims_of, select
-from exactspline.verification.kinds import Identity
+from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.questions import verify
 from exactspline.verification.verdict import PROVED, VERIFIED

@@ -13,8 +13,7 @@ from exactspline.language.kinds import CURVE, PAIR, POINT_IN_SPACE
 from exactspline.papers import find
 from exactspline.readings.sympy_expression import FIRST, SympyReading, vanishes
 from exactspline.verification.claims import all_claims, select
-from exactspline.verification.judges import second_opinions
-from exactspline.verification.sympy_judge import Sympy
+from exactspline.verification.judges import Sympy, second_opinions
 from tests.support.sampled import FULL
 
 #: Developable surfaces whose sides take sympy longer than all other identities together.

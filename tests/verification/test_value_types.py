@@ -9,7 +9,7 @@ from exactspline import BSpline, Nurbs
 from exactspline.errors import ClaimError
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.kinds import TypeClaim
+from exactspline.verification.kinds.types import TypeClaim
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 
 T = BSpline.identity(0, 1)

@@ -20,7 +20,7 @@ from exactspline.readings.jet import JetReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.covariants import degree_at
 from exactspline.symbolic.reduction import reduce, reduction
-from exactspline.verification import sympy_judge
+from exactspline.verification import judges
 from exactspline.verification.check_arguments import beginning, moved_copy, pair_with, point_beside
 from exactspline.verification.claims import all_claims, matches, select
 from exactspline.verification.curve_check import extra_zero, where_it_differs
@@ -31,6 +31,8 @@ from exactspline.verification.degree_tables import (
     construction_table,
     formula_table,
     generic_table,
+    measurable,
+    measure,
 )
 from exactspline.verification.errata import name_of, numbered, remarks
 from exactspline.verification.evaluation import Evaluation, between, zero_of
@@ -38,7 +40,6 @@ from exactspline.verification.evidence import At, Between, OnAllOf, Relating
 from exactspline.verification.generic_degree import joined_degree
 from exactspline.verification.generic_proof import table_1_degrees
 from exactspline.verification.ledger import Proofs, checked, proved
-from exactspline.verification.measure import measurable, measure
 from exactspline.verification.notation import degree_latex, factor_latex
 from exactspline.verification.patch_degrees import measured_degrees
 from exactspline.verification.statement import sides
@@ -412,6 +413,6 @@ def test_sympy_is_asked_about_polynomial_curves_where_the_claim_is():
     framed = next(c for c in all_claims() if c.kind == "identity" and kind_of(c.curve).adjoins_roots)
     (dimension,) = kind_of(framed.curve).dimensions
     weighted = replace(framed, factor="w^2")
-    assert sympy_judge.argument_for(weighted, dimension, True).polynomial
-    assert not sympy_judge.argument_for(weighted, dimension, False).polynomial
-    assert sympy_judge.argument_for(replace(framed, factor="1"), dimension, False).polynomial
+    assert judges.argument_for(weighted, dimension, True).polynomial
+    assert not judges.argument_for(weighted, dimension, False).polynomial
+    assert judges.argument_for(replace(framed, factor="1"), dimension, False).polynomial

@@ -13,11 +13,10 @@ from exactspline.errors import ExactSplineError
 from exactspline.geometry import balls
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.extent import coordinate_range, slope
-from exactspline.geometry.values_along import curvature, point_at, torsion
+from exactspline.geometry.values_along import curvature, point_at, torsion, unit
 from exactspline.language.vector import Vector, triple
 from exactspline.numbers.exact import double, from_float, mpq, text
 from exactspline.reals.real import Real
-from exactspline.roots.values import unit
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -56,7 +55,7 @@ def _derivative(order: int) -> Callable[[Case], Answer]:
 
 
 def _tangent(case: Case) -> Answer:
-    return _numbers(unit(list(analyse(case.curve).velocity), case.parameter))
+    return _numbers(unit(analyse(case.curve).velocity, case.parameter))
 
 
 def _curvature(case: Case) -> Answer:

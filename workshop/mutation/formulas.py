@@ -27,10 +27,10 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.verification.claim import Claim
-from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.claims import claims_in
-from exactspline.verification.kinds.identity import Identity
+from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.ledger import proved, tasks
+from exactspline.verification.notation import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.paper_curves import own_curves
 from exactspline.verification.rows import Row
 from exactspline.verification.vocabulary import Scope, Verdict

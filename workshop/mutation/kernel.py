@@ -24,11 +24,10 @@ from exactspline.papers import Paper, find, papers
 from exactspline.readings.expression import Operation
 from exactspline.readings.tree import Derivation, Node
 from exactspline.verification.claim import Claim
-from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.coq.emission import ROOT, Stated, claims_header, library
-from exactspline.verification.coq.formulas import Formulas, calls, surface
-from exactspline.verification.coq.tracing import body
-from exactspline.verification.kinds.identity import Identity
+from exactspline.verification.coq.formulas import Formulas, body, calls, surface
+from exactspline.verification.kinds.equality import Identity
+from exactspline.verification.notation import factor_parts
 from exactspline.verification.vocabulary import Verdict
 
 RECORD = Path(__file__).parent / "kernel.json"

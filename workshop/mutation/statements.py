@@ -33,9 +33,9 @@ from exactspline.papers import Paper, Table, paper
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.verification.claim import Claim
-from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.ledger import proved, tasks
+from exactspline.verification.notation import factor_parts
 from exactspline.verification.rows import Row
 from exactspline.verification.vocabulary import Status, ValueType, Verdict
 from workshop.mutation.forked import Result, forked

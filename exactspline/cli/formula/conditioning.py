@@ -49,14 +49,14 @@ def conditioning(
     pairs = list(zip(chosen, found, strict=True))
     out.give(
         "conditioning",
-        lambda: (
-            [{"key": f"{e.curve}: {e.construction}", "what": "curve", "data": comparison_data(e)} for e in found]
-            + [
+        [
+            *({"key": f"{e.curve}: {e.construction}", "what": "curve", "data": comparison_data(e)} for e in found),
+            *(
                 {"key": f"search: {t.family}, {t.construction}, {t.form}", "what": "search", "data": tally_data(t)}
                 for t in tallies
-            ]
-        ),
-        lambda: [*[comparison_sheet(c, each) for c, each in pairs], *([tally_sheet(tallies)] if tallies else [])],
+            ),
+        ],
+        [*[comparison_sheet(c, each) for c, each in pairs], *([tally_sheet(tallies)] if tallies else [])],
         lambda: print_comparisons(pairs, tallies, quiet=out.quiet),
     )
     if not good:

@@ -86,8 +86,8 @@ def _of_papers(
         rows = tracked(formula_degrees(formulas), "degrees")
         out.give(
             "formula degrees",
-            lambda: [{"key": f"{row.formula} ({row.curves})"} | vars(row) for row in rows],
-            lambda: [formula_degree_sheet(rows)],
+            [{"key": f"{row.formula} ({row.curves})"} | vars(row) for row in rows],
+            [formula_degree_sheet(rows)],
         )
         return
     given, good = loaded(curve or [])
@@ -112,12 +112,12 @@ def _give(out: Output, tables: list[tuple[Nurbs, list[DegreeRow]]]) -> None:
 
     out.give(
         "degrees",
-        lambda: [
+        [
             {"key": f"{c.name} ({c.dimension}D): {row.formula}, {row.variant}", "curve": c.name} | row.data()
             for c, rows in tables
             for row in rows
         ],
-        lambda: [degree_sheet(c, rows, f"{c.name}: {described(c)}") for c, rows in tables],
+        [degree_sheet(c, rows, f"{c.name}: {described(c)}") for c, rows in tables],
         by="curve",
     )
 
@@ -139,8 +139,8 @@ def _on_patches(out: Output, paper: list[str], trust: bool, names: list[str], pa
     rows = tracked(patch_table([f for f in formulas if not names or f.name in names], degrees), "degrees")
     out.give(
         "patch degrees",
-        lambda: [{"key": f"{row.formula} ({row.patches})"} | vars(row) | {"agrees": row.agrees} for row in rows],
-        lambda: [patch_sheet(rows, degrees)],
+        [{"key": f"{row.formula} ({row.patches})"} | vars(row) | {"agrees": row.agrees} for row in rows],
+        [patch_sheet(rows, degrees)],
     )
     if not all(row.agrees for row in rows):
         raise Exit(1)
@@ -201,18 +201,10 @@ def _generic(out: Output, names: list[str], at: int | None) -> None:
     kinds = {kind: [row for row in rows if _is_one_of(row.object, names)] for kind, rows in found.items()}
     told = [({"key": f"{kind}: {row.object}", "curves": kind}, row) for kind, rows in kinds.items() for row in rows]
     if at is not None:
-        out.give(
-            "degrees at",
-            lambda: [head | {"d": at, "object": row.object} | row.at(at) for head, row in told],
-            lambda: [sheet_at(kind, rows, at) for kind, rows in kinds.items()],
-            by="curves",
-        )
+        rows = [head | {"d": at, "object": row.object} | row.at(at) for head, row in told]
+        out.give("degrees at", rows, [sheet_at(kind, rows, at) for kind, rows in kinds.items()], by="curves")
     else:
-        out.give(
-            "generic",
-            lambda: [head | vars(row) for head, row in told],
-            lambda: [generic_sheet(kind, rows) for kind, rows in kinds.items()],
-            by="curves",
-        )
+        rows = [head | vars(row) for head, row in told]
+        out.give("generic", rows, [generic_sheet(kind, rows) for kind, rows in kinds.items()], by="curves")
     if any(row.differ for rows in kinds.values() for row in rows):
         raise Exit(1)

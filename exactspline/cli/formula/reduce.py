@@ -14,7 +14,7 @@ from exactspline.cli.progress import tracked
 from exactspline.errors import ExactSplineError, FormulaError
 
 if TYPE_CHECKING:
-    from exactspline.symbolic.reduction import Reduction
+    from exactspline.display.sheet import Sheet
 
 
 @printing
@@ -40,7 +40,7 @@ def reduce(
     """Find the reduction of a formula: its factors with their meaning, the reduced form, naive, nominal and true
     degree.
     """
-    from exactspline.display.reductions import reduction_rows, reduction_sheet
+    from exactspline.display.reductions import explanations, reduction_rows, reduction_sheet
     from exactspline.language.formula import Formula
     from exactspline.language.kinds import TABLE
     from exactspline.papers import all_formulas
@@ -58,11 +58,9 @@ def reduce(
         for parameter in (f.kind.counted if isinstance(f, Formula) and len(f.kind.counted) > 1 else (None,))
     ]
     found = tracked(calls, "reducing")
+    sheet = reduction_sheet(found)
     out.give(
-        "reduce",
-        lambda: reduction_rows(found),
-        lambda: [reduction_sheet(found)],
-        lambda: _print(out, found, explain=one),
+        "reduce", reduction_rows(found), [sheet], lambda: _print(out, sheet, [*explanations(found[0])] if one else [])
     )
 
 
@@ -103,15 +101,14 @@ def _guarded(name: str, call: Any) -> Any:
         ) from None
 
 
-def _print(out: Output, found: list[Reduction], *, explain: bool) -> None:
+def _print(out: Output, sheet: Sheet, explained: list[str]) -> None:
     from exactspline.display import console
-    from exactspline.display.reductions import explanations, reduction_sheet
 
-    sheet, shown = reduction_sheet(found), console.console()
+    shown = console.console()
     shown.print(sheet)
-    if explain:
+    if explained:
         shown.print()
-        for line in explanations(found[0]):
-            console.lines(shown, line)
+    for line in explained:
+        console.lines(shown, line)
     if not out.quiet:
         console.legend(shown, sheet.columns)

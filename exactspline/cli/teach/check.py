@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Annotated
 from exactspline.cli.common import Trust, load_curve
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError
 
 if TYPE_CHECKING:
     from exactspline.classroom.answers import Finding
-    from exactspline.display.sheet import Sheet
 
 
 @printing
@@ -50,15 +50,13 @@ def check(
     )
     row = {"key": against, "right": found.right, "differences": list(map(str, found.differences))}
 
-    def sheets() -> list[Sheet]:
-        from exactspline.display.sheet import Sheet
-
-        made = Sheet("answer", "difference", prose=["difference"])
-        for told in map(str, found.differences or [""]):
-            made.add_row("right" if found.right else "wrong", told)
-        return [made]
-
-    out.give("check-answer", lambda: [row], sheets, lambda: _tell(out, found, topic, seed, hint, show))
+    cells = [("right" if found.right else "wrong", each) for each in found.differences or [""]]
+    out.give(
+        "check-answer",
+        [row],
+        [Sheet("answer", "difference", rows=cells, prose=["difference"])],
+        lambda: _tell(out, found, topic, seed, hint, show),
+    )
     if not found:
         raise Exit(1)
 

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Option
-
-if TYPE_CHECKING:
-    from exactspline.display.sheet import Sheet
+from exactspline.display.sheet import Sheet
 
 
 @printing
@@ -27,28 +25,24 @@ def exercise(
     """Exercises with small numbers, the same ones for the same seed; the answers are computed, and checked by
     teach check.
     """
-    from exactspline.classroom.topics import TOPICS, exercises
+    from exactspline.classroom.topics import TOPICS, about, exercises
     from exactspline.display.exercises import exercise_data, html_page, latex_document
 
     if latex + html + (not out.for_people) > 1:
         raise OptionsError("more than one format", remedy="choose one of --latex, --html, --json, --csv, --markdown")
     if not topic:
-        out.give("topics", lambda: [dict(row) for row in _topics()], lambda: [_topic_sheet()])
+        topics = [(name, about(name)) for name in TOPICS]
+        rows = [{"key": name, "about": asks} for name, asks in topics]
+        out.give("topics", rows, [Sheet("topic", "asks", rows=topics, prose=["asks"])])
         return
     made = [each for name in (TOPICS if topic == ["all"] else topic) for each in exercises(name, seed, count)]
     if latex or html:
         sys.stdout.write((latex_document if latex else html_page)(made, solutions=solutions))
         return
 
-    def sheets() -> list[Sheet]:
-        from exactspline.display.sheet import Sheet
-
-        rows = [exercise_data(each, solutions=solutions) for each in made]
-        columns = [name for name in rows[0] if name != "key"]
-        sheet = Sheet(*columns, prose=["task", "form", "solution"])
-        for row in rows:
-            sheet.add_row(*[row[name] for name in columns])
-        return [sheet]
+    data = [exercise_data(each, solutions=solutions) for each in made]
+    columns = [name for name in data[0] if name != "key"]
+    cells = [[row[name] for name in columns] for row in data]
 
     def people() -> None:
         from exactspline.display import console
@@ -64,19 +58,4 @@ def exercise(
             sys.stdout.write("\n")
             console.lines(console.console(), f"Check an answer: {command}")
 
-    out.give("exercise", lambda: [exercise_data(each, solutions=solutions) for each in made], sheets, people)
-
-
-def _topics() -> list[dict[str, str]]:
-    from exactspline.classroom.topics import TOPICS, about
-
-    return [{"key": name, "about": about(name)} for name in TOPICS]
-
-
-def _topic_sheet() -> Sheet:
-    from exactspline.display.sheet import Sheet
-
-    made = Sheet("topic", "asks", prose=["asks"])
-    for row in _topics():
-        made.add_row(row["key"], row["about"])
-    return made
+    out.give("exercise", data, [Sheet(*columns, rows=cells, prose=["task", "form", "solution"])], people)

@@ -46,7 +46,7 @@ def triangle(
     elif html:
         sys.stdout.write(html_page(found, f"{curve}, step by step"))
     else:
-        out.give("triangle", lambda: [scheme_data(s) for s in found], lambda: [x for s in found for x in sheets(s)])
+        out.give("triangle", (scheme_data(s) for s in found), (x for s in found for x in sheets(s)))
 
 
 def _schemes(curve: Nurbs, at: list[str], insert: list[str], times: int, elevate: int, product: str) -> list[Scheme]:

@@ -23,7 +23,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineVector
-from exactspline.verification.kinds.count import extrema_at_ends
+from exactspline.verification.kinds.examples import extrema_at_ends
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,21 +7,3 @@ docs/conditioning.md.
 
 Source: Farouki and Rajan, On the numerical condition of polynomials in Bernstein form, CAGD 4, 1987.
 """
-
-from exactspline.verification.conditioning.compare import Conditioning, FormAtRoot, RootConditions, conditioning
-from exactspline.verification.conditioning.condition_number import condition_number, quotient
-from exactspline.verification.conditioning.double_precision import Double, double_precision_root
-from exactspline.verification.conditioning.search import Tally, search_witnesses
-
-__all__ = [
-    "Conditioning",
-    "Double",
-    "FormAtRoot",
-    "RootConditions",
-    "Tally",
-    "condition_number",
-    "conditioning",
-    "double_precision_root",
-    "quotient",
-    "search_witnesses",
-]

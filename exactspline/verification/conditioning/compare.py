@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import groupby
 from typing import cast
 
 from exactspline.errors import FormulaError, ShapeError, counted
@@ -17,7 +16,7 @@ from exactspline.roots.zero_set import ZeroSet, zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.conditioning.condition_number import DIGITS, condition_number, local, quotient
-from exactspline.verification.conditioning.double_precision import Double, double_precision_roots
+from exactspline.verification.conditioning.double_precision import Double, double_precision_root
 
 
 @dataclass(frozen=True)
@@ -152,10 +151,9 @@ def _at_root(
 def _in_doubles(f: BSpline, roots: Sequence[Root], among: ZeroSet) -> dict[Root, Double]:
     """The results of double precision for zeros of a form; `among` are all its zeros."""
     doubles: dict[Root, Double] = {}
-    for i, own in groupby(roots, key=lambda root: segment_with(f, root)):
-        form, here = f.forms[i], list(own)
-        zeros = [(local(root)[0], bracket(form, f.degree, root, among)) for root in here]
-        doubles |= zip(here, double_precision_roots(form, f.degree, zeros), strict=True)
+    for root in roots:
+        form = f.forms[segment_with(f, root)]
+        doubles[root] = double_precision_root(form, f.degree, local(root)[0], bracket(form, f.degree, root, among))
     return doubles
 
 

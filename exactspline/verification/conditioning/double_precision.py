@@ -5,7 +5,6 @@ They result from exact numbers by a single rounding, and are converted back by `
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from sys import float_info
@@ -49,25 +48,13 @@ def double_precision_root(form: Form, n: int, x: mpq, bracket: Interval) -> Doub
     >>> double_precision_root(from_bezier([mpq(-1), mpq(2)]), 1, mpq(1, 3), (mpq(0), mpq(1))).units
     mpq(1,6)
     """
-    return double_precision_roots(form, n, [(x, bracket)])[0]
-
-
-def double_precision_roots(form: Form, n: int, zeros: Sequence[tuple[mpq, Interval]]) -> list[Double]:
-    """The same for several zeros of one form, each with its bracket: all bisections run in parallel."""
-    points = to_doubles(bezier(form, n))
+    points, (low, high) = to_doubles(bezier(form, n)), bracket
     if points is None:
-        return [Double(None, "the coefficients span more than the range of doubles") for _ in zeros]
-    starts = [
-        (_double(low + (x - low) * mpq(j, 2 * STARTS)), _double(high + (x - high) * mpq(j, 2 * STARTS)))
-        for x, (low, high) in zeros
-        for j in range(STARTS)
-    ]
-    ends = bisected(points, starts)
-    result = []
-    for k, (x, _) in enumerate(zeros):
-        errors = [abs(from_float(y) - x) for y in ends[k * STARTS : (k + 1) * STARTS] if y is not None]
-        result.append(Double(max(errors)) if errors else Double(None, "no change of sign in doubles"))
-    return result
+        return Double(None, "the coefficients span more than the range of doubles")
+    parts = [mpq(j, 2 * STARTS) for j in range(STARTS)]
+    starts = [(_double(low + (x - low) * part), _double(high + (x - high) * part)) for part in parts]
+    errors = [abs(from_float(y) - x) for a, b in starts if (y := bisected(points, a, b)) is not None]
+    return Double(max(errors)) if errors else Double(None, "no change of sign in doubles")
 
 
 def to_doubles(points: list[mpq]) -> list[float] | None:
@@ -86,25 +73,6 @@ def _double(q: mpq) -> float:
     return int(q.numerator) / int(q.denominator)
 
 
-def values_at(points: list[float], parameters: Sequence[float]) -> list[float]:
-    """The values at parameters by de Casteljau's algorithm, all rounded alike: with numpy, where it is installed, for
-    all parameters together.
-    """
-    try:
-        import numpy
-    except ImportError:
-        return [de_casteljau(points, t) for t in parameters]
-    t = numpy.array(parameters)
-    u, column = 1.0 - t, numpy.array(points, dtype=float)[:, None]
-    left, right = numpy.repeat(column, len(t), axis=1), numpy.empty((len(points), len(t)))
-    for m in range(len(points) - 1, 0, -1):
-        numpy.multiply(left[1 : m + 1], t, out=right[:m])
-        numpy.multiply(left[:m], u, out=left[:m])
-        numpy.add(left[:m], right[:m], out=left[:m])
-    values: list[float] = left[0].tolist()
-    return values
-
-
 def de_casteljau(points: list[float], t: float) -> float:
     """The value in doubles by de Casteljau's algorithm."""
     u = 1.0 - t
@@ -113,26 +81,14 @@ def de_casteljau(points: list[float], t: float) -> float:
     return points[0]
 
 
-def bisected(points: list[float], starts: Sequence[tuple[float, float]]) -> list[float | None]:
-    """The results of bisections, which end at neighbouring doubles or at a value of zero; None where there is no change
-    of sign.
-    """
-    first = values_at(points, [low for low, _ in starts])
-    last = values_at(points, [high for _, high in starts])
-    ends: list[float | None] = [None] * len(starts)
-    going = {
-        k: start for k, start in enumerate(starts) if first[k] != 0 and last[k] != 0 and (first[k] > 0) != (last[k] > 0)
-    }
-    while going:
-        middles = {k: (low + high) / 2 for k, (low, high) in going.items()}
-        for k in [k for k, (low, high) in going.items() if not low < middles[k] < high]:
-            ends[k] = going.pop(k)[0]
-            del middles[k]
-        for (k, middle), at in zip(middles.items(), values_at(points, list(middles.values())), strict=True):
-            low, high = going[k]
-            if at == 0:
-                ends[k] = middle
-                del going[k]
-            else:
-                going[k] = (middle, high) if (at > 0) == (first[k] > 0) else (low, middle)
-    return ends
+def bisected(points: list[float], low: float, high: float) -> float | None:
+    """The result of a bisection, which ends at neighbouring doubles or at a zero; None without a change of sign."""
+    first, last = de_casteljau(points, low), de_casteljau(points, high)
+    if first == 0 or last == 0 or (first > 0) == (last > 0):
+        return None
+    while low < (middle := (low + high) / 2) < high:
+        value = de_casteljau(points, middle)
+        if value == 0:
+            return middle
+        low, high = (middle, high) if (value > 0) == (first > 0) else (low, middle)
+    return low

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import pairwise
 
 from flint import fmpq_poly
 
 from exactspline.errors import ClaimError, counted
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import CURVE, Symbol
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq
 from exactspline.papers import find, papers
 from exactspline.polynomials.cells import Cell, cells_of
+from exactspline.roots.values import in_powers
 from exactspline.splines.control_points import lifted
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.coq.explicit import RationalFunction
 from exactspline.verification.coq.formulas import Formulas, comment
 
 #: The forms by the dimension of the curve: the name of the theorem, the formula, and the quantity that vanishes with
@@ -67,13 +67,11 @@ def answers(curve: Nurbs) -> list[Answer]:
     """
     if curve.dimension not in FORMS:
         raise ClaimError(f"a curve in R{curve.dimension}", remedy="answers are proved in the plane and in space")
-    spans = _spans(curve)
-    arguments = [_argument(curve, j) for j in spans]
-    ends = [(mpq(curve.knots[j]), mpq(curve.knots[j + 1])) for j in spans]
-    forms = []
+    spans, forms = list(pairwise(curve.breakpoints)), []
     for name, formula, what in FORMS[curve.dimension]:
-        polynomials = tuple(_polynomial(find(formula)(argument)) for argument in arguments)
-        cells = tuple(tuple(cells_of(f, a, b)) for f, (a, b) in zip(polynomials, ends, strict=True))
+        value = find(formula)(curve)
+        polynomials = tuple(in_powers(value, i) for i in range(len(spans)))
+        cells = tuple(tuple(cells_of(f, a, b)) for f, (a, b) in zip(polynomials, spans, strict=True))
         forms.append(Answer(name, find(formula), what, polynomials, cells))
     return forms
 
@@ -118,45 +116,6 @@ def homogeneous(curve: Nurbs) -> list[list[mpq]]:
     """The coordinates times the weights, coordinate by coordinate, and the weights."""
     rows = [(*lifted(point, weight), weight) for point, weight in zip(curve.control_points, curve.weights, strict=True)]
     return [list(column) for column in zip(*rows, strict=True)]
-
-
-def _spans(curve: Nurbs) -> list[int]:
-    u = curve.knots
-    return [j for j in range(curve.degree, len(u) - curve.degree - 1) if u[j] < u[j + 1]]
-
-
-def _argument(curve: Nurbs, j: int) -> object:
-    pieces = [piece(list(curve.knots), curve.degree, column, j) for column in homogeneous(curve)]
-    named = dict(zip("xyz"[: curve.dimension], pieces[:-1], strict=True)) | {"w": pieces[-1]}
-
-    def operand(symbol: Symbol) -> RationalFunction:
-        return RationalFunction(named[symbol.name])
-
-    return CURVE.argument(curve.dimension, operand, RationalFunction(fmpq_poly([1])))
-
-
-def piece(knots: Sequence[mpq], degree: int, coefficients: Sequence[mpq], j: int) -> fmpq_poly:
-    """The polynomial of a spline between the knots j and j + 1, by the recursion of Cox and de Boor."""
-    u = [to_fmpq(mpq(t)) for t in knots]
-    t = fmpq_poly([0, 1])
-    basis = {j: fmpq_poly([1])}
-    for d in range(1, degree + 1):
-        risen: dict[int, fmpq_poly] = {}
-        for i in range(j - d, j + 1):
-            value = fmpq_poly([0])
-            if i in basis and u[i + d] != u[i]:
-                value += (t - u[i]) * basis[i] / (u[i + d] - u[i])
-            if i + 1 in basis and u[i + d + 1] != u[i + 1]:
-                value += (u[i + d + 1] - t) * basis[i + 1] / (u[i + d + 1] - u[i + 1])
-            risen[i] = value
-        basis = risen
-    return sum((f * to_fmpq(mpq(coefficients[i])) for i, f in basis.items()), fmpq_poly([0]))
-
-
-def _polynomial(value: RationalFunction) -> fmpq_poly:
-    if value.bottom.degree() > 0:
-        raise ClaimError("a form that is a quotient", remedy="name a polynomial")
-    return value.top / value.bottom[0]
 
 
 def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:

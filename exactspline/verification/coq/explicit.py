@@ -5,89 +5,42 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from flint import fmpq_poly
+from flint import fmpq_mpoly
 
 from exactspline.errors import ClaimError
 from exactspline.language.accompanied import Accompanied
 from exactspline.language.arguments import COORDINATES, POINT, Curve
 from exactspline.language.implicit_kinds import ImplicitKind
-from exactspline.language.kinds import CURVE, CurveKind, FramedKind, Kind
-from exactspline.language.operand import Constant, FieldOperand
-from exactspline.numbers.exact import rational, to_fmpq
-from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.language.kinds import CURVE, CurveKind, FramedKind, Kind, Symbol
+from exactspline.readings.jet import JetRing
+from exactspline.readings.rational_jet import JetFraction
 from exactspline.verification.coq.terms import integer
+from exactspline.verification.segments import with_explicit_curve
 
 #: A polynomial in t by its coefficients.
 Coefficients = tuple[int, ...]
 
 
-class RationalFunction(FieldOperand):
-    """``top / bottom``, two polynomials in t.
+#: Polynomials in t: the functions of a curve that is explicit.
+RING = JetRing(with_explicit_curve(CURVE, both=False), 2, 0)
 
-    >>> t = RationalFunction(fmpq_poly([0, 1]))
+
+def function(coefficients: Coefficients) -> JetFraction:
+    """A polynomial in t.
+
+    >>> t = function((0, 1))
     >>> (1 / t).d() == -1 / (t * t)
     True
     """
+    polynomial = RING.of_terms(tuple(((k,), c, 1) for k, c in enumerate(coefficients) if c))
+    return JetFraction(RING, polynomial, RING.context.constant(1))
 
-    __slots__ = ("bottom", "top")
-    degree = provenance = 0
 
-    def __init__(self, top: fmpq_poly, bottom: fmpq_poly | None = None) -> None:
-        below = fmpq_poly([1]) if bottom is None else bottom
-        common = greatest_common_divisor([top, below])
-        self.top, self.bottom = top // common, below // common
-
-    def constant(self, value: Constant) -> RationalFunction:
-        """An exact constant."""
-        return RationalFunction(fmpq_poly([to_fmpq(rational(value))]))
-
-    def __add__(self, other: object) -> RationalFunction:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
-        return RationalFunction(self.top * right.bottom + right.top * self.bottom, self.bottom * right.bottom)
-
-    def __mul__(self, other: object) -> RationalFunction:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
-        return RationalFunction(self.top * right.top, self.bottom * right.bottom)
-
-    def reciprocal(self) -> RationalFunction:
-        """``1 / a``; `ZeroDivisionError` for zero."""
-        if not self.top:
-            raise ZeroDivisionError("division by a function that is zero")
-        return RationalFunction(self.bottom, self.top)
-
-    def scaled(self, constant: Constant) -> RationalFunction:
-        """The function times an exact constant."""
-        return RationalFunction(self.top * to_fmpq(rational(constant)), self.bottom)
-
-    def elevated_to(self, other: object) -> RationalFunction:
-        """Itself: degree elevation does not change a function."""
-        return self
-
-    def d(self, order: int = 1, *, by: str | None = None) -> RationalFunction:
-        """The derivative."""
-        self.only_parameter(by)
-        result = self
-        for _ in range(order):
-            top, bottom = result.top, result.bottom
-            result = RationalFunction(top.derivative() * bottom - top * bottom.derivative(), bottom * bottom)
-        return result
-
-    @property
-    def is_zero(self) -> bool:
-        """Whether it is the function 0."""
-        return not self.top
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, RationalFunction) and self.top * other.bottom == other.top * self.bottom
-
-    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
-
-    def __repr__(self) -> str:
-        return f"({self.top}) / ({self.bottom})"
+def coefficients_of(polynomial: fmpq_mpoly | int) -> Coefficients:
+    """The integer coefficients of a polynomial in t."""
+    if isinstance(polynomial, int):
+        return (polynomial,)
+    return tuple(int(polynomial[k,]) for k in range(polynomial.total_degree() + 1))
 
 
 @dataclass(frozen=True)
@@ -99,21 +52,20 @@ class ExplicitCurve:
     point: tuple[int, ...] = ()
     beside: Mapping[str, Coefficients] = field(default_factory=dict)
 
-    def argument(self, kind: Kind) -> Curve[RationalFunction]:
+    def argument(self, kind: Kind) -> Curve[JetFraction]:
         """The argument of formulas."""
         dimension = len(self.numerators)
         functions = dict(zip(COORDINATES, self.numerators, strict=False)) | {"w": self.denominator, **self.beside}
         functions |= {name: (value,) for name, value in zip(POINT, self.point, strict=False)}
 
-        def function(name: str) -> RationalFunction:
-            return RationalFunction(fmpq_poly(list(functions.get(name, (0,)))))
+        def operand(symbol: Symbol) -> JetFraction:
+            return function(functions.get(symbol.name, ()))
 
-        one = RationalFunction(fmpq_poly([1]))
         if isinstance(kind, FramedKind):
-            plain = CURVE.argument(dimension, lambda symbol: function(symbol.name), one)
+            plain = CURVE.argument(dimension, operand, function((1,)))
             assert isinstance(plain, Curve)
-            return Accompanied(plain, {name: function(name) for name in self.beside})
-        made = kind.argument(dimension, lambda symbol: function(symbol.name), one)
+            return Accompanied(plain, {name: function(value) for name, value in self.beside.items()})
+        made = kind.argument(dimension, operand, function((1,)))
         assert isinstance(made, Curve)  # explicit curves exist only for kinds of one curve
         return made
 

@@ -5,7 +5,7 @@ Each root follows its inverse in the list of variables; its derivative follows f
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import cast
@@ -22,9 +22,15 @@ from exactspline.readings.expression import Operation
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node, nodes
-from exactspline.verification.coq.ruled_settings import HodographSetting, ImplicitSetting
-from exactspline.verification.coq.settings import Setting
-from exactspline.verification.coq.surface_settings import FormsSetting, SurfaceCurveSetting, SurfaceSetting
+from exactspline.verification.coq.settings import (
+    PLAIN,
+    FormsSetting,
+    HodographSetting,
+    ImplicitSetting,
+    Setting,
+    SurfaceCurveSetting,
+    SurfaceSetting,
+)
 from exactspline.verification.coq.terms import leaves
 
 #: The roots of a frame, the innermost last.
@@ -62,11 +68,9 @@ class _Rooted(CurveKind):
         """Those of the curve, and the roots."""
         return (*super().symbols(dimension, polynomial=polynomial), *(Symbol(name, name, ()) for name in ROOTS))
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The operands by name."""
-        return Operands(**{symbol.name: operand(symbol) for symbol in self.symbols(dimension)})
+        return Operands(**named)
 
 
 @dataclass(frozen=True)
@@ -79,12 +83,7 @@ class FramedSetting(Setting):
     @property
     def shape(self) -> str:
         """Its name in the base."""
-        return "framed_plane" if self.dimension == 2 else "framed_space"
-
-    @property
-    def quantifier(self) -> str:
-        """The quantifier at the beginning of the theorem."""
-        return f"every_{self.shape}_curve"
+        return f"framed_{PLAIN[self.dimension - 2]}"
 
     @cached_property
     def ring(self) -> JetRing:

@@ -33,8 +33,50 @@ class Premise:
     value: Any
 
 
+@dataclass(kw_only=True)
+class Nonzero:
+    """Polynomials and prime numbers that do not vanish, and those of their products that occur, by their exponents in
+    numerator and denominator.
+    """
+
+    atoms: list[Atom] = field(default_factory=list)
+    known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
+
+    def recognize(self, value: Factored[fmpq_mpoly]) -> None:
+        """Register a product, and its factors, for the checker."""
+        constant = ((value.constant.numerator, 1), (value.constant.denominator, -1))
+        primes = [(p, sign * e) for number, sign in constant for p, e in prime_factors(int(number)).items()]
+        for atom, _ in (*primes, *value.powers):
+            if self.place(atom) is None:
+                self.meet(atom)
+        above, below = [0] * len(self.atoms), [0] * len(self.atoms)
+        for atom, e in (*primes, *value.powers):
+            if (place := self.place(atom)) is None:
+                raise FormulaError("it divides by something that may vanish", remedy="assume that it does not")
+            above[place] += max(e, 0)
+            below[place] += max(-e, 0)
+        entry = tuple(above), tuple(below)
+        if entry not in self.known:
+            self.known.append(entry)
+
+    def place(self, atom: Atom) -> int | None:
+        """The position of an atom; None where it is not known."""
+        same = (i for i, each in enumerate(self.atoms) if isinstance(each, int) is isinstance(atom, int))
+        return next((i for i in same if self.atoms[i] == atom), None)
+
+    def meet(self, atom: Atom) -> None:
+        """Add an atom."""
+        self.atoms.append(atom)
+
+    @property
+    def known_list(self) -> str:
+        """The products known to the checker."""
+        pairs = [f"([{'; '.join(map(str, a))}], [{'; '.join(map(str, b))}])" for a, b in self.known]
+        return f"[{'; '.join(pairs)}] : list (list nat * list nat)"
+
+
 @dataclass
-class Proof:
+class Proof(Nonzero):
     """The atoms of one theorem, the reasons why they do not vanish, and what is assumed beyond the claim's
     assumptions.
     """
@@ -44,10 +86,8 @@ class Proof:
     premises: list[Premise]
     evaluation: Evaluation
     writer: Writer
-    atoms: list[Atom] = field(default_factory=list)
     reasons: list[str] = field(default_factory=list)
     texts: list[str] = field(default_factory=list)
-    known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
     primes: list[int] = field(default_factory=list)
     existing: list[Premise] = field(default_factory=list)
 
@@ -70,41 +110,16 @@ class Proof:
                         self._divides(polynomial, self.existing[-1])
                 self.recognize(parts)
 
-    def recognize(self, value: Factored[fmpq_mpoly]) -> None:
-        """Prove that a denominator does not vanish, and register it for the checker."""
-        for p in prime_factors(int(value.constant.numerator)):
-            self.prime(p)
-        for p in prime_factors(int(value.constant.denominator)):
-            self.prime(p)
-        for polynomial, _ in value.powers:
-            if polynomial not in self._polynomials:
-                self._prove(polynomial)
-        above, below = [0] * len(self.atoms), [0] * len(self.atoms)
-        for p, e in prime_factors(int(value.constant.numerator)).items():
-            above[self.atoms.index(p)] += e
-        for p, e in prime_factors(int(value.constant.denominator)).items():
-            below[self.atoms.index(p)] += e
-        for polynomial, e in value.powers:
-            place = self._place(polynomial)
-            above[place] += max(e, 0)
-            below[place] += max(-e, 0)
-        entry = tuple(above), tuple(below)
-        if entry not in self.known:
-            self.known.append(entry)
-
-    @property
-    def _polynomials(self) -> list[fmpq_mpoly]:
-        return [atom for atom in self.atoms if not isinstance(atom, int)]
-
-    def _place(self, polynomial: fmpq_mpoly) -> int:
-        for i, atom in enumerate(self.atoms):
-            if not isinstance(atom, int) and atom == polynomial:
-                return i
-        raise FormulaError(f"{self.name} divides by something that may vanish", remedy="assume that it does not")
+    def meet(self, atom: Atom) -> None:
+        """Prove that a polynomial does not vanish; assume it of a prime number."""
+        if isinstance(atom, int):
+            self.prime(atom)
+        else:
+            self._prove(atom)
 
     def prime(self, p: int) -> None:
         """Assume that a prime number does not vanish."""
-        if p not in [atom for atom in self.atoms if isinstance(atom, int)]:
+        if self.place(p) is None:
             self.primes.append(p)
             self._add(p, f"exact P{p}")
 
@@ -117,22 +132,18 @@ class Proof:
         """Prove that a polynomial does not vanish: it is a denominator of a curve, divides something assumed not to
         vanish, or its zeros would be common zeros of that and its derivative.
         """
-        if (weight := self._weight(polynomial)) is not None:
-            self._add(polynomial, f"exact H{weight}")
-        elif (root := self._root(polynomial)) is not None:
-            self._add(polynomial, f"exact N{root}")
+        if hypothesis := self._given(polynomial):
+            self._add(polynomial, f"exact {hypothesis}")
         elif not any(self._divides(polynomial, premise) for premise in self.premises):
             for premise in self.premises:
                 if self._divides_with_derivative(polynomial, premise):
                     break
 
-    def _weight(self, polynomial: fmpq_mpoly) -> str | None:
-        ring = self.setting.ring
-        return next((weight for weight in self.setting.weights if polynomial == ring[weight].polynomial), None)
-
-    def _root(self, polynomial: fmpq_mpoly) -> str | None:
-        ring = self.setting.ring
-        return next((root for root in self.setting.roots if polynomial == ring[root].polynomial), None)
+    def _given(self, polynomial: fmpq_mpoly) -> str | None:
+        """The hypothesis that it does not vanish, if it is the denominator of a curve or a root."""
+        setting = self.setting
+        names = {f"H{name}": name for name in setting.weights} | {f"N{name}": name for name in setting.roots}
+        return next((h for h, name in names.items() if polynomial == setting.ring[name].polynomial), None)
 
     def _divides(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
         value = premise.value
@@ -159,7 +170,7 @@ class Proof:
             return False
         whole, power, rest, derivative = whole_factor
         self.recognize(factored(mpq(2)))
-        if whole not in self._polynomials:
+        if self.place(whole) is None:
             self._prove(whole)
         self.recognize(Factored(mpq(4), Factorization([(whole, power)])))
         left = f"(num 4 * ({self.setting.expression(whole)}) ^ {power})%formula"
@@ -186,8 +197,7 @@ class Proof:
 
     def follows(self, polynomial: fmpq_mpoly) -> bool:
         """Whether it follows from the assumptions that a polynomial does not vanish."""
-        own = (self._weight(polynomial), self._root(polynomial))
-        if polynomial in self._polynomials or any(own):
+        if self.place(polynomial) is not None or self._given(polynomial):
             return True
         return any(
             isinstance(h.value, JetFraction)
@@ -221,19 +231,13 @@ class Proof:
         """The atoms as a list of expressions."""
         return f"[{'; '.join(self.texts)}]%formula : list expr"
 
-    @property
-    def known_list(self) -> str:
-        """The denominators known to the checker."""
-        pairs = [f"([{'; '.join(map(str, a))}], [{'; '.join(map(str, b))}])" for a, b in self.known]
-        return f"[{'; '.join(pairs)}]"
-
     def script(self) -> list[str]:
         """The lines of the proof that the atoms do not vanish."""
         lines = [
             *self.setting.preamble([(h.name, self.writer(h.node), h.value) for h in self.premises]),
             f"pose (c := {self.setting.deep}).",
             f"pose (atoms := {self.atom_list}).",
-            f"pose (known := {self.known_list} : list (list nat * list nat)).",
+            f"pose (known := {self.known_list}).",
             "assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.",
         ]
         for i, reason in enumerate(self.reasons):

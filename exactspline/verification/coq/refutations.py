@@ -3,59 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
-from functools import singledispatch
+from typing import Any
 
-from flint import fmpq_poly
-
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, VanishingDivisorError
 from exactspline.language.arguments import embedded
 from exactspline.language.formula import Formula
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import POINT_IN_SPACE, FramedKind, Kind, kind_of
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import mpq
-from exactspline.polynomials.factors import factorize, prime_factors
 from exactspline.readings.expression import Operation
 from exactspline.readings.tree import Node
 from exactspline.verification.claim import Claim
-from exactspline.verification.coq.denominators import Evaluation
-from exactspline.verification.coq.explicit import ExplicitCurve, RationalFunction, candidates, written
-from exactspline.verification.coq.formulas import comment, type_of
+from exactspline.verification.coq.denominators import Evaluation, factored
+from exactspline.verification.coq.explicit import ExplicitCurve, candidates, coefficients_of, written
+from exactspline.verification.coq.formulas import Calling, comment, type_of
+from exactspline.verification.coq.proofs import Nonzero
 from exactspline.verification.coq.terms import Writer, identifier
-from exactspline.verification.coq.theorems import Statement, times_factor
-from exactspline.verification.coq.tracing import Calling
-from exactspline.verification.kinds.identity import Identity, Vanishing
-from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
+from exactspline.verification.coq.theorems import Statement, concluded
 from exactspline.verification.vocabulary import Scope
 
-
-@dataclass
-class Units:
-    """Polynomials in t and prime numbers, none of them zero, and those of their products that occur."""
-
-    atoms: list[tuple[int, ...]] = field(default_factory=list)
-    known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
-
-    def recognize(self, value: object) -> None:
-        """Add a function that is not zero."""
-        if not isinstance(value, RationalFunction):
-            value = RationalFunction(fmpq_poly([int(mpq(value))]))
-        exponents: dict[tuple[int, ...], int] = {}
-        for polynomial, sign in ((value.top, 1), (value.bottom, -1)):
-            numerator = polynomial.numer()
-            content, factors = factorize(numerator)
-            for number, s in ((int(content), sign), (int(polynomial.denom()), -sign)):
-                for p, e in prime_factors(number).items():
-                    exponents[(p,)] = exponents.get((p,), 0) + s * e
-            for factor, e in factors:
-                key = tuple(int(c) for c in factor.coeffs())
-                exponents[key] = exponents.get(key, 0) + sign * int(e)
-        self.atoms += [key for key in exponents if key not in self.atoms]
-        above = tuple(max(exponents.get(key, 0), 0) for key in self.atoms)
-        below = tuple(max(-exponents.get(key, 0), 0) for key in self.atoms)
-        if (above, below) not in self.known:
-            self.known.append((above, below))
+#: A difference that is not zero, the negated statement, and the steps that prove it.
+Difference = tuple[Node, str, str]
 
 
 def refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> str:
@@ -70,7 +38,7 @@ def refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) ->
     raise ClaimError("no explicit curve refutes it", where=claim.key, remedy="add one")
 
 
-class _Attempt(Statement):
+class _Attempt(Statement[Iterator[Difference]]):
     """A claim on one explicit curve."""
 
     def __init__(self, claim: Claim, dimension: int, named: Callable[[Formula], str], curve: ExplicitCurve) -> None:
@@ -80,9 +48,9 @@ class _Attempt(Statement):
         self.writer = Writer(named)
         self.argument = curve.argument(self.kind)
         self.evaluation = Evaluation(self.argument)
-        self.units = Units()
+        self.units = Nonzero()
         self.premises: list[Node] = []
-        self.difference: tuple[Node, str, str] | None = None
+        self.difference: Difference | None = None
 
     def succeeds(self) -> bool:
         """Whether the assumptions hold and the statement fails."""
@@ -90,22 +58,25 @@ class _Attempt(Statement):
             self.premises = [self.assumed(a) for a in self.claim.assumes if a.formula]
             if any(self.evaluation(node).is_zero for node in self.premises):
                 return False
-            self.difference = next(differing(self.claim, self), None)
-        except ZeroDivisionError:
+            differences: Iterator[Difference] = concluded(self.claim, self)
+            self.difference = next(differences, None)
+        except VanishingDivisorError:
             return False
         if self.difference is None:
             return False
-        self.units.recognize(self.argument.w)
+        self._recognize(self.argument.w)
         for node in self.premises:
-            self.units.recognize(self.evaluation(node))
+            self._recognize(self.evaluation(node))
         for _, value in self.evaluation.denominators:
-            self.units.recognize(value)
+            self._recognize(value)
         return True
 
-    def components(self, left: Node, right: Node | None) -> Iterator[tuple[Node, str, str]]:
-        """The components in which two trees differ, as differences, each with the negated statement and the steps that
-        prove it.
-        """
+    def _recognize(self, value: Any) -> None:
+        """Add a function that is not zero."""
+        self.units.recognize(factored(value))
+
+    def equal(self, left: Node, right: Node | None) -> Iterator[Difference]:
+        """The components in which two trees differ, as differences."""
         a = self.evaluation(left)
         zeros = "[" + "; ".join(["zero K"] * len(a)) + "]" if isinstance(a, Vector) else "zero K"
         said = f"{self.writer(left)} <> {zeros if right is None else self.writer(right)}"
@@ -122,7 +93,7 @@ class _Attempt(Statement):
                 self.evaluation(step)
                 yield step, said, f"apply (different_vectors K {i}); vm_cast_no_check U."
 
-    def on_surface(self, left: Node, right: Formula) -> Iterator[tuple[Node, str, str]]:
+    def on_surface(self, left: Node, right: Formula) -> Iterator[Difference]:
         """The components in which a plane curve is not the directrix of a surface of the same curve in space."""
         directrix = Calling(POINT_IN_SPACE, 3).calls(right).directrix
         in_space = Evaluation(embedded(self.argument))
@@ -134,12 +105,12 @@ class _Attempt(Statement):
             difference = planar[i] - spatial[i]
             if not difference.is_zero:
                 self.evaluation.denominators += in_space.denominators
-                self.units.recognize(difference)
+                self._recognize(difference)
                 said = f"{self.writer(left)} ++ [zero K] <> {inside(directrix)}"
                 text = f"component {i} ({self.writer(left)} ++ [number 0]) - component {i} ({inside(directrix)})"
                 yield Node(Operation.LEAF, value=text), said, f"apply (different_vectors K {i}); vm_cast_no_check U."
 
-    def two_surfaces(self, left: Node, right: Node) -> Iterator[tuple[Node, str, str]]:
+    def one_surface(self, left: Node, right: Node) -> Iterator[Difference]:
         """The products that would vanish if two ruled surfaces were equal."""
         (d, g), (e, h) = ((side.directrix, side.generator) for side in (left, right))
         said = f"~ same_surface ({self.writer(left)}) ({self.writer(right)})"
@@ -161,24 +132,24 @@ class _Attempt(Statement):
         assert self.difference is not None
         difference, said, closing = self.difference
         if difference.op is not Operation.LEAF:
-            self.units.recognize(self.evaluation(difference))
+            self._recognize(self.evaluation(difference))
         text = difference.value if difference.op is Operation.LEAF else self.writer(difference)
         curve = self.curve.term(self.kind, "t", "number")
         holds = ["w c <> zero K", *[f"{self.writer.at(node, 1)} <> zero K" for node in self.premises]]
-        atoms = [written(key, "var 1", "num") for key in self.units.atoms]
-        known = [f"([{'; '.join(map(str, a))}], [{'; '.join(map(str, b))}])" for a, b in self.units.known]
+        keys = list(map(coefficients_of, self.units.atoms))
+        atoms = [written(key, "var 1", "num") for key in keys]
         unit = "{ apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }"
         lines = [
             "intros K t Hz Ht.",
             "pose (l := [t]).",
             "assert (R : forall q, rules_hold K l q (explicit_rules q)) by exact (explicit_rules_hold K t Ht).",
             f"pose (atoms := [{'; '.join(atoms)}]%formula : list expr).",
-            f"pose (known := [{'; '.join(known)}] : list (list nat * list nat)).",
+            f"pose (known := {self.units.known_list}).",
             f"pose (c := ({self.curve.term(self.kind, '(var 1)', 'number')})%formula : {type_of(self.kind)[:-1]}expr).",
             "assert (N : all_nonzero K l atoms).",
             "{ repeat apply Forall_cons; try apply Forall_nil.",
         ]
-        for key in self.units.atoms:
+        for key in keys:
             lines.append(f"  - apply (explicit_nonzero K t Hz Ht {len(key) - 1}). vm_cast_no_check (eq_refl true).")
         lines[-1] += " }"
         for i, node in enumerate(["w c", *[self.writer(node) for node in self.premises]]):
@@ -225,33 +196,3 @@ def _equalities(kind: Kind) -> list[tuple[str, str, str, str]]:
             ("list expr", "vder s (gradient_f c)", chained, "chain_rule c"),
         ]
     return []
-
-
-@singledispatch
-def differing(claim: Claim, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    """The differences that are not zero, each with the negated statement and the steps that prove it."""
-    raise ClaimError(
-        f"claims of the kind {claim.kind!r} are not equalities", where=claim.key, remedy="state identities"
-    )
-
-
-@differing.register
-def _(claim: Identity, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    left, right = attempt.called(claim.find(claim.left)), attempt.called(claim.find(claim.right))
-    return attempt.components(left, times_factor(claim, attempt, right))
-
-
-@differing.register
-def _(claim: Vanishing, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    return attempt.components(attempt.called(claim.find(claim.left)), None)
-
-
-@differing.register
-def _(claim: SameSurface, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    left, right = attempt.called(claim.find(claim.left)), attempt.called(claim.find(claim.right))
-    return attempt.two_surfaces(left, right)
-
-
-@differing.register
-def _(claim: IsoCurve, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    return attempt.on_surface(attempt.called(claim.find(claim.left)), claim.find(claim.right))

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import tomllib
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from functools import cache, singledispatch
 from importlib import resources
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve, embedded
@@ -22,17 +23,16 @@ from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Derivation, Node
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
-from exactspline.verification.claim_factor import WEIGHTS, factor_parts
 from exactspline.verification.coq.denominators import Evaluation, factored
-from exactspline.verification.coq.formulas import comment, surface
+from exactspline.verification.coq.formulas import Calling, comment, surface
 from exactspline.verification.coq.framed_setting import setting_of
 from exactspline.verification.coq.proofs import Premise, Proof
 from exactspline.verification.coq.terms import Writer, identifier
-from exactspline.verification.coq.tracing import Calling
-from exactspline.verification.kinds.identity import Identity, Vanishing
-from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
+from exactspline.verification.kinds.equality import Identity, IsoCurve, SameSurface, Vanishing
+from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.vocabulary import Scope
 
+Conclusion = TypeVar("Conclusion")
 #: The kinds of claims that become theorems.
 STATED = (Identity, Vanishing, SameSurface, IsoCurve)
 
@@ -66,7 +66,7 @@ def _by_hand() -> dict[str, dict[str, str]]:
     return tomllib.loads(resources.files(__package__).joinpath("by_hand.toml").read_text(encoding="utf-8"))
 
 
-class Statement:
+class Statement(ABC, Generic[Conclusion]):
     """Shared by statements that hold and statements that fail: formulas as trees over the argument."""
 
     kind: Kind
@@ -86,8 +86,47 @@ class Statement:
         tree = self.called(find(assumption.formula), "second" if assumption.second else "first")
         return Node(Operation.DOT, (tree, tree)) if tree.is_vector else tree
 
+    @abstractmethod
+    def equal(self, left: Node, right: Node | None) -> Conclusion:
+        """That two trees are equal (without a second: that the first is 0)."""
 
-class _Theorem(Statement):
+    @abstractmethod
+    def one_surface(self, left: Node, right: Node) -> Conclusion:
+        """That two ruled surfaces are equal."""
+
+    @abstractmethod
+    def on_surface(self, left: Node, right: Formula) -> Conclusion:
+        """That a plane curve is the directrix of a ruled surface of the same curve in space."""
+
+
+@singledispatch
+def concluded(claim: Claim, statement: Statement[Conclusion]) -> Conclusion:
+    """What is concluded from a claim once its formulas are traced."""
+    raise FormulaError(f"claims of the kind {claim.kind!r} are not equalities", remedy="state identities")
+
+
+@concluded.register
+def _(claim: Identity, statement: Statement[Conclusion]) -> Conclusion:
+    left, right = statement.called(claim.find(claim.left)), statement.called(claim.find(claim.right))
+    return statement.equal(left, times_factor(claim, statement, right))
+
+
+@concluded.register
+def _(claim: Vanishing, statement: Statement[Conclusion]) -> Conclusion:
+    return statement.equal(statement.called(claim.find(claim.left)), None)
+
+
+@concluded.register
+def _(claim: SameSurface, statement: Statement[Conclusion]) -> Conclusion:
+    return statement.one_surface(*(statement.called(claim.find(name)) for name in (claim.left, claim.right)))
+
+
+@concluded.register
+def _(claim: IsoCurve, statement: Statement[Conclusion]) -> Conclusion:
+    return statement.on_surface(statement.called(claim.find(claim.left)), claim.find(claim.right))
+
+
+class _Theorem(Statement[tuple[str, list[str]]]):
     def __init__(
         self, claim: Claim, dimension: int, named: Callable[[Formula], str], *, polynomial: bool = False
     ) -> None:
@@ -117,7 +156,7 @@ class _Theorem(Statement):
 
     def text(self) -> str:
         """Statement and proof."""
-        conclusion, closing = stated(self.claim, self)
+        conclusion, closing = concluded(self.claim, self)
         proof = self.proof
         if any(h.value.is_zero for h in (*proof.premises, *proof.existing)):
             raise FormulaError("it assumes that 0 is not 0", remedy="drop that assumption")
@@ -139,14 +178,10 @@ class _Theorem(Statement):
             f"Proof.\n  {first}\n  " + "\n  ".join(lines) + "\nQed.\n"
         )
 
-    def deep(self, node: Node) -> str:
-        """A tree as an expression (of the checker)."""
-        return f"({self.writer(node)})"
-
-    def equality(self, left: Node, right: Node | None) -> tuple[str, list[str]]:
-        """The statement that two trees are equal (without a second: that the first is 0), and the steps that finish its
-        proof.
-        """
+    def equal(self, left: Node, right: Node | None) -> tuple[str, list[str]]:
+        """The statement that two trees are equal, and the steps that finish its proof once the atoms are known."""
+        if surface(left) and right is not None:
+            return self._same_parts(left, right)
         value = self.evaluation(left)
         components = len(value) if isinstance(value, Vector) else 0
         if not self._holds(value, right):
@@ -171,7 +206,7 @@ class _Theorem(Statement):
         pairs = [(value, other)] if not isinstance(other, Vector) else zip(value, other, strict=True)
         return all(bool((a - b).is_zero) if isinstance(a, FieldOperand) else bool(a == b) for a, b in pairs)
 
-    def same_parts(self, left: Node, right: Node) -> tuple[str, list[str]]:
+    def _same_parts(self, left: Node, right: Node) -> tuple[str, list[str]]:
         """The statement that two ruled surfaces have the same directrix and the same generator."""
         pairs = [(left.directrix, right.directrix), (left.generator, right.generator)]
         for pair in pairs:
@@ -185,6 +220,49 @@ class _Theorem(Statement):
         ]
         statement = " /\\ ".join(f"{self.writer(a)} = {self.writer(b)}" for a, b in pairs)
         return statement, [*steps, "vm_cast_no_check (conj E1 E2)."]
+
+    def one_surface(self, left: Node, right: Node) -> tuple[str, list[str]]:
+        """The statement that two ruled surfaces are equal, and the steps that finish its proof."""
+        (d, g), (e, h) = ((side.directrix, side.generator) for side in (left, right))
+        for node in (d, g, e, h):
+            self.evaluation(node)
+        self.proof.met()
+        zeros = "[num 0; num 0; num 0]"
+        witnesses = [self._witness(own, other) for own, other in ((g, h), (h, g))]
+        steps = [
+            *self.checked("E1", Node(Operation.CROSS, (g, h), vector=True), zeros, True),
+            *self.checked("E2", Node(Operation.CROSS, (g, e - d), vector=True), zeros, True),
+        ]
+        for i, (own, other) in enumerate(witnesses):
+            product = Node(Operation.DOT, (own, other))
+            steps.append(f"assert (U{i + 1} : value K l ({self.writer(product)} : expr) <> zero K).")
+            steps.append("{ apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }")
+        exists = [
+            f"(ex_intro _ (map (value K l) {self.writer.at(other, 5)}) (conj eq_refl U{i + 1}))"
+            for i, (_, other) in enumerate(witnesses)
+        ]
+        values = " ".join(f"(map (value K l) {self.writer.at(node, 5)})" for node in (d, g, e, h))
+        lengths = " ".join(["eq_refl"] * 4)
+        steps.append(f"vm_cast_no_check (one_surface K {values} {lengths}\n    {exists[0]}\n    {exists[1]} E1 E2).")
+        return f"same_surface ({self.writer(left)}) ({self.writer(right)})", steps
+
+    def _witness(self, generator: Node, other: Node) -> tuple[Node, Node]:
+        """A vector whose scalar product with a generator is a product of nonvanishing factors."""
+        gamma = Node(Operation.LEAF, value="gamma", vector=True)
+        first, second = (Node(Operation.DERIVATIVE, (gamma,), Derivation(k), vector=True) for k in (1, 2))
+        binormal = Node(Operation.CROSS, (first, second), vector=True)
+        candidates = [Node(Operation.LEAF, value=f"axis_{x}", vector=True) for x in "zxy"] + [generator, other, first]
+        if self.setting.order > 1:
+            candidates.append(binormal)
+        for candidate in candidates:
+            value = self.evaluation(Node(Operation.DOT, (generator, candidate)))
+            if not isinstance(value, JetFraction) or value.is_zero:
+                continue
+            parts = factored(value)
+            if all(self.proof.follows(p) for p, _ in parts.powers):
+                self.proof.recognize(parts)
+                return generator, candidate
+        raise FormulaError("nothing shows that a generator does not vanish", remedy="assume that it does not")
 
     def on_surface(self, left: Node, right: Formula) -> tuple[str, list[str]]:
         """The statement that a plane curve is the directrix of a ruled surface of the same curve in space."""
@@ -218,21 +296,7 @@ class _Theorem(Statement):
         ]
 
 
-@singledispatch
-def stated(claim: Claim, theorem: _Theorem) -> tuple[str, list[str]]:
-    """The conclusion, and the steps that finish the proof once the atoms are known."""
-    raise FormulaError(f"claims of the kind {claim.kind!r} are not equalities", remedy="state identities")
-
-
-@stated.register
-def _(claim: Identity, theorem: _Theorem) -> tuple[str, list[str]]:
-    left, right = theorem.called(claim.find(claim.left)), theorem.called(claim.find(claim.right))
-    if surface(left):
-        return theorem.same_parts(left, right)
-    return theorem.equality(left, times_factor(claim, theorem, right))
-
-
-def times_factor(claim: Identity, theorem: Statement, right: Node) -> Node:
+def times_factor(claim: Identity, theorem: Statement[Any], right: Node) -> Node:
     """The right side with its factor."""
     above: Node | None = None
     below: Node | None = None
@@ -253,66 +317,9 @@ def times_factor(claim: Identity, theorem: Statement, right: Node) -> Node:
     return product
 
 
-def _part(claim: Identity, theorem: Statement, name: str) -> Node:
+def _part(claim: Identity, theorem: Statement[Any], name: str) -> Node:
     if name in WEIGHTS:
         return Node(Operation.LEAF, value={"w": "first.w", "W": "second.w"}[name] if theorem.kind is PAIR else "w")
     if name[0].isalpha():
         return theorem.called(claim.find(name))
     return Node(Operation.NUMBER, value=rational(name))
-
-
-@stated.register
-def _(claim: Vanishing, theorem: _Theorem) -> tuple[str, list[str]]:
-    return theorem.equality(theorem.called(claim.find(claim.left)), None)
-
-
-@stated.register
-def _(claim: SameSurface, theorem: _Theorem) -> tuple[str, list[str]]:
-    left, right = theorem.called(claim.find(claim.left)), theorem.called(claim.find(claim.right))
-    (d, g), (e, h) = ((side.directrix, side.generator) for side in (left, right))
-    for node in (d, g, e, h):
-        theorem.evaluation(node)
-    theorem.proof.met()
-    zeros = "[num 0; num 0; num 0]"
-    witnesses = [_witness(theorem, own, other) for own, other in ((g, h), (h, g))]
-    steps = [
-        *theorem.checked("E1", Node(Operation.CROSS, (g, h), vector=True), zeros, True),
-        *theorem.checked("E2", Node(Operation.CROSS, (g, e - d), vector=True), zeros, True),
-    ]
-    for i, (own, other) in enumerate(witnesses):
-        product = Node(Operation.DOT, (own, other))
-        steps.append(f"assert (U{i + 1} : value K l ({theorem.writer(product)} : expr) <> zero K).")
-        steps.append("{ apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }")
-    exists = [
-        f"(ex_intro _ (map (value K l) {theorem.writer.at(other, 5)}) (conj eq_refl U{i + 1}))"
-        for i, (_, other) in enumerate(witnesses)
-    ]
-    values = " ".join(f"(map (value K l) {theorem.writer.at(node, 5)})" for node in (d, g, e, h))
-    lengths = " ".join(["eq_refl"] * 4)
-    steps.append(f"vm_cast_no_check (one_surface K {values} {lengths}\n    {exists[0]}\n    {exists[1]} E1 E2).")
-    return f"same_surface ({theorem.writer(left)}) ({theorem.writer(right)})", steps
-
-
-def _witness(theorem: _Theorem, generator: Node, other: Node) -> tuple[Node, Node]:
-    """A vector whose scalar product with a generator is a product of nonvanishing factors."""
-    gamma = Node(Operation.LEAF, value="gamma", vector=True)
-    first, second = (Node(Operation.DERIVATIVE, (gamma,), Derivation(k), vector=True) for k in (1, 2))
-    binormal = Node(Operation.CROSS, (first, second), vector=True)
-    candidates = [Node(Operation.LEAF, value=f"axis_{x}", vector=True) for x in "zxy"] + [generator, other, first]
-    if theorem.setting.order > 1:
-        candidates.append(binormal)
-    for candidate in candidates:
-        value = theorem.evaluation(Node(Operation.DOT, (generator, candidate)))
-        if not isinstance(value, JetFraction) or value.is_zero:
-            continue
-        parts = factored(value)
-        if all(theorem.proof.follows(p) for p, _ in parts.powers):
-            theorem.proof.recognize(parts)
-            return generator, candidate
-    raise FormulaError("nothing shows that a generator does not vanish", remedy="assume that it does not")
-
-
-@stated.register
-def _(claim: IsoCurve, theorem: _Theorem) -> tuple[str, list[str]]:
-    left, right = theorem.called(claim.find(claim.left)), claim.find(claim.right)
-    return theorem.on_surface(left, right)

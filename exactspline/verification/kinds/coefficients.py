@@ -28,7 +28,6 @@ from exactspline.verification.vocabulary import ArgumentKind, Curves, Name
 
 #: The degrees for which the generic Bézier segment is computed.
 GENERIC_DEGREES = range(2, 7)
-NONE = "none vanishes"
 
 
 @claim_kind
@@ -38,6 +37,8 @@ class Coefficients(Claim):
     """
 
     kind: ClassVar[str] = "coefficients"
+    value: ClassVar[str] = "none vanishes"
+    notation: ClassVar[str] = r"$formula \;\text{has no vanishing coefficient}"
 
     formula: Name = field(metadata=read(formula_name))
     curves: Curves = field(default=Curves.EVERY, metadata=read(one_of(Curves)))
@@ -48,16 +49,6 @@ class Coefficients(Claim):
             raise ClaimError(f"coefficients of {str(self.curve)!r} are not decided", where="curve", remedy="a curve")
         if not all(is_polynomial(self.find(self.formula), n) for n in self.dimensions):
             raise ClaimError(f"{self.formula!r} is a quotient", where="formula", remedy="name a polynomial")
-
-    @property
-    def claims(self) -> str:
-        """None vanishes."""
-        return NONE
-
-    @property
-    def latex(self) -> str:
-        """The formula has no vanishing coefficient."""
-        return rf"{self.symbol(self.formula)} \;\text{{has no vanishing coefficient}}"
 
     def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """A generic claim does not apply to single curves."""

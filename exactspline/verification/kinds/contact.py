@@ -45,6 +45,9 @@ class Contact(Claim):
     """
 
     kind: ClassVar[str] = "contact"
+    notation: ClassVar[str] = r"$formula\;\text{has contact of order}\;$claims"
+    tries_all: ClassVar[bool] = True
+    evaluated_first: ClassVar[bool] = False
 
     formula: Name = field(metadata=read(formula_name))
     order: int = field(metadata=read(order_of_contact))
@@ -63,11 +66,6 @@ class Contact(Claim):
     def claims(self) -> str:
         """The order."""
         return f"{'≥ ' if self.relation == Relation.AT_LEAST else ''}{self.order}"
-
-    @property
-    def latex(self) -> str:
-        """The name and the order."""
-        return rf"{self.symbol(self.formula)}\;\text{{has contact of order}}\;{self.claims}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The derivatives as differential polynomials of a single curve in place of both."""
@@ -97,17 +95,9 @@ class Contact(Claim):
         higher = self.relation == Relation.EQUAL and all(on_diagonal(x).is_zero for x in value)
         return self.order + 1 if higher else None
 
-    @property
-    def tries_all(self) -> bool:
-        """All segments are covered, with indeterminates."""
-        return True
-
     def beside(self, own: Evaluation) -> Evidence:
         """Both curves are the given one."""
         return Fact.WITH_ITSELF
-
-    def missing(self, argument: Handed) -> None:
-        """No check in advance: the formula takes the curve twice."""
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The derivatives as polynomials in the two parameters, on every segment."""

@@ -94,6 +94,7 @@ class Invariance(Claim):
     """
 
     kind: ClassVar[str] = "invariance"
+    tries_all: ClassVar[bool] = True
 
     formula: Name = field(metadata=read(formula_name))
     under: Group = field(metadata=read(one_of(Group)))
@@ -148,11 +149,6 @@ class Invariance(Claim):
         factor = find_factor(moved, expected) if short and any(not x.is_zero for x in expected) else None
         changed = UnderMap(Name(name), factor)
         return Finding(REFUTED, changed, witness=self.refuted_on_examples().witness or changed)
-
-    @property
-    def tries_all(self) -> bool:
-        """All segments are covered, with indeterminates."""
-        return True
 
     def beside(self, own: Evaluation) -> Evidence:
         """All elements of the group are covered together."""
@@ -228,14 +224,11 @@ class _Wider(CurveKind):
         """The symbols of a curve, and ρ."""
         return (*super().symbols(dimension, polynomial=polynomial), Symbol(SPEED, "ρ", PARAMETERS[:1]))
 
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve, with the constants and with ρ."""
-        made = {s.name: operand(s) for s in self.symbols(dimension, polynomial=polynomial)}
         plain = CurveKind(self.name, self.dimensions, with_point=self.with_point)
-        curve: Any = plain.argument(dimension, lambda s: made[s.name], one, polynomial=polynomial)
-        return Accompanied(curve, {name: made[name] for name in (*self.constants, SPEED)})
+        curve: Any = plain.of_operands(named, dimension, one)
+        return Accompanied(curve, {name: named[name] for name in (*self.constants, SPEED)})
 
 
 @cache

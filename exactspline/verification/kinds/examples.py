@@ -1,4 +1,4 @@
-"""Claims of captions: numbers that are counted on one example curve."""
+"""Claims about a single example curve: the numbers of captions, and which form of a problem is better conditioned."""
 
 from __future__ import annotations
 
@@ -11,17 +11,61 @@ from exactspline.errors import ClaimError
 from exactspline.language.formula import Formula
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
+from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.claim import Claim, formula_name, read
+from exactspline.verification.claim import Claim, example_name, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.components import only_component
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.evidence import Counted, Fact, OnExample, Undefined
-from exactspline.verification.example_claim import ExampleClaim
-from exactspline.verification.verdict import REFUTED, VERIFIED, Finding, vacuous
+from exactspline.verification.evidence import (
+    AtKnot,
+    Conditions,
+    Counted,
+    Enclosure,
+    Fact,
+    Isolated,
+    NotBetter,
+    OnExample,
+    Undefined,
+)
+from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Counter, Name, word
+
+
+@claim_kind
+class ExampleClaim(Claim):
+    """A claim about a single example curve."""
+
+    reading: ClassVar[Name] = Name("spline")
+
+    example: str = field(metadata=read(example_name))
+
+    def validate(self) -> None:
+        """Reject an example to which the claim does not apply."""
+        curve = self.curve_named(self.example)
+        if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
+            raise ClaimError(
+                f"{self.example!r} is not a curve to which the claim applies",
+                where="example",
+                remedy="name another one",
+            )
+
+    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+        """It applies to its example only."""
+        return False
+
+    def prove(self) -> tuple[Name, Finding]:
+        """The finding on the example."""
+        own = Evaluation(self.curve_named(self.example))
+        return self.reading, self.examine(own.handed(self.curve), own)
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """The same for every case."""
+        return self.prove()[1]
 
 
 def counts(claimed: str) -> list[tuple[int, Counter]]:
@@ -52,20 +96,11 @@ class Count(ExampleClaim):
     """The numbers in ``claimed`` are those of ``formula`` on the curve ``example``."""
 
     kind: ClassVar[str] = "count"
-    reading: ClassVar[Name] = Name("spline")
+    value: ClassVar[str] = "$claimed"
+    notation: ClassVar[str] = r"$formula: \;\text{$claimed}"
 
     formula: Name = field(metadata=read(formula_name))
     claimed: str = field(metadata=read(counted))
-
-    @property
-    def claims(self) -> str:
-        """The numbers."""
-        return self.claimed
-
-    @property
-    def latex(self) -> str:
-        """The formula with the numbers."""
-        return rf"{self.symbol(self.formula)}: \;\text{{{self.claimed}}}"
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Only the claimed numbers are computed."""
@@ -100,7 +135,7 @@ class Count(ExampleClaim):
         if what == Counter.TRUE_CONTINUITY:
             return int(min(p.continuity_at(t) for p in numerators for t in p.breakpoints[1:-1]))
         lowest = split(in_lowest_terms(value) if isinstance(value, Rational) else value)
-        zero_set = zeros(only_component(self, self.formula, lowest[0]), periodic=own.curve.closed)
+        zero_set = zeros(self.only_component(self.formula, lowest[0]), periodic=own.curve.closed)
         if what == Counter.ROOTS:
             return None if zero_set.intervals else len(zero_set)
         return count_of_extrema(zero_set, own)
@@ -143,3 +178,56 @@ def _cusps(formula: Formula, own: Evaluation) -> int | None:
 
     derived = derive(formula, own.curve)
     return None if derived.missing else len(between_poles(derived).reversals)
+
+
+@claim_kind
+class Condition(ExampleClaim):
+    """At every zero that ``left`` and ``right`` have in common on the curve ``example``, ``left`` has the smaller
+    condition number: a relative change of its Bernstein coefficients moves the zero less.
+    """
+
+    kind: ClassVar[str] = "condition"
+    value: ClassVar[str] = "better at every common zero"
+    notation: ClassVar[str] = r"$left \;\text{is better conditioned than}\; $right"
+    sides: ClassVar[tuple[str, ...]] = ("left", "right")
+
+    left: Name = field(metadata=read(formula_name))
+    right: Name = field(metadata=read(formula_name))
+
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+        """Undecided where enclosures do not separate two condition numbers."""
+        f, g = (self.only_component(n, split(self.find(n)(argument))[0]) for n in (self.left, self.right))
+        theirs = list(zeros(g, periodic=own.curve.closed))
+        pairs = [
+            (root, _condition(f, root), _condition(g, other))
+            for root in zeros(f, periodic=own.curve.closed)
+            for other in theirs
+            if root == other
+        ]
+        if not pairs:
+            return vacuous(Fact.NO_COMMON_ZERO)
+        conditions = Conditions(tuple((a, b) for _, a, b in pairs))
+        if all(a[1] < b[0] for _, a, b in pairs):
+            return Finding(VERIFIED, conditions)
+        for root, a, b in pairs:
+            if a[0] >= b[1]:
+                witness = OnExample(Name(self.example), NotBetter(place_of_root(root)))
+                return Finding(REFUTED, conditions, witness=witness)
+        return Finding(UNDECIDED, conditions)
+
+
+def _condition(f: BSpline, root: Root) -> Enclosure:
+    """The condition number of a zero; at a knot it is 0, since the end coefficient is zero and does not change."""
+    from exactspline.verification.conditioning.condition_number import condition_number
+
+    if root.at_knot:
+        return Interval.point(mpq(0))
+    if root.segment is None:
+        raise ClaimError("a zero without a segment", remedy="report this")
+    i = f.breakpoints.index(root.segment[0])
+    return condition_number(f.forms[i], f.degree, root, root.multiplicity)
+
+
+def place_of_root(root: Root) -> AtKnot | Isolated:
+    """Where a root is, as a typed place."""
+    return AtKnot(root.low) if root.at_knot else Isolated(root.low, root.high)

@@ -1,24 +1,39 @@
-"""Claims about the type of a value: a polynomial, a rational function, or neither."""
+"""Claims about what a formula is, a polynomial, a quotient of polynomials or neither, and to what it applies."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import field
+from dataclasses import field, replace
+from functools import cache
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, ExactSplineError, VanishingDivisorError
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import POINT, Operands
-from exactspline.language.kinds import kind_of
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind, kind_of
 from exactspline.language.parts import joined, split
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.factorization import jets_for, jets_with_roots
-from exactspline.verification.claim import Claim, formula_name, one_of, read
+from exactspline.verification.claim import Claim, any_formula, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.decision import Equation
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.evidence import Evidence, Fact, OfType, TypeHere, TypeOnExample
+from exactspline.verification.evidence import (
+    Evidence,
+    Fact,
+    NotItsDefinition,
+    OfType,
+    RationalForm,
+    RationalOfDegree,
+    SpeaksOf,
+    SpeaksOfAnother,
+    TypeHere,
+    TypeOnExample,
+    Undefined,
+)
 from exactspline.verification.generic_proof import SHOWN
 from exactspline.verification.paper_curves import curve_names
 from exactspline.verification.segments import on_segments
@@ -39,6 +54,9 @@ class TypeClaim(Claim):
     """
 
     kind: ClassVar[str] = "type"
+    value: ClassVar[str] = "$claimed"
+    notation: ClassVar[str] = r"$formula \;\text{is $claimed}"
+    tries_all: ClassVar[bool] = True
     of_frames: ClassVar[bool] = True
 
     formula: str = field(metadata=read(formula_name))
@@ -49,16 +67,6 @@ class TypeClaim(Claim):
         kind = kind_of(self.curve)
         if self.curve != ArgumentKind.TABLE and not kind.made_of_a_curve and not kind.adjoins_roots:
             raise ClaimError(f"types of {str(self.curve)!r} are not decided", where="curve", remedy="name a curve")
-
-    @property
-    def claims(self) -> str:
-        """The type."""
-        return str(self.claimed)
-
-    @property
-    def latex(self) -> str:
-        """The name and the type."""
-        return rf"{self.symbol(self.formula)} \;\text{{is {self.claimed}}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The most special type that holds on every curve, and a witness that it is not more special than claimed."""
@@ -121,11 +129,6 @@ class TypeClaim(Claim):
                 return None
             type_here = ValueType.RATIONAL if ValueType.RATIONAL in here else type_here
         return type_here
-
-    @property
-    def tries_all(self) -> bool:
-        """All segments are covered, with indeterminates."""
-        return True
 
     def beside(self, own: Evaluation) -> None:
         """Nothing: all free operands are indeterminate."""
@@ -206,3 +209,92 @@ def _is_quotient(value: JetFraction) -> bool:
     """Whether a denominator in lowest terms involves more than constants."""
     used = [value.ring.variables[i][0] for i, n in enumerate(value.bottom.degrees()) if int(n)]
     return any(name not in POINT for name in used)
+
+
+@claim_kind
+class Existence(Claim):
+    """The function defined by the formula ``definition`` is not rational: refuted where ``formula``, a quotient of
+    polynomials in the curve, equals it for all curves. The definition may contain the unit vectors of a frame, which
+    are roots.
+    """
+
+    kind: ClassVar[str] = "existence"
+    value: ClassVar[str] = "not rational"
+    notation: ClassVar[str] = r"$definition \;\text{is not rational}"
+    evaluated_first: ClassVar[bool] = False  # splines have no roots
+
+    formula: Name = field(metadata=read(formula_name))
+    definition: Name = field(metadata=read(formula_name))
+
+    def kind_of_field(self, name: str) -> Kind:
+        """A definition may have zeros."""
+        own = super().kind_of_field(name)
+        if name != "definition" or type(own) is not CurveKind or own.constants:
+            return own
+        return FRAMED if len(own.dimensions) > 1 else FRAMED_PLANE if own.dimensions == (2,) else FRAMED_SPACE
+
+    def validate(self) -> None:
+        """Reject a formula that is its own definition: any formula is a quotient of polynomials."""
+        if self.formula == self.definition:
+            raise ClaimError(
+                f"{self.formula!r} is said to be what it is",
+                where="definition",
+                remedy="name the formula that defines it",
+            )
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """The absence of a rational form is refuted by a nonzero one that equals the definition."""
+        equation = Equation(self.find(self.formula), self.find(self.definition))
+        c = jets_with_roots(equation.formulas, "1", dimension, polynomial=polynomial)
+        if all(x.is_zero for x in split(equation.left(c))[0]):
+            return vacuous()
+        if equation.decide(c).verdict == PROVED:
+            return Finding(REFUTED, Fact.RATIONAL, witness=RationalForm(self.formula, self.definition))
+        return Finding(UNDECIDED, witness=NotItsDefinition(self.formula, self.definition))
+
+    @property
+    def compared(self) -> list[Formula]:
+        """Both formulas, each once."""
+        return [self.find(self.formula), self.find(self.definition)]
+
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+        """The rational form on this curve."""
+        general = _decided(self, own.curve.dimension, own.curve.polynomial)
+        if general.verdict != REFUTED:
+            return general
+        value = self.find(self.formula)(argument)
+        denominator = split(value)[1]
+        if denominator is not None and denominator.vanishes_somewhere:
+            return vacuous(Undefined(self.formula))
+        return replace(general, computed=RationalOfDegree(int(value.degree)))
+
+
+@cache
+def _decided(claim: Existence, dimension: int, polynomial: bool) -> Finding:
+    return claim.decide(dimension, polynomial)
+
+
+@claim_kind
+class Applies(Claim):
+    """The equation of ``formula`` applies to such arguments, so that it can be evaluated where it is cited for them. A
+    determinant of two vectors, for example, requires vectors in the plane.
+    """
+
+    kind: ClassVar[str] = "applies"
+    value: ClassVar[str] = "it applies"
+    notation: ClassVar[str] = r"$formula \;\text{exists for arguments of the kind $curve}"
+    of_frames: ClassVar[bool] = True
+
+    formula: str = field(metadata=read(any_formula))
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """Decided by the operands that the formula needs, and the dimension in which its products are defined."""
+        own, asked = self.find(self.formula).kind, kind_of(self.curve)
+        if asked.takes(own, dimension):
+            return Finding(PROVED, Fact.APPLIES)
+        witness = SpeaksOfAnother(Name(self.formula), Name(own.name), Name(asked.name))
+        return Finding(REFUTED, SpeaksOf(Name(own.name)), witness=witness)
+
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+        """The same for every curve."""
+        return self.prove()[1]

@@ -1,17 +1,28 @@
-"""``paper figures``: the figures of the paper as files."""
+"""Papers: ``paper new``, ``paper figures``."""
 
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from exactspline.cli.common import tell_how_surfaces_are_drawn
 from exactspline.cli.output import Output, printing
-from exactspline.cli.parameters import Option
+from exactspline.cli.parameters import Argument, Option
 from exactspline.cli.progress import tracked
+from exactspline.display.sheet import Sheet
 
-if TYPE_CHECKING:
-    from exactspline.display.sheet import Sheet
+
+def new(folder: Annotated[str, Argument(help="The folder to write; it must not exist, or be empty.")]) -> None:
+    """Write a small working paper: formulas.py, claims.toml, curves/ and README.md, with comments, to be edited."""
+    from exactspline.display import console
+    from exactspline.errors import command_name
+    from exactspline.papers.new import write_new_paper
+
+    written = write_new_paper(folder)
+    shown = console.console()
+    for file in written:
+        console.lines(shown, str(file))
+    console.lines(shown, f"Now: {command_name()} prove --paper {folder}")
 
 
 @printing
@@ -30,18 +41,12 @@ def figures(
     """
     from exactspline.display.figures import FIGURES, make
     from exactspline.display.figures import folder as made_folder
-    from exactspline.display.sheet import Sheet
 
     place = made_folder(folder)
     made = tracked([partial(make, number, place) for number in figure or FIGURES], "drawing")
     if any(file.endswith(".html") for m in made for file in m.files):
         tell_how_surfaces_are_drawn()
-
-    def sheets() -> list[Sheet]:
-        sheet = Sheet("figure", "caption", "files", prose=["caption", "files"])
-        for number, m in zip(figure or FIGURES, made, strict=True):
-            sheet.add_row(number, m.caption, ", ".join(map(str, m.files)))
-        return [sheet]
-
-    rows = [{"key": str(n)} | vars(m) for n, m in zip(figure or FIGURES, made, strict=True)]
-    out.give("figures", lambda: rows, sheets)
+    numbered = list(zip(figure or FIGURES, made, strict=True))
+    rows = [{"key": str(n)} | vars(m) for n, m in numbered]
+    cells = [(n, m.caption, ", ".join(map(str, m.files))) for n, m in numbered]
+    out.give("figures", rows, [Sheet("figure", "caption", "files", rows=cells, prose=["caption", "files"])])

@@ -1,4 +1,4 @@
-"""Runs of segments: on an open curve from knot to knot, on a closed one also across its seam."""
+"""Runs of segments: on an open spline from knot to knot, on a closed one also across its seam."""
 
 from __future__ import annotations
 
@@ -6,14 +6,13 @@ from collections.abc import Sequence
 
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
-from exactspline.questions.answers import CurvePiece
 
 
 def runs(holds: Sequence[bool], joined: Sequence[bool]) -> list[tuple[int, int]]:
     """The maximal runs of segments on which something holds, as ``(first, number)``.
 
     ``joined[i]`` states that a run may continue from segment i − 1 to segment i; ``joined[0]`` concerns the seam, from
-    the last segment to the first (False for an open curve). A run across the seam begins before it; one that closes up
+    the last segment to the first (False for an open spline). A run across the seam begins before it; one that closes up
     begins at 0.
 
     >>> runs([True, True, False, True], [True, True, True, True])
@@ -37,14 +36,13 @@ def runs(holds: Sequence[bool], joined: Sequence[bool]) -> list[tuple[int, int]]
     return maximal
 
 
-def pieces(breaks: Sequence[mpq], maximal_runs: Sequence[tuple[int, int]]) -> list[CurvePiece]:
-    """Runs of segments as pieces of the curve with these breakpoints."""
-    count = len(breaks) - 1
-    result = []
-    for first, number in maximal_runs:
-        last = first + number
-        if last <= count:
-            result.append(CurvePiece((Interval(breaks[first], breaks[last]),)))
-        else:
-            result.append(CurvePiece((Interval(breaks[first], breaks[-1]), Interval(breaks[0], breaks[last - count]))))
-    return result
+def intervals_of(breaks: Sequence[mpq], first: int, number: int) -> tuple[Interval, ...]:
+    """A run of segments as intervals of the domain, in the order of traversal: one, or two where it crosses the seam.
+
+    >>> [str(part) for part in intervals_of([mpq(0), mpq(1), mpq(3)], 1, 2)]
+    ['[1, 3]', '[0, 1]']
+    """
+    beyond = first + number - (len(breaks) - 1)
+    if beyond <= 0:
+        return (Interval(breaks[first], breaks[first + number]),)
+    return Interval(breaks[first], breaks[-1]), Interval(breaks[0], breaks[beyond])

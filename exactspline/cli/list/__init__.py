@@ -1,1 +1,0 @@
-"""What there is: ``list curves``, ``list formulas``, ``list words``, …."""

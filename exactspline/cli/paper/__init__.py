@@ -1,1 +1,0 @@
-"""Papers: ``paper new``, ``paper figures``."""

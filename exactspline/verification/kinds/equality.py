@@ -1,0 +1,268 @@
+"""Claims of equalities: that a formula identically equals another one, or zero; that two ruled surfaces are the same;
+that a plane curve lies on one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import field, replace
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError, FormulaError
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Curve, embedded
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import POINT_IN_SPACE, Kind, kind_of
+from exactspline.language.parts import split
+from exactspline.language.ruled import RuledSurface, differences
+from exactspline.readings.differential_order import order_of
+from exactspline.readings.jet import Jet
+from exactspline.readings.rational_jet import JetFraction, RationalJetReading
+from exactspline.splines.tensor import TensorSpline
+from exactspline.symbolic.factorization import Factor, jets_for, jets_with_roots
+from exactspline.verification.claim import Claim, formula_name, read
+from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.curve_check import common_zeros, extra_zero
+from exactspline.verification.decision import DirectrixOf, Equation, OneRuledSurface, Statement, Zero
+from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evidence import ExactQuotient, Fact, OneSurface, OneSurfaceBut, Remainder, Rulings
+from exactspline.verification.generic_proof import factor_of, harmful
+from exactspline.verification.notation import WEIGHTS, factor_latex, factor_of_text, factor_parts
+from exactspline.verification.verdict import REFUTED, VACUOUS, VERIFIED, Finding
+from exactspline.verification.vocabulary import ArgumentKind, Name
+
+
+def checked_factor(claim: Claim, name: str, value: str) -> str:
+    """A factor whose names are formulas that apply to the arguments of the claim."""
+    for part, _ in factor_parts(value):
+        if part in WEIGHTS and claim.curve == ArgumentKind.TABLE:
+            raise ClaimError("Table 1 has no denominator w", where=name, remedy="write it into the formulas")
+        if part == "W" and not claim.of_pair:
+            raise ClaimError("the factor contains a second curve", where=name, remedy='the denominator is "w"')
+        if part[0].isalpha() and part not in WEIGHTS:
+            formula_name(claim, name, part)
+    return str(value)
+
+
+@claim_kind
+class Identity(Claim):
+    """``left = factor · right``."""
+
+    kind: ClassVar[str] = "identity"
+    value: ClassVar[str] = "$factor"
+    sides: ClassVar[tuple[str, ...]] = ("left", "right")
+    of_frames: ClassVar[bool] = True
+    has_residues: ClassVar[bool] = True
+
+    left: Name = field(metadata=read(formula_name))
+    right: Name = field(metadata=read(formula_name))
+    factor: str = field(default="1", metadata=read(checked_factor))
+
+    @property
+    def latex(self) -> str:
+        """Left side, factor, right side."""
+        return f"{self.symbol(self.left)} = {factor_latex(self.factor, self.find)}{self.symbol(self.right)}"
+
+    @property
+    def equality(self) -> Equation:
+        """The equation."""
+        return Equation(self.find(self.left), self.find(self.right), self.factor, self.find)
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """``left = factor · right`` as differential polynomials, with the true quotient; where roots are adjoined, a
+        quotient is not a product of polynomials.
+        """
+        equation = self.equality
+        if kind_of(self.curve).adjoins_roots:
+            return equation.decide(jets_with_roots(equation.formulas, self.factor, dimension, polynomial=polynomial))
+        c = jets_for(equation.formulas, dimension, polynomial=polynomial)
+        finding = equation.decide(c)
+        if finding.verdict == VACUOUS:
+            return finding
+        if all(x.is_zero for x in split(equation.right(c))[0]):
+            return Finding(REFUTED, Fact.NOT_PROPORTIONAL, witness=Fact.RIGHT_SIDE_VANISHES)
+        factor = factor_of(equation.left, equation.right, dimension, polynomial=polynomial)
+        if factor is None:
+            witness = self.refuted_on_examples().witness or Fact.POLYNOMIALS_NOT_PROPORTIONAL
+            return Finding(REFUTED, Fact.NOT_PROPORTIONAL, witness=witness)
+        differ = finding.computed is Fact.NOT_IDENTICAL
+        return replace(
+            finding, computed=factor, factor=factor, witness=ExactQuotient(factor) if differ else finding.witness
+        )
+
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+        """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
+        return self.equality.decide(argument, VERIFIED)
+
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """The left side times the denominator of the factor, minus the right side times its numerator."""
+        top: Any
+        bottom: Any
+        top, bottom = factor_of_text(self.factor, c, self.find)
+        if bottom.is_zero:
+            raise FormulaError("the factor is divided by zero")
+        sides = (split(self.find(name)(c))[0] for name in (self.left, self.right))
+        return [p * bottom - q * top for p, q in zip(*sides, strict=True)]
+
+    @property
+    def compared(self) -> list[Formula]:
+        """Both sides, and the formulas in the factor."""
+        return list(self.equality.formulas)
+
+
+@claim_kind
+class Vanishing(Claim):
+    """``left`` is identically zero."""
+
+    kind: ClassVar[str] = "vanishing"
+    value: ClassVar[str] = "0"
+    notation: ClassVar[str] = r"$left \equiv 0"
+    of_frames: ClassVar[bool] = True
+    has_residues: ClassVar[bool] = True
+
+    left: Name = field(metadata=read(formula_name))
+
+    @property
+    def equality(self) -> Zero:
+        """The statement that it vanishes."""
+        return Zero(self.find(self.left))
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """``left`` is the zero polynomial."""
+        formula = self.find(self.left)
+        roots = kind_of(self.curve).adjoins_roots
+        jets = jets_with_roots((formula,), "1", dimension, polynomial=polynomial) if roots else None
+        c = jets or jets_for((formula,), dimension, polynomial=polynomial)
+        finding = self.equality.decide(c)
+        if roots or finding.verdict != REFUTED:
+            return finding
+        rest = next(x for x in split(formula(c))[0] if not x.is_zero)
+        witness = self.refuted_on_examples().witness or Fact.POLYNOMIAL_NOT_ZERO
+        return Finding(REFUTED, Remainder(Jet(rest.ring, rest.top)), witness=witness)
+
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+        """All components are the zero spline."""
+        return self.equality.decide(argument, VERIFIED)
+
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """Its components."""
+        return list(split(self.find(self.left)(c))[0])
+
+
+@claim_kind
+class SameSurface(Claim):
+    """The ruled surfaces ``left`` and ``right`` are equal: their generators are parallel, and their directrices differ
+    by a multiple of these.
+    """
+
+    kind: ClassVar[str] = "same surface"
+    value: ClassVar[str] = "one surface"
+    notation: ClassVar[str] = r"$left \;\text{and}\; $right \;\text{are one surface}"
+    sides: ClassVar[tuple[str, ...]] = ("left", "right")
+    has_residues: ClassVar[bool] = True
+
+    left: Name = field(metadata=read(formula_name))
+    right: Name = field(metadata=read(formula_name))
+
+    @property
+    def equality(self) -> Statement:
+        """The statement that they are equal."""
+        return OneRuledSurface(self.find(self.left), self.find(self.right))
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """The generators are parallel, the directrices differ by a multiple of these; with the relation of the ruling
+        parameters ζ (left) and λ (right), and where it fails.
+        """
+        formulas = self.find(self.left), self.find(self.right)
+        c = jets_for(formulas, dimension, polynomial=polynomial)
+        a, b = formulas[0](c), formulas[1](c)
+        for name, surface in ((self.left, a), (self.right, b)):
+            if not isinstance(surface, RuledSurface):
+                raise ClaimError(f"{name!r} is not a ruled surface", where=self.key, remedy="name one")
+        finding = self.equality.decide(c)
+        if finding.verdict == VACUOUS:
+            return finding
+        if finding.verdict == REFUTED:
+            return replace(finding, witness=self.refuted_on_examples().witness or finding.witness)
+        rulings = finding.factor
+        assert isinstance(rulings, Rulings)
+        bad, used = harmful(rulings.scale, self.assumes)
+        also, others = ([], ()) if rulings.shift is None else harmful(_poles(rulings.shift), self.assumes)
+        bad = list(dict.fromkeys([*bad, *also]))
+        return replace(finding, computed=OneSurface(tuple(bad)), assumptions=tuple(dict.fromkeys([*used, *others])))
+
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+        """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""
+        finding = self.equality.decide(argument, VERIFIED)
+        but = self._but(argument) if finding.verdict == VERIFIED else None
+        return replace(finding, computed=but) if but else finding
+
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """The vector products with a generator."""
+        return [x for product in differences(self.find(self.left)(c), self.find(self.right)(c)) for x in product]
+
+    def _but(self, argument: Handed) -> OneSurfaceBut | None:
+        """Where one generator vanishes and the other does not."""
+        surfaces = (self.find(self.left)(argument), self.find(self.right)(argument))
+        generators = [split(surface.generator)[0] for surface in surfaces]
+        if isinstance(generators[0][0], TensorSpline):
+            return None
+        left, right = map(common_zeros, generators)
+        for name, f, g in ((self.left, left, right), (self.right, right, left)):
+            if place := extra_zero(f, g):
+                return OneSurfaceBut(place, name)
+        return None
+
+
+def _poles(factor: Factor) -> Factor:
+    """The denominator of a factor."""
+    return Factor(factor.constant, factor.powers.below, factor.ring)
+
+
+@claim_kind
+class IsoCurve(Claim):
+    """The plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right`` of the same plane curve in space."""
+
+    kind: ClassVar[str] = "iso-curve"
+    value: ClassVar[str] = "the curve ζ = 0"
+    notation: ClassVar[str] = r"$left \;\text{is the curve}\; \zeta = 0 \;\text{of}\; $right"
+    evaluated_first: ClassVar[bool] = False  # the right side takes the curve in space
+    has_residues: ClassVar[bool] = True
+
+    left: Name = field(metadata=read(formula_name))
+    right: Name = field(metadata=read(formula_name))
+
+    def kind_of_field(self, name: str) -> Kind:
+        """The right side takes the same curve in space."""
+        return POINT_IN_SPACE if name == "right" else super().kind_of_field(name)
+
+    def validate(self) -> None:
+        """Reject anything but a plane curve with a point."""
+        if self.curve != ArgumentKind.PLANE_POINT:
+            raise ClaimError("an iso-curve belongs to a plane curve and a point", where="curve", remedy="plane point")
+
+    @property
+    def equality(self) -> Statement:
+        """The statement that the plane curve is the directrix."""
+        return DirectrixOf(self.find(self.left), self.find(self.right))
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """As quotients of differential polynomials."""
+        reading = RationalJetReading(self.highest_derivative(dimension))
+        c = reading.argument(self.find(self.left).kind, dimension, polynomial=polynomial)
+        finding = self.equality.decide(c)
+        witness = self.refuted_on_examples().witness if finding.verdict == REFUTED else None
+        return replace(finding, witness=witness or finding.witness)
+
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+        """The plane curve and the directrix, compared as quotients."""
+        return self.equality.decide(argument, VERIFIED)
+
+    def highest_derivative(self, dimension: int) -> int:
+        """The right side is a formula in space."""
+        return max(order_of(self.find(self.left), dimension), order_of(self.find(self.right), dimension + 1))
+
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """The differences of the coordinates."""
+        assert isinstance(c, Curve)
+        plane, space = self.find(self.left)(c), self.find(self.right)(embedded(c)).directrix
+        return [plane[0] - space[0], plane[1] - space[1], space[2]]
