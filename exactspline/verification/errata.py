@@ -16,7 +16,6 @@ from exactspline.papers import Paper, default_papers, known_as
 from exactspline.readings.printing.text import symbol_text
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification.claim import Claim
-from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import combined
 from exactspline.verification.counts import error_of
@@ -25,6 +24,7 @@ from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.kinds.examples import Count
+from exactspline.verification.notation import factor_parts
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 
