@@ -25,7 +25,7 @@ ISOLINES, DARK = (7, 24), "#24556F"
 ROOM = mpq(1, 20)
 #: The text of a page around its scenes.
 STYLE = """
-body{font:1rem/1.5 system-ui,sans-serif;color:#1a2230;margin:1rem auto;max-width:80rem;padding:0 1rem}
+body{color-scheme:light dark;font:1rem/1.5 system-ui,sans-serif;margin:1rem auto;max-width:80rem;padding:0 1rem}
 """
 #: Significant digits of the coordinates on a page.
 DIGITS = 5
