@@ -24,7 +24,7 @@ from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.kinds.examples import Count
-from exactspline.verification.notation import factor_parts
+from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 
@@ -139,7 +139,7 @@ def claimed_relation(claim: Identity) -> Relating:
 
 
 def _symbol(claim: Claim, name: str) -> Name:
-    return Name(name) if name.isdigit() or name == "w" else name_of(claim, name)
+    return Name(name) if name in WEIGHTS or not name[0].isalpha() else name_of(claim, name)
 
 
 def name_of(claim: Claim, formula: str) -> Name:
