@@ -106,6 +106,8 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
         benchmarks.write_page(source / "benchmarks.md", source / "_extra" / "gallery")
     with _step("gallery"):
         pages.draw_gallery(source / "_extra" / "gallery", source / "gallery.md")
+    first, *others = along.write_reading(source / "reading-along", source / "_extra" / "gallery")
+    _append_contents(source / f"{first}.md", [Path(name).name for name in others], hidden=True)
     _pack(source / "_extra" / "source" / "exactspline.tar.gz")
     for page in source.glob("*.md"):
         page.write_text(_linked(page.read_text(encoding="utf-8")), encoding="utf-8")
@@ -123,7 +125,7 @@ def _collect(page: Path, title: str, names: list[str]) -> None:
 
 def _add_contents(page: Path) -> None:
     """The pages to which a section links are its contents."""
-    names = re.findall(r"\]\(([\w-]+)\.md\)", page.read_text(encoding="utf-8"))
+    names = re.findall(r"\]\(([\w/-]+)\.md\)", page.read_text(encoding="utf-8"))
     _append_contents(page, names, hidden=True)
 
 

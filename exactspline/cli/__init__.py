@@ -88,8 +88,8 @@ def _told(error: click.UsageError) -> str:
     return f"{said}; `{asked} --help` explains it"
 
 
-def _version(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
-    if wanted:
+def _version(ctx: click.Context, parameter: click.Parameter, requested: bool) -> None:
+    if requested:
         from importlib.metadata import version
 
         click.echo(f"exactspline {version('exactspline')}")

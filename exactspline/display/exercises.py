@@ -66,7 +66,7 @@ def polynomial_text(p: Polynomial) -> str:
 def _value_text(value: Value) -> str:
     if isinstance(value, Polynomial):
         return polynomial_text(value)
-    return f"({', '.join(map(text, value))})" if isinstance(value, tuple) else text(value)
+    return shown(value) if isinstance(value, tuple) else text(value)
 
 
 def _math_text(math: Math) -> str:

@@ -86,6 +86,8 @@ class Answered(StrEnum):
     #: Pieces of it, each with its plane; or one plane.
     PLANAR_PIECES = "planar pieces"
     PLANE = "plane"
+    #: Pieces of it, each with the shape that it is or lies near to.
+    SHAPES = "shapes"
     #: The patches of a surface, each with what holds of it.
     PATCHES = "patches"
     #: Curves on a surface, whole.

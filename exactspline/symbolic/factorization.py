@@ -15,8 +15,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import ClaimError, ExactSplineError, ReachError, as_flag, as_integer, as_items
 from exactspline.hooks import Displayed
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, Pair, T
+from exactspline.language.arguments import Curve, Evaluated, Pair, T
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
@@ -286,26 +285,26 @@ def named_values(ring: JetRing) -> Iterator[tuple[str, object]]:
 
 
 #: The paper whose names take precedence; None if there is no current paper.
-_SPOKEN_OF: ContextVar[Paper | None] = ContextVar("spoken of", default=None)
+_NAMED_BY: ContextVar[Paper | None] = ContextVar("named by", default=None)
 
 
 def naming() -> tuple[Paper, ...]:
     """The papers whose formulas give factors their names: the current paper and those that it uses, then the default
     papers.
     """
-    source = _SPOKEN_OF.get()
+    source = _NAMED_BY.get()
     sources = (source, *source.uses) if source is not None and not source.default else ()
     return tuple(dict.fromkeys((*sources, *default_papers())))
 
 
 @contextmanager
-def speaking_of(source: Paper) -> Iterator[None]:
+def named_by(source: Paper) -> Iterator[None]:
     """A context in which factors have the names given by a paper."""
-    token = _SPOKEN_OF.set(source)
+    token = _NAMED_BY.set(source)
     try:
         yield
     finally:
-        _SPOKEN_OF.reset(token)
+        _NAMED_BY.reset(token)
 
 
 @cache

@@ -76,7 +76,7 @@ def measure(formula: Formula, curve: Nurbs) -> Measure:
     return Measure(known_as(formula), nominal, value.degree, true_degree_or_none(value), control_point_count(value))
 
 
-def speaks_of(formula: Formula, dimension: int) -> bool:
+def applies_to(formula: Formula, dimension: int) -> bool:
     """Whether a formula applies to single curves of this dimension."""
     return formula.kind in {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
 
@@ -84,7 +84,7 @@ def speaks_of(formula: Formula, dimension: int) -> bool:
 def measurable(dimension: int) -> list[Formula]:
     """The formulas that apply to curves of this dimension."""
     n = as_integer(dimension, "a dimension", 1)
-    return [formula for formula in all_formulas().values() if speaks_of(formula, n)]
+    return [formula for formula in all_formulas().values() if applies_to(formula, n)]
 
 
 @dataclass(frozen=True)
@@ -318,7 +318,7 @@ def bisected_pair(kind: Kind, curve: Nurbs) -> Curve[BSpline] | Pair[BSpline]:
 
 def formula_table(curve: Nurbs, formulas: Iterable[Formula] | None = None) -> list[Callable[[], DegreeRow]]:
     """The rows for every formula that applies to such a curve, as calls: of some papers, or of the default papers."""
-    known = measurable(curve.dimension) if formulas is None else [f for f in formulas if speaks_of(f, curve.dimension)]
+    known = measurable(curve.dimension) if formulas is None else [f for f in formulas if applies_to(f, curve.dimension)]
     return [partial(_formula_row, f, curve) for f in known]
 
 

@@ -7,8 +7,7 @@ from functools import cache
 
 from exactspline.errors import ExactSplineError, FormulaError, ReachError, as_flag, as_integer
 from exactspline.interchange.examples import example, example_surface
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Operands, Pair
+from exactspline.language.arguments import Evaluated, Operands, Pair
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import SURFACE, TableKind

@@ -12,8 +12,7 @@ from math import comb
 from typing import Any, NamedTuple
 
 from exactspline.errors import VanishingDivisorError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, T
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, Evaluated, T
 from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.kinds import PairKind
 from exactspline.numbers.exact import mpq, to_fmpq

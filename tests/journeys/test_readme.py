@@ -21,7 +21,10 @@ from tests.support.decided import errors_in_print, remarks
 
 README = Path(__file__).resolve().parents[2] / "README.md"
 COMMANDS = README.parent / "docs" / "commands.md"
-RUN = [README.parent / name for name in ("README.md", "docs/commands.md", "docs/library.md", "docs/concepts.md")]
+RUN = [
+    README.parent / name
+    for name in ("README.md", "docs/commands.md", "docs/library.md", "docs/concepts.md", "docs/two-parameters.md")
+]
 in_the_checkout = pytest.mark.skipif(not README.exists(), reason="the pages are in the checkout only")
 
 

@@ -62,7 +62,7 @@ def test_what_is_not_multiplied_out_is_undecided_and_not_said_to_be_outside_of_t
 def test_curves_are_named_by_what_they_are_where_claims_say_nothing_of_a_surface():
     claims = claims_of(paper("chen_riesenfeld_cohen_2007"))
     torus = example("torus")
-    silent = [claim for claim in claims if not claim.speaks_of(3, False, surface=True)]
+    silent = [claim for claim in claims if not claim.applies_to(3, False, surface=True)]
     told = reasons(silent, torus)
     assert "both" not in told
     assert sum(map(int, re.findall(r"\d+(?= of)", told))) == len(claims)

@@ -354,7 +354,7 @@ def test_what_is_proved_of_the_generic_curve_is_met_by_an_example():
     rows = audit(generic, map(example, example_names()))
     met = {row.key for row in rows if row.verdict == VERIFIED or row.reason == Reason.SAMPLED}
     spoken_of = [
-        c for c in generic if any(c.speaks_of(example(n).dimension, example(n).polynomial) for n in example_names())
+        c for c in generic if any(c.applies_to(example(n).dimension, example(n).polynomial) for n in example_names())
     ]
     assert spoken_of
     assert [c.key for c in spoken_of if c.key not in met] == []

@@ -99,7 +99,7 @@ SAMPLED = [c for c in all_claims() if c.key in SAMPLE]
 def test_what_is_not_outside_is_as_recorded(one, name):
     """Claim by claim, so that what goes wrong has a name."""
     curve = example(name)
-    if one.speaks_of(curve.dimension, curve.polynomial):
+    if one.applies_to(curve.dimension, curve.polynomial):
         row = checked(one, Evaluation(curve), name, Proofs())
         assert row.as_recorded
         assert 0 <= row.seconds < 60

@@ -168,7 +168,7 @@ class _Theorem(Statement[tuple[str, list[str]]]):
             *[f"P{p}" for p in proof.primes],
             *[h.name for h in proof.existing],
         ]
-        introduced = " ".join(["K", *self.setting.introduced, *hypotheses])
+        introduced = " ".join(["K", *self.setting.spelling.introduced, *hypotheses])
         lines = [*proof.script(), *closing]
         first = f"{self.setting.opening}; intros {introduced}."
         said = " ->\n  ".join([*premises, conclusion])

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, ExactSplineError, VanishingDivisorError
 from exactspline.language.adjoined_root import Adjoined
-from exactspline.language.arguments import POINT, Operands
+from exactspline.language.arguments import POINT, Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind, kind_of
 from exactspline.language.parts import joined, split
@@ -20,16 +20,16 @@ from exactspline.symbolic.factorization import jets_for, jets_with_roots
 from exactspline.verification.claim import Claim, any_formula, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.decision import Equation
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import (
     Evidence,
     Fact,
     NotItsDefinition,
+    OfAnotherKind,
+    OfKind,
     OfType,
     RationalForm,
     RationalOfDegree,
-    SpeaksOf,
-    SpeaksOfAnother,
     TypeHere,
     TypeOnExample,
     Undefined,
@@ -133,7 +133,7 @@ class TypeClaim(Claim):
     def beside(self, own: Evaluation) -> None:
         """Nothing: all free operands are indeterminate."""
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The type on one curve; a more special one than that of the generic curve decides nothing."""
         if isinstance(own.curve, Operands):
             return left(Fact.NO_COMMON_KNOTS)
@@ -257,7 +257,7 @@ class Existence(Claim):
         """Both formulas, each once."""
         return [self.find(self.formula), self.find(self.definition)]
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The rational form on this curve."""
         general = _decided(self, own.curve.dimension, own.curve.polynomial)
         if general.verdict != REFUTED:
@@ -292,9 +292,9 @@ class Applies(Claim):
         own, asked = self.find(self.formula).kind, kind_of(self.curve)
         if asked.takes(own, dimension):
             return Finding(PROVED, Fact.APPLIES)
-        witness = SpeaksOfAnother(Name(self.formula), Name(own.name), Name(asked.name))
-        return Finding(REFUTED, SpeaksOf(Name(own.name)), witness=witness)
+        witness = OfAnotherKind(Name(self.formula), Name(own.name), Name(asked.name))
+        return Finding(REFUTED, OfKind(Name(own.name)), witness=witness)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The same for every curve."""
         return self.prove()[1]
