@@ -14,7 +14,7 @@ from typing import Any
 
 from sphinx.cmd.build import build_main
 
-from docs.site import benchmarks, executed, page_data, pages
+from docs.site import along, benchmarks, executed, page_data, pages
 from docs.site.vendor import lay_out_mathjax, vendor
 from exactspline.verification.combined import computed_once
 

@@ -80,7 +80,7 @@ def _unknown(name: str, known: dict[str, str], ctx: click.Context) -> click.Usag
     return click.UsageError(f"No such command {name!r}.{hint}", ctx)
 
 
-def _told(error: click.UsageError) -> str:
+def _usage_message(error: click.UsageError) -> str:
     """Bad usage in one line: what is wrong, and where the right usage is described."""
     said = error.message if isinstance(error, click.BadParameter) and error.message else error.format_message()
     asked = error.ctx.command_path if error.ctx else command_name()
@@ -144,7 +144,7 @@ def main() -> None:
     except (ExactSplineError, click.UsageError) as error:
         from exactspline.display.console import show_error
 
-        show_error(_told(error) if isinstance(error, click.UsageError) else error)
+        show_error(_usage_message(error) if isinstance(error, click.UsageError) else error)
         sys.exit(2)
     except click.Abort:
         sys.stderr.write("interrupted\n")

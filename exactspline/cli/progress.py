@@ -17,7 +17,7 @@ __all__ = ["bar", "ticking", "tracked"]
 
 V = TypeVar("V")
 #: Seconds before a bar is shown.
-DELAY = 0.5
+DELAY = 1 / 2
 
 
 @contextmanager

@@ -199,12 +199,12 @@ def _generic(out: Output, names: list[str], at: int | None) -> None:
     found = {kind: tracked(generic_table(polynomial=kind == "polynomial"), kind) for kind in ("rational", "polynomial")}
     _check_names(names, [row.object for row in found["rational"]])
     kinds = {kind: [row for row in rows if _is_one_of(row.object, names)] for kind, rows in found.items()}
-    told = [({"key": f"{kind}: {row.object}", "curves": kind}, row) for kind, rows in kinds.items() for row in rows]
+    headed = [({"key": f"{kind}: {row.object}", "curves": kind}, row) for kind, rows in kinds.items() for row in rows]
     if at is not None:
-        rows = [head | {"d": at, "object": row.object} | row.at(at) for head, row in told]
+        rows = [head | {"d": at, "object": row.object} | row.at(at) for head, row in headed]
         out.give("degrees at", rows, [sheet_at(kind, rows, at) for kind, rows in kinds.items()], by="curves")
     else:
-        rows = [head | vars(row) for head, row in told]
+        rows = [head | vars(row) for head, row in headed]
         out.give("generic", rows, [generic_sheet(kind, rows) for kind, rows in kinds.items()], by="curves")
     if any(row.differ for rows in kinds.values() for row in rows):
         raise Exit(1)

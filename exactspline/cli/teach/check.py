@@ -67,8 +67,8 @@ def _tell(out: Output, found: Finding, topic: str, seed: int, hint: bool, show: 
 
     shown = console.console()
     console.lines(shown, "right" if found else "wrong", style="bold")
-    for told in dict.fromkeys(map(str if show else hinted, found.differences)):
-        console.lines(shown, told, indent=4, first=2)
+    for difference in dict.fromkeys(map(str if show else hinted, found.differences)):
+        console.lines(shown, difference, indent=4, first=2)
     if found or out.quiet:
         return
     from exactspline.classroom.topics import HINTS, exercise

@@ -99,10 +99,10 @@ def _dots(inspection: SurfaceInspection) -> Iterator[DotData]:
     marked = (("umbilics", VERMILLION, umbilic_spots, kinds), ("singular points", GREEN, singular_spots, singular))
     for label, colour, spots, names in marked:
         if places := list(spots(inspection)):
-            told = [
+            named = [
                 f"{name}: u ≈ {float(u):.5g}, v ≈ {float(v):.5g}" for name, (u, v) in zip(names, places, strict=True)
             ]
-            yield dots_of(label, colour, 12, _on(inspection, places)) | {"names": told}
+            yield dots_of(label, colour, 12, _on(inspection, places)) | {"names": named}
 
 
 def _on(inspection: SurfaceInspection, parameters: Iterable[Point]) -> Sequence[Sequence[float]]:
