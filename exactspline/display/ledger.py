@@ -16,12 +16,11 @@ from exactspline.papers import paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.claim import Claim
-from exactspline.verification.counts import Counts, count_statements
 from exactspline.verification.errata import claimed_relation, numbered, true_relation
 from exactspline.verification.evidence import DegreeHere, ExactQuotient, WrongDegree
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
-from exactspline.verification.rows import Row
+from exactspline.verification.rows import Counts, Row, count_statements
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict
 
@@ -262,7 +261,7 @@ def summary(found: Mapping[Status, Counts]) -> str:
     """The counts in a sentence: of the printed statements, of those as they must read, of those beyond the paper.
 
     >>> from exactspline.verification.claims import select
-    >>> from exactspline.verification.counts import recorded
+    >>> from exactspline.verification.rows import recorded
     >>> summary(recorded(select(["C4.2b"])))
     '2 statements of the paper: 1 holds, 1 is refuted (1 error); 1 as it must read: 1 holds.'
     """

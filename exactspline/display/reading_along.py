@@ -19,9 +19,9 @@ from exactspline.hooks import Displayed
 from exactspline.papers import Paper, default_papers
 from exactspline.papers.passages import Passage, passages, sections_of
 from exactspline.verification.claims import claims_of
-from exactspline.verification.counts import Counts, count_statements
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import numbered, true_relation
+from exactspline.verification.rows import Counts, count_statements
 from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import PROVED
 from exactspline.verification.vocabulary import Status

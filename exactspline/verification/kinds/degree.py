@@ -31,8 +31,7 @@ from exactspline.verification.claim import Claim, count_from, formula_name, one_
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound, DegreeHere, Evidence, Fact, Found, WrongDegree, ZeroHere
-from exactspline.verification.generic_degree import joined_degree
-from exactspline.verification.generic_proof import degree_in_table_1, reduction_of, transposed, vanishes
+from exactspline.verification.generic_proof import degree_in_table_1, joined_degree, reduction_of, transposed, vanishes
 from exactspline.verification.notation import degree_latex
 from exactspline.verification.verdict import (
     PROVED,

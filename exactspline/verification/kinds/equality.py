@@ -18,7 +18,7 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.tensor import TensorSpline
-from exactspline.symbolic.factorization import Factor, jets_for, jets_with_roots
+from exactspline.symbolic.factorization import Factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
@@ -94,13 +94,12 @@ class Identity(EqualityClaim):
         quotient is not a product of polynomials.
         """
         equation = self.equality
+        c = jets_for(equation.formulas, dimension, polynomial=polynomial, factor=self.factor)
+        finding = equation.decide(c)
         if kind_of(self.curve).adjoins_roots:
-            finding = equation.decide(jets_with_roots(equation.formulas, self.factor, dimension, polynomial=polynomial))
             if finding.computed is Fact.NOT_IDENTICAL and (example := self._differs_on(dimension, polynomial)):
                 return replace(finding, witness=OnExample(Name(example), finding.witness))
             return finding
-        c = jets_for(equation.formulas, dimension, polynomial=polynomial)
-        finding = equation.decide(c)
         if finding.verdict == VACUOUS:
             return finding
         if all(x.is_zero for x in split(equation.right(c))[0]):
@@ -156,11 +155,9 @@ class Vanishing(EqualityClaim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left`` is the zero polynomial."""
         formula = self.find(self.left)
-        roots = kind_of(self.curve).adjoins_roots
-        jets = jets_with_roots((formula,), "1", dimension, polynomial=polynomial) if roots else None
-        c = jets or jets_for((formula,), dimension, polynomial=polynomial)
+        c = jets_for((formula,), dimension, polynomial=polynomial)
         finding = self.equality.decide(c)
-        if roots or finding.verdict != REFUTED:
+        if finding.verdict != REFUTED or kind_of(self.curve).adjoins_roots:
             return finding
         rest = next(x for x in split(formula(c))[0] if not x.is_zero)
         witness = self.refuted_on_examples().witness or Fact.POLYNOMIAL_NOT_ZERO
