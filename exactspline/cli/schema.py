@@ -40,6 +40,7 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
     found["inspect surface"] |= answers("surface in space", "map of a rectangle into the plane")
     # a row may also be the bisector of a point and a curve
     found["bisector"] |= {name: field | {"optional": True} for name, field in answers("pair of space curves").items()}
+    found["between"] |= answers("two curves")
     return found
 
 
@@ -84,6 +85,9 @@ def _form(entry: Entry) -> dict[str, object]:
         parts = ["points", "everywhere"] + ([] if set(entry.about.of) <= set(CURVES) else ["undecided"])
         fields = {part: {"type": "array"} for part in parts}
         return {"type": "object", "required": parts, "additionalProperties": False, "properties": fields}
+    if entry.about.answered is Answered.PAIRS:
+        parts = {part: {"type": "array"} for part in ("points", "left_out")}
+        return {"type": "object", "required": [*parts], "properties": parts}
     return {
         "type": {Answered.PLANE: ["null", "string"], Answered.VALUE: "string", Answered.POINT: ["null", "array"]}.get(
             entry.about.answered, "array"

@@ -8,13 +8,14 @@ exactly.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any, NamedTuple
 
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet, shift_for
-from exactspline.geometry.sides_at_knots import backward_ray, changes_side, forward_ray, rays_interlace
+from exactspline.geometry.intersection_certificate import intersection_certificate
+from exactspline.geometry.sides_at_knots import changes_side, half_branches, interlace
 from exactspline.geometry.space_meetings import SpaceForms, space_meetings
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import common_divisor, mpq
@@ -113,9 +114,25 @@ class Intersections(Answer[Intersection, Overlap], Displayed):
     """
 
     left_out: tuple[str, ...] = ()
+    curves: tuple[Nurbs, Nurbs] | None = field(default=None, compare=False)
 
     def __bool__(self) -> bool:
         return super().__bool__() or bool(self.left_out)
+
+    def certificate(self) -> dict[str, object]:
+        """A proof, as JSON data with exact strings, that these are all (see `exactspline.certificates`): of two plane
+        curves without arcs in common, of which none passes several times through a common point.
+
+        >>> from exactspline import Nurbs, check_certificate
+        >>> first, second = (Nurbs(1, [0, 0, 1, 1], [(0, y), (1, 1 - y)]) for y in (0, 1))
+        >>> check_certificate(intersections(first, second).certificate())
+        {'points': 1}
+
+        Raises `ShapeError` in space, and `ReachError` for other curves.
+        """
+        if self.curves is None:
+            raise ShapeError("a certificate of a curve and itself", remedy="give two curves")
+        return intersection_certificate(*self.curves)
 
     def _parts(self) -> list[str]:
         return super()._parts() + [f"undecided: {what}" for what in self.left_out]
@@ -285,7 +302,8 @@ class _Collected:
             points += [self._at_knot(group) for group in groups if not self._ends_an_arc(group[0])]
         if len(points) > 1:
             points.sort(key=lambda point: point.first)
-        return Intersections(tuple(points), tuple(self.arcs), tuple(self.left_out))
+        curves = None if self.alone else self.curves
+        return Intersections(tuple(points), tuple(self.arcs), tuple(self.left_out), curves)
 
     def _inside(self, point: _Found) -> Intersection:
         times = point.multiplicity
@@ -295,8 +313,17 @@ class _Collected:
         return Intersection(*point.parameters, kind, times, self.curves)
 
     def _ends_an_arc(self, point: _Found) -> bool:
-        s, t = point.parameters
-        return any(x == s and y == t for arc in self.arcs for x, y in zip(arc.first, arc.second, strict=True))
+        s, t = (self._at(k, point) for k in (0, 1))
+        return any(
+            self._from_seam(0, x) == s and self._from_seam(1, y) == t
+            for arc in self.arcs
+            for x, y in zip(arc.first, arc.second, strict=True)
+        )
+
+    def _from_seam(self, k: int, t: Real) -> Real:
+        """A parameter, that of the end of a closed curve as its start."""
+        low, high = self.curves[k].domain
+        return Real(low) if self.curves[k].closed and t == high else t
 
     def _at_knot(self, group: list[_Found]) -> Intersection:
         point = group[0]
@@ -342,12 +369,11 @@ class _Collected:
         return (knot or self.curves[k].segments) - 1
 
     def _cross_at_knots(self, s: int, t: int) -> bool | None:
-        """Whether two curves that both have a knot here change sides, if their tangents decide it."""
-        rays = [
-            (backward_ray(self._form(k, self._before(k, knot))), forward_ray(self._form(k, knot)))
-            for k, knot in enumerate((s, t))
-        ]
-        return rays_interlace(*rays)
+        """Whether two curves that both have a knot here change sides."""
+        one, other = (
+            half_branches(self._form(k, self._before(k, knot)), self._form(k, knot)) for k, knot in enumerate((s, t))
+        )
+        return interlace(one, other)
 
 
 def _overlap(arc: Arc, first: Interval, second: Interval) -> Overlap:
