@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from exactspline.errors import FormulaError, as_flag, as_integer
+from exactspline.errors import FormulaError, as_flag, as_integer, counted
 from exactspline.hooks import Worded
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
@@ -16,11 +16,9 @@ from exactspline.language.parts import split
 from exactspline.numbers.exact import mpq
 from exactspline.papers import all_formulas, find, formula_of, resolve
 from exactspline.readings.degree import Degree, DegreeReading
-from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_with_roots
+from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_for
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation
 from exactspline.verification.evidence import At, Difference
@@ -126,10 +124,7 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     kind = common_kind(f.kind for f in sides)
     equation = Equation(sides[0], sides[1], factor)
     _check_kinds(kind, equation.formulas, n)
-    if kind.adjoins_roots:
-        curve = jets_with_roots(equation.formulas, factor, n)
-    else:
-        curve = RationalJetReading(max(order_of(f, n) for f in equation.formulas)).argument(kind, n)
+    curve = jets_for(equation.formulas, n, factor=factor)
     finding = equation.decide(curve)
     nothing = kind.adjoins_roots or sides[1](curve).is_zero
     quotient = None if nothing else find_factor(sides[0](curve), sides[1](curve))
@@ -224,7 +219,8 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     ps, qs = (split(f(curve))[0] for f in sides)
     if len(ps) != len(qs):
         raise FormulaError(
-            f"{sides[0].name} has {len(ps)} components and {sides[1].name} has {len(qs)}", remedy="compare equals"
+            f"{sides[0].name} has {counted(len(ps), 'component')} and {sides[1].name} has {len(qs)}",
+            remedy="compare equals",
         )
     finding = Equation(sides[0], sides[1], factor).decide(curve, VERIFIED)
     return Check(sides[0].name, sides[1].name, factor, finding)
