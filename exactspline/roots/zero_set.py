@@ -293,9 +293,13 @@ def jump_root(jump: Jump) -> Root:
 def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, object]:
     if isolation is None:
         return {"coefficients": coefficients, "factors": [], "points": [], "leaves": []}
+    return {"coefficients": coefficients} | isolation_data(isolation)
+
+
+def isolation_data(isolation: Isolation) -> dict[str, object]:
+    """What proves the zeros of one form: factors, points and leaves, as data."""
     leaves = sorted((mpq(k, 1 << level), mpq(k + 1, 1 << level), changes) for level, k, changes in isolation.leaves)
     return {
-        "coefficients": coefficients,
         "factors": [[[str(x) for x in g.polynomial.coeffs()], k] for g, k in isolation.factors or []],
         "points": [text(t) for t in sorted(mpq(k, 1 << level) for level, k in isolation.points)],
         "leaves": [[text(a), text(b), changes] for a, b, changes in leaves],
