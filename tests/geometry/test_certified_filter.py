@@ -19,8 +19,9 @@ from exactspline.programs.reading import Signature
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry.filtered import filtered, programs  # noqa: E402  # needs numpy
+from exactspline.geometry.filtered import filtered  # noqa: E402  # needs numpy
 from exactspline.geometry.many_curves import features_in_parts, features_of_many, scaled_operands  # noqa: E402
+from exactspline.geometry.plane_programs import programs  # noqa: E402
 from exactspline.polynomials.doubles import Bounded, isolated, ordinates, values_at  # noqa: E402
 from exactspline.programs.doubles import in_doubles  # noqa: E402
 
