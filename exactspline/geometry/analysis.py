@@ -217,9 +217,9 @@ class Analysis(SpaceFacts, Displayed):
         See `exactspline.geometry.nearby.features_nearby`.
 
         >>> from exactspline import example
-        >>> found = analyse(example("ellipse")).features_within("1e-9")
-        >>> [feature.kind.value for feature in found if feature.certain]
-        ['maximum']
+        >>> found = analyse(example("cubic_s")).features_within("1e-9")
+        >>> [(feature.kind.value, feature.certain, feature.single) for feature in found]
+        [('minimum', True, True), ('inflection', True, True), ('maximum', True, True)]
 
         Raises `ShapeError` for a curve that is not in the plane, and for a distance that is not positive.
         """
