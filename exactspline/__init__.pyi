@@ -66,6 +66,7 @@ from .geometry.bisector.any_pair import bisector as bisector
 from .geometry.intersections import intersections as intersections
 from .geometry.intersections import self_intersections as self_intersections
 from .geometry.nearest import nearest as nearest
+from .geometry.distance import distance as distance
 from .geometry.winding import contains as contains
 from .geometry.winding import winding_number as winding_number
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from sphinx.cmd.build import build_main
 
-from docs.site import benchmarks, executed, page_data, pages
+from docs.site import along, benchmarks, executed, page_data, pages
 from docs.site.vendor import lay_out_mathjax, vendor
 from exactspline.verification.combined import computed_once
 
@@ -80,10 +80,12 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     ledgers = pages.write_ledgers(source / "ledger", claims)
     benchmarks.write_page(source / "benchmarks.md")
     pages.draw_gallery(source / "_extra" / "gallery", source / "gallery.md")
+    read = along.write_reading(source / "reading-along", source / "_extra" / "gallery")
     written = [page for page in WRITTEN if (source / f"{page}.md").exists()]
     house = sorted(file.stem for file in DOCS.glob("*.md") if file.stem not in WRITTEN)
     contents = {
         "To read": [*written, "gallery", "benchmarks", "glossary"],
+        "Reading along": read,
         "Notebooks": notebooks,
         "Ledgers": ["errata", *ledgers],
         "Reference": reference,

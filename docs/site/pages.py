@@ -24,8 +24,8 @@ from exactspline.display.sheet import in_markdown
 from exactspline.errors import counted
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_of
-from exactspline.verification.counts import recorded
 from exactspline.verification.errata import Erratum, errata
+from exactspline.verification.rows import recorded
 
 #: The length of the lines of code on the page of errata.
 CODE_WIDTH = 88

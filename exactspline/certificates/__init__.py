@@ -2,7 +2,7 @@
 shares no code with the programs that write them.
 
 A certificate has a `format`, states in `what` what it proves, and contains the data of the proof: of all ``zeros`` of a
-spline (written by `exactspline.roots.certificate`), or that the ``degree`` of forms cannot be lowered (written by
+spline (written by `exactspline.roots.zero_set`), or that the ``degree`` of forms cannot be lowered (written by
 `exactspline.verification.minimality`).
 """
 

@@ -12,7 +12,7 @@ from exactspline.certificates.numbers import count, fraction, integer, require
 
 
 def check_zeros(certificate: Mapping[str, object], sturm: bool = True) -> dict[str, int]:
-    """The numbers of roots, jumps and intervals that a certificate proves (see `exactspline.roots.certificate`).
+    """The numbers of roots, jumps and intervals that a certificate proves (see `exactspline.roots.zero_set`).
 
     With ``sturm=False`` the second check is skipped (it is slow for degrees above 100).
     """

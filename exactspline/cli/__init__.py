@@ -80,8 +80,8 @@ def _unknown(name: str, known: dict[str, str], ctx: click.Context) -> click.Usag
     return click.UsageError(f"No such command {name!r}.{hint}", ctx)
 
 
-def _version(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
-    if wanted:
+def _version(ctx: click.Context, parameter: click.Parameter, requested: bool) -> None:
+    if requested:
         from importlib.metadata import version
 
         click.echo(f"exactspline {version('exactspline')}")

@@ -50,7 +50,7 @@ def bisector(
     ] = "",
     plot: Annotated[str, Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg or .png.")] = "",
 ) -> None:
-    """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles beside it), of a point
+    """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles next to it), of a point
     and a space curve (ruled), or, trimmed to equal distances, of a point and a plane curve.
     """
     from exactspline.display.bisector_sheet import bisector_sheet

@@ -118,6 +118,11 @@ COMMANDS = {
         ("derive evolute my.json -o evolute.json", "derive f2 cubic_s"),
         "derive:derive",
     ),
+    "between": Entry(
+        "Where two curves meet, or are nearest.",
+        ("between circle ellipse", "between a.json b.svg --plot both.svg", "between a.json b.json --json"),
+        "between:between",
+    ),
     "bisector": Entry(
         "Bisectors of curves and points.",
         ("bisector ellipse --point 1,1/2", "bisector twisted_cubic helix_like -o surface.json"),

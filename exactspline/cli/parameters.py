@@ -57,16 +57,16 @@ class _Command(click.Command):
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """What it does, then its arguments."""
         super().format_help_text(ctx, formatter)
-        rows = [(each.make_metavar(ctx), each.told) for each in self.params if isinstance(each, _Told)]
+        rows = [(each.make_metavar(ctx), each.explained) for each in self.params if isinstance(each, _Explained)]
         if rows:
             with formatter.section("Arguments"):
                 formatter.write_dl(rows)
 
 
-class _Told(click.Argument):
+class _Explained(click.Argument):
     """An argument with a line in the help."""
 
-    told = ""
+    explained = ""
 
 
 def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
@@ -83,8 +83,10 @@ def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
         fields["shell_complete"] = lambda ctx, parameter, typed: list(mark.completion(typed))
     if isinstance(mark, Argument):
         metavar = mark.metavar or given.name.upper()
-        made = _Told([given.name], nargs=-1 if several else 1, metavar=_shown(metavar, several, required), **fields)
-        made.told = mark.help
+        made = _Explained(
+            [given.name], nargs=-1 if several else 1, metavar=_shown(metavar, several, required), **fields
+        )
+        made.explained = mark.help
         return made
     if bool in parts:
         return click.Option([given.name, *mark.names], is_flag=True, help=mark.help, default=False)

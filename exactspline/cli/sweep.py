@@ -126,8 +126,8 @@ def sweep(
     start = monotonic()
     with _interruptible() as stopped:
         with _progress() as tick:
-            told = _printing(tick) if to_stdout else tick
-            recorded(sources, work, where, "" if to_stdout else output, summary, told, stopped)
+            reported = _printing(tick) if to_stdout else tick
+            recorded(sources, work, where, "" if to_stdout else output, summary, reported, stopped)
         interrupted = stopped()
     if interrupted:
         goes_on = f"; the same command continues after them in {output}" if output and not to_stdout else ""
@@ -162,11 +162,11 @@ def _printing(tick: Tick) -> Tick:
     """Lines on standard output."""
     from exactspline.batch.results import line_text
 
-    def told(share: float, line: Line, known: bool) -> None:
+    def printed(share: float, line: Line, known: bool) -> None:
         sys.stdout.write(line_text(line))
         tick(share, line, known)
 
-    return told
+    return printed
 
 
 @contextmanager

@@ -32,10 +32,8 @@ class Row(NamedTuple):
 
 def bisector_sheet(rows: Iterable[Row], title: str) -> Sheet:
     """The pieces of a bisector, one per row."""
-    made = Sheet("piece", "parameters", "degree", "remark", title=title, prose=["parameters", "remark"])
-    for row in rows:
-        made.add_row(row.piece, row.parameters, row.degree, row.remark)
-    return made
+    cells = [(row.piece, row.parameters, row.degree, row.remark) for row in rows]
+    return Sheet("piece", "parameters", "degree", "remark", rows=cells, title=title, prose=["parameters", "remark"])
 
 
 def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[str]]:

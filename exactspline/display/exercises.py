@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
+from exactspline.classroom.answers import shown
 from exactspline.classroom.exercises import Exercise
 from exactspline.classroom.parts import Math, Part, Polynomial, Value
 from exactspline.classroom.triangles import Triangle
@@ -60,7 +61,7 @@ def polynomial_text(p: Polynomial) -> str:
 def _value_text(value: Value) -> str:
     if isinstance(value, Polynomial):
         return polynomial_text(value)
-    return f"({', '.join(map(text, value))})" if isinstance(value, tuple) else text(value)
+    return shown(value) if isinstance(value, tuple) else text(value)
 
 
 def _math_text(math: Math) -> str:

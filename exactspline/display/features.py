@@ -179,7 +179,7 @@ def _continuity(joints: list[dict[str, Any]]) -> str:
 
 def _approaches(rows: list[dict[str, Any]]) -> Sheet:
     numbers = ("degree", "control points", "roots", "extraneous", "missing", "seconds")
-    made = console.table("approach", *numbers, title="Approaches to critical curvature", right=numbers)
-    for row in rows:
-        made.add_row(row["name"], *[str(row[name.replace(" ", "_")]) for name in numbers[:-1]], f"{row['seconds']:.4f}")
-    return made
+    cells = [
+        (row["name"], *(row[name.replace(" ", "_")] for name in numbers[:-1]), f"{row['seconds']:.4f}") for row in rows
+    ]
+    return Sheet("approach", *numbers, rows=cells, title="Approaches to critical curvature", numbers=numbers)

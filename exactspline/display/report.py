@@ -17,8 +17,7 @@ from exactspline.papers import Paper
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
 from exactspline.verification.claim import Claim
-from exactspline.verification.counts import count_statements
-from exactspline.verification.rows import Row
+from exactspline.verification.rows import Row, count_statements
 
 _STYLE = """
 body{font:16px/1.5 Georgia,serif;margin:2rem auto;max-width:52rem;padding:0 1rem;color:#1a1a1a;background:#fff}

@@ -24,8 +24,8 @@ from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.expected import curve_of
+from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.values import SplineVector
 
 
 def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, object]:

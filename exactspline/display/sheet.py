@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from rich.cells import cell_len
 
 from exactspline.display.wrapping import hanging, visible, words_in
+from exactspline.errors import written
 
 if TYPE_CHECKING:
     from rich.console import Console, ConsoleOptions
@@ -71,7 +72,7 @@ class Sheet:
 
     def add_row(self, *cells: object) -> None:
         """Add a row, one cell per column; runs of blanks and line breaks in a cell become single blanks."""
-        row = tuple(visible(" ".join(str(cell).split())) for cell in cells)
+        row = tuple("" if cell is None else visible(" ".join(written(cell).split())) for cell in cells)
         self.rows.append((row + ("",) * len(self.columns))[: len(self.columns)])
 
     @property

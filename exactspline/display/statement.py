@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from exactspline.display.data import picked
 from exactspline.display.evidence import worded
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import true_relation
@@ -50,17 +51,8 @@ def statement_data(s: Statement) -> dict[str, object]:
     ('f_1 = w\\\\,f_2', 'w', [])
     """
     c, f = s.claim, s.finding
-    return {
-        "id": c.id,
-        "source": c.source,
-        "kind": c.kind,
-        "statement": c.statement,
-        "key": c.key,
-        "paper": c.paper,
-        "status": c.status,
-        "words": c.words,
-        "place": c.place,
-        "error": c.error,
+    head = picked(c, "id", "source", "kind", "statement", "key", "paper", "status", "words", "place", "error")
+    return head | {
         "latex": s.latex,
         "sides": [vars(side) for side in s.sides],
         "assumes": c.assumed,

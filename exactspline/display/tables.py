@@ -9,9 +9,10 @@ from html import escape
 from exactspline.display import console
 from exactspline.display.evidence import worded
 from exactspline.display.numbers import Numbers as Written
+from exactspline.display.numbers import decimal_milliseconds
 from exactspline.display.quotations import quoted
 from exactspline.display.sheet import Sheet
-from exactspline.errors import as_flag, as_items, as_texts, counted, written
+from exactspline.errors import as_flag, as_items, as_texts, counted
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.hooks import Displayed
 from exactspline.papers import find
@@ -46,7 +47,7 @@ LONGEST_WORD = 24
 QUOTATIONS = ("words", "printed")
 
 
-class Grid(Displayed):
+class Grid(Sheet, Displayed):
     """A table of texts: HTML in a notebook, aligned columns in a terminal. A cell in dollars is LaTeX.
 
     >>> print(Grid(["curve", "degree"], [["circle", 2], ["ellipse", 2]]))
@@ -56,8 +57,8 @@ class Grid(Displayed):
     """
 
     def __init__(self, columns: Sequence[str], rows: Iterable[Sequence[object]], title: str = "") -> None:
-        self.columns, self.title = list(as_items(columns, "columns")), title
-        self.rows = [[_cell(cell) for cell in as_items(row, "cells")] for row in as_items(rows, "rows")]
+        cells = (list(as_items(row, "cells")) for row in as_items(rows, "rows"))
+        super().__init__(*as_items(columns, "columns"), rows=cells, title=title)
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -74,18 +75,10 @@ class Grid(Displayed):
         return [row[i] for row in self.rows]
 
     def __str__(self) -> str:
-        return self.sheet.text(console.width())
+        return self.text(console.width())
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {', '.join(self.columns)}: {counted(len(self.rows), 'row')}>"
-
-    @property
-    def sheet(self) -> Sheet:
-        """The table for printing, also as CSV and Markdown."""
-        made = Sheet(*self.columns, title=self.title)
-        for row in self.rows:
-            made.add_row(*row)
-        return made
 
     def html(self) -> str:
         """The table as HTML."""
@@ -101,10 +94,6 @@ class Grid(Displayed):
     def _typeset(self, row: Sequence[str]) -> Iterator[str]:
         """The cells; words of a source with their formulas between dollar signs."""
         return (quoted(cell) if column in QUOTATIONS else cell for column, cell in zip(self.columns, row, strict=True))
-
-
-def _cell(value: object) -> str:
-    return "" if value is None else written(value)
 
 
 def _marked(cell: str) -> str:
@@ -128,20 +117,17 @@ def breakable(text: str) -> str:
 class Verdicts(Grid):
     """The rows of a ledger as a table; `rows_of_ledger` are the rows themselves."""
 
-    def __init__(self, rows: Iterable[Row], title: str = "") -> None:
+    def __init__(self, rows: Iterable[Row]) -> None:
         self.rows_of_ledger = list(rows)
         columns = ["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"]
         cells: list[tuple[str, ...]] = [
             (r.verdict, r.id, r.curve, r.statement, r.claimed, worded(r.computed), remark(r), r.claim.source)
             for r in self.rows_of_ledger
         ]
-        if not any(r.curve for r in self.rows_of_ledger):
-            columns, cells, title = (
-                [*columns[:2], *columns[3:]],
-                [(*c[:2], *c[3:]) for c in cells],
-                title or "for all curves",
-            )
-        super().__init__(columns, cells, title)
+        if any(r.curve for r in self.rows_of_ledger):
+            super().__init__(columns, cells)
+        else:
+            super().__init__([*columns[:2], *columns[3:]], [(*c[:2], *c[3:]) for c in cells], "for all curves")
 
     @property
     def as_recorded(self) -> bool:
@@ -191,7 +177,7 @@ def degree_table(curve: Nurbs) -> Grid:
             r.nominal,
             *("–" if count is None else count for count in (r.represented, r.true, r.control_points)),
             r.generic,
-            console.decimal_milliseconds(r.seconds),
+            decimal_milliseconds(r.seconds),
         )
         for r in rows
     ]
@@ -297,7 +283,7 @@ def approaches_table(curve: Nurbs) -> Grid:
     ['2', '0', '0', '0', '0']
     """
     rows = [
-        (a.name, a.degree, a.control_points, a.roots, a.extraneous, a.missing, console.decimal_milliseconds(a.seconds))
+        (a.name, a.degree, a.control_points, a.roots, a.extraneous, a.missing, decimal_milliseconds(a.seconds))
         for a in compare_approaches(curve)
     ]
     return Grid(["approach", "degree", "control points", "roots", "extraneous", "missing", "ms"], rows, curve.name)

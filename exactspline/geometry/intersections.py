@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet, shift_for
-from exactspline.geometry.sides_at_knots import backward_ray, changes_side, forward_ray, rays_interlace
+from exactspline.geometry.sides_at_knots import changes_side, half_branches, interlace
 from exactspline.geometry.space_meetings import SpaceForms, space_meetings
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import common_divisor, mpq
@@ -295,8 +295,17 @@ class _Collected:
         return Intersection(*point.parameters, kind, times, self.curves)
 
     def _ends_an_arc(self, point: _Found) -> bool:
-        s, t = point.parameters
-        return any(x == s and y == t for arc in self.arcs for x, y in zip(arc.first, arc.second, strict=True))
+        s, t = (self._at(k, point) for k in (0, 1))
+        return any(
+            self._from_seam(0, x) == s and self._from_seam(1, y) == t
+            for arc in self.arcs
+            for x, y in zip(arc.first, arc.second, strict=True)
+        )
+
+    def _from_seam(self, k: int, t: Real) -> Real:
+        """A parameter, that of the end of a closed curve as its start."""
+        low, high = self.curves[k].domain
+        return Real(low) if self.curves[k].closed and t == high else t
 
     def _at_knot(self, group: list[_Found]) -> Intersection:
         point = group[0]
@@ -342,12 +351,11 @@ class _Collected:
         return (knot or self.curves[k].segments) - 1
 
     def _cross_at_knots(self, s: int, t: int) -> bool | None:
-        """Whether two curves that both have a knot here change sides, if their tangents decide it."""
-        rays = [
-            (backward_ray(self._form(k, self._before(k, knot))), forward_ray(self._form(k, knot)))
-            for k, knot in enumerate((s, t))
-        ]
-        return rays_interlace(*rays)
+        """Whether two curves that both have a knot here change sides."""
+        one, other = (
+            half_branches(self._form(k, self._before(k, knot)), self._form(k, knot)) for k, knot in enumerate((s, t))
+        )
+        return interlace(one, other)
 
 
 def _overlap(arc: Arc, first: Interval, second: Interval) -> Overlap:

@@ -6,12 +6,13 @@ from __future__ import annotations
 
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.bisector.two_curves import CurveBisector
+from exactspline.geometry.curve_pair import CurvePair
 from exactspline.geometry.surface.inspection import SurfaceInspection
 from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.questions.entry import Entry, Of, questions_of
 
 #: The classes whose properties are questions.
-ASKED = (Analysis, SurfaceInspection, MapInspection, CurveBisector)
+ASKED = (Analysis, SurfaceInspection, MapInspection, CurveBisector, CurvePair)
 #: The questions by the kind of object that they are asked of, and by their names.
 REGISTRY: dict[Of, dict[str, Entry]] = {
     of: {name: entry for owner in ASKED for name, entry in questions_of(owner).items() if of in entry.about.of}

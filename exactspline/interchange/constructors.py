@@ -7,10 +7,9 @@ from collections.abc import Iterable, Sequence
 from exactspline.errors import ShapeError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped
+from exactspline.interchange.segments import ellipse as full_ellipse
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
-
-ONE = (mpq(1), mpq(0))
 
 
 def circle(centre: Iterable[Number], radius: Number) -> Nurbs:
@@ -35,7 +34,7 @@ def ellipse(centre: Iterable[Number], u: Iterable[Number], v: Iterable[Number]) 
     (mpq(0,1), mpq(1,1), mpq(2,1))
     """
     rows = list(zip(_point(u), _point(v), _point(centre), strict=True))
-    return _curve(mapped(arc_around_origin(ONE, ONE), Affine(rows)), "ellipse")
+    return _curve(full_ellipse(Affine(rows)), "ellipse")
 
 
 def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:

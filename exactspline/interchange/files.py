@@ -11,12 +11,12 @@ from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, as_instance, as_items, as_path, as_text, written
+from exactspline.interchange.curve_files import surface_data
 from exactspline.interchange.examples import example_text, examples
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
-from exactspline.interchange.surface_files import surface_data
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from exactspline.errors import FormulaError, a_kind, as_text
 from exactspline.hooks import Displayed
-from exactspline.language.argument import Argument
+from exactspline.language.arguments import Argument
 from exactspline.language.kind import Symbol
 from exactspline.language.kinds import CURVE, Kind, kind_of
 from exactspline.language.letters import Letter

@@ -170,7 +170,7 @@ class Operand(Displayed, ABC):
     def scaled(self, constant: Constant, /) -> Self:
         """The operand times an exact constant."""
 
-    def elevated_to(self, other: Any, /) -> Self:
+    def elevated_to(self, other: Self, /) -> Self:
         """The same function, of at least the degree of another; the operand itself where a reading has no degrees."""
         return self
 

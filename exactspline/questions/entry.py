@@ -68,6 +68,7 @@ class Of(StrEnum):
     SURFACE = "surface in space"
     PLANAR_MAP = "map of a rectangle into the plane"
     PAIR = "pair of space curves"
+    TWO_CURVES = "two curves"
 
 
 #: A question about curves in the plane and in space.
@@ -94,6 +95,8 @@ class Answered(StrEnum):
     CURVES = "curves"
     #: Parts of a bisector; what is not known of them is named beside them.
     SOLUTIONS = "solutions"
+    #: Pairs of parameters of two curves, and arcs that they have in common; what is not decided is named.
+    PAIRS = "pairs"
     #: A value, or one point.
     VALUE = "value"
     POINT = "point"

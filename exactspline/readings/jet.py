@@ -14,7 +14,7 @@ from typing import Any, cast
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind
 from exactspline.language.letters import refuse_letter

@@ -6,13 +6,14 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+from exactspline.certificates import ZEROS
+from exactspline.certificates import certificate as written
 from exactspline.errors import ShapeError, as_flag, as_items
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import mpq, ratio, text
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import Isolation, isolate
-from exactspline.roots.certificate import certificate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import spline_of
@@ -146,15 +147,42 @@ class ZeroSet(Immutable, Displayed):
         return result
 
     def certificate(self) -> dict[str, object]:
-        """A proof, as JSON data with exact strings, that these are all zeros (see `exactspline.certificates`)."""
-        return certificate(
-            self.spline,
-            self.isolations,
-            self.roots,
-            [(jump.parameter, jump.left.sign, jump.right.sign) for jump in self.jumps],
-            [(interval.low, interval.high) for interval in self.intervals],
-            periodic=self.periodic,
-        )
+        """A proof that these are all zeros: JSON data with exact strings, for `exactspline.certificates` or any other
+        checker.
+
+        A segment contains the integers ``c_i`` of its form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` (t from 0 to 1 on the segment), the
+        leaves of a subdivision of [0, 1], each with the number, 0 or 1, of sign changes of the Bernstein coefficients
+        on it, and the midpoints that are zeros themselves. If required by multiple zeros, it also contains factors
+        whose powers multiply to the form, up to a constant, the zeros at the ends and powers of ``u + v``; the leaves
+        then refer to the product of the factors, each taken once. The roots, with the intervals computed so far, are
+        those of the whole spline. An interval on which it vanishes is given by its two ends; if it crosses the seam of
+        a periodic spline, its end is smaller than its beginning.
+
+        >>> zeros(BSpline.bezier([1, -2, 1])).certificate()["segments"][0]["leaves"]
+        [['0', '1/2', 1], ['1/2', '1', 1]]
+        """
+        f = self.spline
+        data: dict[str, object] = {
+            "degree": f.degree,
+            "periodic": self.periodic,
+            "breakpoints": [text(t) for t in f.mesh.breaks],
+            "segments": [
+                _segment([str(c[k]) for k in range(f.degree + 1)], i)
+                for c, i in zip(f.polynomials, self.isolations, strict=True)
+            ],
+            "roots": [
+                {
+                    "low": text(root.low),
+                    "high": text(root.high),
+                    "multiplicities": [root.left_multiplicity, root.right_multiplicity],
+                    "signs": list(root.signs),
+                }
+                for root in self.roots
+            ],
+            "jumps": [{"at": text(jump.parameter), "signs": [jump.left.sign, jump.right.sign]} for jump in self.jumps],
+            "intervals": [[text(interval.low), text(interval.high)] for interval in self.intervals],
+        }
+        return written(ZEROS, data)
 
 
 def _restored(spline: BSpline, periodic: bool, isolations: Any, roots: Any, jumps: Any, intervals: Any) -> ZeroSet:
@@ -257,3 +285,15 @@ def jump_root(jump: Jump) -> Root:
     """The knot of a jump as a `Root`, with the signs on both sides."""
     t = jump.parameter
     return Root(t, t, (jump.left.multiplicity, jump.right.multiplicity), (jump.left.sign, jump.right.sign))
+
+
+def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, object]:
+    if isolation is None:
+        return {"coefficients": coefficients, "factors": [], "points": [], "leaves": []}
+    leaves = sorted((mpq(k, 1 << level), mpq(k + 1, 1 << level), changes) for level, k, changes in isolation.leaves)
+    return {
+        "coefficients": coefficients,
+        "factors": [[[str(x) for x in g.polynomial.coeffs()], k] for g, k in isolation.factors or []],
+        "points": [text(t) for t in sorted(mpq(k, 1 << level) for level, k in isolation.points)],
+        "leaves": [[text(a), text(b), changes] for a, b, changes in leaves],
+    }

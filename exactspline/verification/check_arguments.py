@@ -6,17 +6,14 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from exactspline.errors import InapplicableError
-from exactspline.language.accompanied import Accompanied
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, Pair
+from exactspline.language.arguments import Accompanied, Curve, Evaluated, Pair
 from exactspline.language.formula import Formula
 from exactspline.language.hodograph_kind import curve_of_hodograph
 from exactspline.language.kinds import HODOGRAPH, PLANAR_MAP, SURFACE, CurveKind, PairKind, kind_of
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import DegreeReading
-from exactspline.splines.bspline import BSpline
-from exactspline.splines.integral import integral
+from exactspline.splines.bspline import BSpline, integral
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair

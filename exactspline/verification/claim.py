@@ -12,8 +12,7 @@ from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
 from exactspline.hooks import Displayed
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Operands
+from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational

@@ -7,8 +7,7 @@ from typing import Any
 
 from flint import fmpz_poly
 
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, Operands
+from exactspline.language.arguments import Curve, Evaluated, Operands
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq

@@ -13,8 +13,7 @@ from enum import Enum, auto
 from typing import Any, Protocol
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, embedded
+from exactspline.language.arguments import Curve, Evaluated, embedded
 from exactspline.language.formula import Formula
 from exactspline.language.parts import Value, split
 from exactspline.language.ruled import differences

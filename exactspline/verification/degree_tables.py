@@ -38,8 +38,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.covariants import TrueDegree, degree_at, graded, true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.symbolic.substitution import substitute
-from exactspline.verification.generic_degree import lowest_degree, symbolic_minimum
-from exactspline.verification.generic_proof import reduction_of
+from exactspline.verification.generic_proof import lowest_degree, reduction_of, symbolic_minimum
 from exactspline.verification.minimality import attained, witness
 
 

@@ -12,7 +12,7 @@ from functools import cache
 from flint import fmpq_mpoly
 
 from exactspline.errors import ExactSplineError, FormulaError, ReachError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
 from exactspline.readings.expression import Operation

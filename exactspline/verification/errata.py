@@ -18,12 +18,12 @@ from exactspline.symbolic.factorization import Factor
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import combined
-from exactspline.verification.counts import error_of
 from exactspline.verification.evidence import Evidence, Found, Relating, StatedFactor
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.kinds.examples import Count
+from exactspline.verification.rows import error_of
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 
@@ -204,7 +204,7 @@ def _shown(claim: Claim) -> tuple[str, ...]:
         )
     if isinstance(claim, DegreeClaim) and claim.measure == Measure.LOWEST_TERMS:
         return (
-            "from exactspline.verification.generic_degree import lowest_degree",
+            "from exactspline.verification.generic_proof import lowest_degree",
             *finding,
             f"print(lowest_degree({found(claim.formula)}, {d}))",
         )

@@ -9,8 +9,7 @@ from functools import cached_property
 from itertools import product
 from typing import Any
 
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Operands
+from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.kinds import PairKind, kind_of
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import zero_on_segment

@@ -11,7 +11,7 @@ from time import perf_counter
 from typing import Protocol
 
 from exactspline.errors import ClaimError, ExactSplineError, nearest
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import kind_of
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.symbolic.factorization import without_denominator

@@ -16,11 +16,9 @@ from exactspline.language.parts import split
 from exactspline.numbers.exact import mpq
 from exactspline.papers import all_formulas, find, formula_of, resolve
 from exactspline.readings.degree import Degree, DegreeReading
-from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_with_roots
+from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_for
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation
 from exactspline.verification.evidence import At, Difference
@@ -126,10 +124,7 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     kind = common_kind(f.kind for f in sides)
     equation = Equation(sides[0], sides[1], factor)
     _check_kinds(kind, equation.formulas, n)
-    if kind.adjoins_roots:
-        curve = jets_with_roots(equation.formulas, factor, n)
-    else:
-        curve = RationalJetReading(max(order_of(f, n) for f in equation.formulas)).argument(kind, n)
+    curve = jets_for(equation.formulas, n, factor=factor)
     finding = equation.decide(curve)
     nothing = kind.adjoins_roots or sides[1](curve).is_zero
     quotient = None if nothing else find_factor(sides[0](curve), sides[1](curve))

@@ -17,7 +17,7 @@ from exactspline.display.evidence import worded
 from exactspline.display.glossary import meaning, terms
 from exactspline.display.ledger import WORDS
 from exactspline.display.ledger_page import ledger_page
-from exactspline.display.numbers import Numbers, decimals
+from exactspline.display.numbers import Numbers
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
@@ -218,10 +218,10 @@ def test_prove_answers_first():
 
 def test_long_fractions_are_decimals_and_stand_in_full_on_demand():
     long = "-37571202085457847/1220703125000000000"
-    assert decimals(f"differs by {long}") == "differs by ≈ -0.0307783"
-    assert decimals(f"differs by {long}", exact=True) == f"differs by {long}"
-    assert decimals("at 1/3") == "at 1/3"
-    assert decimals("g1 = w⁸·1/2·f") == "g1 = w⁸·1/2·f"
+    assert Numbers().within(f"differs by {long}") == "differs by ≈ -0.0307783"
+    assert Numbers(exact=True).within(f"differs by {long}") == f"differs by {long}"
+    assert Numbers().within("at 1/3") == "at 1/3"
+    assert Numbers().within("g1 = w⁸·1/2·f") == "g1 = w⁸·1/2·f"
     between = Between(mpq("3333333333333333/10000000000000000"), mpq("3333333333333334/10000000000000000"))
     assert worded(between, Numbers()) == "near the parameter 0.333333"
     assert worded(Between(mpq(1, 3), mpq(1, 2)), Numbers()) == "between the parameters 1/3 and 1/2"

@@ -22,6 +22,17 @@ def test_the_front_door_fits_on_a_screen():
     assert len(dir(xs)) <= 72
 
 
+def test_every_name_is_used_in_a_page():
+    """Passed before: `examples` stood in no page, no notebook and not in the README."""
+    root = ROOT.parent
+    if not (root / "docs").is_dir():
+        pytest.skip("the pages are not installed")
+    pages = [root / "README.md", *(root / "docs").rglob("*.md"), *(root / "notebooks").glob("*.ipynb")]
+    text = "\n".join(page.read_text(encoding="utf-8") for page in pages)
+    ways = r"(xs\.|exactspline\.|`|import .*){0}\b|\b{0}\("
+    assert [name for name in dir(xs) if not re.search(ways.format(name), text)] == []
+
+
 def test_a_name_that_is_not_there():
     with pytest.raises(AttributeError, match="No exactspline attribute nurbs"):
         xs.nurbs  # noqa: B018

@@ -317,3 +317,20 @@ def test_answers_are_values():
     assert again == [(p.first, p.second) for p in found]
     assert not intersections(bezier((0, 0), (1, 0)), bezier((0, 1), (1, 1)))
     assert repr(intersections(bezier((0, 0), (1, 0)), bezier((0, 1), (1, 1)))) == "nowhere"
+
+
+def test_at_two_knots_with_one_tangent_the_curvatures_decide():
+    """Both have a knot at the origin and the tangent of x; each side is compared by its power series."""
+
+    def bent(left, right):
+        """y = left x² before the origin, right x² behind it."""
+        return Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(-1, left), ("-1/2", 0), (0, 0), ("1/2", 0), (1, right)])
+
+    for (a, b), (c, d), expected in (
+        ((1, 1), (2, 2), "touching"),
+        ((1, 1), (2, "1/2"), "crossing"),
+        ((-1, 1), (1, 2), "touching"),
+        ((1, 1), (-1, 3), "crossing"),
+    ):
+        (found,) = intersections(bent(a, b), bent(c, d))
+        assert (str(found.kind), found.multiplicity, found.at_knot) == (expected, 2, (True, True))

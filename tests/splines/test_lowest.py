@@ -29,7 +29,7 @@ from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import primitive, true_degree, without_factor
 from exactspline.splines.refinement import over
 from exactspline.symbolic.reduction import reduction
-from exactspline.verification.generic_degree import minimum_at, symbolic_minimum
+from exactspline.verification.generic_proof import minimum_at, symbolic_minimum
 from tests.support.strategies import nurbs, splines_on_one_domain
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]

@@ -285,7 +285,7 @@ def test_leading_terms_of_a_sum_of_different_degrees_keep_the_dominant_one(also)
 def test_a_curve_of_lower_degree_decides_nothing_of_the_generic_one():
     """4d − 1 is false of all curves: no curve verifies it; 4d − 2, which is true, is met by this one."""
     rows = list(audit([c for c in select(["C6.1d"]) if c.curve == "plane point"], [example("rational_cubic")]))
-    assert [(row.claimed, worded(row.computed), str(row.relation), str(row.verdict)) for row in rows] == [
+    assert [(row.claimed, worded(row.computed), str(row.finding.relation), str(row.verdict)) for row in rows] == [
         ("11", "10", "=", "INAPPLICABLE"),
         ("10", "10", "=", "UNDECIDED"),  # with one point
     ]
@@ -301,7 +301,7 @@ def test_no_row_verifies_an_equality_that_does_not_hold():
                 int(text.split()[-1 if "≤" in text or "≥" in text else 0].replace("−", "-"))
                 for text in (row.claimed, worded(row.computed).split(" (")[0])
             )
-            assert {"=": claimed == computed, "≤": computed <= claimed, "≥": computed >= claimed}[row.relation]
+            assert {"=": claimed == computed, "≤": computed <= claimed, "≥": computed >= claimed}[row.finding.relation]
 
 
 def test_a_contradiction_between_readings_is_an_alarm(monkeypatch):

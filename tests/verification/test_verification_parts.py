@@ -37,8 +37,7 @@ from exactspline.verification.degree_tables import (
 from exactspline.verification.errata import name_of, numbered, remarks
 from exactspline.verification.evaluation import Evaluation, between, zero_of
 from exactspline.verification.evidence import At, Between, OnAllOf, Relating
-from exactspline.verification.generic_degree import joined_degree
-from exactspline.verification.generic_proof import table_1_degrees
+from exactspline.verification.generic_proof import joined_degree, table_1_degrees
 from exactspline.verification.ledger import Proofs, checked, proved
 from exactspline.verification.notation import degree_latex, factor_latex
 from exactspline.verification.patch_degrees import measured_degrees

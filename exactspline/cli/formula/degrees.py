@@ -91,9 +91,9 @@ def _of_papers(
     chosen = given if curve else own or loaded(["rational_cubic", "rational_space_cubic"])[0]
     tables = [(c, tracked(formula_table(c, formulas), c.name)) for c in also_in_their_planes(chosen)]
     if good and not any(rows for _, rows in tables):
-        told = ", ".join(c.name for c, _ in tables)
+        names_of_curves = ", ".join(c.name for c, _ in tables)
         raise FormulaError(
-            f"none of these formulas speaks of {told}",
+            f"none of these formulas applies to {names_of_curves}",
             remedy="ask for all curves with --generic, for surfaces with --patch 3,3",
         )
     _give(out, [(c, rows) for c, rows in tables if rows])

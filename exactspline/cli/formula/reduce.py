@@ -74,7 +74,7 @@ def _formula(name: str, trust: bool) -> Any:
         return resolve(name, trust=trust)
     if not trust:
         raise FormulaError(
-            "a module runs as it stands, any Python",
+            "a module runs unchanged, any Python",
             where=name,
             remedy="add --trust for what you trust; file.py:function is checked before it runs",
         )

@@ -57,8 +57,8 @@ def _tell(found: Finding) -> None:
 
     shown = console.console()
     console.lines(shown, "right" if found else "wrong", style="bold")
-    for told in found.differences:
-        console.lines(shown, str(told), indent=4, first=2)
+    for difference in found.differences:
+        console.lines(shown, str(difference), indent=4, first=2)
 
 
 def _exercise(topic: str, seed: int, given: str) -> tuple[Finding, str]:

@@ -19,9 +19,8 @@ from exactspline.polynomials.factorization import superscript
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import control_point_count
+from exactspline.splines.lowest_terms import SplineVector, control_point_count
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.values import SplineVector
 from exactspline.verification.kinds.examples import extrema_at_ends
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.splines.common import with_common_knots
-from exactspline.splines.values import SplineVector
+from exactspline.splines.lowest_terms import SplineVector
 
 #: The visible part: the fraction of points omitted on either side, and the margin (in multiples of its longest side).
 OUTLIERS, AROUND = 10, mpq(1)

@@ -19,8 +19,8 @@ from exactspline.numbers.sides import Side
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
+from exactspline.splines.lowest_terms import SplineSurface
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.values import SplineSurface
 
 #: Samples along the curve, in total and at least per segment; samples along a ruling.
 SAMPLES, LEAST, ALONG = 192, 12, 21

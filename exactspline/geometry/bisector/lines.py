@@ -26,7 +26,7 @@ from exactspline.polynomials.two_parameters import lifted, rows_of
 from exactspline.roots.of_polynomials import as_splines
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.values import RationalSurface
+from exactspline.splines.lowest_terms import RationalSurface
 
 P = TypeVar("P", bound=Euclidean)
 

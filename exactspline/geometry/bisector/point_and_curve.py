@@ -26,9 +26,8 @@ from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
-from exactspline.splines.lowest_terms import common_factor
+from exactspline.splines.lowest_terms import SplineSurface, common_factor
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.values import SplineSurface
 from exactspline.words import choice
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.iges_records import Entry, entries, formatted, unit_of
@@ -84,10 +84,8 @@ def read(source: Source) -> Reading:
             why = "its parts are read separately" if entry.kind == COMPOSITE else "this type of entity is not read"
             collector.skip(name, where, why, curve=entry.kind in CURVES)
             continue
-        try:
+        with collector.skipping(f"entity {entry.kind}", where):
             reader(collector, entry, where, _placement(collector, directory, entry))
-        except ExactSplineError as error:
-            collector.skip(f"entity {entry.kind}", where, str(error))
     return collector.reading()
 
 

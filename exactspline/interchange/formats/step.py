@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, whole, with_point
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
@@ -58,15 +58,11 @@ def read(source: Source) -> Reading:
         match = _KEYWORD.match(text)
         keyword = match[1] if match else ""
         if keyword == "POLYLINE" or (_CURVE.search(text) and (text.startswith("(") or keyword in (SPLINE, *KINDS))):
-            try:
+            with collector.skipping(keyword, where):
                 _curve(file, parts(text, source.limits), where, edges.notes(number))
-            except ExactSplineError as error:
-                collector.skip(keyword, where, str(error))
         elif keyword in ELEMENTARY or keyword == EDGE:
-            try:
+            with collector.skipping(keyword, where):
                 edges.read(keyword, number, where)
-            except ExactSplineError as error:
-                collector.skip(keyword, where, str(error))
         elif keyword in SKIPPED:
             collector.skip(keyword, where, SKIPPED[keyword], curve=keyword not in NO_CURVE)
         elif keyword in PLACING:

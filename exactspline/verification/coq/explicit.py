@@ -8,8 +8,7 @@ from dataclasses import dataclass, field
 from flint import fmpq_mpoly
 
 from exactspline.errors import ClaimError
-from exactspline.language.accompanied import Accompanied
-from exactspline.language.arguments import COORDINATES, POINT, Curve
+from exactspline.language.arguments import COORDINATES, POINT, Accompanied, Curve
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CURVE, CurveKind, FramedKind, Kind, Symbol
 from exactspline.readings.jet import JetRing

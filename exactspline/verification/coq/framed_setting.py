@@ -12,8 +12,7 @@ from typing import cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.adjoined_root import Adjoined
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import COORDINATES, Operands, T
+from exactspline.language.arguments import COORDINATES, Evaluated, Operands, T
 from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, FramedKind, Kind, Symbol

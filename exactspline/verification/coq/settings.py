@@ -12,8 +12,7 @@ from typing import NamedTuple
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT, Evaluated
 from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, FramedKind, Kind, PairKind, Symbol, TableKind

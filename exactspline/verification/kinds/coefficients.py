@@ -7,7 +7,7 @@ from dataclasses import field
 from typing import ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import CURVE
 from exactspline.language.vector import Vector
 from exactspline.readings.bernstein_term import BernsteinTermReading, every_coefficient

@@ -8,8 +8,7 @@ from functools import cache
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError, VanishingDivisorError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.readings.differential_order import order_of

@@ -10,8 +10,7 @@ from types import MappingProxyType
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Pair
+from exactspline.language.arguments import Evaluated, Pair
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, kind_of
@@ -32,8 +31,7 @@ from exactspline.verification.claim import Claim, count_from, formula_name, one_
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound, DegreeHere, Evidence, Fact, Found, WrongDegree, ZeroHere
-from exactspline.verification.generic_degree import joined_degree
-from exactspline.verification.generic_proof import degree_in_table_1, reduction_of, transposed, vanishes
+from exactspline.verification.generic_proof import degree_in_table_1, joined_degree, reduction_of, transposed, vanishes
 from exactspline.verification.notation import degree_latex
 from exactspline.verification.verdict import (
     PROVED,

@@ -8,8 +8,8 @@ from abc import abstractmethod
 from dataclasses import field, replace
 from typing import ClassVar
 
-from exactspline.errors import ClaimError
-from exactspline.language.argument import Evaluated
+from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import POINT_IN_SPACE, Kind, kind_of
 from exactspline.language.parts import split
@@ -18,15 +18,25 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.tensor import TensorSpline
-from exactspline.symbolic.factorization import Factor, jets_for, jets_with_roots
+from exactspline.symbolic.factorization import Factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
-from exactspline.verification.decision import DirectrixOf, Equation, OneRuledSurface, Statement, Zero
-from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import ExactQuotient, Fact, OneSurface, OneSurfaceBut, Remainder, Rulings
+from exactspline.verification.decision import DirectrixOf, Equation, OneRuledSurface, Outcome, Statement, Zero
+from exactspline.verification.evaluation import Evaluation, evaluation
+from exactspline.verification.evidence import (
+    ExactQuotient,
+    Fact,
+    OneSurface,
+    OneSurfaceBut,
+    OnExample,
+    Remainder,
+    Rulings,
+)
 from exactspline.verification.generic_proof import factor_of, harmful
 from exactspline.verification.notation import WEIGHTS, factor_latex, factor_parts
+from exactspline.verification.paper_curves import curve_names
+from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import REFUTED, VACUOUS, VERIFIED, Finding
 from exactspline.verification.vocabulary import ArgumentKind, Name
 
@@ -84,10 +94,12 @@ class Identity(EqualityClaim):
         quotient is not a product of polynomials.
         """
         equation = self.equality
-        if kind_of(self.curve).adjoins_roots:
-            return equation.decide(jets_with_roots(equation.formulas, self.factor, dimension, polynomial=polynomial))
-        c = jets_for(equation.formulas, dimension, polynomial=polynomial)
+        c = jets_for(equation.formulas, dimension, polynomial=polynomial, factor=self.factor)
         finding = equation.decide(c)
+        if kind_of(self.curve).adjoins_roots:
+            if finding.computed is Fact.NOT_IDENTICAL and (example := self._differs_on(dimension, polynomial)):
+                return replace(finding, witness=OnExample(Name(example), finding.witness))
+            return finding
         if finding.verdict == VACUOUS:
             return finding
         if all(x.is_zero for x in split(equation.right(c))[0]):
@@ -100,6 +112,23 @@ class Identity(EqualityClaim):
         return replace(
             finding, computed=factor, factor=factor, witness=ExactQuotient(factor) if differ else finding.witness
         )
+
+    def _differs_on(self, dimension: int, polynomial: bool) -> str:
+        """The first example curve on which the sides, with roots adjoined, differ; curves on which they do not exist
+        are skipped.
+        """
+        kind = kind_of(self.curve)
+        for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
+            curve = self.curve_named(name)
+            if curve.dimension == dimension and curve.polynomial == polynomial:
+                try:
+                    first = next(on_segments(kind, curve, self.highest_derivative(dimension)))
+                    differs = self.equality.compare(first.argument).outcome is Outcome.DIFFERENT
+                    if differs and not evaluation(curve).failing(self.curve, self.assumes):
+                        return name
+                except ExactSplineError:
+                    continue
+        return ""
 
     @property
     def compared(self) -> list[Formula]:
@@ -126,11 +155,9 @@ class Vanishing(EqualityClaim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left`` is the zero polynomial."""
         formula = self.find(self.left)
-        roots = kind_of(self.curve).adjoins_roots
-        jets = jets_with_roots((formula,), "1", dimension, polynomial=polynomial) if roots else None
-        c = jets or jets_for((formula,), dimension, polynomial=polynomial)
+        c = jets_for((formula,), dimension, polynomial=polynomial)
         finding = self.equality.decide(c)
-        if roots or finding.verdict != REFUTED:
+        if finding.verdict != REFUTED or kind_of(self.curve).adjoins_roots:
             return finding
         rest = next(x for x in split(formula(c))[0] if not x.is_zero)
         witness = self.refuted_on_examples().witness or Fact.POLYNOMIAL_NOT_ZERO

@@ -11,9 +11,7 @@ from functools import cache, partial
 from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, VanishingDivisorError
-from exactspline.language.accompanied import Accompanied
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import PARAMETERS, Curve, T
+from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, T
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Symbol
 from exactspline.language.kinds import CurveKind, Kind, kind_of

@@ -9,15 +9,14 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, ExactSplineError, VanishingDivisorError
 from exactspline.language.adjoined_root import Adjoined
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import POINT, Operands
+from exactspline.language.arguments import POINT, Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind, kind_of
 from exactspline.language.parts import joined, split
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.factorization import jets_for, jets_with_roots
+from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, any_formula, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.decision import Equation
@@ -93,11 +92,7 @@ class TypeClaim(Claim):
     def _on_all_curves(self, dimension: int, polynomial: bool) -> list[Any]:
         """The components on the indeterminate argument."""
         formula = self.find(self.formula)
-        if kind_of(self.curve).adjoins_roots:
-            c = jets_with_roots((formula,), "1", dimension, polynomial=polynomial)
-        else:
-            c = jets_for((formula,), dimension, polynomial=polynomial)
-        return split(joined(formula(c)))[0]
+        return split(joined(formula(jets_for((formula,), dimension, polynomial=polynomial))))[0]
 
     def _types_of_examples(self, dimension: int, polynomial: bool) -> Iterator[tuple[str, ValueType | None]]:
         """The type on the example curves, the one named as witness first."""
@@ -246,7 +241,7 @@ class Existence(Claim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The absence of a rational form is refuted by a nonzero one that equals the definition."""
         equation = Equation(self.find(self.formula), self.find(self.definition))
-        c = jets_with_roots(equation.formulas, "1", dimension, polynomial=polynomial)
+        c = jets_for(equation.formulas, dimension, polynomial=polynomial)
         if all(x.is_zero for x in split(equation.left(c))[0]):
             return vacuous()
         if equation.decide(c).verdict == PROVED:

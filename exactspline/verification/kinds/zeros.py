@@ -8,7 +8,7 @@ from dataclasses import field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
