@@ -30,6 +30,7 @@ WRITTEN = (
     "degree-theorem",
     "surfaces",
     "bisectors",
+    "bisectors-of-surfaces",
     "two-parameters",
     "conditioning",
     "approximated",

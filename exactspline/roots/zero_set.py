@@ -271,7 +271,9 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
 
 def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bool) -> list[ZeroInterval]:
     """The segments on which the spline vanishes, with adjacent ones merged."""
-    count, result = len(isolations), []
+    count, result = len(isolations), list[ZeroInterval]()
+    if all(isolations):
+        return result
     for first, number in runs([x is None for x in isolations], [periodic, *[True] * (count - 1)]):
         last = first + number
         before = isolations[first - 1] if first or periodic else None
