@@ -19,6 +19,7 @@ from exactspline.classroom.exercises import (
 )
 from exactspline.classroom.parts import Math, Point
 from exactspline.classroom.triangles import de_boor_triangle
+from exactspline.errors import counted
 from exactspline.formulas.derivatives import towards_centre
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
@@ -50,8 +51,8 @@ def support(rng: Random) -> Drawn:
     task = (
         f"A B-spline function of degree {f.degree} has the knots ",
         knots_of(f),
-        f" and {len(f.control_points)} control points, counted from 0. On which interval does it change when "
-        f"control point {i} is changed? Give its two ends.",
+        f" and {counted(len(f.control_points), 'control point')}, counted from 0. On which interval does it change "
+        f"when control point {i} is changed? Give its two ends.",
     )
     solution = (
         f"The basis function number {i} begins at the knot number {i} and ends at the knot number {i} + "
@@ -74,7 +75,7 @@ def hull(rng: Random) -> Drawn:
         "bound.",
     )
     solution = (
-        f"On this interval only {len(active)} control points have influence, ",
+        f"On this interval only {counted(len(active), 'control point')} have influence, ",
         Math("", tuple(active)),
         ", and the value is a mean of them with positive weights.",
     )

@@ -22,7 +22,7 @@ DIFFERS = "a verdict differs from the record"
 FORMULA = {
     "degrees": Entry(
         "Degrees and control points.",
-        ("formula degrees --generic", "formula degrees evolute --curve my.json"),
+        ("formula degrees --generic", "formula degrees --at 3", "formula degrees evolute --curve my.json"),
         "formula.degrees:degrees",
         "a degree differs from the printed one",
     ),

@@ -1,4 +1,4 @@
-"""Shared by the subcommands: options, reading curves, progress."""
+"""Shared by the subcommands: options, reading curves."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 
 from exactspline.cli.output import is_quiet
 from exactspline.cli.parameters import Option
-from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, command_name
+from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, command_name, counted
 
 if TYPE_CHECKING:
     from exactspline.interchange.records import Reading
@@ -36,7 +36,6 @@ __all__ = [
     "standard_input",
     "tell_notes",
     "tell_skipped",
-    "tracked",
 ]
 V = TypeVar("V")
 
@@ -83,7 +82,7 @@ def load_curve(name: str) -> Nurbs:
     if len(found) > 1:
         names = ", ".join(c.name for c in found[:8]) + (", …" if len(found) > 8 else "")
         raise CurveFileError(
-            f"{len(found)} curves, where one is expected",
+            f"{counted(len(found), 'curve')}, where one is expected",
             where=name,
             remedy=f"take one: {command_name()} convert {name} one.json --only NAME, of {names}",
         )
@@ -223,7 +222,7 @@ def tell_notes(reading: Reading) -> None:
         for note in named.notes:
             about.setdefault(note, []).append(named.name)
     for note, names in about.items():
-        which = names[0] if len(names) == 1 else f"{len(names)} curves"
+        which = names[0] if len(names) == 1 else counted(len(names), "curve")
         sys.stderr.write(f"note: {which}: {note}\n")
 
 
@@ -248,16 +247,6 @@ def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
     from exactspline.geometry.planarity import with_plane_curves
 
     return with_plane_curves(curves)
-
-
-def tracked(calls: Sequence[Callable[[], V]], label: str) -> list[V]:
-    """The results of the calls, with a progress bar on a terminal."""
-    if is_quiet() or not sys.stderr.isatty():
-        return [call() for call in calls]
-    from rich.console import Console
-    from rich.progress import track
-
-    return [call() for call in track(calls, description=label, console=Console(stderr=True), transient=True)]
 
 
 def quiet_fonts() -> None:

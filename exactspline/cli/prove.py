@@ -15,10 +15,10 @@ from exactspline.cli.common import (
     claims_of_papers,
     each_read,
     loaded,
-    tracked,
 )
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Exit, Option
+from exactspline.cli.progress import tracked
 from exactspline.errors import ClaimError, nearest
 
 if TYPE_CHECKING:

@@ -275,7 +275,7 @@ def degree_of(value: SplineVector | Rational[TensorSpline]) -> str:
     return f"{d[0]} × {d[1]}" if isinstance(d, tuple) else str(d)
 
 
-def counted(value: Rational[TensorSpline]) -> int:
+def control_points(value: Rational[TensorSpline]) -> int:
     """The number of control points of a patch."""
     top = value.vector[0].elevated_to(value.denominator)
     m, n = top.control_point_counts

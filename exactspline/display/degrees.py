@@ -83,6 +83,17 @@ def generic_sheet(kind: str, rows: Iterable[GenericRow]) -> Sheet:
     return Sheet(*columns, rows=cells, title=title, name=kind, numbers=numbers)
 
 
+def sheet_at(kind: str, rows: Iterable[GenericRow], d: int) -> Sheet:
+    """The proved degrees on the generic curve of one degree."""
+    numbers = ("naive", "paper", "true")
+    title = f"The generic {kind} curve of degree {d}"
+    made = Sheet("construction", *numbers, title=title, name=kind, numbers=numbers)
+    for row in rows:
+        degrees = row.at(d)
+        made.add_row(row.object, *(NOTHING if degrees[name] is None else degrees[name] for name in numbers))
+    return made
+
+
 def _attained_at(row: GenericRow) -> str:
     """The degrees d at which a witness attains the true degree; those at which the object does not exist or vanishes;
     those at which proof and witness disagree.

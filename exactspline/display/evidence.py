@@ -17,6 +17,7 @@ from exactspline.display.numbers import EXACT, Numbers
 from exactspline.errors import ExactSplineError, counted
 from exactspline.language.kinds import constant_text
 from exactspline.numbers.exact import mpq, text
+from exactspline.polynomials.factorization import power_text
 from exactspline.readings.jet import polynomial_text
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence as e
@@ -296,7 +297,7 @@ def _(item: e.Sides, numbers: Numbers = EXACT) -> str:
 
 @words.register
 def _(item: e.StatedFactor, numbers: Numbers = EXACT) -> str:
-    stated = " ".join(name if exponent == 1 else f"{name}^{exponent}" for name, exponent in item.powers)
+    stated = "·".join(power_text(name, exponent) for name, exponent in item.powers)
     return f"{stated} = 1 (polynomial: w = 1)" if item.is_one else stated
 
 

@@ -16,10 +16,10 @@ from exactspline.papers import paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.claim import Claim
-from exactspline.verification.errata import numbered, true_relation
+from exactspline.verification.errata import claimed_relation, numbered, true_relation
 from exactspline.verification.evidence import DegreeHere, ExactQuotient, WrongDegree
 from exactspline.verification.kinds.degree import DegreeClaim
-from exactspline.verification.kinds.equality import Vanishing
+from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.rows import Counts, Row, count_statements
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict
@@ -41,6 +41,16 @@ def section(claim: Claim) -> str:
     if claim.status == Status.OURS:
         return OURS
     return claim.section or claim.source
+
+
+def claimed(claim: Claim) -> str:
+    """What a claim says, typeset as what is found: an identity as ``left = factor · right``.
+
+    >>> from exactspline.verification.claims import select
+    >>> [claimed(claim) for claim in select(["C4.1a"])]
+    ['f1 = w · f2', 'f0 = w⁻³ · f2']
+    """
+    return worded(claimed_relation(claim)) if isinstance(claim, Identity) else claim.claims
 
 
 def found(row: Row, numbers: Numbers = EXACT) -> str:

@@ -13,6 +13,7 @@ from exactspline.classroom.triangles import ProductTable, Triangle
 from exactspline.display.evidence import worded
 from exactspline.display.exercises import task_html
 from exactspline.display.latex import fraction, latex, mathematics
+from exactspline.display.ledger import claimed
 from exactspline.display.numbers import Numbers
 from exactspline.display.plot.canvas import in_words, settle
 from exactspline.display.quotations import quoted
@@ -235,7 +236,7 @@ def _(read: ReadingAlong) -> str:
 def _(s: Statement) -> str:
     c, f = s.claim, s.finding
     fields = [
-        ("claimed", c.claims),
+        ("claimed", claimed(c)),
         ("computed", worded(f.computed)),
         ("factor", worded(f.factor)),
         ("witness", worded(f.witness)),
@@ -258,7 +259,7 @@ def short(x: object) -> str:
     if isinstance(x, BSpline):
         a, b = x.domain
         described = (
-            f"degree {x.degree}, {len(x.control_points)} control points on [{text(a)}, {text(b)}], "
+            f"degree {x.degree}, {counted(len(x.control_points), 'control point')} on [{text(a)}, {text(b)}], "
             f"{counted(len(x.mesh), 'segment')}"
         )
         return f"<BSpline: {described}>" if len(x.control_points) > LONG else repr(x)

@@ -10,7 +10,7 @@ from html import escape
 from importlib.metadata import PackageNotFoundError, version
 
 from exactspline.display.glossary import glossary_list
-from exactspline.display.ledger import WORDS, closing, found, summary, witness
+from exactspline.display.ledger import WORDS, claimed, closing, found, summary, witness
 from exactspline.display.page import cells, definitions, page, table
 from exactspline.display.quotations import parts
 from exactspline.papers import Paper
@@ -69,7 +69,7 @@ def _claim(claim: Claim, rows: Iterable[Row]) -> str:
     general = next((row for row in mine if not row.curve), None)
     verdict = general.verdict if general else ""
     fields = [
-        ("claimed", claim.claims),
+        ("claimed", claimed(claim)),
         ("assumes", claim.assumed),
         ("recorded", "" if general is None or general.as_recorded else f"{claim.expected}: it differs"),
     ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from exactspline.display.data import picked
 from exactspline.display.evidence import worded
+from exactspline.display.ledger import claimed
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import true_relation
 from exactspline.verification.kinds.degree import DegreeClaim
@@ -24,7 +25,7 @@ def fields(s: Statement) -> list[tuple[str, str]]:
     for side in s.sides:
         rows += [(side.role, side.text), ("of which", f"{side.name}, {side.source}, degree {side.degrees}")]
     rows += [
-        ("claimed", c.claims if not isinstance(c, Identity) else f"factor {c.claims}"),
+        ("claimed", claimed(c)),
         ("found", _found(s)),
         ("factor", worded(f.factor) if not isinstance(c, DegreeClaim | Identity) else ""),
         ("witness", worded(f.witness)),

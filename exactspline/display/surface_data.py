@@ -12,6 +12,7 @@ from exactspline.display.data import Data, picked, plain
 from exactspline.display.described import described_surface
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
+from exactspline.errors import counted
 from exactspline.geometry.surface.chains import ParabolicCurve, Piece
 from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.forms import Patch
@@ -221,7 +222,7 @@ def surface_sheet(inspection: SurfaceInspection, digits: int) -> Sheet:
         made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), note)
     for curve in inspection.parabolic_curves:
         extent = hull(_extent(piece) for piece in curve.pieces)
-        across = f", across {len(curve.patches)} patches" if len(curve.patches) > 1 else ""
+        across = f", across {counted(len(curve.patches), 'patch')}" if len(curve.patches) > 1 else ""
         made.add_row("parabolic curve", *(_near(side, 2) for side in extent), curve.shape.value + across)
     for place in inspection.parabolic_points:
         made.add_row("parabolic point", *_parameters(place, digits), "K = 0 at this point only")
@@ -285,7 +286,7 @@ def _of_umbilic(umbilic: Umbilic) -> str:
     index = INDEX.get(umbilic.kind)
     parts = [
         umbilic.kind.value + (f" (index {index.replace('1/2', '½').replace('-', '−')})" if index else ""),
-        f"on the border of {len(umbilic.place.patches)} patches" if len(umbilic.place.patches) > 1 else "",
+        f"on the border of {counted(len(umbilic.place.patches), 'patch')}" if len(umbilic.place.patches) > 1 else "",
         "seen from some patches only" if umbilic.one_sided else "",
     ]
     return ", ".join(filter(None, parts))
@@ -306,7 +307,11 @@ def _of_joint(joint: SurfaceJoint) -> str:
 def _add_open_boxes(made: Sheet, boxes: Sequence[Box]) -> None:
     """Add the boxes in which something is undecided; boxes that touch share a row."""
     for box, cluster in clusters(boxes):
-        remark = "not decided here" if len(cluster) == 1 else f"not decided in {len(cluster)} boxes, which --json lists"
+        remark = (
+            "not decided here"
+            if len(cluster) == 1
+            else f"not decided in {counted(len(cluster), 'box')}, which --json lists"
+        )
         made.add_row("undecided", *(_near(side, DIGITS_OF_BOXES) for side in box), remark)
 
 

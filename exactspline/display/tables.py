@@ -8,6 +8,7 @@ from html import escape
 
 from exactspline.display import console
 from exactspline.display.evidence import worded
+from exactspline.display.ledger import claimed
 from exactspline.display.numbers import Numbers as Written
 from exactspline.display.numbers import decimal_milliseconds
 from exactspline.display.quotations import quoted
@@ -41,6 +42,8 @@ COLOURS = dict.fromkeys(Verdict, "#666666") | {
 }
 #: A remark in a table is shortened when it has more characters.
 LONGEST = 160
+#: More rows that hold than these are folded away.
+FEW = 6
 #: Words up to this many characters are not broken in HTML.
 LONGEST_WORD = 24
 #: The columns with words of a source.
@@ -82,11 +85,14 @@ class Grid(Sheet, Displayed):
 
     def html(self) -> str:
         """The table as HTML."""
+        return self._table(self.rows)
+
+    def _table(self, rows: Iterable[Sequence[str]]) -> str:
         style = "text-align:left;padding:2px 10px 2px 0;vertical-align:top;overflow-wrap:break-word"
         head = "".join(f'<th style="{style}">{escape(c)}</th>' for c in self.columns)
         body = "".join(
             "<tr>" + "".join(f'<td style="{style}">{_marked(cell)}</td>' for cell in self._typeset(row)) + "</tr>"
-            for row in self.rows
+            for row in rows
         )
         title = f'<caption style="{style};caption-side:top"><b>{escape(self.title)}</b></caption>' if self.title else ""
         return f"<table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
@@ -121,13 +127,24 @@ class Verdicts(Grid):
         self.rows_of_ledger = list(rows)
         columns = ["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"]
         cells: list[tuple[str, ...]] = [
-            (r.verdict, r.id, r.curve, r.statement, r.claimed, worded(r.computed), remark(r), r.claim.source)
+            (r.verdict, r.id, r.curve, r.statement, claimed(r.claim), worded(r.computed), remark(r), r.claim.source)
             for r in self.rows_of_ledger
         ]
         if any(r.curve for r in self.rows_of_ledger):
             super().__init__(columns, cells)
         else:
             super().__init__([*columns[:2], *columns[3:]], [(*c[:2], *c[3:]) for c in cells], "for all curves")
+
+    def html(self) -> str:
+        """The table as HTML: rows that hold are folded away where others are refuted or there are many of them."""
+        rows = list(zip(self.rows, self.rows_of_ledger, strict=True))
+        holds = [cells for cells, row in rows if row.verdict in (PROVED, VERIFIED)]
+        others = [cells for cells, row in rows if row.verdict not in (PROVED, VERIFIED)]
+        if not holds or not (others or len(holds) > FEW):
+            return super().html()
+        verb = "holds" if len(holds) == 1 else "hold"
+        summary = f"<summary>{counted(len(holds), 'statement')} {verb}</summary>"
+        return f"{self._table(others) if others else ''}<details>{summary}{self._table(holds)}</details>"
 
     @property
     def as_recorded(self) -> bool:
@@ -145,7 +162,7 @@ def remark(row: Row) -> str:
 
 
 def _cut(text: str) -> str:
-    return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} … ({len(text)} characters)"
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} … ({counted(len(text), 'character')})"
 
 
 def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = ()) -> Verdicts:

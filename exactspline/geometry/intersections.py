@@ -8,12 +8,13 @@ exactly.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any, NamedTuple
 
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet, shift_for
+from exactspline.geometry.intersection_certificate import intersection_certificate
 from exactspline.geometry.sides_at_knots import changes_side, half_branches, interlace
 from exactspline.geometry.space_meetings import SpaceForms, space_meetings
 from exactspline.hooks import Displayed
@@ -113,9 +114,25 @@ class Intersections(Answer[Intersection, Overlap], Displayed):
     """
 
     left_out: tuple[str, ...] = ()
+    curves: tuple[Nurbs, Nurbs] | None = field(default=None, compare=False)
 
     def __bool__(self) -> bool:
         return super().__bool__() or bool(self.left_out)
+
+    def certificate(self) -> dict[str, object]:
+        """A proof, as JSON data with exact strings, that these are all (see `exactspline.certificates`): of two plane
+        curves without arcs in common, of which none passes several times through a common point.
+
+        >>> from exactspline import Nurbs, check_certificate
+        >>> first, second = (Nurbs(1, [0, 0, 1, 1], [(0, y), (1, 1 - y)]) for y in (0, 1))
+        >>> check_certificate(intersections(first, second).certificate())
+        {'points': 1}
+
+        Raises `ShapeError` in space, and `ReachError` for other curves.
+        """
+        if self.curves is None:
+            raise ShapeError("a certificate of a curve and itself", remedy="give two curves")
+        return intersection_certificate(*self.curves)
 
     def _parts(self) -> list[str]:
         return super()._parts() + [f"undecided: {what}" for what in self.left_out]
@@ -285,7 +302,8 @@ class _Collected:
             points += [self._at_knot(group) for group in groups if not self._ends_an_arc(group[0])]
         if len(points) > 1:
             points.sort(key=lambda point: point.first)
-        return Intersections(tuple(points), tuple(self.arcs), tuple(self.left_out))
+        curves = None if self.alone else self.curves
+        return Intersections(tuple(points), tuple(self.arcs), tuple(self.left_out), curves)
 
     def _inside(self, point: _Found) -> Intersection:
         times = point.multiplicity

@@ -13,7 +13,7 @@ from functools import cached_property, reduce
 
 from flint import arb, arb_poly, ctx, fmpz, fmpz_poly
 
-from exactspline.errors import ShapeError, as_items
+from exactspline.errors import ShapeError, as_items, counted
 from exactspline.geometry.box_tree import IntegerBox, box_of, shift_for
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number, lcm, mpq, rational, to_fmpq
@@ -107,7 +107,7 @@ def exact_point(curve: Nurbs, point: Iterable[Number]) -> tuple[mpq, ...]:
     """The coordinates of a point; raises `ShapeError` for a point of another dimension than the curve."""
     exact = tuple(rational(x) for x in as_items(point, "a point"))
     if len(exact) != curve_of(curve).dimension:
-        raise ShapeError(f"a point with {len(exact)} coordinates", remedy=f"give {curve.dimension}")
+        raise ShapeError(f"a point with {counted(len(exact), 'coordinate')}", remedy=f"give {curve.dimension}")
     return exact
 
 

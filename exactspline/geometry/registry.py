@@ -4,6 +4,8 @@ entry is defined where its exact answer is computed; this module only lists the 
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.bisector.two_curves import CurveBisector
 from exactspline.geometry.curve_pair import CurvePair
@@ -20,9 +22,9 @@ REGISTRY: dict[Of, dict[str, Entry]] = {
 }
 
 
-def terms_of_questions() -> dict[str, str]:
+def terms_of_questions(other: Container[str] = ()) -> dict[str, str]:
     """The meanings of the questions by their names; where two questions share a name, the one that is not about curves
-    is named with its object.
+    is named with its object, as is a question with the name of another term.
 
     >>> terms_of_questions()["umbilics"]
     'the points with a tangent plane at which the two principal curvatures are equal'
@@ -33,6 +35,6 @@ def terms_of_questions() -> dict[str, str]:
     for of, entries in REGISTRY.items():
         for name, entry in entries.items():
             words = name.replace("_", " ")
-            taken = named.get(words, entry) is not entry
+            taken = words in other or named.get(words, entry) is not entry
             named[f"{words} of a {of}" if taken else words] = entry
     return {words: entry.meaning for words, entry in named.items()}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-from exactspline.errors import ExactSplineError, ShapeError
+from exactspline.errors import ExactSplineError, ShapeError, counted
 from exactspline.interchange.limits import work
 from exactspline.interchange.numbers import decimal
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
@@ -133,7 +133,7 @@ class Collector:
             raise ShapeError(f"degree {degree}", where="degree", remedy=f"at most {self.limits.degree} is read")
         if not points or len(knots) != len(points) + degree + 1:
             raise ShapeError(
-                f"{len(points)} control points for {len(knots)} knots of degree {degree}",
+                f"{counted(len(points), 'control point')} for {counted(len(knots), 'knot')} of degree {degree}",
                 where="control_points",
                 remedy=f"there must be {max(len(knots) - degree - 1, 0)} (knots − degree − 1)",
             )
@@ -141,6 +141,6 @@ class Collector:
         longest = max(x.numerator.bit_length() + x.denominator.bit_length() for x in numbers)
         if work(degree, knots, longest) > self.limits.work:
             raise ShapeError(
-                f"degree {degree}, {len(points)} control points, numbers of {longest} bits: too much work",
+                f"degree {degree}, {counted(len(points), 'control point')}, numbers of {longest} bits: too much work",
                 remedy="read with a larger limit of work",
             )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ShapeError, counted
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped
 from exactspline.interchange.segments import ellipse as full_ellipse
@@ -61,7 +61,7 @@ def conic(form: Sequence[Number], start: Iterable[Number], end: Iterable[Number]
     Raises `ShapeError` if an end is not exactly on the conic, or if there is no such arc.
     """
     if len(form) != 6:
-        raise ShapeError(f"{len(form)} coefficients", where="form", remedy="give A, B, C, D, E, F")
+        raise ShapeError(counted(len(form), "coefficient"), where="form", remedy="give A, B, C, D, E, F")
     return _curve(conic_arc([rational(c) for c in form], _point(start), _point(end)), "conic")
 
 

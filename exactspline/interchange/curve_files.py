@@ -18,7 +18,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from exactspline.atomic_write import write_text
-from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_path, as_text
+from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_path, as_text, counted
 from exactspline.interchange.json_files import (
     CURVE,
     SURFACE,
@@ -245,7 +245,7 @@ def _list(value: Any, where: str, count: int | None = None) -> list[Any]:
     if not isinstance(value, list):
         raise CurveFileError("is not a list", where=where, remedy="write a JSON list")
     if count is not None and len(value) != count:
-        raise CurveFileError(f"has {len(value)} entries", where=where, remedy="one for u and one for v")
+        raise CurveFileError(f"has {counted(len(value), 'entry')}", where=where, remedy="one for u and one for v")
     return value
 
 

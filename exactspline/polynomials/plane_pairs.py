@@ -95,6 +95,11 @@ class Elimination:
         """The last diagonal entry: not zero where there is one parameter, and it is not 0."""
         return self.cofactor(self.size - 1, self.size - 1)
 
+    @property
+    def last_entry(self) -> fmpz_poly:
+        """A form of the degree of the map that is not zero where the parameter is that of the end of the segment."""
+        return self.last
+
     @cached_property
     def map(self) -> RationalMap:
         """The parameter of the first curve as a function of that of the second, where it is a zero of F."""
@@ -158,6 +163,11 @@ class LineElimination(Elimination):
         normal = across(start, end)
         # the line itself, as a point, is not on it
         self._forms = along(across(start, normal), other), along(across(normal, end), other)
+
+    @property
+    def last_entry(self) -> fmpz_poly:
+        """The numerator of the map."""
+        return self.map.top
 
     @cached_property
     def map(self) -> RationalMap:

@@ -13,7 +13,7 @@ from typing import Any, cast
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, counted
 from exactspline.language.arguments import Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind
@@ -265,7 +265,9 @@ def polynomial_text(jet: Jet, limit: int = 12) -> str:
     terms = [(p.monomial(i), p.coefficient(i)) for i in range(min(limit, count))]
     parts = [_term_text(jet.ring, exponents, from_flint(c)) for exponents, c in terms]
     text = " ".join(parts).removeprefix("+ ")
-    return (text if not text.startswith("− ") else "−" + text[2:]) + (f" + … ({count} terms)" if count > limit else "")
+    return (text if not text.startswith("− ") else "−" + text[2:]) + (
+        f" + … ({counted(count, 'term')})" if count > limit else ""
+    )
 
 
 def _term_text(ring: JetRing, exponents: Any, c: mpq) -> str:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from exactspline.certificates import ZEROS
 from exactspline.certificates import certificate as written
-from exactspline.errors import ShapeError, as_flag, as_items
+from exactspline.errors import ShapeError, as_flag, as_items, counted
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import mpq, ratio, text
 from exactspline.numbers.immutable import Immutable, fill
@@ -131,7 +131,8 @@ class ZeroSet(Immutable, Displayed):
         return self.roots[i]
 
     def __repr__(self) -> str:
-        return f"<ZeroSet: {len(self.roots)} roots, {len(self.intervals)} intervals, {len(self.jumps)} jumps>"
+        parts = {"root": self.roots, "interval": self.intervals, "jump": self.jumps}
+        return f"<ZeroSet: {', '.join(counted(len(found), what) for what, found in parts.items())}>"
 
     def refine(self, digits: int, progress: Callable[[int, int], None] | None = None) -> list[Interval]:
         """Intervals at most ``10^−digits`` wide that contain the roots; `progress` is called after each root with the
@@ -261,7 +262,7 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
     >>> f = BSpline(1, [0, 0, 1, 2, 3, 3], [1, -1, 0, 0])
     >>> found = zeros(f)
     >>> found, found.roots, found.intervals
-    (<ZeroSet: 1 roots, 1 intervals, 0 jumps>, (<Root 1/2: multiplicity 1, sign + to −>,), (<ZeroInterval [2, 3]>,))
+    (<ZeroSet: 1 root, 1 interval, 0 jumps>, (<Root 1/2: multiplicity 1, sign + to −>,), (<ZeroInterval [2, 3]>,))
 
     Raises `ShapeError` for anything but a `BSpline`.
     """
@@ -292,9 +293,13 @@ def jump_root(jump: Jump) -> Root:
 def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, object]:
     if isolation is None:
         return {"coefficients": coefficients, "factors": [], "points": [], "leaves": []}
+    return {"coefficients": coefficients} | isolation_data(isolation)
+
+
+def isolation_data(isolation: Isolation) -> dict[str, object]:
+    """What proves the zeros of one form: factors, points and leaves, as data."""
     leaves = sorted((mpq(k, 1 << level), mpq(k + 1, 1 << level), changes) for level, k, changes in isolation.leaves)
     return {
-        "coefficients": coefficients,
         "factors": [[[str(x) for x in g.polynomial.coeffs()], k] for g, k in isolation.factors or []],
         "points": [text(t) for t in sorted(mpq(k, 1 << level) for level, k in isolation.points)],
         "leaves": [[text(a), text(b), changes] for a, b, changes in leaves],

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import product
 from typing import TypeVar, cast
 
-from exactspline.errors import ExactSplineError, ShapeError, shown
+from exactspline.errors import ExactSplineError, ShapeError, counted, shown
 from exactspline.numbers.exact import Number, mpq
 from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline
@@ -71,10 +71,10 @@ def checked_net(
             raise ShapeError(f"{shown(row)} is not a row of control points", where=place, remedy=remedy)
         points = read(cast("Iterable[T]", row), place)
         if len(points) != counts[1]:
-            raise _miscounted(f"{len(points)} control points in a row", place, counts[1], letters[1])
+            raise _miscounted(f"{counted(len(points), 'control point')} in a row", place, counts[1], letters[1])
         net.append(points)
     if len(net) != counts[0]:
-        raise _miscounted(f"{len(net)} rows of control points", "control_points", counts[0], letters[0])
+        raise _miscounted(f"{counted(len(net), 'row')} of control points", "control_points", counts[0], letters[0])
     return net
 
 

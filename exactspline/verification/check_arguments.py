@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from exactspline.errors import InapplicableError
+from exactspline.errors import InapplicableError, counted
 from exactspline.language.arguments import Accompanied, Curve, Evaluated, Pair
 from exactspline.language.formula import Formula
 from exactspline.language.hodograph_kind import curve_of_hodograph
@@ -119,7 +119,9 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
     if asked.constants:
         values = dict(zip(asked.constants, CONSTANTS, strict=False))
         if len(values) < len(asked.constants):
-            raise InapplicableError(f"{len(asked.constants)} constants", remedy=f"at most {len(CONSTANTS)} are tried")
+            raise InapplicableError(
+                f"{counted(len(asked.constants), 'constant')}", remedy=f"at most {len(CONSTANTS)} are tried"
+            )
         handed = Accompanied(handed, {name: curve.w.constant(value) for name, value in values.items()})
     chosen = Chosen(point, tuple((Name(name), value) for name, value in values.items())) if point or values else None
     return Given(handed, chosen, chosen)

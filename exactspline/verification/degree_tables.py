@@ -27,7 +27,7 @@ from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import all_formulas, find, known_as
-from exactspline.readings.degree import Degree, DegreeReading
+from exactspline.readings.degree import Degree, DegreeReading, parse_degree
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.tree import trace
@@ -208,6 +208,16 @@ class GenericRow:
     attained: tuple[int, ...]
     absent: tuple[int, ...]
     differ: tuple[int, ...]
+
+    def at(self, d: int) -> dict[str, int | None]:
+        """The three degrees for curves of degree d ≥ 2; None for what does not exist or vanishes.
+
+        >>> row = GenericRow("an object", "6d", "–", 3, 3, "3d − 3", 0, "3d − 6", (3,), (), ())
+        >>> row.at(4)
+        {'naive': 24, 'paper': None, 'true': 6}
+        """
+        texts = {"naive": self.naive, "paper": self.paper, "true": "–" if d in self.absent else self.true}
+        return {name: None if text == "–" else parse_degree(text).at({"d": d}) for name, text in texts.items()}
 
 
 def generic_table(*, polynomial: bool = False) -> list[Callable[[], GenericRow]]:

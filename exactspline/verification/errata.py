@@ -23,6 +23,7 @@ from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.kinds.examples import Count
+from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.rows import error_of
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Measure, Name, Scope, Status
@@ -129,6 +130,16 @@ def true_relation(claim: Claim, finding: Finding) -> Relating | None:
     if not isinstance(claim, Identity) or not isinstance(factor, Factor | StatedFactor):
         return None
     return Relating(name_of(claim, claim.left), factor, name_of(claim, claim.right))
+
+
+def claimed_relation(claim: Identity) -> Relating:
+    """The relation between the two sides that an identity claims."""
+    powers = tuple((_symbol(claim, name), exponent) for name, exponent in factor_parts(claim.factor))
+    return Relating(name_of(claim, claim.left), StatedFactor(powers), name_of(claim, claim.right))
+
+
+def _symbol(claim: Claim, name: str) -> Name:
+    return Name(name) if name in WEIGHTS or not name[0].isalpha() else name_of(claim, name)
 
 
 def name_of(claim: Claim, formula: str) -> Name:

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from exactspline.errors import FormulaError, as_flag, as_integer
+from exactspline.errors import FormulaError, as_flag, as_integer, counted
 from exactspline.hooks import Worded
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
@@ -219,7 +219,8 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     ps, qs = (split(f(curve))[0] for f in sides)
     if len(ps) != len(qs):
         raise FormulaError(
-            f"{sides[0].name} has {len(ps)} components and {sides[1].name} has {len(qs)}", remedy="compare equals"
+            f"{sides[0].name} has {counted(len(ps), 'component')} and {sides[1].name} has {len(qs)}",
+            remedy="compare equals",
         )
     finding = Equation(sides[0], sides[1], factor).decide(curve, VERIFIED)
     return Check(sides[0].name, sides[1].name, factor, finding)

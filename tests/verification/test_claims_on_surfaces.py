@@ -84,7 +84,7 @@ def test_a_wrong_factor_is_refuted_on_a_rational_surface(factor):
 def test_a_wrong_power_of_w_holds_where_w_is_one():
     wrong = replace(named("S2-L-L_lifted"), factor="w^-3", expected=Verdict.REFUTED, key="S2-wrong")
     (row,) = checked("bicubic", [wrong])
-    assert (row.verdict, worded(row.factor)) == (VERIFIED, "w^-3 = 1 (polynomial: w = 1)")
+    assert (row.verdict, worded(row.factor)) == (VERIFIED, "w⁻³ = 1 (polynomial: w = 1)")
 
 
 def test_a_proof_that_fails_on_a_surface_is_a_contradiction(monkeypatch):

@@ -7,9 +7,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-from exactspline.cli.common import Trust, tracked
+from exactspline.cli.common import Trust
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
+from exactspline.cli.progress import tracked
 from exactspline.errors import ExactSplineError, FormulaError
 
 if TYPE_CHECKING:

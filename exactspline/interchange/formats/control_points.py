@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import PurePath
 
+from exactspline.errors import counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.records import Format, Reading, Source
 from exactspline.interchange.segments import bezier_knots
@@ -42,7 +43,7 @@ def complete(
     """Add the curve with these control points and with the degree and knots that the caller gave."""
     degree, given = collector.source.degree, collector.source.knots
     if degree is None or (given is None and len(points) != degree + 1):
-        collector.skip(f"{len(points)} control points", where, "the file holds no degree and no knots: give both")
+        collector.skip(counted(len(points), "control point"), where, "the file holds no degree and no knots: give both")
         return
     knots = bezier_knots(degree) if given is None else [rational(knot) for knot in given]
     notes = ["degree and knots were given by the caller"]

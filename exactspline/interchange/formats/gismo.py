@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactspline.errors import CurveFileError
+from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
@@ -55,7 +55,9 @@ def _parts(collector: Collector, element: Element) -> tuple[int, list[mpq], list
     dimension = whole(coefficients.attributes.get("geoDim", ""))
     if dimension < 1 or len(values) % dimension:
         raise CurveFileError(
-            f"{len(values)} numbers for points of dimension {dimension}", where="coefs", remedy="give full rows"
+            f"{counted(len(values), 'number')} for points of dimension {dimension}",
+            where="coefs",
+            remedy="give full rows",
         )
     points = [values[i : i + dimension] for i in range(0, len(values), dimension)]
     weights = next((collector.numbers(e.text.split()) for e in below if e.tag == "weights"), None)

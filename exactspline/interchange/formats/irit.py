@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from exactspline.errors import CurveFileError
+from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
@@ -94,7 +94,8 @@ def _curve(collector: Collector, node: Node, where: str, name: str) -> None:
     dimension, homogeneous = int(match[2]), match[1] == "P"
     if len(points) != count or any(len(row) != dimension + homogeneous for row in points):
         raise CurveFileError(
-            f"{len(points)} points, but {count} of type {match[0]} are announced", remedy="the two must agree"
+            f"{counted(len(points), 'point')}, but {count} of type {match[0]} are announced",
+            remedy="the two must agree",
         )
     notes = []
     if homogeneous:
