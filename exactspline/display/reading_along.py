@@ -26,17 +26,20 @@ from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import PROVED
 from exactspline.verification.vocabulary import Status
 
+#: A sign that the text of a source lost.
+LOST = "\ufffd"
 #: What claims are that a source does not print.
 STATUS = {Status.MEANT: "as it must read", Status.OURS: "beyond the source"}
 STYLE = """<style>
 .along .passage{display:grid;grid-template-columns:8.5em minmax(0,1fr);gap:0 1em;margin:.35em 0}
-.along .margin{text-align:right;border-right:4px solid transparent;padding-right:.6em;font-size:.9em;line-height:1.35}
+.along .margin{text-align:right;border:0 solid transparent;border-right-width:4px;padding-right:.6em;
+font-size:.9em;line-height:1.35}
 .along .said{border-top:1px solid #8886;margin-top:1em;padding-top:.6em;font-style:italic}
 .along .PROVED{border-color:#00855c}.along .VERIFIED{border-color:#1b7fc4}.along .REFUTED{border-color:#cc5200}
 .along .UNDECIDED{border-color:#888}.along p{margin:.15em 0}.along details{margin:.15em 0 .4em}
-.along .formula{margin:.3em 0;overflow-wrap:anywhere}.along .degree{margin-left:1.5em;font-size:.9em}
+.along .formula{margin:.3em 0;overflow-wrap:anywhere}.along .degree{margin-left:1.5em;font-size:.9em;white-space:nowrap}
 @media(max-width:700px){.along .passage{grid-template-columns:minmax(0,1fr)}
-.along .margin{text-align:left;border-right:0;border-left:4px solid transparent;padding:0 0 0 .6em}}
+.along .margin{text-align:left;border-width:0 0 0 4px;padding:0 0 0 .6em}}
 </style>"""
 
 
@@ -123,7 +126,7 @@ def _passage(one: Passage, read: ReadingAlong, shown: set[str]) -> Iterator[str]
     new = [read.decided[key] for key in one.claims if key in read.decided and key not in shown]
     again = [key for key in one.claims if key not in read.decided or key in shown]
     shown.update(each.claim.key for each in new)
-    yield _row("said", f"p. {one.page}", f"“{escape(one.begins)}”")
+    yield _row("said", f"p. {one.page}", f"“{escape(one.begins.replace(LOST, '□'))}”")
     for name in ("definition", "citation", "slip", "open"):
         if name in one.read:
             yield _row("", name, f"<p>{escape(str(one.read[name]))}</p>")
