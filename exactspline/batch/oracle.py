@@ -21,6 +21,7 @@ from exactspline.geometry.analysis import QUESTIONS as QUESTIONS_ABOUT_CURVES
 from exactspline.geometry.analysis import analyse, questions_about
 from exactspline.geometry.derived import derive
 from exactspline.geometry.extent import coordinate_range, slope_zeros
+from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature, JointKind
 from exactspline.geometry.planarity import Plane
@@ -255,6 +256,9 @@ def _of_registry(entry: Entry, curve: Nurbs, question: Question) -> Found:
 
 
 def _items(curve: Nurbs, answer: Any) -> Iterator[Item]:
+    if isinstance(answer, Intersections):
+        yield from _meetings(answer)
+        return
     for each in () if answer is None else answer if isinstance(answer, (tuple, Places)) else (answer,):
         yield _item(curve, each)
     if isinstance(answer, Places):
@@ -274,6 +278,18 @@ def _item(curve: Nurbs, each: Feature | Joint | CurvePiece | Described | Plane |
     piece, plane = each if isinstance(each, tuple) else (None, each)
     ends = {} if piece is None else _piece("", piece).values
     return Item("planar piece" if piece else "plane", ends, {"plane": str(plane)})
+
+
+def _meetings(found: Intersections) -> Iterator[Item]:
+    if found.left_out:
+        raise QuestionError(f"not decided: {'; '.join(found.left_out)}", remedy="ask for the segments one by one")
+    for point in found:
+        values = {"parameter": point.first, "other parameter": point.second}
+        coordinates = {name: real(x) for name, x in zip("xyz", point.point, strict=False)}
+        yield Item(str(point.kind), values | coordinates, {"multiplicity": point.multiplicity})
+    for arc in found.everywhere:
+        ends = zip(("start", "end", "other start", "other end"), (*arc.first, *arc.second), strict=True)
+        yield Item(EVERYWHERE, dict(ends), {"reversed": arc.reversed})
 
 
 def _point(curve: Nurbs, feature: Feature) -> Item:

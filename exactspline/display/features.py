@@ -56,6 +56,15 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
             made.add_row(
                 joint["kind"], joint["decimal"], joint["parameter"], joint["curvature"] or "", *empty, _remark(joint)
             )
+    for name in _asked(c, Answered.PAIRS):
+        for point in data[name]["points"]:
+            both = [" and ".join(point[k][form] or "–" for k in ("first", "second")) for form in ("decimal", "exact")]
+            made.add_row("self-intersection", *both, "", *empty, point["kind"])
+        for what in data[name]["left_out"]:
+            made.add_row("not decided", "", "", "", *empty, f"self-intersections: {what}")
+        for arc in data[name]["everywhere"]:
+            both = [" and ".join(_decimals(arc[k]) for k in ("first", "second"))] * 2
+            made.add_row("runs over itself", *both, "", *empty, "reversed" * arc["reversed"])
     for name in _asked(c, Answered.PIECES):
         for piece in data[name]:
             made.add_row(QUESTIONS[name].about.of_piece, _intervals(piece), _intervals(piece), "", *empty, "")
@@ -72,6 +81,10 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
 def _kind(kind: str) -> str:
     """The kind of a feature, and of what it is an extremum."""
     return f"{kind} of κ" if kind in (FeatureKind.MAXIMUM, FeatureKind.MINIMUM) else kind
+
+
+def _decimals(ends: list[dict[str, str]]) -> str:
+    return f"[{', '.join(x['exact'] or x['decimal'] for x in ends)}]"
 
 
 def _asked(c: Nurbs, answered: Answered) -> list[str]:

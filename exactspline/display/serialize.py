@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from exactspline.display.intersection_data import intersections_data
 from exactspline.errors import ExactSplineError, ShapeError, a_kind, as_instance, as_integer
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.derived import Derived
 from exactspline.geometry.inspection import Approach, inspect_curve
+from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
 from exactspline.geometry.planarity import Plane
@@ -145,6 +147,8 @@ def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], No
             points.append(feature_data(curve, f, digits))
             tick()
         return {"points": points, "everywhere": [intervals_data(piece) for piece in answer.everywhere]}
+    if isinstance(answer, Intersections):
+        return intersections_data(answer, digits)
     return [_element_data(curve, each, digits) for each in answer] if isinstance(answer, tuple) else _text(answer)
 
 

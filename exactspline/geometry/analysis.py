@@ -13,6 +13,7 @@ from exactspline.geometry import plane_features, space_features
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.extent import slope_zeros, turning_points
 from exactspline.geometry.facts import ZeroForm
+from exactspline.geometry.intersections import Intersections, self_intersections
 from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.geometry.nearby import NearbyFeature, features_nearby
@@ -174,6 +175,16 @@ class Analysis(SpaceFacts, Displayed):
         ['[0, 4]']
         """
         return tuple(self.pieces_where_zero(self.zero_form(self.critical_form)))
+
+    @question(Of.PLANE_CURVE, answered=Answered.PAIRS)
+    def self_intersections(self) -> Intersections:
+        """The points through which a plane curve passes more than once.
+
+        >>> from exactspline import Nurbs
+        >>> analyse(Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])).self_intersections
+        [<crossing at 0.0669873… and 0.933013…>]
+        """
+        return self_intersections(self.curve)
 
     @question(Of.SPACE_CURVE, answered=Answered.PLANAR_PIECES, of_piece="planar, τ ≡ 0")
     def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:

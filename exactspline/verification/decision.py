@@ -149,7 +149,7 @@ class Zero:
                 return Finding(REFUTED, Fact.NOT_ZERO, witness=_where(part, Sides.ZERO, i))
         return Finding(holds, Fact.ZERO)
 
-    def residues(self, c: Evaluated) -> list[Any]:
+    def residues(self, c: Evaluated) -> list[JetFraction]:
         """Its components."""
         return list(split(self.formula(c))[0])
 
@@ -176,7 +176,7 @@ class OneRuledSurface:
                 return Finding(REFUTED, Fact.TWO_SURFACES, witness=_where(x, Sides.SURFACES))
         return Finding(holds, OneSurface())
 
-    def residues(self, c: Evaluated) -> list[Any]:
+    def residues(self, c: Evaluated) -> list[JetFraction]:
         """The components of the vector products with a generator."""
         return [x for product in differences(self.left(c), self.right(c)) for x in split(product)[0]]
 

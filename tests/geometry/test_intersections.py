@@ -334,3 +334,13 @@ def test_at_two_knots_with_one_tangent_the_curvatures_decide():
     ):
         (found,) = intersections(bent(a, b), bent(c, d))
         assert (str(found.kind), found.multiplicity, found.at_knot) == (expected, 2, (True, True))
+
+
+def test_a_segment_that_turns_back_meets_a_loop_twice_in_a_point():
+    """Passed before: a division by zero, where two parameters were compared whose polynomial has multiple factors."""
+    loop = bezier(("67/4", "-3/8"), ("-53/4", "15/8"), ("55/4", "69/8"), ("-41/4", "-57/8"))
+    found = intersections(loop, bezier(("5/2", "7/4"), ("-1/2", "17/4"), ("5/2", "7/4")))
+    once, again, turn = found
+    assert once.first == again.first
+    assert once.second + again.second == 1
+    assert (turn.first, turn.second, turn.multiplicity) == (mpq(1, 2), mpq(1, 2), 4)

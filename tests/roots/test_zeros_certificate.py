@@ -25,6 +25,7 @@ CASES = {
     "multiple": lambda: zeros((T**2 + T - 1) ** 2 * (3 * T - 1) ** 2 * (T**2 + 1)),
     "midpoints": lambda: zeros((2 * T - 1) * (4 * T - 1) ** 3 * (T - 1) * T**2),
     "periodic": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, -1, 0]), periodic=True),
+    "an interval of two segments": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [1, 0, 0, 0, 1])),
     "two intervals": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])),
     "periodic, an end": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [0, 1, 0, 0, -1, 0, 0]), periodic=True),
     "periodic, a start": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [0, 0, 1, 0, 0, -1, 0]), periodic=True),
