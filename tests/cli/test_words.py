@@ -22,7 +22,9 @@ from exactspline.display.ledger_page import ledger_page
 from exactspline.display.numbers import Numbers
 from exactspline.geometry.bisector.components import Solutions
 from exactspline.geometry.bisector.trimmed import PieceKind
+from exactspline.geometry.intersections import IntersectionKind
 from exactspline.geometry.kinds import FeatureKind, JointKind
+from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.surface.degenerate import Gap
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.joints import SurfaceJointKind
@@ -128,7 +130,18 @@ def test_the_glossary_has_every_word_of_the_tables(term):
 
 
 #: Everything that is said of features, joints, patches and pieces.
-KINDS = (FeatureKind, JointKind, SurfaceJointKind, PatchKind, Gap, Shape, Solutions, PieceKind)
+KINDS = (
+    FeatureKind,
+    JointKind,
+    SurfaceJointKind,
+    PatchKind,
+    Gap,
+    Shape,
+    Solutions,
+    PieceKind,
+    ShapeKind,
+    IntersectionKind,
+)
 #: Curves, surfaces and bisectors whose tables have many kinds of rows.
 TABLES = [
     *(["inspect", name] for name in (*examples("curves"), "torus", "sphere", "monkey_saddle", "bicubic", "folded_map")),
