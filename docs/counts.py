@@ -11,7 +11,7 @@ from textwrap import fill
 from exactspline.display.glossary import glossary
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_of
-from exactspline.verification.counts import recorded
+from exactspline.verification.rows import recorded
 from exactspline.verification.vocabulary import Status
 
 PAGE = Path(__file__).parent / "concepts.md"

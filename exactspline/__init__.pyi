@@ -62,6 +62,14 @@ from .geometry.constructions import construction as construction
 from .geometry.ruled_surfaces import ruled_surface as ruled_surface
 from .geometry.bisector.any_pair import bisector as bisector
 
+# points in common, distances, inside and outside
+from .geometry.intersections import intersections as intersections
+from .geometry.intersections import self_intersections as self_intersections
+from .geometry.nearest import nearest as nearest
+from .geometry.distance import distance as distance
+from .geometry.winding import contains as contains
+from .geometry.winding import winding_number as winding_number
+
 # pictures
 from .display.plot.anything import plot as plot
 

@@ -79,10 +79,14 @@ def written(value: object) -> str:
 def counted(n: int, what: str) -> str:
     """A number with what it counts.
 
-    >>> counted(1, "error"), counted(2, "error"), counted(3, "stretch")
-    ('1 error', '2 errors', '3 stretches')
+    >>> counted(1, "error"), counted(2, "error"), counted(3, "stretch"), counted(0, "entry")
+    ('1 error', '2 errors', '3 stretches', '0 entries')
     """
-    return f"{written(n)} {what}" + ("" if n == 1 else "es" if what.endswith(("ch", "s", "x")) else "s")
+    if n != 1:
+        ends = (("ch", "ches"), ("s", "ses"), ("x", "xes"), ("ry", "ries"), ("ty", "ties"))
+        one, many = next(((one, many) for one, many in ends if what.endswith(one)), ("", "s"))
+        what = what.removesuffix(one) + many
+    return f"{written(n)} {what}"
 
 
 def command_name() -> str:

@@ -1,4 +1,5 @@
-"""Tables for notebooks and terminals: degrees, control points, verdicts, printed numbers next to computed ones.
+"""Tables for notebooks and terminals: degrees, control points, verdicts, printed numbers next to computed ones, and a
+source section by section.
 
 >>> from exactspline.papers import find
 >>> from exactspline.interchange.examples import example
@@ -7,6 +8,7 @@
 """
 
 from exactspline.display.latex import mathematics
+from exactspline.display.reading_along import reading_along
 from exactspline.display.serialize import derived_data, inspection_data
 from exactspline.display.tables import (
     Grid,
@@ -39,6 +41,7 @@ __all__ = [
     "numerical_claims",
     "patch_table",
     "printed_numbers",
+    "reading_along",
     "reduction_table",
     "symbolic_table",
     "table_1_degrees",

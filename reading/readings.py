@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from exactspline.papers import paper
+from exactspline.papers.passages import Passage, ReadingTable, passages, reading_of
 from reading.cutter import Span, spans, squeezed
 
 ROOT = Path(__file__).resolve().parents[1]
-TABLE = ROOT / "exactspline" / "papers" / "chen_riesenfeld_cohen_2007" / "reading.toml"
+#: The paper that is read.
+NAME = "chen_riesenfeld_cohen_2007"
 #: The text is not part of the repository.
 TEXT = ROOT.parent / "shared" / "paper-raw.txt"
 #: What a span can be.
@@ -22,41 +22,14 @@ READINGS = ("claims", "definition", "citation", "nothing", "open")
 LOADED = re.compile(r"\d|[=+±×∗·‖κτγζλμΨ∑]|\b(degree|rational|zero|only|cannot|same)", re.IGNORECASE)
 
 
-@dataclass(frozen=True)
-class Reading:
-    """One span of the table: where it stands, its first letters, its digest, and how it is read."""
-
-    page: int
-    order: int
-    begins: str
-    digest: str
-    read: dict[str, Any]
-
-    @property
-    def claims(self) -> tuple[str, ...]:
-        """The keys of the claims that it makes."""
-        return tuple(self.read.get("claims", ()))
-
-    @property
-    def place(self) -> str:
-        """Where it stands, with its first letters."""
-        return f"p. {self.page}, span {self.order}: {self.begins}"
+def table() -> ReadingTable:
+    """The whole table, as it is written in its file."""
+    return reading_of(paper(NAME))
 
 
-def table(file: Path = TABLE) -> dict[str, Any]:
-    """The whole table, as it stands in its file."""
-    return tomllib.loads(file.read_text(encoding="utf-8"))
-
-
-def readings(file: Path = TABLE) -> tuple[Reading, ...]:
+def readings() -> tuple[Passage, ...]:
     """The readings of all spans, in the order of the text."""
-    found = []
-    for page in table(file)["page"]:
-        for order, entry in enumerate(page["spans"], 1):
-            rest = dict(entry)
-            begins, digest = rest.pop("begins"), rest.pop("digest")
-            found.append(Reading(page["number"], order, begins, digest, rest))
-    return tuple(found)
+    return passages(paper(NAME))
 
 
 def spans_of_text() -> tuple[Span, ...]:
@@ -73,7 +46,7 @@ def needs_reason(text: str) -> bool:
     return bool(LOADED.search(text))
 
 
-def runs(of: Iterable[tuple[Reading, Span]], key: str) -> Iterator[str]:
+def runs(of: Iterable[tuple[Passage, Span]], key: str) -> Iterator[str]:
     """The letters of each run of neighbouring spans that name a claim."""
     letters, last = "", (0, 0)
     for one, span in of:
@@ -88,7 +61,7 @@ def runs(of: Iterable[tuple[Reading, Span]], key: str) -> Iterator[str]:
         yield letters
 
 
-def counted(own: Iterable[Reading]) -> dict[int, Counter[str]]:
+def counted(own: Iterable[Passage]) -> dict[int, Counter[str]]:
     """How many spans of each page are read as what; one that is several things counts for each."""
     found: dict[int, Counter[str]] = {}
     for one in own:

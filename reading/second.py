@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
-from reading.readings import Reading, readings
+from exactspline.papers.passages import Passage
+from reading.readings import readings
 
 SECOND = Path(__file__).resolve().parent / "second_reading.toml"
 #: The seed of the draw, its size, and the page with which it begins: earlier readings had been seen.
@@ -31,7 +32,7 @@ class SecondReading:
     why: str = ""
 
 
-def drawn() -> tuple[Reading, ...]:
+def drawn() -> tuple[Passage, ...]:
     """The spans that were drawn, in the order of the text."""
     own = [one for one in readings() if one.page >= FIRST_PAGE]
     return tuple(own[i] for i in sorted(Random(SEED).sample(range(len(own)), SIZE)))

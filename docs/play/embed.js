@@ -1,8 +1,17 @@
-// <script src="…/play/embed.js" data-height="560"></script> puts the moving curve where the tag stands.
+// <script src="…/play/embed.js"></script> puts the moving curve where the tag stands, as high as what it shows.
 const tag = document.currentScript;
-const frame = document.createElement("iframe");
-frame.src = new URL(`curve.html?embed${tag.dataset.curve ? `#${tag.dataset.curve}` : ""}`, tag.src);
-frame.title = "a curve, exactly";
-frame.loading = "lazy";
-frame.style.cssText = `width:100%;border:0;height:${tag.dataset.height ?? 640}px`;
-tag.replaceWith(frame);
+if (location.protocol === "file:") {
+  const said = document.createElement("p");
+  said.textContent = "Opened as a file, this page cannot compute: browsers start the library only from a server. Run ./run serve in the project and open http://localhost:8000.";
+  tag.replaceWith(said);
+} else {
+  const frame = document.createElement("iframe");
+  frame.src = new URL(`curve.html?embed${tag.dataset.curve ? `#${tag.dataset.curve}` : ""}`, tag.src);
+  frame.title = "a curve, exactly";
+  frame.loading = "lazy";
+  frame.style.cssText = `width:100%;border:0;height:${tag.dataset.height ?? 640}px`;
+  addEventListener("message", ({ source, data }) => {
+    if (source === frame.contentWindow && !tag.dataset.height && Number.isFinite(data?.exactspline)) frame.style.height = `${data.exactspline}px`;
+  });
+  tag.replaceWith(frame);
+}

@@ -5,12 +5,16 @@ from __future__ import annotations
 import re
 import shutil
 import sys
+import tarfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 from sphinx.cmd.build import build_main
 
-from docs.site import benchmarks, executed, page_data, pages
+from docs.site import along, benchmarks, executed, page_data, pages
 from docs.site.vendor import lay_out_mathjax, vendor
 from exactspline.verification.combined import computed_once
 
@@ -19,22 +23,22 @@ DOCS = HERE.parent
 PROJECT = DOCS.parent
 BUILD = PROJECT / "build" / "site"
 
-#: The pages that are written by hand, in reading order.
-WRITTEN = (
-    "first-hour",
-    "concepts",
-    "teaching",
-    "what-is-trusted",
-    "ten-claims",
-    "your-own-paper",
-    "degree-theorem",
-    "surfaces",
-    "bisectors",
-    "conditioning",
-    "approximated",
-    "certified-filter",
-    "scoreboard",
+#: What the archive of the source holds.
+SOURCE = (
+    *(
+        "README.md",
+        "LICENSE",
+        "CHANGELOG.md",
+        "CONTRIBUTING.md",
+        "SECURITY.md",
+        "CITATION.cff",
+        "pyproject.toml",
+        "run",
+    ),
+    *("exactspline", "docs", "notebooks", "proofs", "reading", "stubs", "tests", "workshop"),
 )
+#: The sections of the side bar, in order.
+SECTIONS = ("learn", "papers", "compute", "mathematics", "house")
 
 
 def main() -> int:
@@ -47,51 +51,104 @@ def main() -> int:
     shutil.copytree(DOCS / "play", play, ignore=shutil.ignore_patterns("__pycache__"))
     for kind in ("js", "css"):
         shutil.copy(PROJECT / "exactspline" / "display" / "plot" / f"turning.{kind}", play / "js")
-    vendor(PROJECT / ".site-cache", play / "vendor", PROJECT)
-    lay_out_mathjax(play / "vendor", source / "_static" / "mathjax")
+    with _step("the library for the browser (downloads once)"):
+        vendor(PROJECT / ".site-cache", play / "vendor", PROJECT)
+        lay_out_mathjax(play / "vendor", source / "_static" / "mathjax")
     for name in ("pages.css", "pages.js"):
         shutil.copy(HERE / name, source / "_static")
     with computed_once():
-        claims = page_data.claims()
-        page_data.write(play / "data", claims)
+        with _step("claims, curves and surfaces"):
+            claims = page_data.claims()
+            page_data.write(play / "data", claims)
         _lay_out(source, claims)
-    return int(
-        build_main(["-b", "html", "-W", "--keep-going", "-q", "-d", str(BUILD / "doctrees"), str(source), str(target)])
-    )
+    with _step("pages"):
+        status = build_main(
+            ["-b", "html", "-W", "--keep-going", "-q", "-d", str(BUILD / "doctrees"), str(source), str(target)]
+        )
+    if not status:
+        serve = "./run serve" if target == BUILD / "html" else f"python -m http.server --directory {target}"
+        print(f"The site is in {target}\n{serve} shows it at http://localhost:8000")
+    return int(status)
+
+
+@contextmanager
+def _step(doing: str) -> Iterator[None]:
+    """Say what is done, and how long it took."""
+    print(f"{doing} … ", end="", flush=True)
+    start = monotonic()
+    yield
+    print(f"{monotonic() - start:.0f} s", flush=True)
 
 
 def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
-    """All pages and their contents list."""
-    for file in (HERE / "conf.py", HERE / "icon.svg", *DOCS.glob("*.md")):
+    """All pages, in sections."""
+    for file in (
+        HERE / "conf.py",
+        HERE / "icon.svg",
+        HERE / "index.md",
+        *DOCS.glob("*.md"),
+        *HERE.glob("sections/*.md"),
+    ):
         shutil.copy(file, source)
     shutil.copytree(DOCS / "pictures", source / "pictures")
     # with new times: outputs of a notebook depend on the library, which Sphinx does not watch
     shutil.copytree(
         PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"), copy_function=shutil.copy
     )
-    executed.execute(source / "notebooks")
+    with _step("notebooks, executed"):
+        executed.execute(source / "notebooks")
+    with _step("reference, ledgers, errata"):
+        _collect(source / "notebooks.md", "Notebooks", sorted(f"notebooks/{n.stem}" for n in source.glob("*/*.ipynb")))
+        _collect(source / "reference.md", "Reference", pages.reference(source / "reference"))
+        _collect(source / "ledgers.md", "Ledgers", pages.write_ledgers(source / "ledger", claims))
+        pages.write_glossary(source / "glossary.md")
+        pages.write_errata(source / "errata.md")
+        benchmarks.write_page(source / "benchmarks.md", source / "_extra" / "gallery")
+    with _step("gallery"):
+        pages.draw_gallery(source / "_extra" / "gallery", source / "gallery.md")
+    first, *others = along.write_reading(source / "reading-along", source / "_extra" / "gallery")
+    _append_contents(source / f"{first}.md", [Path(name).name for name in others], hidden=True)
+    _pack(source / "_extra" / "source" / "exactspline.tar.gz")
     for page in source.glob("*.md"):
         page.write_text(_linked(page.read_text(encoding="utf-8")), encoding="utf-8")
-    notebooks = sorted(f"notebooks/{file.stem}" for file in (source / "notebooks").glob("*.ipynb"))
-    reference = pages.reference(source / "reference")
-    pages.write_glossary(source / "glossary.md")
-    pages.write_errata(source / "errata.md")
-    ledgers = pages.write_ledgers(source / "ledger", claims)
-    benchmarks.write_page(source / "benchmarks.md")
-    pages.draw_gallery(source / "_extra" / "gallery", source / "gallery.md")
-    written = [page for page in WRITTEN if (source / f"{page}.md").exists()]
-    house = sorted(file.stem for file in DOCS.glob("*.md") if file.stem not in WRITTEN)
-    contents = {
-        "To read": [*written, "gallery", "benchmarks", "glossary"],
-        "Notebooks": notebooks,
-        "Ledgers": ["errata", *ledgers],
-        "Reference": reference,
-        "The house": house,
-    }
-    index = (HERE / "index.md").read_text(encoding="utf-8")
-    for caption, names in contents.items():
-        index += "\n```{toctree}\n:hidden:\n:caption: " + caption + "\n\n" + "\n".join(names) + "\n```\n"
-    (source / "index.md").write_text(index, encoding="utf-8")
+    for book in source.glob("notebooks/*.ipynb"):
+        # pages lie beside the folder of notebooks here, and anchors are in small letters
+        text = book.read_text(encoding="utf-8").replace("](../docs/", "](../")
+        book.write_text(re.sub(r"\]\(#[\w-]+\)", lambda m: m[0].lower(), text), encoding="utf-8")
+    for section in HERE.glob("sections/*.md"):
+        _add_contents(source / section.name)
+    names = [*SECTIONS, "reference"]
+    _append_contents(source / "index.md", names, hidden=True)
+
+
+def _collect(page: Path, title: str, names: list[str]) -> None:
+    """A page that lists others."""
+    page.write_text(f"# {title}\n", encoding="utf-8")
+    _append_contents(page, names, hidden=False)
+
+
+def _add_contents(page: Path) -> None:
+    """The pages to which a section links are its contents."""
+    names = re.findall(r"\]\(([\w/-]+)\.md\)", page.read_text(encoding="utf-8"))
+    _append_contents(page, names, hidden=True)
+
+
+def _append_contents(page: Path, names: list[str], *, hidden: bool) -> None:
+    options = ":hidden:\n" if hidden else ":maxdepth: 1\n"
+    with page.open("a", encoding="utf-8") as file:
+        file.write("\n```{toctree}\n" + options + "\n" + "\n".join(names) + "\n```\n")
+
+
+def _pack(archive: Path) -> None:
+    """The source, as the front page offers it."""
+    archive.parent.mkdir(parents=True)
+    with tarfile.open(archive, "w:gz") as packed:
+        for name in SOURCE:
+            packed.add(PROJECT / name, f"exactspline/{name}", filter=_without_bytecode)
+
+
+def _without_bytecode(entry: tarfile.TarInfo) -> tarfile.TarInfo | None:
+    return None if "__pycache__" in entry.name or "/." in entry.name else entry
 
 
 def _linked(text: str) -> str:

@@ -63,8 +63,9 @@ def _tell(app, document):
 
 
 def _load_mathjax(app, page, template, context, document):
-    """Let notebooks load MathJax, whatever Sphinx itself finds: formulas are in their tables, too."""
-    context["has_maths_elements"] = context.get("has_maths_elements") or page.startswith("notebooks/")
+    """Let notebooks, and pages to read along, load MathJax, whatever Sphinx itself finds: formulas are in raw HTML."""
+    raw = page.startswith(("notebooks/", "reading-along/"))
+    context["has_maths_elements"] = context.get("has_maths_elements") or raw
 
 
 def setup(app):

@@ -30,5 +30,7 @@ async def _execute(file: Path, free: asyncio.Semaphore) -> None:
     book = nbformat.read(file, as_version=4)
     where = {"metadata": {"path": str(file.parent)}}
     async with free:
-        await NotebookClient(book, timeout=TIMEOUT, resources=where).async_execute()
+        await NotebookClient(
+            book, timeout=TIMEOUT, resources=where, extra_arguments=["--log-level=ERROR"]
+        ).async_execute()
     nbformat.write(book, file)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import exactspline as xs
+from docs.play.python import page
 from exactspline.display.figures import FIGURES
 from exactspline.display.plot.canvas import Run, sampled
 from exactspline.display.plot.html import Scene, scenes_data
@@ -17,9 +18,8 @@ from exactspline.display.plot.turning_surface import inspected_scene
 from exactspline.display.quotations import parts
 from exactspline.display.statement import statement_data
 from exactspline.papers import papers
-from exactspline.readings.degree import parse_degree
 from exactspline.verification.claims import claims_in
-from exactspline.verification.degree_tables import generic_table
+from exactspline.verification.degree_tables import GenericRow, generic_table
 from exactspline.verification.evidence import Evidence, OnExample
 from exactspline.verification.statement import statement
 
@@ -46,8 +46,12 @@ def write(folder: Path, ledger: list[dict[str, Any]]) -> None:
 
 
 def curves() -> list[dict[str, Any]]:
-    """Example curves of the plane, as the pages hold curves."""
-    return [curve_data(xs.example(name)) for name in CURVES]
+    """Example curves of the plane, as the pages hold curves, with the answers that are shown until the library runs."""
+    made = []
+    for curve in map(curve_data, map(xs.example, CURVES)):
+        asked = {"curve": curve, "variants": ["squaring", "paper", "minimal"]}
+        made.append(curve | {"answers": {"features": page.features(curve), "forms": page.forms(asked)}})
+    return made
 
 
 def curve_data(curve: xs.Nurbs) -> dict[str, Any]:
@@ -64,17 +68,15 @@ def curve_data(curve: xs.Nurbs) -> dict[str, Any]:
 def degrees() -> dict[str, list[dict[str, Any]]]:
     """The degrees of the constructions as expressions and at d = 2, 3, …."""
 
-    def both(text: str) -> dict[str, Any]:
-        if not text.strip("–"):
-            return {"text": "–", "values": {}}
-        degree = parse_degree(text)
-        return {"text": text, "values": {d: int(degree.at({"d": d})) for d in DEGREES}}
+    def both(row: GenericRow, name: str) -> dict[str, Any]:
+        values = {d: row.at(d)[name] for d in DEGREES}
+        return {"text": vars(row)[name], "values": {d: n for d, n in values.items() if n is not None}}
 
     made: dict[str, list[dict[str, Any]]] = {}
     for polynomial in (False, True):
         table = [call() for call in generic_table(polynomial=polynomial)]
         made["polynomial" if polynomial else "rational"] = [
-            {"object": r.object, "naive": both(r.naive), "paper": both(r.paper), "lowest": both(r.true)} for r in table
+            {"object": row.object} | {name: both(row, name) for name in ("naive", "paper", "true")} for row in table
         ]
     return made
 

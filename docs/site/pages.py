@@ -18,14 +18,14 @@ from exactspline.display.evidence import worded
 from exactspline.display.figures import FIGURES, make
 from exactspline.display.glossary import glossary
 from exactspline.display.ledger import summary
-from exactspline.display.numbers import Numbers, decimals
+from exactspline.display.numbers import Numbers
 from exactspline.display.quotations import parts
 from exactspline.display.sheet import in_markdown
 from exactspline.errors import counted
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_of
-from exactspline.verification.counts import recorded
 from exactspline.verification.errata import Erratum, errata
+from exactspline.verification.rows import recorded
 
 #: The length of the lines of code on the page of errata.
 CODE_WIDTH = 88
@@ -108,7 +108,7 @@ def write_ledgers(folder: Path, claims: Iterable[dict[str, Any]]) -> list[str]:
                 words = f"“{typeset(c['words'])}”{place_of_words}" if c["words"] else STATUS.get(c["status"], "–")
                 found = "" if c["computed"] == c["claimed"] else c["computed"] or c["witness"]
                 decided = f"{c['statement']}: {c['claimed']}" if c["kind"] in ("degree", "count") else c["statement"]
-                rows.append([anchor, words, plain(decided), c["verdict"], plain(decimals(found))])
+                rows.append([anchor, words, plain(decided), c["verdict"], plain(Numbers().within(found))])
             lines += [f"## {place}", _table(COLUMNS, rows)]
         (folder / f"{name}.md").write_text("\n\n".join(lines) + "\n", encoding="utf-8")
     return [f"{folder.name}/{name}" for name in by_source]

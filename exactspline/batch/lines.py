@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, is_dataclass
 from enum import StrEnum
+from typing import Any, get_args, get_origin, get_type_hints
 
 from exactspline.batch.corpus import Problem, short_digest
 
@@ -127,46 +128,38 @@ def digest_of(data: Mapping[str, object]) -> str:
 DATA = tuple(each.name for each in fields(Line) if each.name != "way")
 
 
-def line_schema() -> dict[str, object]:
+def line_schema() -> dict[str, Any]:
     """The JSON Schema of a line.
 
     >>> line_schema()["title"]
     'exactspline/sweep_line, version 2'
     """
-    text, number = {"type": "string"}, {"type": ["integer", "null"]}
-    return _object(
-        {
-            "index": {"type": "integer", "minimum": 0},
-            "source": text,
-            "curve": text,
-            "degree": number,
-            "dimension": number,
-            "segments": number,
-            "polynomial": {"type": ["boolean", "null"]},
-            "found": {
-                "type": "object",
-                "additionalProperties": _list(
-                    {"kind": text, "parameter": {"type": ["string", "null"]}, "low": text, "high": text}
-                ),
-            },
-            "claims": _list({"claim": text, "verdict": text, "as_recorded": {"type": "boolean"}, "witness": text}),
-            "error": {
-                "anyOf": [{"type": "null"}, _object({"kind": text, "message": text, "bad_input": {"type": "boolean"}})]
-            },
-            "notes": {"type": "array", "items": text},
-            "curve_digest": text,
-            "seconds": {"type": "number", "minimum": 0},
-            "digest": text,
-        }
-    ) | {
+    properties = {name: _form(kind) for name, kind in get_type_hints(Line).items() if name in DATA}
+    properties["index"] |= {"minimum": 0}
+    properties["seconds"] |= {"minimum": 0}
+    return _object(properties | {"digest": _form(str)}) | {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": f"exactspline/sweep_line, version {VERSION}",
     }
 
 
-def _object(fields: Mapping[str, object]) -> dict[str, object]:
-    return {"type": "object", "required": list(fields), "additionalProperties": False, "properties": fields}
+_SIMPLE = {str: "string", int: "integer", bool: "boolean", float: "number"}
 
 
-def _list(fields: Mapping[str, object]) -> dict[str, object]:
-    return {"type": "array", "items": _object(fields)}
+def _form(kind: Any) -> dict[str, Any]:
+    """The JSON Schema of the type of a field."""
+    parts = get_args(kind)
+    if kind in _SIMPLE:
+        return {"type": _SIMPLE[kind]}
+    if is_dataclass(kind):
+        return _object({name: _form(each) for name, each in get_type_hints(kind).items()})
+    if get_origin(kind) is tuple:
+        return {"type": "array", "items": _form(parts[0])}
+    if get_origin(kind) is Mapping:
+        return {"type": "object", "additionalProperties": _form(parts[1])}
+    inner = _form(parts[0])  # or None
+    return {"type": [inner["type"], "null"]} if parts[0] in _SIMPLE else {"anyOf": [{"type": "null"}, inner]}
+
+
+def _object(properties: Mapping[str, object]) -> dict[str, Any]:
+    return {"type": "object", "required": list(properties), "additionalProperties": False, "properties": properties}

@@ -21,9 +21,11 @@ from exactspline.geometry.analysis import QUESTIONS as QUESTIONS_ABOUT_CURVES
 from exactspline.geometry.analysis import analyse, questions_about
 from exactspline.geometry.derived import derive
 from exactspline.geometry.extent import coordinate_range, slope_zeros
+from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature, JointKind
 from exactspline.geometry.planarity import Plane
+from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.geometry.values_along import point_at, unit
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
@@ -255,6 +257,9 @@ def _of_registry(entry: Entry, curve: Nurbs, question: Question) -> Found:
 
 
 def _items(curve: Nurbs, answer: Any) -> Iterator[Item]:
+    if isinstance(answer, Intersections):
+        yield from _meetings(answer)
+        return
     for each in () if answer is None else answer if isinstance(answer, (tuple, Places)) else (answer,):
         yield _item(curve, each)
     if isinstance(answer, Places):
@@ -262,16 +267,32 @@ def _items(curve: Nurbs, answer: Any) -> Iterator[Item]:
             yield _piece(EVERYWHERE, piece)
 
 
-def _item(curve: Nurbs, each: Feature | Joint | CurvePiece | Plane | tuple[CurvePiece, Plane]) -> Item:
+def _item(
+    curve: Nurbs, each: Feature | Joint | CurvePiece | RecognizedPiece | Plane | tuple[CurvePiece, Plane]
+) -> Item:
     if isinstance(each, Feature):
         return _point(curve, each)
     if isinstance(each, Joint):
         return _joint(each)
     if isinstance(each, CurvePiece):
         return _piece("piece", each)
+    if isinstance(each, RecognizedPiece):
+        return _shape(each)
     piece, plane = each if isinstance(each, tuple) else (None, each)
     ends = {} if piece is None else _piece("", piece).values
     return Item("planar piece" if piece else "plane", ends, {"plane": str(plane)})
+
+
+def _meetings(found: Intersections) -> Iterator[Item]:
+    if found.left_out:
+        raise QuestionError(f"not decided: {'; '.join(found.left_out)}", remedy="ask for the segments one by one")
+    for point in found:
+        values = {"parameter": point.first, "other parameter": point.second}
+        coordinates = {name: real(x) for name, x in zip("xyz", point.point, strict=False)}
+        yield Item(str(point.kind), values | coordinates, {"multiplicity": point.multiplicity})
+    for arc in found.everywhere:
+        ends = zip(("start", "end", "other start", "other end"), (*arc.first, *arc.second), strict=True)
+        yield Item(EVERYWHERE, dict(ends), {"reversed": arc.reversed})
 
 
 def _point(curve: Nurbs, feature: Feature) -> Item:
@@ -281,6 +302,16 @@ def _point(curve: Nurbs, feature: Feature) -> Item:
         values["curvature"] = values_along.curvature(curve, place)
     facts = {"at_knot": feature.at_knot, "by_jump": feature.by_jump, "multiplicity": feature.root.multiplicity}
     return Item(str(feature.kind), values, facts)
+
+
+def _shape(found: RecognizedPiece) -> Item:
+    ends = {**_piece("", found.piece).values, "within": real(found.within)}
+    numbers = {
+        name if len(values) == 1 else f"{name} {i + 1}": value
+        for name, values in found.shape.numbers.items()
+        for i, value in enumerate(values)
+    }
+    return Item(str(found.shape.kind), ends | numbers, {"whole": found.whole})
 
 
 def _piece(what: str, piece: CurvePiece) -> Item:

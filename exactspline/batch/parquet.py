@@ -9,7 +9,7 @@ from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from exactspline.atomic_write import write_atomically
-from exactspline.batch.lines import Line
+from exactspline.batch.lines import Line, line_schema
 from exactspline.batch.results import Results, ResultsError, Settings, locked
 
 if TYPE_CHECKING:
@@ -107,24 +107,22 @@ class Parquet(Results):
 
 
 def _schema(pa: Any, find: list[str]) -> pyarrow.Schema:
-    point = pa.struct([(name, pa.string()) for name in ("kind", "parameter", "low", "high")])
-    judged = pa.struct(
-        [("claim", pa.string()), ("verdict", pa.string()), ("as_recorded", pa.bool_()), ("witness", pa.string())]
-    )
-    columns = {
-        "index": pa.int64(),
-        "source": pa.string(),
-        "curve": pa.string(),
-        "degree": pa.int32(),
-        "dimension": pa.int32(),
-        "segments": pa.int32(),
-        "polynomial": pa.bool_(),
-        **{name: pa.list_(point) for name in find},
-        "claims": pa.list_(judged),
-        "error": pa.struct([("kind", pa.string()), ("message", pa.string()), ("bad_input", pa.bool_())]),
-        "notes": pa.list_(pa.string()),
-        "curve_digest": pa.string(),
-        "seconds": pa.float64(),
-        "digest": pa.string(),
-    }
-    return pa.schema(list(columns.items()))
+    """The columns: the fields of a line, and in place of what was found one column per question."""
+    fields = line_schema()["properties"]
+    found = fields["found"]["additionalProperties"]
+    columns: dict[str, Any] = {}
+    for name, form in fields.items():
+        columns |= dict.fromkeys(find, found) if name == "found" else {name: form}
+    return pa.schema([(name, pa.int64() if name == "index" else _type(pa, form)) for name, form in columns.items()])
+
+
+def _type(pa: Any, form: dict[str, Any]) -> Any:
+    """The Arrow type of what a JSON Schema describes; a value may be missing in any case."""
+    if "anyOf" in form:
+        return _type(pa, form["anyOf"][1])
+    kind = form["type"][0] if isinstance(form["type"], list) else form["type"]
+    if kind == "array":
+        return pa.list_(_type(pa, form["items"]))
+    if kind == "object":
+        return pa.struct([(name, _type(pa, each)) for name, each in form["properties"].items()])
+    return {"string": pa.string, "integer": pa.int32, "boolean": pa.bool_, "number": pa.float64}[kind]()

@@ -19,7 +19,7 @@ from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
     from exactspline.verification.claim import Claim
-    from exactspline.verification.ledger import Proofs
+    from exactspline.verification.combined import Proofs
 
 #: The default and the largest number of digits of irrational parameters.
 DIGITS, MOST_DIGITS = 10, 10_000
@@ -111,7 +111,7 @@ class Work:
         from exactspline.verification.vocabulary import Name
 
         evaluation = Evaluation(curve)
-        speaking = [claim for claim in _claims(self.claims) if claim.speaks_of(curve.dimension, curve.polynomial)]
+        speaking = [claim for claim in _claims(self.claims) if claim.applies_to(curve.dimension, curve.polynomial)]
         rows = [(claim, checked(claim, evaluation, Name(curve.name) or UNNAMED, _proofs())) for claim in speaking]
         return tuple(Judged(claim.key, row.verdict, row.as_recorded, worded(row.witness)) for claim, row in rows)
 
@@ -135,6 +135,6 @@ def _claims(keys: tuple[tuple[str, str], ...]) -> tuple[Claim, ...]:
 @cache
 def _proofs() -> Proofs:
     """The proofs of this process, each made once: they are needed where a claim is refuted on a curve."""
-    from exactspline.verification.ledger import Proofs
+    from exactspline.verification.combined import Proofs
 
     return Proofs()

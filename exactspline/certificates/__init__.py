@@ -2,17 +2,19 @@
 shares no code with the programs that write them.
 
 A certificate has a `format`, states in `what` what it proves, and contains the data of the proof: of all ``zeros`` of a
-spline (written by `exactspline.roots.certificate`), or that the ``degree`` of forms cannot be lowered (written by
+spline (written by `exactspline.roots.zero_set`), of all ``intersections`` of two plane curves (written by
+`exactspline.geometry.intersections`), or that the ``degree`` of forms cannot be lowered (written by
 `exactspline.verification.minimality`).
 """
 
 from collections.abc import Mapping
 
 from exactspline.certificates.degrees import check_degrees
+from exactspline.certificates.intersections import check_intersections
 from exactspline.certificates.zeros import check_zeros
 
 FORMAT = "exactspline certificate 1"
-ZEROS, DEGREE = "zeros", "degree"
+ZEROS, DEGREE, INTERSECTIONS = "zeros", "degree", "intersections"
 
 
 def certificate(what: str, data: Mapping[str, object]) -> dict[str, object]:
@@ -25,8 +27,8 @@ def certificate(what: str, data: Mapping[str, object]) -> dict[str, object]:
 
 
 def check_certificate(certificate: Mapping[str, object], sturm: bool = True) -> dict[str, int]:
-    """Check a certificate and return what it proves: the numbers of roots, jumps and intervals, or the largest degree
-    over the segments.
+    """Check a certificate and return what it proves: the numbers of roots, jumps and intervals, the number of common
+    points, or the largest degree over the segments.
 
     With ``sturm=False`` the zeros are not counted again by Sturm sequences (which are slow for degrees above 100).
 
@@ -43,6 +45,8 @@ def check_certificate(certificate: Mapping[str, object], sturm: bool = True) -> 
             return check_zeros(certificate, sturm)
         if certificate["what"] == DEGREE:
             return check_degrees(certificate)
+        if certificate["what"] == INTERSECTIONS:
+            return check_intersections(certificate)
         raise ValueError("a proof of something unknown")
     except (TypeError, AttributeError, LookupError) as error:  # a field is missing or has another type
         raise ValueError(f"not a certificate: {type(error).__name__}: {error}") from error

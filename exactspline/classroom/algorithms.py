@@ -7,7 +7,17 @@ from itertools import pairwise
 from random import Random
 
 from exactspline.classroom.answers import Numbers, Points, Polynomials
-from exactspline.classroom.exercises import Drawn, cleared, drawn_points, knots_of, points_of, small
+from exactspline.classroom.exercises import (
+    Drawn,
+    bezier_curve,
+    cleared,
+    drawn_points,
+    given_bezier,
+    given_curve,
+    knots_of,
+    points_of,
+    small,
+)
 from exactspline.classroom.parts import Math, Polynomial
 from exactspline.classroom.triangles import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
 from exactspline.numbers.exact import mpq, text
@@ -33,10 +43,6 @@ def _inner(rng: Random, curve: Nurbs | BSpline) -> mpq:
     return a + (b - a) * mpq(rng.choice((Fraction(1, 2), Fraction(1, 3), Fraction(2, 3), Fraction(1, 2))))
 
 
-def _bezier(rng: Random, degree: int) -> Nurbs:
-    return Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), drawn_points(rng, degree + 1))
-
-
 def evaluation(rng: Random) -> Drawn:
     """The point of a B-spline curve by de Boor's triangle."""
     curve = _curve(rng, rng.choice((2, 3)))
@@ -46,15 +52,7 @@ def evaluation(rng: Random) -> Drawn:
     if points is None:
         return None
     curve = Nurbs(curve.degree, curve.knots, points)
-    task = (
-        f"A B-spline curve of degree {curve.degree} has the knots ",
-        knots_of(curve),
-        " and the control points ",
-        points_of(curve),
-        ". Find its point at ",
-        Math("t", (t,)),
-        " by de Boor's algorithm.",
-    )
+    task = (*given_curve(curve), ". Find its point at ", Math("t", (t,)), " by de Boor's algorithm.")
     return task, Numbers(("x", "y"), curve(t)), ("De Boor's triangle: ", de_boor_triangle(curve, t))
 
 
@@ -69,15 +67,7 @@ def derivative(rng: Random) -> Drawn:
         return None
     curve = Nurbs(curve.degree, curve.knots, points)
     hodograph = Nurbs.from_splines([f.d() for f in curve.p])
-    task = (
-        f"A B-spline curve of degree {curve.degree} has the knots ",
-        knots_of(curve),
-        " and the control points ",
-        points_of(curve),
-        ". Find its derivative at ",
-        Math("t", (t,)),
-        ".",
-    )
+    task = (*given_curve(curve), ". Find its derivative at ", Math("t", (t,)), ".")
     solution = (
         f"The derivative has the degree {hodograph.degree}, the knots ",
         knots_of(hodograph),
@@ -99,21 +89,13 @@ def insertion(rng: Random) -> Drawn:
     curve = Nurbs(curve.degree, curve.knots, points)
     triangle = insertion_triangle(curve, t)
     finer = Nurbs(curve.degree, triangle.knots or (), triangle.made)
-    task = (
-        f"A B-spline curve of degree {curve.degree} has the knots ",
-        knots_of(curve),
-        " and the control points ",
-        points_of(curve),
-        ". Insert the knot ",
-        Math("t", (t,)),
-        ". What are all control points of the result?",
-    )
+    task = (*given_curve(curve), ". Insert the knot ", Math("t", (t,)), ". What are all control points of the result?")
     return task, Points(finer), ("Over the knots ", knots_of(finer), " by Boehm's algorithm: ", triangle)
 
 
 def elevation(rng: Random) -> Drawn:
     """The Bézier points after the degree is raised."""
-    curve = _bezier(rng, rng.choice((1, 2, 3)))
+    curve = bezier_curve(drawn_points(rng, rng.choice((1, 2, 3)) + 1))
     points = cleared(curve.control_points, elevation_triangles(curve)[0].columns[-1])
     if points is None:
         return None
@@ -129,7 +111,7 @@ def elevation(rng: Random) -> Drawn:
 
 def subdivision(rng: Random) -> Drawn:
     """The Bézier points of the first part of a subdivided curve."""
-    curve = _bezier(rng, rng.choice((2, 3)))
+    curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
     t = _inner(rng, curve)
     points = cleared(curve.control_points, [row for c in de_boor_triangle(curve, t).columns for row in c])
     if points is None:
@@ -137,8 +119,7 @@ def subdivision(rng: Random) -> Drawn:
     curve = Nurbs(curve.degree, curve.knots, points)
     first, _ = curve.split(t)
     task = (
-        f"A Bézier curve of degree {curve.degree} over [0, 1] has the control points ",
-        points_of(curve),
+        *given_bezier(curve),
         ". It is cut at ",
         Math("t", (t,)),
         ". What are the control points of its first part?",
@@ -188,15 +169,11 @@ def _coefficients(f: BSpline) -> tuple[mpq, ...]:
 
 def power(rng: Random) -> Drawn:
     """Conversion from Bézier points to powers of t."""
-    curve = _bezier(rng, rng.choice((2, 3)))
+    curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
     made = tuple(_coefficients(f) for f in curve.p)
     if not all(small(c) and len(c) > 1 for c in made):
         return None
-    task = (
-        f"A Bézier curve of degree {curve.degree} over [0, 1] has the control points ",
-        points_of(curve),
-        ". Write x(t) and y(t) in powers of t.",
-    )
+    task = (*given_bezier(curve), ". Write x(t) and y(t) in powers of t.")
     columns = list(zip(*curve.control_points, strict=True))
     solution = tuple(
         part
@@ -208,7 +185,7 @@ def power(rng: Random) -> Drawn:
 
 def bezier(rng: Random) -> Drawn:
     """Conversion from powers of t to Bézier points."""
-    curve = _bezier(rng, rng.choice((2, 3)))
+    curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
     made = tuple(_coefficients(f) for f in curve.p)
     if not all(small(c) and len(c) > 1 for c in made) or max(map(len, made)) != curve.degree + 1:
         return None
@@ -245,10 +222,7 @@ def continuity(rng: Random) -> Drawn:
     if not small(f.control_points):
         return None
     task = (
-        f"A B-spline function of degree {degree} has the knots ",
-        knots_of(f),
-        " and the control points ",
-        points_of(f),
+        *given_curve(f, "function"),
         ". How many times is it continuously differentiable at ",
         Math("t", (mpq(1),)),
         f"? (−1 if it jumps, {degree} if it is the same polynomial on both sides.)",

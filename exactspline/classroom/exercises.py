@@ -49,6 +49,23 @@ def knots_of(curve: Nurbs | BSpline) -> Math:
     return Math("", curve.knots.knots)
 
 
+def given_curve(curve: Nurbs | BSpline, what: str = "curve") -> tuple[Part, ...]:
+    """The beginning of a task: a curve or a function with its knots and control points."""
+    begin = f"A B-spline {what} of degree {curve.degree} has the knots "
+    return (begin, knots_of(curve), " and the control points ", points_of(curve))
+
+
+def given_bezier(curve: Nurbs) -> tuple[Part, ...]:
+    """The beginning of a task: a Bézier curve with its control points."""
+    return (f"A Bézier curve of degree {curve.degree} over [0, 1] has the control points ", points_of(curve))
+
+
+def bezier_curve(points: Sequence[Point]) -> Nurbs:
+    """The Bézier curve over [0, 1] with these control points."""
+    degree = len(points) - 1
+    return Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), points)
+
+
 def drawn_points(rng: Random, many: int, dimension: int = 2, size: int = 4) -> list[Point]:
     """Points with small integer coordinates."""
     return [tuple(mpq(rng.randint(-size, size)) for _ in range(dimension)) for _ in range(many)]

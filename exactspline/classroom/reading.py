@@ -8,7 +8,7 @@ import re
 from flint import fmpq, fmpq_poly
 
 from exactspline.classroom.parts import Point, Polynomial
-from exactspline.errors import ExactSplineError, shown
+from exactspline.errors import ExactSplineError, counted, shown
 from exactspline.numbers.exact import from_flint, mpq, rational, to_fmpq
 
 #: The longest answer and the highest degree that are accepted.
@@ -27,7 +27,7 @@ class AnswerError(ExactSplineError):
 def cleaned(answer: str) -> str:
     """The answer with uniform minus signs and brackets; raises `AnswerError` if it is too long."""
     if len(answer) > MAX_TEXT:
-        raise AnswerError(f"{len(answer)} characters", where="answer", remedy=f"at most {MAX_TEXT} are read")
+        raise AnswerError(counted(len(answer), "character"), where="answer", remedy=f"at most {MAX_TEXT} are read")
     return answer.translate(_SIGNS).strip()
 
 

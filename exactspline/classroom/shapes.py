@@ -5,9 +5,21 @@ from __future__ import annotations
 from random import Random
 
 from exactspline.classroom.answers import Circle, Numbers, Parameters
-from exactspline.classroom.exercises import LARGEST, Drawn, cleared, drawn_points, knots_of, points_of, small
+from exactspline.classroom.exercises import (
+    LARGEST,
+    Drawn,
+    bezier_curve,
+    cleared,
+    drawn_points,
+    given_bezier,
+    given_curve,
+    knots_of,
+    points_of,
+    small,
+)
 from exactspline.classroom.parts import Math, Point
 from exactspline.classroom.triangles import de_boor_triangle
+from exactspline.errors import counted
 from exactspline.formulas.derivatives import towards_centre
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
@@ -39,8 +51,8 @@ def support(rng: Random) -> Drawn:
     task = (
         f"A B-spline function of degree {f.degree} has the knots ",
         knots_of(f),
-        f" and {len(f.control_points)} control points, counted from 0. On which interval does it change when "
-        f"control point {i} is changed? Give its two ends.",
+        f" and {counted(len(f.control_points), 'control point')}, counted from 0. On which interval does it change "
+        f"when control point {i} is changed? Give its two ends.",
     )
     solution = (
         f"The basis function number {i} begins at the knot number {i} and ends at the knot number {i} + "
@@ -58,15 +70,12 @@ def hull(rng: Random) -> Drawn:
     if len(set(active)) < len(active) or (min(f.control_points), max(f.control_points)) == (min(active), max(active)):
         return None
     task = (
-        f"A B-spline function of degree {f.degree} has the knots ",
-        knots_of(f),
-        " and the control points ",
-        points_of(f),
+        *given_curve(f, "function"),
         f". Which bounds on [{text(a)}, {text(b)}] follow from its control points? Give the best lower and upper "
         "bound.",
     )
     solution = (
-        f"On this interval only {len(active)} control points have influence, ",
+        f"On this interval only {counted(len(active), 'control point')} have influence, ",
         Math("", tuple(active)),
         ", and the value is a mean of them with positive weights.",
     )
@@ -75,7 +84,7 @@ def hull(rng: Random) -> Drawn:
 
 def inflections(rng: Random) -> Drawn:
     """The inflections of a cubic."""
-    curve = Nurbs(3, [0, 0, 0, 0, 1, 1, 1, 1], drawn_points(rng, 4, size=6))
+    curve = bezier_curve(drawn_points(rng, 4, size=6))
     bend = find("f0")(curve)
     # most draws have irrational inflections, which is detected cheaply before the features are computed
     if not _square_discriminant(bend) or analyse(curve).singular_points:
@@ -121,7 +130,7 @@ def _with_rational_speed(rng: Random) -> tuple[Nurbs, mpq]:
     first, *rest = drawn_points(rng, degree)
     step = rng.choice(DIRECTIONS)
     points = [first, tuple(x + d for x, d in zip(first, step, strict=True)), *rest]
-    return Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), points[::-1] if at_end else points), mpq(at_end)
+    return bezier_curve(points[::-1] if at_end else points), mpq(at_end)
 
 
 def curvature(rng: Random) -> Drawn:
@@ -130,13 +139,7 @@ def curvature(rng: Random) -> Drawn:
     value = values_along.curvature(curve, t).exact
     if not value or max(value.denominator, abs(value.numerator)) > LARGEST:
         return None
-    task = (
-        f"A Bézier curve of degree {curve.degree} over [0, 1] has the control points ",
-        points_of(curve),
-        ". Find its curvature at ",
-        Math("t", (t,)),
-        ", positive where it turns left.",
-    )
+    task = (*given_bezier(curve), ". Find its curvature at ", Math("t", (t,)), ", positive where it turns left.")
     solution = (
         "The derivatives there are ",
         Math("", (curve.derivative(1, t),)),
@@ -160,16 +163,14 @@ def _centre(curve: Nurbs, t: mpq) -> Point | None:
 
 def osculating(rng: Random) -> Drawn:
     """The osculating circle at a point, a point of the evolute."""
-    degree = rng.choice((2, 3))
-    curve = Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), drawn_points(rng, degree + 1))
+    curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
     t = mpq(rng.choice((0, 1)))
     centre = _centre(curve, t) if any(curve.derivative(1, t)) else None
     if centre is None or not small(centre):
         return None
     square = sum(((a - b) ** 2 for a, b in zip(centre, curve(t), strict=True)), mpq(0))
     task = (
-        f"A Bézier curve of degree {degree} over [0, 1] has the control points ",
-        points_of(curve),
+        *given_bezier(curve),
         ". Find the osculating circle at ",
         Math("t", (t,)),
         ": the coordinates of its centre and the square of its radius.",

@@ -65,7 +65,9 @@ class Triangle:
         Raises `ShapeError` if there is more than one.
         """
         if len(self.columns[-1]) != 1:
-            raise ShapeError(f"{len(self.columns[-1])} points in the last column", remedy="take de Boor's triangle")
+            raise ShapeError(
+                f"{counted(len(self.columns[-1]), 'point')} in the last column", remedy="take de Boor's triangle"
+            )
         return self.cartesian(self.columns[-1][0])
 
     def cartesian(self, row: Row) -> Point:

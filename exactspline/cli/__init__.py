@@ -80,8 +80,16 @@ def _unknown(name: str, known: dict[str, str], ctx: click.Context) -> click.Usag
     return click.UsageError(f"No such command {name!r}.{hint}", ctx)
 
 
-def _version(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
-    if wanted:
+def _usage_message(error: click.UsageError) -> str:
+    """Bad usage in one line: what is wrong, and where the right usage is described."""
+    said = error.message if isinstance(error, click.BadParameter) and error.message else error.format_message()
+    asked = error.ctx.command_path if error.ctx else command_name()
+    said = f"{said[:1].lower()}{said[1:]}".replace(". Did", "; did").rstrip(".?")
+    return f"{said}; `{asked} --help` explains it"
+
+
+def _version(ctx: click.Context, parameter: click.Parameter, requested: bool) -> None:
+    if requested:
         from importlib.metadata import version
 
         click.echo(f"exactspline {version('exactspline')}")
@@ -125,15 +133,22 @@ def main() -> None:
     guard_output()
     try:
         try:
-            app(prog_name=command_name(), complete_var="_EXACTSPLINE_COMPLETE")
+            status = app.main(prog_name=command_name(), complete_var="_EXACTSPLINE_COMPLETE", standalone_mode=False)
         finally:
             gc.freeze()  # the process ends: looking through a million objects for circles would only delay it
             sys.stdout.flush()
-    except ExactSplineError as error:
+        sys.exit(status)
+    except click.exceptions.NoArgsIsHelpError as error:
+        error.show()
+        sys.exit(2)
+    except (ExactSplineError, click.UsageError) as error:
         from exactspline.display.console import show_error
 
-        show_error(error)
+        show_error(_usage_message(error) if isinstance(error, click.UsageError) else error)
         sys.exit(2)
+    except click.Abort:
+        sys.stderr.write("interrupted\n")
+        sys.exit(1)
     except OSError as error:
         # what could not be written must not be tried again when Python closes its files
         sys.stdout = None  # Python itself sets it so where there is none

@@ -50,7 +50,7 @@ def bisector(
     ] = "",
     plot: Annotated[str, Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg or .png.")] = "",
 ) -> None:
-    """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles beside it), of a point
+    """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles next to it), of a point
     and a space curve (ruled), or, trimmed to equal distances, of a point and a plane curve.
     """
     from exactspline.display.bisector_sheet import bisector_sheet
@@ -79,9 +79,8 @@ def bisector(
     if out.for_people and (output or plot):
         return
     key = f"{c.name} and {other or point}"
-    out.give(
-        "bisector", [{"key": key} | answer.data], [bisector_sheet(answer.rows, answer.title)], lambda: _print(c, answer)
-    )
+    sheets = [bisector_sheet(answer.rows, answer.title)]
+    out.give("bisector", [{"key": key} | answer.data], sheets, lambda: _print(out, c, answer))
 
 
 def _coordinates(point: str) -> list[str]:
@@ -151,13 +150,15 @@ def _ruled(c: Nurbs, point: list[str], variant: str, digits: int, title: str) ->
     )
 
 
-def _print(c: Nurbs, answer: Answer) -> None:
+def _print(out: Output, c: Nurbs, answer: Answer) -> None:
     from exactspline.display import console
     from exactspline.display.bisector_sheet import bisector_sheet
     from exactspline.display.described import described
 
-    out = console.console()
-    console.lines(out, answer.title, style="bold")
-    out.print(bisector_sheet(answer.rows, described(c)))
+    shown, sheet = console.console(), bisector_sheet(answer.rows, described(c))
+    console.lines(shown, answer.title, style="bold")
+    shown.print(sheet)
     for note in answer.notes:
-        console.lines(out, note)
+        console.lines(shown, note)
+    if not out.quiet:
+        console.legend(shown, [*sheet.columns, *sheet.tags])

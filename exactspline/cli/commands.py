@@ -22,7 +22,7 @@ DIFFERS = "a verdict differs from the record"
 FORMULA = {
     "degrees": Entry(
         "Degrees and control points.",
-        ("formula degrees --generic", "formula degrees evolute --curve my.json"),
+        ("formula degrees --generic", "formula degrees --at 3", "formula degrees evolute --curve my.json"),
         "formula.degrees:degrees",
         "a degree differs from the printed one",
     ),
@@ -117,6 +117,11 @@ COMMANDS = {
         "Evolutes, focal curves, … exactly.",
         ("derive evolute my.json -o evolute.json", "derive f2 cubic_s"),
         "derive:derive",
+    ),
+    "between": Entry(
+        "Where two curves meet, or are nearest.",
+        ("between circle ellipse", "between a.json b.svg --plot both.svg", "between a.json b.json --json"),
+        "between:between",
     ),
     "bisector": Entry(
         "Bisectors of curves and points.",

@@ -1,4 +1,4 @@
-"""Shared by the subcommands: options, reading curves, progress."""
+"""Shared by the subcommands: options, reading curves."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 
 from exactspline.cli.output import is_quiet
 from exactspline.cli.parameters import Option
-from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, command_name
+from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, command_name, counted
 
 if TYPE_CHECKING:
     from exactspline.interchange.records import Reading
@@ -29,14 +29,13 @@ __all__ = [
     "also_in_their_planes",
     "check_output",
     "claims_of_papers",
-    "curves_in",
+    "each_read",
     "load_curve",
     "loaded",
     "quiet_fonts",
     "standard_input",
     "tell_notes",
     "tell_skipped",
-    "tracked",
 ]
 V = TypeVar("V")
 
@@ -57,13 +56,10 @@ Papers = Annotated[
     ),
 ]
 Trust = Annotated[
-    bool, Option("--trust", help="Run the formulas of a folder or a file as they stand: any Python, unchecked.")
+    bool, Option("--trust", help="Run the formulas of a folder or a file unchanged: any Python, unchecked.")
 ]
 Digits = Annotated[
-    int,
-    Option(
-        "--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits beside them."
-    ),
+    int, Option("--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits too.")
 ]
 Exact = Annotated[bool, Option("--exact", help="Show long fractions in full instead of as decimals.")]
 
@@ -82,11 +78,11 @@ def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, .
 
 def load_curve(name: str) -> Nurbs:
     """The one curve that a name, a file or standard input (``-``) means."""
-    found = curves_in(name)
+    found, _ = _found_in(name)
     if len(found) > 1:
         names = ", ".join(c.name for c in found[:8]) + (", …" if len(found) > 8 else "")
         raise CurveFileError(
-            f"{len(found)} curves, where one is wanted",
+            f"{counted(len(found), 'curve')}, where one is expected",
             where=name,
             remedy=f"take one: {command_name()} convert {name} one.json --only NAME, of {names}",
         )
@@ -108,29 +104,31 @@ class Read:
         return {"source": self.source, "index": self.index, "digest": curve_digest(self.curve)}
 
 
-def loaded(names: Iterable[str], given: bytes | None = None) -> tuple[list[Nurbs], bool]:
+def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
     """The curves that can be read, and whether all could (see `read_curves`)."""
-    found, good = read_curves(names, given)
+    found, good = read_curves(names)
     return [each.curve for each in found], good
 
 
 def read_curves(names: Iterable[str], given: bytes | None = None) -> tuple[list[Read], bool]:
-    """The curves that can be read, and whether all could: a bad curve is reported, and the rest are read. `given` is
-    standard input where it was read before.
-    """
+    """The curves that can be read, and whether all could. `given` is standard input where it was read before."""
+    found, good = each_read(names, lambda name: (name, *_found_in(name, given)))
+    curves = [Read(name, index, curve) for name, own, _ in found for index, curve in enumerate(own)]
+    return curves, good and all(complete for *_, complete in found)
+
+
+def each_read(names: Iterable[str], read: Callable[[str], V]) -> tuple[list[V], bool]:
+    """What can be read, and whether all could: what is bad is reported, and the rest is read."""
     from exactspline.display.console import show_error
 
-    curves, good = list[Read](), True
+    found, good = list[V](), True
     for name in names:
         try:
-            found, complete = _found_in(name, given)
+            found.append(read(name))
         except ExactSplineError as error:
             show_error(error)
             good = False
-        else:
-            curves += [Read(name, index, curve) for index, curve in enumerate(found)]
-            good = good and complete
-    return curves, good
+    return found, good
 
 
 def distinguish(rows: list[dict[str, object]]) -> None:
@@ -141,16 +139,13 @@ def distinguish(rows: list[dict[str, object]]) -> None:
             row["key"] = f"{row['key']} ({row['source']}, curve {row['index']})"
 
 
-def curves_in(name: str, given: bytes | None = None) -> list[Nurbs]:
+def _found_in(name: str, given: bytes | None = None) -> tuple[list[Nurbs], bool]:
     """An example curve by its name, or the curves of a file in any format (``font.ttf:ampersand``; ``-`` for standard
-    input, `given` where it was read before); whatever is skipped is named on standard error, and so are notes.
+    input, `given` where it was read before), and whether none is missing; whatever is skipped is named on standard
+    error, and so are notes.
     """
-    return _found_in(name, given)[0]
-
-
-def _found_in(name: str, given: bytes | None) -> tuple[list[Nurbs], bool]:
-    """The same, and whether no curve of the file is missing."""
-    from exactspline.interchange.examples import curve_from_text, load
+    from exactspline.interchange.curve_files import curve_from_text
+    from exactspline.interchange.examples import load
 
     given = (standard_input() if given is None else given) if name == "-" else None
     part = name.rpartition(":")[0]
@@ -176,7 +171,7 @@ def _found_in(name: str, given: bytes | None) -> tuple[list[Nurbs], bool]:
 
 def standard_input() -> bytes:
     """All of standard input; `CurveFileError` where it is too large."""
-    from exactspline.interchange.curve_files import MAX_BYTES
+    from exactspline.interchange.json_files import MAX_BYTES
 
     data = sys.stdin.buffer.read(8 * MAX_BYTES + 1)
     if len(data) > 8 * MAX_BYTES:
@@ -227,7 +222,7 @@ def tell_notes(reading: Reading) -> None:
         for note in named.notes:
             about.setdefault(note, []).append(named.name)
     for note, names in about.items():
-        which = names[0] if len(names) == 1 else f"{len(names)} curves"
+        which = names[0] if len(names) == 1 else counted(len(names), "curve")
         sys.stderr.write(f"note: {which}: {note}\n")
 
 
@@ -252,16 +247,6 @@ def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
     from exactspline.geometry.planarity import with_plane_curves
 
     return with_plane_curves(curves)
-
-
-def tracked(calls: Sequence[Callable[[], V]], label: str) -> list[V]:
-    """The results of the calls, with a progress bar on a terminal."""
-    if is_quiet() or not sys.stderr.isatty():
-        return [call() for call in calls]
-    from rich.console import Console
-    from rich.progress import track
-
-    return [call() for call in track(calls, description=label, console=Console(stderr=True), transient=True)]
 
 
 def quiet_fonts() -> None:

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 from exactspline.cli.common import check_output, tell_notes, tell_skipped
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
 
 
@@ -60,8 +61,7 @@ def convert(
             "key": named.name,
             "format": reading.format,
             "target": target,
-            "degree": named.curve.degree,
-            "dimension": named.curve.dimension,
+            **picked(named.curve, "degree", "dimension"),
             "control_points": len(named.curve.control_points),
             "notes": [*named.notes, *reading.notes, *notes],
             "skipped": [] if i else skipped,
@@ -78,13 +78,13 @@ def convert(
         "convert",
         rows,
         [Sheet(*columns, rows=cells, numbers=numbers, prose=["notes"])],
-        lambda: _told(out, [*notes], f"{counted(len(curves), 'curve')} from {reading.format} to {target}"),
+        lambda: _report(out, [*notes], f"{counted(len(curves), 'curve')} from {reading.format} to {target}"),
     )
     if not reading.complete:
         raise Exit(2)
 
 
-def _told(out: Output, notes: list[str], summary: str) -> None:
+def _report(out: Output, notes: list[str], summary: str) -> None:
     """The outcome, on standard error, since standard output may hold the curves."""
     if not out.quiet:
         sys.stderr.writelines(f"note: {note}\n" for note in notes)

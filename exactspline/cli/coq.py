@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 from exactspline.cli.common import Papers, Trust, claims_of_papers
 from exactspline.cli.parameters import Argument
 from exactspline.cli.prove import Claims, Sections, named_claims, of_sections
+from exactspline.errors import counted
 
 if TYPE_CHECKING:
     from exactspline.verification.claim import Claim
@@ -36,6 +37,9 @@ def _emit(directory: str, claims: Sequence[Claim] | None) -> None:
     made = emit(Path(directory), claims)
     shown = console.console()
     theorems = [each for own in made.theorems.values() for each in own if not each.reason]
-    console.lines(shown, f"{len(theorems)} theorems in {len(made.files)} files, listed in {directory}/_CoqProject")
+    console.lines(
+        shown,
+        f"{counted(len(theorems), 'theorem')} in {counted(len(made.files), 'file')}, listed in {directory}/_CoqProject",
+    )
     for each in made.unstated:
         console.lines(shown, f"{each.claim.key}: no theorem, {each.why}")

@@ -48,11 +48,11 @@ def derive(
     from exactspline.papers import resolve
 
     check_output(output, curve)
-    wanted = resolve(name, trust=trust) if ":" in name else name
-    if isinstance(wanted, Formula) and wanted.kind in (SURFACE, PLANAR_MAP):
-        data = surface_value_data(wanted, load_surface(curve), curve)
+    requested = resolve(name, trust=trust) if ":" in name else name
+    if isinstance(requested, Formula) and requested.kind in (SURFACE, PLANAR_MAP):
+        data = surface_value_data(requested, load_surface(curve), curve)
     else:
-        data = derived_data(derived(wanted, load_curve(curve), variant), curve)
+        data = derived_data(derived(requested, load_curve(curve), variant), curve)
     if output:
         write_json(output, data)
     else:

@@ -52,25 +52,25 @@ def errata(
     )
 
 
-def _chosen(entries: list[Erratum], wanted: list[str], sources: Sequence[Paper]) -> list[Erratum]:
+def _chosen(entries: list[Erratum], requested: list[str], sources: Sequence[Paper]) -> list[Erratum]:
     """The errors with these names, of claims with these ids, or at these places (5.4, §5.4, eq. (34), p. 19)."""
     keep: list[Erratum] = []
-    for name in wanted:
+    for name in requested:
         own = [entry for entry in entries if entry.error.lower() == name.lower()]
         keep += own or _at(entries, name, sources)
-    return [entry for entry in entries if not wanted or entry in keep]
+    return [entry for entry in entries if not requested or entry in keep]
 
 
-def _at(entries: list[Erratum], wanted: str, sources: Sequence[Paper]) -> list[Erratum]:
+def _at(entries: list[Erratum], requested: str, sources: Sequence[Paper]) -> list[Erratum]:
     from exactspline.verification.claims import claims_in, located
 
     try:
-        keys = {(claim.paper, claim.key) for claim in located(wanted, claims_in(sources))}
+        keys = {(claim.paper, claim.key) for claim in located(requested, claims_in(sources))}
     except ClaimError:
         names = [name for e in entries for name in (e.error, *[n for s in e.statements for n in (s.id, s.key)])]
-        remedy = nearest(wanted, names, listed_by="errata")
-        raise ClaimError(f"there is no error called {wanted!r}", remedy=remedy) from None
+        remedy = nearest(requested, names, listed_by="errata")
+        raise ClaimError(f"there is no error called {requested!r}", remedy=remedy) from None
     found = [entry for entry in entries if any((entry.paper, each.key) in keys for each in entry.statements)]
     if not found:
-        raise ClaimError(f"nothing at {wanted!r} is refuted", remedy="without a name all errors are listed")
+        raise ClaimError(f"nothing at {requested!r} is refuted", remedy="without a name all errors are listed")
     return found

@@ -7,8 +7,9 @@ from typing import Annotated, Any
 
 from exactspline.cli.answers import answer_questions
 from exactspline.cli.common import CURVE_HELP, Read, also_in_their_planes, distinguish, read_curves, standard_input
-from exactspline.cli.output import OptionsError, Output, is_quiet, printing
+from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.progress import ticking
 from exactspline.words import choice
 
 #: The word for all approaches, side by side.
@@ -162,14 +163,16 @@ def _emit(curve: Any, path: str) -> None:
 
 def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:
     from exactspline.display import console
-    from exactspline.display.features import print_features
+    from exactspline.display.features import feature_sheet, print_features
 
     for i, (c, _, data) in enumerate(inspected):
         if i:
             console.console().print()
         print_features(c, data)
     if inspected and not out.quiet:
-        console.legend(console.console(), ["κ", *(["τ"] if any(c.dimension == 3 for c, _, _ in inspected) else [])])
+        words = [tag for c, _, data in inspected for tag in feature_sheet(c, data).tags]
+        in_space = any(c.dimension == 3 for c, _, _ in inspected)
+        console.legend(console.console(), ["κ", *["τ"] * in_space, *["exactly"] * bool(words), *words])
 
 
 def _inspected(read: Read, approach: str, digits: int, coordinates: bool) -> tuple[Any, Any, dict[str, Any]]:
@@ -180,32 +183,15 @@ def _inspected(read: Read, approach: str, digits: int, coordinates: bool) -> tup
 
     c = read.curve
     found = inspect_curve(c, "minimal" if approach == ALL else approach)
-    with _ticking(sum(len(answer) for answer in found.answers.values() if isinstance(answer, Places))) as tick:
+    with ticking(
+        "refining", sum(len(answer) for answer in found.answers.values() if isinstance(answer, Places))
+    ) as tick:
         data = {"key": f"{c.name} in R{c.dimension}"} | read.data() | inspection_data(c, found.approach, digits, tick)
     if coordinates:
         data["coordinate_extrema"] = coordinate_extrema_data(c, digits)
     if approach == ALL:
         data["approaches"] = [asdict(row) for row in compare_approaches(c)]
     return c, found, data
-
-
-def _ticking(count: int) -> Any:
-    """A progress bar on a terminal, advanced by calling the function that it yields."""
-    import sys
-    from contextlib import contextmanager
-
-    from rich.console import Console
-    from rich.progress import Progress
-
-    @contextmanager
-    def bar() -> Any:
-        with Progress(
-            console=Console(stderr=True), transient=True, disable=is_quiet() or not sys.stderr.isatty()
-        ) as progress:
-            task = progress.add_task("refining", total=count)
-            yield lambda: progress.advance(task)
-
-    return bar()
 
 
 def _proofs(c: Any, found: Any) -> list[dict[str, object]]:

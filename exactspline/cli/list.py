@@ -6,6 +6,7 @@ from typing import Annotated
 
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument
+from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
 
 
@@ -19,18 +20,9 @@ def curves(out: Output) -> None:
     from exactspline.interchange.examples import example, example_names
 
     found = [example(name) for name in example_names()]
+    shape = ("name", "degree", "dimension", "polynomial", "segments")
     rows = [
-        {
-            "key": c.name,
-            "name": c.name,
-            "degree": c.degree,
-            "dimension": c.dimension,
-            "polynomial": c.polynomial,
-            "segments": c.segments,
-            "control_points": len(c.control_points),
-            "note": c.note,
-        }
-        for c in found
+        {"key": c.name, **picked(c, *shape), "control_points": len(c.control_points), "note": c.note} for c in found
     ]
     numbers = ("degree", "segments", "points", "dimension")
     cells = [
@@ -45,18 +37,8 @@ def surfaces(out: Output) -> None:
     from exactspline.interchange.examples import example_surface, example_surface_names
 
     found = [example_surface(name) for name in example_surface_names()]
-    rows = [
-        {
-            "key": s.name,
-            "name": s.name,
-            "degree": list(s.degree),
-            "dimension": s.dimension,
-            "polynomial": s.polynomial,
-            "patches": list(s.patches),
-            "note": s.note,
-        }
-        for s in found
-    ]
+    shape = ("name", "degree", "dimension", "polynomial", "patches", "note")
+    rows = [{"key": s.name, **picked(s, *shape)} for s in found]
     cells = [
         (s.name, _kind(s.polynomial), *(f"{m} × {n}" for m, n in (s.degree, s.patches)), s.dimension, s.note)
         for s in found
@@ -116,8 +98,8 @@ def words(
     from exactspline.display.glossary import glossary, meaning
 
     topics = {"": {each: meaning(each) for each in term}} if term else glossary()
-    cells = [(each, told) for terms in topics.values() for each, told in terms.items()]
-    rows = [{"key": each, "meaning": told} for each, told in cells]
+    cells = [(each, explained) for terms in topics.values() for each, explained in terms.items()]
+    rows = [{"key": each, "meaning": explained} for each, explained in cells]
     out.give("glossary", rows, [Sheet("term", "meaning", rows=cells, prose=["meaning"])], lambda: _print(topics))
 
 

@@ -68,8 +68,8 @@ class Output:
         elif self.format == "csv":
             sys.stdout.write(csv_of(list(sheets), by, unchecked=unchecked()))
         elif self.format == "markdown":
-            told = [in_markdown(remark)] if remark else []
-            sys.stdout.write("\n\n".join([*[sheet.markdown() for sheet in sheets], *told]) + "\n")
+            remarks = [in_markdown(remark)] if remark else []
+            sys.stdout.write("\n\n".join([*[sheet.markdown() for sheet in sheets], *remarks]) + "\n")
         else:
             people() if people else self.show(list(sheets))
             if remark:
@@ -96,7 +96,7 @@ RAN = "formulas that ran unchecked (--trust)"
 
 
 def unchecked() -> tuple[str, ...]:
-    """The files of formulas that this command ran as they stand."""
+    """The files of formulas that this command ran unchecked."""
     loading = sys.modules.get("exactspline.papers.loading")  # where it was not needed nothing ran
     return loading.ran_unchecked() if loading else ()
 
@@ -156,7 +156,7 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
 
 class Guarded(io.FileIO):
     """Standard output that may be closed by its reader (``| head``): the rest is dropped, and the command ends with its
-    usual status. What is left after any other failure is dropped, too, so that the end of the process does not fail.
+    usual status. The rest after any other failure is dropped, too, so that the end of the process does not fail.
     """
 
     failed = False

@@ -5,9 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from exactspline.cli.common import tell_how_surfaces_are_drawn, tracked
+from exactspline.cli.common import tell_how_surfaces_are_drawn
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
+from exactspline.cli.progress import tracked
 from exactspline.display.sheet import Sheet
 
 

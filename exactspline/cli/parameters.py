@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from typing import Any, get_args, get_origin, get_type_hints
 
 import click
 from click.exceptions import Exit
+
+from exactspline.errors import shown
 
 __all__ = ["Argument", "Exit", "Option", "command_of"]
 
@@ -29,6 +32,24 @@ class Option:
     ) -> None:
         self.names, self.help, self.metavar = names, help, metavar
         self.min, self.max, self.completion = min, max, completion
+
+
+class Integer(click.IntRange):
+    """An integer in a range; the error for other text says what is expected."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        """The integer that the text means."""
+        with suppress(ValueError):
+            number = int(value)
+            if (self.min is None or number >= self.min) and (self.max is None or number <= self.max):
+                return number
+        name = param.opts[-1] if param else ""
+        return self.fail(f"{name} takes {self._range()}, not {shown(value)}", param, ctx)
+
+    def _range(self) -> str:
+        if self.max is not None:
+            return f"an integer from {self.min or 0} to {self.max}"
+        return "an integer" if self.min is None else f"an integer ≥ {self.min}"
 
 
 class Argument:
@@ -57,16 +78,16 @@ class _Command(click.Command):
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """What it does, then its arguments."""
         super().format_help_text(ctx, formatter)
-        rows = [(each.make_metavar(ctx), each.told) for each in self.params if isinstance(each, _Told)]
+        rows = [(each.make_metavar(ctx), each.explained) for each in self.params if isinstance(each, _Explained)]
         if rows:
             with formatter.section("Arguments"):
                 formatter.write_dl(rows)
 
 
-class _Told(click.Argument):
+class _Explained(click.Argument):
     """An argument with a line in the help."""
 
-    told = ""
+    explained = ""
 
 
 def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
@@ -83,8 +104,10 @@ def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
         fields["shell_complete"] = lambda ctx, parameter, typed: list(mark.completion(typed))
     if isinstance(mark, Argument):
         metavar = mark.metavar or given.name.upper()
-        made = _Told([given.name], nargs=-1 if several else 1, metavar=_shown(metavar, several, required), **fields)
-        made.told = mark.help
+        made = _Explained(
+            [given.name], nargs=-1 if several else 1, metavar=_shown(metavar, several, required), **fields
+        )
+        made.explained = mark.help
         return made
     if bool in parts:
         return click.Option([given.name, *mark.names], is_flag=True, help=mark.help, default=False)
@@ -92,7 +115,7 @@ def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
     return click.Option(
         [given.name, *mark.names],
         multiple=several,
-        type=click.IntRange(mark.min, mark.max) if number and mark.min is not None else int if number else str,
+        type=Integer(mark.min, mark.max) if number else str,
         help=mark.help,
         metavar=mark.metavar,
         show_default=not several and bool(given.default) and not required,

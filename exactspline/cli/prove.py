@@ -13,11 +13,12 @@ from exactspline.cli.common import (
     Trust,
     also_in_their_planes,
     claims_of_papers,
+    each_read,
     loaded,
-    tracked,
 )
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Exit, Option
+from exactspline.cli.progress import tracked
 from exactspline.errors import ClaimError, nearest
 
 if TYPE_CHECKING:
@@ -89,31 +90,31 @@ def prove(
     """Decide every claim of a paper: for all curves at once, and exactly on the curves and surfaces given (without any:
     on the curves in its folder, or on the example curves).
     """
+    from exactspline.atomic_write import write_text
     from exactspline.display.ledger import WORDS
     from exactspline.display.ledger_run import Run
     from exactspline.display.numbers import Numbers
+    from exactspline.interchange.examples import load_surface
     from exactspline.verification.ledger import settled, tasks
 
-    wanted = [_word(each, WORDS) for each in verdict or []]
+    requested = [_word(each, WORDS) for each in verdict or []]
     known = claims_of_papers(_papers(paper, curve, surface), trust)
     claims = of_sections(named_claims(claim or [], known), section or [])
     given, good = loaded(curve or [])
-    patches, all_read = _surfaces(surface or [])
+    patches, all_read = each_read(surface or [], load_surface)
     curves: list[Nurbs | NurbsSurface] | None = None
     if curve or surface:
         curves = [*also_in_their_planes(given), *patches]
     if judge and curves is not None:
-        told = "--judge and --curve" if curve else "--judge and --surface"
-        raise OptionsError(told, remedy="another judge decides for all: leave it out")
+        options = "--judge and --curve" if curve else "--judge and --surface"
+        raise OptionsError(options, remedy="another judge decides for all: leave it out")
     found, kernel = _judged(judge, claims) if judge else (settled(tracked(tasks(claims, curves), "proving")), None)
-    chosen = [row for row in found if not wanted or row.verdict in wanted]
+    chosen = [row for row in found if not requested or row.verdict in requested]
     if html:
-        from exactspline.atomic_write import write_text
         from exactspline.display.ledger_page import ledger_page
 
         write_text(html, ledger_page(chosen))
     if report:
-        from exactspline.atomic_write import write_text
         from exactspline.display.report import report as referee_report
 
         write_text(report, referee_report(claims, found))
@@ -135,22 +136,6 @@ def prove(
 def _papers(named: list[str] | None, curves: Sequence[str] | None, surfaces: Sequence[str] | None) -> list[str] | None:
     """The papers named; without one, that of surfaces where nothing but surfaces is to be checked."""
     return ["surfaces"] if surfaces and not curves and not named else named
-
-
-def _surfaces(names: Sequence[str]) -> tuple[list[NurbsSurface], bool]:
-    """The surfaces that can be read, and whether all could: a bad one is reported, and the rest are read."""
-    from exactspline.display.console import show_error
-    from exactspline.errors import ExactSplineError
-    from exactspline.interchange.examples import load_surface
-
-    found, good = [], True
-    for name in names:
-        try:
-            found.append(load_surface(name))
-        except ExactSplineError as error:
-            show_error(error)
-            good = False
-    return found, good
 
 
 def named_claims(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:
@@ -189,18 +174,18 @@ def _word(name: str, known: Sequence[str]) -> str:
     return name.upper()
 
 
-def of_sections(claims: Sequence[Claim], wanted: Sequence[str]) -> list[Claim]:
-    """The claims of some sections; all of them where none is wanted."""
+def of_sections(claims: Sequence[Claim], requested: Sequence[str]) -> list[Claim]:
+    """The claims of some sections; all of them where none is named."""
     from exactspline.display.ledger import section
 
     known = list(dict.fromkeys(map(section, claims)))
-    for name in wanted:
+    for name in requested:
         if not any(_within(each, name) for each in known):
             raise ClaimError(f"there is no section called {name!r}", remedy=nearest(name, known))
-    return [claim for claim in claims if not wanted or any(_within(section(claim), name) for name in wanted)]
+    return [claim for claim in claims if not requested or any(_within(section(claim), name) for name in requested)]
 
 
-def _within(section: str, wanted: str) -> bool:
-    """Whether a section is the wanted one or a part of it: §4.2 is one of 4."""
-    a, b = section.lower().removeprefix("§"), wanted.lower().removeprefix("§").strip()
+def _within(section: str, requested: str) -> bool:
+    """Whether a section is the requested one or a part of it: §4.2 is one of 4."""
+    a, b = section.lower().removeprefix("§"), requested.lower().removeprefix("§").strip()
     return a == b or a.startswith(f"{b}.")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from exactspline.cli.output import VERSION, print_json
 from exactspline.cli.parameters import Argument
@@ -35,12 +35,28 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
     from importlib import resources
 
     text = resources.files(__package__).joinpath("schemas.json").read_text(encoding="utf-8")
-    found: dict[str, dict[str, dict[str, object]]] = json.loads(text)
+    found = {name: _fields(by_type) for name, by_type in json.loads(text).items()}
     found["inspect"] |= answers("plane curve", "space curve")
     found["inspect surface"] |= answers("surface in space", "map of a rectangle into the plane")
     # a row may also be the bisector of a point and a curve
     found["bisector"] |= {name: field | {"optional": True} for name, field in answers("pair of space curves").items()}
+    found["between"] |= answers("two curves")
     return found
+
+
+def _fields(by_type: dict[str, Any]) -> dict[str, dict[str, object]]:
+    """The fields of a row: its key, and those listed by their type, or with a ``form`` of their own; a mark of a
+    question follows the name of one that is optional.
+    """
+    forms: dict[str, dict[str, object]] = {"key": {"type": "string"}}
+    for kind, names in by_type.items():
+        types = kind.split()
+        form = {"type": types if len(types) > 1 else kind}
+        forms |= names if kind == "form" else dict.fromkeys(names, form)
+    return {
+        name.removesuffix("?"): form | ({"optional": True} if name.endswith("?") else {})
+        for name, form in forms.items()
+    }
 
 
 def answers(*of: str) -> dict[str, dict[str, object]]:
@@ -69,6 +85,9 @@ def _form(entry: Entry) -> dict[str, object]:
         parts = ["points", "everywhere"] + ([] if set(entry.about.of) <= set(CURVES) else ["undecided"])
         fields = {part: {"type": "array"} for part in parts}
         return {"type": "object", "required": parts, "additionalProperties": False, "properties": fields}
+    if entry.about.answered is Answered.PAIRS:
+        parts = {part: {"type": "array"} for part in ("points", "left_out")}
+        return {"type": "object", "required": [*parts], "properties": parts}
     return {
         "type": {Answered.PLANE: ["null", "string"], Answered.VALUE: "string", Answered.POINT: ["null", "array"]}.get(
             entry.about.answered, "array"
@@ -92,10 +111,10 @@ def schema_of(name: str) -> dict[str, object]:
     fields = known[name]
     row = {
         "type": "object",
-        "required": [field for field, told in fields.items() if not told.get("optional")],
+        "required": [field for field, form in fields.items() if not form.get("optional")],
         "additionalProperties": False,
         "properties": {
-            field: {word: what for word, what in told.items() if word != "optional"} for field, told in fields.items()
+            field: {word: what for word, what in form.items() if word != "optional"} for field, form in fields.items()
         },
     }
     return {

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 from exactspline.cli.common import Papers, Trust, claims_of_papers
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.display.data import picked
 from exactspline.display.sheet import COLOURS, Sheet
 
 if TYPE_CHECKING:
@@ -57,14 +58,8 @@ def _list(out: Output, claims: Sequence[Claim]) -> None:
     from exactspline.display.ledger import section
 
     rows = [
-        {
-            "key": f"{c.paper}/{c.key}",
-            "id": c.id,
-            "status": str(c.status),
-            "section": section(c),
-            "source": c.source,
-            "statement": c.statement,
-        }
+        {"key": f"{c.paper}/{c.key}", **picked(c, "id", "status"), "section": section(c)}
+        | picked(c, "source", "statement")
         for c in claims
     ]
     cells = [(row["id"], row["section"], row["statement"]) for row in rows]
@@ -73,14 +68,12 @@ def _list(out: Output, claims: Sequence[Claim]) -> None:
 
 def _print_theorems(found: list[Statement]) -> None:
     """For copying, so that lines are not broken."""
-    from rich.text import Text
-
     from exactspline.display import console
     from exactspline.display.theorem import theorem
 
     shown = console.console()
     for each in found:
-        shown.print(Text(theorem(each), no_wrap=True, overflow="ignore"), soft_wrap=True)
+        console.unbroken(shown, theorem(each))
         shown.print()
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from exactspline.cli.common import each_read
 from exactspline.cli.output import OptionsError, Output
 from exactspline.cli.parameters import Exit
 from exactspline.errors import ExactSplineError
@@ -22,9 +23,9 @@ def is_surface(name: str, given: bytes | None = None) -> bool:
     >>> is_surface("torus"), is_surface("circle")
     (True, False)
     """
+    from exactspline.interchange.curve_files import looks_like_surface
     from exactspline.interchange.examples import example_names, example_surface_names
     from exactspline.interchange.json_files import MAX_BYTES
-    from exactspline.interchange.surface_files import looks_like_surface
 
     if name == "-":
         return given is not None and len(given) <= MAX_BYTES and looks_like_surface(given.decode(errors="replace"))
@@ -41,22 +42,13 @@ def is_surface(name: str, given: bytes | None = None) -> bool:
 
 def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str, given: bytes | None = None) -> None:
     """Print what surfaces have; a bad one is reported and the rest goes on. `given` is what stands for ``-``."""
-    from exactspline.display.console import show_error
-
     if plot and len(names) > 1:
         raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
-    told: list[tuple[dict[str, object], Sheet]] = []
-    good = True
-    for name in names:
-        try:
-            told.append(_inspected(_loaded(name, given), digits, plot))
-        except ExactSplineError as error:
-            show_error(error)
-            good = False
+    inspected, good = each_read(names, lambda name: _inspected(_loaded(name, given), digits, plot))
     out.give(
         "inspect surface",
-        [{"key": str(data["surface"])} | data for data, _ in told],
-        [sheet for _, sheet in told],
+        [{"key": str(data["surface"])} | data for data, _ in inspected],
+        [sheet for _, sheet in inspected],
         by="surface",
     )
     if not good:
@@ -65,8 +57,8 @@ def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str, 
 
 def _loaded(name: str, given: bytes | None) -> NurbsSurface:
     """The surface that a name, a file or standard input means."""
+    from exactspline.interchange.curve_files import surface_from_text
     from exactspline.interchange.examples import load_surface
-    from exactspline.interchange.surface_files import surface_from_text
 
     if name != "-" or given is None:
         return load_surface(name)
@@ -77,7 +69,7 @@ def _loaded(name: str, given: bytes | None) -> NurbsSurface:
 
 
 def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str, object], Sheet]:
-    """What a surface has as data and as a table, and the picture where one is wanted."""
+    """What a surface has as data and as a table, and the picture where one is requested."""
     from exactspline.display.surface_data import map_data, map_sheet, surface_inspection_data, surface_sheet
     from exactspline.geometry.surface.inspection import inspect_surface
     from exactspline.geometry.surface.planar_maps import jacobian_sign

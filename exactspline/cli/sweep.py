@@ -11,10 +11,11 @@ from time import monotonic
 from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import quiet_fonts
-from exactspline.cli.output import Output, is_quiet, printing
+from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.progress import bar
 from exactspline.display.sheet import Sheet
-from exactspline.errors import CurveFileError
+from exactspline.errors import CurveFileError, counted
 
 if TYPE_CHECKING:
     from exactspline.batch.corpus import Source
@@ -126,12 +127,12 @@ def sweep(
     start = monotonic()
     with _interruptible() as stopped:
         with _progress() as tick:
-            told = _printing(tick) if to_stdout else tick
-            recorded(sources, work, where, "" if to_stdout else output, summary, told, stopped)
+            reported = _printing(tick) if to_stdout else tick
+            recorded(sources, work, where, "" if to_stdout else output, summary, reported, stopped)
         interrupted = stopped()
     if interrupted:
         goes_on = f"; the same command continues after them in {output}" if output and not to_stdout else ""
-        sys.stderr.write(f"interrupted after {summary.lines} curves{goes_on}\n")
+        sys.stderr.write(f"interrupted after {counted(summary.lines, 'curve')}{goes_on}\n")
         raise Exit(INTERRUPTED)
     if not to_stdout:
         seconds = monotonic() - start
@@ -162,11 +163,11 @@ def _printing(tick: Tick) -> Tick:
     """Lines on standard output."""
     from exactspline.batch.results import line_text
 
-    def told(share: float, line: Line, known: bool) -> None:
+    def printed(share: float, line: Line, known: bool) -> None:
         sys.stdout.write(line_text(line))
         tick(share, line, known)
 
-    return told
+    return printed
 
 
 @contextmanager
@@ -200,11 +201,7 @@ def _interruptible() -> Iterator[Callable[[], bool]]:
 @contextmanager
 def _progress() -> Iterator[Tick]:
     """A bar on a terminal with the curves, their rate and the time left; nothing in a pipe."""
-    if is_quiet() or not sys.stderr.isatty():
-        yield lambda *_: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+    from rich.progress import BarColumn, TextColumn, TimeRemainingColumn
 
     columns = (
         TextColumn("{task.fields[curves]} curves"),
@@ -213,8 +210,11 @@ def _progress() -> Iterator[Tick]:
         TextColumn("{task.fields[rate]}/s"),
         TimeRemainingColumn(),
     )
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=1, curves=0, rate="–")
+    with bar(*columns) as shown:
+        if shown is None:
+            yield lambda *_: None
+            return
+        task = shown.add_task("", total=1, curves=0, rate="–")
         start, computed, known_share, last = monotonic(), 0, None, monotonic()
 
         def tick(share: float, line: Line, known: bool) -> None:
@@ -223,13 +223,13 @@ def _progress() -> Iterator[Tick]:
                 known_share, start = share, monotonic()
                 return
             if known_share is not None:
-                bar.reset(task, total=1, curves=line.index, rate="–")
-                bar.update(task, completed=known_share)
+                shown.reset(task, total=1, curves=line.index, rate="–")
+                shown.update(task, completed=known_share)
                 known_share = None
             computed += 1
             if monotonic() - last > 1 / 5:
                 last = monotonic()
-                bar.update(task, completed=share, curves=line.index + 1, rate=f"{computed / (last - start):.0f}")
+                shown.update(task, completed=share, curves=line.index + 1, rate=f"{computed / (last - start):.0f}")
 
         yield tick
 
@@ -256,4 +256,4 @@ def _print(out: Output, summary: Summary, seconds: float) -> None:
     shown = console.console()
     shown.print(_sheet(summary))
     if not out.quiet:
-        console.lines(shown, f"{summary.lines} lines in {seconds:.1f} s")
+        console.lines(shown, f"{counted(summary.lines, 'line')} in {seconds:.1f} s")

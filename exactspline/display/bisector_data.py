@@ -7,6 +7,7 @@ from typing import Any, cast
 
 from flint import arb
 
+from exactspline.display.data import Data, picked, plain
 from exactspline.display.serialize import decimal_of, piece_data
 from exactspline.errors import ReachError
 from exactspline.geometry.bisector.components import (
@@ -29,15 +30,13 @@ from exactspline.geometry.registry import REGISTRY
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
-from exactspline.numbers.intervals import Box
 from exactspline.questions.entry import Of
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.common import with_common_knots
+from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.values import SplineVector
 
-Data = dict[str, object]
 NAMES = "st"
 
 
@@ -48,7 +47,7 @@ def curve_bisector_data(bisector: CurveBisector, digits: int) -> Data:
     """The whole bisector of two curves: its surface by homogeneous control nets ``(w x, w y, w z, w)`` with rows along
     s, and lines, planes, single pairs and poles.
     """
-    missing = [{"sides": _sides(sides), "reason": reason} for sides, reason in bisector.missing]
+    missing = [{"sides": plain(sides), "reason": reason} for sides, reason in bisector.missing]
     answers = {name: entry.answer(bisector) for name, entry in REGISTRY[Of.PAIR].items()}
     return {
         "kind": "bisector of two curves",
@@ -65,15 +64,11 @@ def _solution_data(part: object, digits: int) -> Data:
     raise AssertionError(f"{type(part).__name__} is not a part of a bisector")
 
 
-def _sides(sides: Box) -> list[list[str]]:
-    return [[text(x) for x in side] for side in sides]
-
-
 @_solution_data.register
 def _patch_data(patch: BisectorPatch, digits: int) -> Data:
     numerator, w = patch.value.elevated()
     assert isinstance(numerator, Vector)  # a surface
-    return {"sides": _sides(patch.sides)} | control_net([*numerator, w])
+    return picked(patch, "sides") | control_net([*numerator, w])
 
 
 def control_net(splines: list[TensorSpline]) -> Data:
@@ -83,8 +78,8 @@ def control_net(splines: list[TensorSpline]) -> Data:
     rows = zip(*[x.control_points for x in splines], strict=True)
     return {
         "degree": list(first.degree),
-        "knots": [[text(t) for t in knots] for knots in first.knots],
-        "homogeneous_control_net": [[[text(x) for x in point] for point in zip(*row, strict=True)] for row in rows],
+        "knots": [plain(knots) for knots in first.knots],
+        "homogeneous_control_net": [plain(list(zip(*row, strict=True))) for row in rows],
     }
 
 
@@ -97,8 +92,7 @@ def equation_data(equation: PairEquation) -> Data:
 def _line_data(line: LineComponent, digits: int) -> Data:
     return {
         "pairs": str(line.correspondence),
-        "cause": str(line.cause),
-        "sides": _sides(line.sides),
+        **picked(line, "cause", "sides"),
         "equation": line.equation and equation_data(line.equation),
         "fixed": line.fixed and parameter_data(line.fixed, digits),
         "over_root": line.over_root and _root_lines_data(line.over_root, digits),
@@ -136,11 +130,7 @@ def _root_lines_data(lines: RootLines, digits: int) -> Data:
     def net(part: tuple[Coordinate, ...], field: str) -> Data:
         first = part[0][0]
         rows = zip(*[zip(*[f.control_points for f in coordinate], strict=True) for coordinate in part], strict=True)
-        return {
-            "degree": first.degree,
-            "knots": [text(t) for t in first.knots],
-            field: [[[text(x) for x in coordinate] for coordinate in point] for point in rows],
-        }
+        return {"degree": first.degree, "knots": plain(first.knots), field: plain(list(rows))}
 
     return {
         "parameter": NAMES[lines.of],
@@ -171,9 +161,7 @@ def _limits_data(real: RealZeros, digits: int) -> Data:
 @_solution_data.register
 def _plane_data(plane: PlaneComponent, digits: int) -> Data:
     return {
-        "solutions": str(plane.solutions),
-        "cause": str(plane.cause),
-        "sides": _sides(plane.sides),
+        **picked(plane, "solutions", "cause", "sides"),
         "equation": plane.equation and equation_data(plane.equation),
         "parameter": NAMES[plane.of],
         "intervals": [[parameter_data(x, digits) for x in interval] for interval in plane.intervals],
@@ -187,9 +175,7 @@ def _pair_data(pair: SinglePair, digits: int) -> Data:
     head: Data = {
         "s": parameter_data(pair.s, digits),
         "t": parameter_data(pair.t, digits),
-        "solutions": str(pair.solutions),
-        "cause": str(pair.cause),
-        "sides": _sides(pair.sides),
+        **picked(pair, "solutions", "cause", "sides"),
     }
     if pair.solutions is Solutions.SPACE:
         return head
@@ -212,7 +198,7 @@ def _number(x: mpq | arb, digits: int) -> str:
 
 @_solution_data.register
 def _pole_data(pole: PoleCurve, digits: int) -> Data:
-    return {"sides": _sides(pole.sides), "equation": equation_data(pole.equation), "certain": pole.certain}
+    return picked(pole, "sides") | {"equation": equation_data(pole.equation), "certain": pole.certain}
 
 
 # ---- a point and a curve
@@ -224,8 +210,7 @@ def point_bisector_data(bisector: PointBisector, digits: int) -> Data:
     """
     pieces = [
         {
-            "interval": [text(x) for x in piece.interval],
-            "moved": piece.moved,
+            **picked(piece, "interval", "moved"),
             "directrix": piece_data(piece.interval, piece.surface.directrix),
             "generator": piece_data(piece.interval, piece.surface.generator),
         }
@@ -290,7 +275,7 @@ def degree_of(value: SplineVector | Rational[TensorSpline]) -> str:
     return f"{d[0]} × {d[1]}" if isinstance(d, tuple) else str(d)
 
 
-def counted(value: Rational[TensorSpline]) -> int:
+def control_points(value: Rational[TensorSpline]) -> int:
     """The number of control points of a patch."""
     top = value.vector[0].elevated_to(value.denominator)
     m, n = top.control_point_counts

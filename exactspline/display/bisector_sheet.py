@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
-from exactspline.display.bisector_data import counted, degree_of, shown
+from exactspline.display.bisector_data import control_points, degree_of, shown
 from exactspline.display.sheet import Sheet
+from exactspline.errors import counted
 from exactspline.geometry.bisector.components import LineComponent, PairEquation, PlaneComponent, PoleCurve
 from exactspline.geometry.bisector.point_and_curve import PointBisector
 from exactspline.geometry.bisector.trimmed import TrimmedBisector
@@ -32,10 +33,8 @@ class Row(NamedTuple):
 
 def bisector_sheet(rows: Iterable[Row], title: str) -> Sheet:
     """The pieces of a bisector, one per row."""
-    made = Sheet("piece", "parameters", "degree", "remark", title=title, prose=["parameters", "remark"])
-    for row in rows:
-        made.add_row(row.piece, row.parameters, row.degree, row.remark)
-    return made
+    cells = [(row.piece, row.parameters, row.degree, row.remark) for row in rows]
+    return Sheet("piece", "parameters", "degree", "remark", rows=cells, title=title, prose=["parameters", "remark"])
 
 
 def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[str]]:
@@ -96,7 +95,7 @@ def _closing(found: CurveBisector) -> str:
 
 
 def _surface_row(patch: BisectorPatch) -> Row:
-    remark = f"{counted(patch.value)} control points"
+    remark = counted(control_points(patch.value), "control point")
     if max(patch.value.degree) == 0:
         point = patch.value.point(patch.sides[0][0], patch.sides[1][0])
         remark = f"one point: ({', '.join(map(short_text, point))})"
@@ -112,7 +111,7 @@ def _line_row(line: LineComponent, digits: int) -> Row:
         degrees = {own.degree}
         where = f"{'ts'[own.of]} = {shown(own.other, digits)}; {'st'[own.of]} in {own.interval.shortly}"
     else:
-        where = f"{len(line.real.branches)} branches"
+        where = counted(len(line.real.branches), "branch")
     where, short = _pairs(line.equation, line.sides, where)
     return Row("lines", where, ", ".join(map(str, degrees)) or "–", str(line.cause), short)
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from exactspline.display import console
-from exactspline.display.console import decimal
+from exactspline.display.data import picked, plain
 from exactspline.display.described import described
+from exactspline.display.numbers import decimal
 from exactspline.display.sheet import Sheet
 from exactspline.interchange.curve_files import curve_data
 from exactspline.numbers.exact import text
@@ -22,11 +23,8 @@ NUMBERS = ("degree", "condition", "minimal / this", "at most", "double error")
 def comparison_sheet(c: Nurbs, each: Conditioning) -> Sheet:
     """Every form at every zero of a curve, one per row."""
     title = f"{c.name}: {described(c)}; {each.construction}"
-    made = Sheet("zero", "form", *NUMBERS, title=title, name=c.name, numbers=NUMBERS, heads=2)
-    for row in each.roots:
-        for f in row.forms:
-            made.add_row(_place(row.root), f.form, *_cells(row, f))
-    return made
+    cells = [(_place(row.root), f.form, *_cells(row, f)) for row in each.roots for f in row.forms]
+    return Sheet("zero", "form", *NUMBERS, rows=cells, title=title, name=c.name, numbers=NUMBERS, heads=2)
 
 
 def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], tallies: Sequence[Tally], *, quiet: bool) -> None:
@@ -67,26 +65,21 @@ def tally_sheet(tallies: Sequence[Tally]) -> Sheet:
     """The counts of a search."""
     numbers = ("worse", "better", "proved not better", "smallest ratio", "largest ratio")
     columns = ("curves with", "construction", "against", *numbers)
-    made = Sheet(*columns, title="Search: the reduced form is … conditioned", name="search", numbers=numbers, heads=3)
-    for t in tallies:
-        ratios = [decimal(ratio, 3) for ratio, _ in t.extremes]
-        made.add_row(t.family, t.construction, t.form, t.worse, t.better, t.proved, *ratios)
-    return made
+    cells = [
+        (t.family, t.construction, t.form, t.worse, t.better, t.proved, *(decimal(ratio, 3) for ratio, _ in t.extremes))
+        for t in tallies
+    ]
+    title = "Search: the reduced form is … conditioned"
+    return Sheet(*columns, rows=cells, title=title, name="search", numbers=numbers, heads=3)
 
 
 def comparison_data(each: Conditioning) -> dict[str, object]:
     """The comparison on a curve as data."""
     return {
-        "curve": each.curve,
-        "construction": each.construction,
-        "zeros": [
-            {"low": str(r.root.low), "high": str(r.root.high), "forms": [_form_data(f) for f in r.forms]}
-            for r in each.roots
-        ],
+        **picked(each, "curve", "construction"),
+        "zeros": [picked(r.root, "low", "high") | {"forms": [_form_data(f) for f in r.forms]} for r in each.roots],
         "verdicts": each.verdicts,
-        "extraneous": {
-            form: [[str(end) for end in r.refine(20)] for r in roots] for form, roots in each.extraneous.items()
-        },
+        "extraneous": {form: [plain(r.refine(20)) for r in roots] for form, roots in each.extraneous.items()},
         "left_out": list(each.left_out),
     }
 
@@ -94,11 +87,8 @@ def comparison_data(each: Conditioning) -> dict[str, object]:
 def _form_data(f: FormAtRoot) -> dict[str, object]:
     assert f.double is not None
     return {
-        "form": f.form,
-        "degree": f.degree,
-        "multiplicity": f.multiplicity,
-        "condition": [str(end) for end in f.condition],
-        "factor_growth": f.growth and [str(end) for end in f.growth],
+        **picked(f, "form", "degree", "multiplicity", "condition"),
+        "factor_growth": plain(f.growth),
         "factor_of_one_sign": f.one_sign,
         "double_error": None if f.double.error is None else str(f.double.error),
         "double_reason": f.double.reason,
@@ -107,9 +97,6 @@ def _form_data(f: FormAtRoot) -> dict[str, object]:
 
 def tally_data(t: Tally) -> dict[str, object]:
     """The counts of a search as data, with the curves of its extremes."""
-    counts = {
-        key: getattr(t, key)
-        for key in ("family", "construction", "form", "worse", "better", "equal", "proved", "contradicted")
-    }
+    counts = picked(t, "family", "construction", "form", "worse", "better", "equal", "proved", "contradicted")
     extremes = zip(("smallest", "largest"), t.extremes, strict=True)
     return counts | {key: {"ratio": str(ratio), "curve": curve_data(curve)} for key, (ratio, curve) in extremes}

@@ -5,40 +5,22 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable
-from io import StringIO
-from typing import IO
 
-from rich.console import Console, RenderableType
+from rich.console import Console
 from rich.text import Text
 
-from exactspline.display.numbers import decimal, decimal_milliseconds, decimals
-from exactspline.display.sheet import PIPE, Sheet
+from exactspline.display.sheet import PIPE
 from exactspline.display.wrapping import hanging, visible
 
-__all__ = [
-    "PIPE",
-    "Sheet",
-    "console",
-    "decimal",
-    "decimal_milliseconds",
-    "decimals",
-    "legend",
-    "lines",
-    "plain",
-    "show_error",
-    "table",
-    "width",
-]
 #: The smallest width that is assumed of a terminal.
 NARROWEST = 20
 
 
-def width(stream: IO[str] | None = None) -> int:
-    """The columns of the terminal behind a stream; output to a file or a pipe is not limited, unless the environment
-    sets ``COLUMNS``.
+def width() -> int:
+    """The columns of the terminal; output to a file or a pipe is not limited, unless the environment sets
+    ``COLUMNS``.
     """
-    stream = stream or sys.stdout
-    columns = os.environ.get("COLUMNS", "")
+    stream, columns = sys.stdout, os.environ.get("COLUMNS", "")
     if columns.isdigit() and int(columns):
         return max(NARROWEST, int(columns))
     try:
@@ -47,13 +29,12 @@ def width(stream: IO[str] | None = None) -> int:
         return 80 if stream.isatty() else PIPE
 
 
-def console(stream: IO[str] | None = None) -> Console:
-    """A console on a stream (by default standard output); without colours where ``NO_COLOR`` is set."""
-    stream = stream or sys.stdout
+def console() -> Console:
+    """A console on standard output; without colours where ``NO_COLOR`` is set."""
     plain = bool(os.environ.get("NO_COLOR"))
     return Console(
-        file=stream,
-        width=width(stream),
+        file=sys.stdout,
+        width=width(),
         highlight=False,
         emoji=False,
         markup=False,
@@ -62,17 +43,15 @@ def console(stream: IO[str] | None = None) -> Console:
     )
 
 
-def table(*columns: str, title: str = "", right: Iterable[str] = (), prose: Iterable[str] = ()) -> Sheet:
-    """An empty table; the columns in `right` are aligned to the right, those in `prose` are broken into lines where
-    needed.
-    """
-    return Sheet(*columns, title=title, numbers=right, prose=prose)
-
-
 def lines(out: Console, text: str, indent: int = 2, style: str = "", first: int = 0) -> None:
     """Print a text in lines no longer than the width of the console, all but the first indented."""
     for line in hanging(text, out.width, indent, first) or [""]:
-        out.print(Text(line, style=style, no_wrap=True, overflow="ignore"), soft_wrap=True)
+        unbroken(out, line, style)
+
+
+def unbroken(out: Console, text: str, style: str = "") -> None:
+    """Print a text as it is, to be copied: a line longer than the width of the console is not broken."""
+    out.print(Text(text, style=style, no_wrap=True, overflow="ignore"), soft_wrap=True)
 
 
 def legend(out: Console, words: Iterable[str]) -> None:
@@ -84,13 +63,6 @@ def legend(out: Console, words: Iterable[str]) -> None:
         out.print()
     for term, meaning in explanations:
         lines(out, f"{term}: {meaning}")
-
-
-def plain(made: RenderableType, columns: int = 160) -> str:
-    """The text that a console would show, for use without a terminal."""
-    written = StringIO()
-    Console(highlight=False, width=columns, color_system=None, file=written, force_jupyter=False).print(made)
-    return "\n".join(line.rstrip() for line in written.getvalue().splitlines())
 
 
 def show_error(error: object) -> None:

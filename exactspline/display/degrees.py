@@ -23,34 +23,24 @@ def degree_sheet(curve: Nurbs, rows: Iterable[DegreeRow], title: str = "") -> Sh
     ['zero', 'zero', 'zero', 'zero']
     """
     numbers = ("nominal", "k, m, j", "degree", "true", "points", "generic")
-    made = Sheet(
-        "formula",
-        "variant",
-        *numbers,
-        "meaning",
-        title=title,
-        name=curve.name,
-        numbers=numbers,
-        prose=["meaning"],
-        heads=2,
-    )
-    for row in rows:
-        text = row.text
-        if row.true is None and row.represented is not None and row.represented >= 0:
-            text += "; does not exist on a whole segment, as the minimal form shows"
-        counts = [row.nominal, row.grading, _degree(row), _true(row), _points(row), row.generic]
-        made.add_row(row.formula, row.variant, *counts, text)
-    return made
+    columns, cells = ("formula", "variant", *numbers, "meaning"), map(_cells, rows)
+    return Sheet(*columns, rows=cells, title=title, name=curve.name, numbers=numbers, prose=["meaning"], heads=2)
+
+
+def _cells(row: DegreeRow) -> tuple[object, ...]:
+    text = row.text
+    if row.true is None and row.represented is not None and row.represented >= 0:
+        text += "; does not exist on a whole segment, as the minimal form shows"
+    counts = (row.nominal, row.grading, _degree(row), _true(row), row.control_points or NOTHING, row.generic)
+    return row.formula, row.variant, *counts, text
 
 
 def formula_degree_sheet(rows: Iterable[FormulaDegrees]) -> Sheet:
     """The proved degrees of formulas on the generic curve of degree d."""
     numbers = ("nominal", "reduced", "in lowest terms")
-    title = "Formulas on the generic curve of degree d"
-    made = Sheet("formula", "curves", "nominal", "cancelled", *numbers[1:], title=title, numbers=numbers, heads=2)
-    for row in rows:
-        made.add_row(row.formula, row.curves, row.nominal, row.cancelled, row.reduced, row.lowest)
-    return made
+    columns = ("formula", "curves", "nominal", "cancelled", *numbers[1:])
+    cells = [(row.formula, row.curves, row.nominal, row.cancelled, row.reduced, row.lowest) for row in rows]
+    return Sheet(*columns, rows=cells, title="Formulas on the generic curve of degree d", numbers=numbers, heads=2)
 
 
 def patch_sheet(rows: Sequence[PatchRow], degrees: tuple[int, int]) -> Sheet:
@@ -58,11 +48,14 @@ def patch_sheet(rows: Sequence[PatchRow], degrees: tuple[int, int]) -> Sheet:
     numbers = ("nominal", "reduced", "attained")
     title = f"Formulas on patches of degree {degrees[0]} × {degrees[1]}"
     remark = ["unknown because"] if any(row.missing for row in rows) else []
-    made = Sheet("formula", "patches", *numbers, *remark, title=title, numbers=numbers, prose=remark, heads=2)
-    for row in rows:
-        known = (NOTHING, NOTHING) if row.missing else (_pair(row.true), _pair(row.attained))
-        made.add_row(row.formula, row.patches, _pair(row.naive), *known, row.missing)
-    return made
+    cells = [
+        (row.formula, row.patches, _pair(row.naive), NOTHING, NOTHING, row.missing)
+        if row.missing
+        else (row.formula, row.patches, _pair(row.naive), _pair(row.true), _pair(row.attained))
+        for row in rows
+    ]
+    columns = ("formula", "patches", *numbers, *remark)
+    return Sheet(*columns, rows=cells, title=title, numbers=numbers, prose=remark, heads=2)
 
 
 def _pair(degrees: tuple[int, int] | None) -> str:
@@ -79,27 +72,29 @@ def _true(row: DegreeRow) -> str:
     return NOTHING if row.true is None else ZERO if row.true < 0 else str(row.true)
 
 
-def _points(row: DegreeRow) -> str:
-    return str(row.control_points) if row.control_points else NOTHING
-
-
 def generic_sheet(kind: str, rows: Iterable[GenericRow]) -> Sheet:
     """The proved degrees on the generic curve of degree d."""
     numbers = ("naive", "paper", "k", "m", "kd − m", "j", "true")
-    made = Sheet(
-        "construction",
-        *numbers,
-        "attained at d",
-        title=f"The generic {kind} curve of degree d",
-        name=kind,
-        numbers=numbers,
-    )
+    cells = [
+        (row.object, row.naive, row.paper, row.k, row.m, row.nominal, row.j, row.true, _attained_at(row))
+        for row in rows
+    ]
+    columns, title = ("construction", *numbers, "attained at d"), f"The generic {kind} curve of degree d"
+    return Sheet(*columns, rows=cells, title=title, name=kind, numbers=numbers)
+
+
+def sheet_at(kind: str, rows: Iterable[GenericRow], d: int) -> Sheet:
+    """The proved degrees on the generic curve of one degree."""
+    numbers = ("naive", "paper", "true")
+    title = f"The generic {kind} curve of degree {d}"
+    made = Sheet("construction", *numbers, title=title, name=kind, numbers=numbers)
     for row in rows:
-        made.add_row(row.object, row.naive, row.paper, row.k, row.m, row.nominal, row.j, row.true, attained_at(row))
+        degrees = row.at(d)
+        made.add_row(row.object, *(NOTHING if degrees[name] is None else degrees[name] for name in numbers))
     return made
 
 
-def attained_at(row: GenericRow) -> str:
+def _attained_at(row: GenericRow) -> str:
     """The degrees d at which a witness attains the true degree; those at which the object does not exist or vanishes;
     those at which proof and witness disagree.
     """

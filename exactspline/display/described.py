@@ -36,5 +36,5 @@ def described_surface(surface: NurbsSurface) -> str:
     (m, n), (rows, columns) = surface.degree, surface.patches
     kind = "polynomial" if surface.polynomial else "rational"
     patches = "one patch" if rows * columns == 1 else f"{rows} × {columns} patches"
-    net = f"{len(surface.control_points)} × {len(surface.control_points[0])} control points in R{surface.dimension}"
-    return f"{kind}, degree {m} × {n}, {patches}, {net}"
+    net = f"{len(surface.control_points)} × {counted(len(surface.control_points[0]), 'control point')}"
+    return f"{kind}, degree {m} × {n}, {patches}, {net} in R{surface.dimension}"

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rich.console import Console
-from rich.text import Text
 
 from exactspline.display import console
 from exactspline.display.code import code_lines
@@ -33,13 +32,13 @@ def erratum_data(entry: Erratum) -> dict[str, object]:
 def errata_sheet(entries: Sequence[Erratum], numbers: Numbers) -> Sheet:
     """The statements of errors, one per row."""
     columns = ("error", "place", "printed", "which says", "found", "witness", "true", "why")
-    made = Sheet(*columns, prose=columns[1:])
-    for entry in entries:
-        for each in entry.statements:
-            seen = worded(each.witness, numbers)
-            truth, why = "; ".join(entry.truth), "; ".join(entry.why)
-            made.add_row(entry.title, each.place, each.words, each.statement, worded(each.found), seen, truth, why)
-    return made
+    cells = [
+        (e.title, each.place, each.words, each.statement, worded(each.found), worded(each.witness, numbers), *reasons)
+        for e in entries
+        for reasons in [("; ".join(e.truth), "; ".join(e.why))]
+        for each in e.statements
+    ]
+    return Sheet(*columns, rows=cells, prose=columns[1:])
 
 
 def print_errata(entries: Sequence[Erratum], errors: Sequence[Erratum], numbers: Numbers, *, quiet: bool) -> None:
@@ -75,5 +74,5 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
     # code begins where the line begins, so that it can be pasted
     for line in dict.fromkeys(line for each in entry.statements for line in each.check):
         for part in code_lines(line, shown.width):
-            shown.print(Text(part, no_wrap=True, overflow="ignore"), soft_wrap=True)
+            console.unbroken(shown, part)
     shown.print()

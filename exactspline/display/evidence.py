@@ -4,19 +4,20 @@ Nothing reads what they write.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from functools import singledispatch
-from string import Formatter
-from typing import Any
+import re
+from functools import partial, singledispatch
+from operator import attrgetter
+from types import NoneType
 
 from exactspline.classroom import differences as wrong
 from exactspline.classroom.answers import shown
 from exactspline.classroom.differences import Entries, Shape
 from exactspline.classroom.parts import Point
 from exactspline.display.numbers import EXACT, Numbers
-from exactspline.errors import counted
+from exactspline.errors import ExactSplineError, counted
 from exactspline.language.kinds import constant_text
 from exactspline.numbers.exact import mpq, text
+from exactspline.polynomials.factorization import power_text
 from exactspline.readings.jet import polynomial_text
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence as e
@@ -26,20 +27,32 @@ from exactspline.verification.questions import Check, Proof
 from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Counter, Verdict
 
-#: Words for types of evidence whose fields are inserted as they are, as a ``number``, or as evidence in ``words``.
+#: Words for types of evidence, with fields between braces: ``{name?yes|no}`` is one of two texts, as the field is true.
 TEMPLATES: dict[type, str] = {
-    e.OnAllOf: "on all of [{low:number}, {high:number}]",
-    e.On: "on [{low:number}, {high:number}]",
-    e.AtBoth: "at the parameters {s:number} and {t:number}",
+    e.At: "at the parameter {parameter}{from_left? (from the left)}",
+    e.OnAllOf: "on all of [{low}, {high}]",
+    e.On: "on [{low}, {high}]",
+    e.AtBoth: "at the parameters {s} and {t}",
     e.OnWholePatch: "on a whole patch",
-    e.AtKnot: "at the knot {parameter:number}",
-    e.Isolated: "between {low:number} and {high:number}",
+    e.OnPatch: "{perhaps?perhaps }on patch {i}, {j}",
+    e.AtKnot: "at the knot {parameter}",
+    e.Isolated: "between {low} and {high}",
     e.UnderEvery: "under every {group}",
     e.ForDegrees: "d = {first}…{last}",
-    e.LeftToTheProof: "decided by the proof for all curves: {why:words}",
+    e.Stopped: "{error}",
+    e.TooLong: "{formula} as written has degree {degree} in {parameter} there, too high to be multiplied out",
+    e.OnExample: "on the example {surface?surface|curve} {name}: {witness}",
+    e.OnPart: "{witness}{witness?, }{part}",
+    e.FailsWithOthers: "it fails {place} {operands}, though not {part}",
+    e.Refutes: "proved for all curves, but refuted: {witness}",
+    e.JudgesDisagree: "proved by {proved}, but refuted by {refuted}{witness?: }{witness}",
+    e.AssumptionFails: "{assumption.subject} vanishes {place}",
+    e.NoTheorem: "not stated, {error.problem}",
+    e.Difference: "{of} by {by} {at}",
+    e.LeftToTheProof: "decided by the proof for all curves: {why}",
     e.Undefined: "{formula} does not exist on all of this curve: 0/0",
-    e.UndefinedAt: "it does not exist {where:words}: 1/0",
-    e.ExactQuotient: "the exact quotient is {quotient:words}",
+    e.UndefinedAt: "it does not exist {where}: 1/0",
+    e.ExactQuotient: "the exact quotient is {quotient}",
     e.Components: "{left} components, and {right}",
     e.ComponentDiffers: "component {component} differs",
     e.ComponentNotZero: "component {component} is not zero",
@@ -48,21 +61,33 @@ TEMPLATES: dict[type, str] = {
     e.RationalOfDegree: "rational of degree {degree}",
     e.DegreeHere: "{degree}",
     e.ZeroHere: "0",
-    e.OnlyForDegrees: "none vanishes for {degrees:words}",
+    e.OnlyForDegrees: "none vanishes for {degrees}",
     e.ZeroCoefficient: "coefficient {index} of {formula} is 0",
     e.VanishesAlways: "{formula} vanishes on every curve",
-    e.VanishesAlone: "{formula} vanishes {place:words}, {other} does not",
-    e.ZeroAt: "zero {place:words}",
+    e.VanishesAlone: "{formula} vanishes {place}, {other} does not",
+    e.ZeroAt: "zero {place}",
     e.HasSign: "{sign}",
     e.SquareOnSegment: "on segment {segment} one is a square and the other is not",
-    e.OneSurfaceBut: "one surface, except {place:words}, where the generator of {formula} vanishes",
+    e.OneSurfaceBut: "one surface, except {place}, where the generator of {formula} vanishes",
+    e.NoGenerator: "no surface: the generator{formula? of }{formula} vanishes{formula? on every curve}",
     e.AtLeast: "at least {order}",
-    e.Vanishes: "0 {where:words}",
-    e.NotBetter: "not better at the zero {zero:words}",
+    e.Vanishes: "0 {where}",
+    e.NotBetter: "not better at the zero {zero}",
     e.OfType: "{type}",
-    e.SpeaksOf: "its arguments are of the kind {kind!r}",
-    e.SpeaksOfAnother: "{formula} is a formula of {kind!r}, not of {asked!r}",
+    e.TypeHere: "it is {type} on {special?it, as it may be on special curves|this curve}",
+    e.OfKind: "its arguments are of the kind '{kind}'",
+    e.OfAnotherKind: "{formula} is a formula of '{kind}', not of '{asked}'",
+    wrong.OtherNumber: "{name} is {right}, not {given}",
+    wrong.OtherPoint: "control point {index} is {right}, not {given}",
+    wrong.OtherCoefficient: "{name}: the coefficient of t^{power} is {right}, not {given}",
+    wrong.OtherValue: "{name}{name?: }at t = {at} it gives {given} instead of {right}",
+    wrong.Missing: "t = {parameter} is missing",
+    wrong.Invented: "t = {parameter} is not one of them",
+    wrong.OtherDimension: "it is in R{given}, not in R{right}",
+    wrong.NotProved: "{proof}",
 }
+#: A field in a template: its name, and the texts between which it chooses.
+_FIELD = re.compile(r"\{([\w.]+)(?:\?([^|}]*)\|?([^}]*))?\}")
 
 
 def worded(item: Found | None, numbers: Numbers = EXACT) -> str:
@@ -82,29 +107,42 @@ def words(item: object, numbers: Numbers = EXACT) -> str:
     raise TypeError(f"{type(item).__name__} has no words")
 
 
-class _Filled(Formatter):
-    """A template filled with the fields of a piece of evidence."""
-
-    def __init__(self, numbers: Numbers) -> None:
-        self.numbers = numbers
-
-    def get_field(self, field_name: str, args: Sequence[Any], kwargs: Mapping[str, Any]) -> Any:
-        """The value of a field."""
-        return getattr(kwargs["item"], field_name), field_name
-
-    def format_field(self, value: Any, format_spec: str) -> str:
-        """The value as the template wants it."""
-        if format_spec == "number":
-            return self.numbers(value)
-        return words(value, self.numbers) if format_spec == "words" else str(value)
+@words.register(type(mpq()))
+def _(item: mpq, numbers: Numbers = EXACT) -> str:
+    return numbers(item)
 
 
-def _filling(template: str) -> Callable[..., str]:
-    return lambda item, numbers=EXACT: _Filled(numbers).vformat(template, (), {"item": item})
+@words.register
+def _(item: tuple, numbers: Numbers = EXACT) -> str:  # type: ignore[type-arg]  # of numbers
+    return shown(item)
+
+
+@words.register(str)
+@words.register(int)
+@words.register(NoneType)
+def _(item: object, numbers: Numbers = EXACT) -> str:
+    return "" if item is None else str(item)
+
+
+@words.register
+def _(item: ExactSplineError, numbers: Numbers = EXACT) -> str:
+    return numbers.within(str(item))
+
+
+def _filled(template: str, item: object, numbers: Numbers = EXACT) -> str:
+    """A template with the fields of a piece of evidence."""
+
+    def field(match: re.Match[str]) -> str:
+        value = attrgetter(match[1])(item)
+        if match[2] is not None:
+            return match[2] if value else match[3]
+        return words(value, numbers)
+
+    return _FIELD.sub(field, template)
 
 
 for _kind, _template in TEMPLATES.items():
-    words.register(_kind, _filling(_template))
+    words.register(_kind, partial(_filled, _template))
 
 
 FACTS = {
@@ -194,21 +232,11 @@ def _(item: Factor, numbers: Numbers = EXACT) -> str:
 
 
 @words.register
-def _(item: e.At, numbers: Numbers = EXACT) -> str:
-    return f"at the parameter {numbers(item.parameter)}{' (from the left)' if item.from_left else ''}"
-
-
-@words.register
 def _(item: e.Between, numbers: Numbers = EXACT) -> str:
     near = numbers.common(item.low, item.high)
     if near:
         return f"near the parameter {near}"
     return f"between the parameters {numbers(item.low)} and {numbers(item.high)}"
-
-
-@words.register
-def _(item: e.OnPatch, numbers: Numbers = EXACT) -> str:
-    return f"{'perhaps ' if item.perhaps else ''}on patch {item.i}, {item.j}"
 
 
 # ---- free arguments, and the part that was tried
@@ -233,53 +261,9 @@ def _(item: e.AnyOperands, numbers: Numbers = EXACT) -> str:
 
 
 @words.register
-def _(item: e.Stopped, numbers: Numbers = EXACT) -> str:
-    return numbers.within(str(item.error))
-
-
-@words.register
-def _(item: e.TooLong, numbers: Numbers = EXACT) -> str:
-    degree = f"degree {item.degree} in {item.parameter}"
-    return f"{item.formula} as written has {degree} there, too high to be multiplied out"
-
-
-@words.register
 def _(item: e.HeldOn, numbers: Numbers = EXACT) -> str:
     stopped = f": {numbers.within(item.error.problem)}" if item.error else ""
     return f"it holds, but was tried on a part only: {words(item.part, numbers)}{stopped}"
-
-
-@words.register
-def _(item: e.OnExample, numbers: Numbers = EXACT) -> str:
-    what = "surface" if item.surface else "curve"
-    return f"on the example {what} {item.name}: {worded(item.witness, numbers)}"
-
-
-@words.register
-def _(item: e.OnPart, numbers: Numbers = EXACT) -> str:
-    return ", ".join(filter(None, (worded(item.witness, numbers), words(item.part, numbers))))
-
-
-@words.register
-def _(item: e.FailsWithOthers, numbers: Numbers = EXACT) -> str:
-    place, operands, part = (words(each, numbers) for each in (item.place, item.operands, item.part))
-    return f"it fails {place} {operands}, though not {part}"
-
-
-@words.register
-def _(item: e.Refutes, numbers: Numbers = EXACT) -> str:
-    return f"proved for all curves, but refuted: {worded(item.witness, numbers)}"
-
-
-@words.register
-def _(item: e.JudgesDisagree, numbers: Numbers = EXACT) -> str:
-    witness = worded(item.witness, numbers)
-    return f"proved by {item.proved}, but refuted by {item.refuted}{f': {witness}' if witness else ''}"
-
-
-@words.register
-def _(item: e.AssumptionFails, numbers: Numbers = EXACT) -> str:
-    return f"{item.assumption.subject} vanishes {words(item.place, numbers)}"
 
 
 # ---- proof assistants
@@ -288,11 +272,6 @@ def _(item: e.AssumptionFails, numbers: Numbers = EXACT) -> str:
 @words.register
 def _(item: e.Theorem, numbers: Numbers = EXACT) -> str:
     return f"axioms {', '.join(item.axioms)}" if item.axioms else "no axioms"
-
-
-@words.register
-def _(item: e.NoTheorem, numbers: Numbers = EXACT) -> str:
-    return f"not stated, {item.error.problem}"
 
 
 #: The number of terms shown of a polynomial.
@@ -312,13 +291,13 @@ _DIFFER = {e.Sides.SIDES: "the sides differ", e.Sides.ZERO: "it differs from 0",
 
 
 @words.register
-def _(item: e.Difference, numbers: Numbers = EXACT) -> str:
-    return f"{_DIFFER[item.of]} by {numbers(item.by)} {words(item.at, numbers)}"
+def _(item: e.Sides, numbers: Numbers = EXACT) -> str:
+    return _DIFFER[item]
 
 
 @words.register
 def _(item: e.StatedFactor, numbers: Numbers = EXACT) -> str:
-    stated = " ".join(name if exponent == 1 else f"{name}^{exponent}" for name, exponent in item.powers)
+    stated = "·".join(power_text(name, exponent) for name, exponent in item.powers)
     return f"{stated} = 1 (polynomial: w = 1)" if item.is_one else stated
 
 
@@ -423,13 +402,6 @@ def _(item: e.OneSurface, numbers: Numbers = EXACT) -> str:
 
 
 @words.register
-def _(item: e.NoGenerator, numbers: Numbers = EXACT) -> str:
-    if item.formula is None:
-        return "no surface: the generator vanishes"
-    return f"no surface: the generator of {item.formula} vanishes on every curve"
-
-
-@words.register
 def _(item: e.Rulings, numbers: Numbers = EXACT) -> str:
     shift = "" if item.shift is None else f"{words(item.shift, numbers)} + "
     scale = "" if item.scale.is_one else f"{words(item.scale, numbers)} "
@@ -486,13 +458,6 @@ def _(item: e.TypeOnExample, numbers: Numbers = EXACT) -> str:
     return f"{item.type} {where}{why}"
 
 
-@words.register
-def _(item: e.TypeHere, numbers: Numbers = EXACT) -> str:
-    if item.special:
-        return f"it is {item.type} on it, as it may be on special curves"
-    return f"it is {item.type} on this curve"
-
-
 def opinion(item: Finding) -> str:
     """The result of a proof assistant's kernel for a claim."""
     says = {Verdict.PROVED: "holds, ", Verdict.REFUTED: "fails, "}.get(item.verdict, "")
@@ -539,55 +504,14 @@ def _(item: wrong.OtherCount, numbers: Numbers = EXACT) -> str:
 
 
 @words.register
-def _(item: wrong.OtherNumber, numbers: Numbers = EXACT) -> str:
-    return f"{item.name} is {text(item.right)}, not {text(item.given)}"
-
-
-@words.register
-def _(item: wrong.OtherPoint, numbers: Numbers = EXACT) -> str:
-    return f"control point {item.index} is {shown(item.right)}, not {shown(item.given)}"
-
-
-@words.register
-def _(item: wrong.OtherCoefficient, numbers: Numbers = EXACT) -> str:
-    return f"{item.name}: the coefficient of t^{item.power} is {text(item.right)}, not {text(item.given)}"
-
-
-@words.register
-def _(item: wrong.OtherValue, numbers: Numbers = EXACT) -> str:
-    of = f"{item.name}: " if item.name else ""
-    return f"{of}at t = {text(item.at)} it gives {shown(item.given)} instead of {shown(item.right)}"
-
-
-@words.register
-def _(item: wrong.Missing, numbers: Numbers = EXACT) -> str:
-    return f"t = {text(item.parameter)} is missing"
-
-
-@words.register
-def _(item: wrong.Invented, numbers: Numbers = EXACT) -> str:
-    return f"t = {text(item.parameter)} is not one of them"
-
-
-@words.register
 def _(item: wrong.OtherCoordinates, numbers: Numbers = EXACT) -> str:
     return f"points with {counted(item.right, 'coordinate')} are required"
-
-
-@words.register
-def _(item: wrong.OtherDimension, numbers: Numbers = EXACT) -> str:
-    return f"it is in R{item.given}, not in R{item.right}"
 
 
 @words.register
 def _(item: wrong.OtherDomain, numbers: Numbers = EXACT) -> str:
     here, there = (", ".join(map(text, domain)) for domain in (item.given, item.right))
     return f"its domain is [{here}], not [{there}]"
-
-
-@words.register
-def _(item: wrong.NotProved, numbers: Numbers = EXACT) -> str:
-    return words(item.proof, numbers)
 
 
 @words.register

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import singledispatch
 from html import escape
 
+from exactspline.classroom.answers import shown
+from exactspline.classroom.differences import Difference, Missing, OtherCoefficient, OtherNumber, OtherPoint, OtherValue
 from exactspline.classroom.exercises import Exercise
 from exactspline.classroom.parts import Math, Part, Polynomial, Value
+from exactspline.classroom.topics import about
 from exactspline.classroom.triangles import Triangle
 from exactspline.display import mathml
 from exactspline.display.latex import fraction, mathematics
@@ -18,6 +22,8 @@ from exactspline.numbers.exact import text
 _LATEX = {
     "\\": r"\textbackslash{}",
     "_": r"\_",
+    "^": r"\textasciicircum{}",
+    "…": r"\ldots{}",
     "%": r"\%",
     "&": r"\&",
     "#": r"\#",
@@ -60,7 +66,7 @@ def polynomial_text(p: Polynomial) -> str:
 def _value_text(value: Value) -> str:
     if isinstance(value, Polynomial):
         return polynomial_text(value)
-    return f"({', '.join(map(text, value))})" if isinstance(value, tuple) else text(value)
+    return shown(value) if isinstance(value, tuple) else text(value)
 
 
 def _math_text(math: Math) -> str:
@@ -75,21 +81,37 @@ def plain(parts: Sequence[Part]) -> str:
 
 
 def text_lines(made: Sequence[Exercise], width: int, *, solutions: bool) -> list[str]:
-    """The numbered exercises, followed by the solutions."""
+    """The numbered exercises under the headings of their topics, followed by the solutions."""
     lines: list[str] = []
-    for i, each in enumerate(made, 1):
+    for i, (heading, each) in enumerate(_with_headings(made), 1):
+        lines += [heading, ""] if heading else []
         lines += _paragraph(f"{i}. {plain(each.task)} [{title_of(each)}]", width)
         lines += [*_paragraph(f"   Answer: {each.answer.form}.", width, 3), ""]
     if solutions:
         lines += ["Solutions", ""]
         for i, each in enumerate(made, 1):
-            lines += _paragraph(f"{i}. {plain(each.answer.parts)}", width)
-            lines += _paragraph(f"   {plain(each.solution)}", width, 3)
-            for part in each.solution:
-                if isinstance(part, Triangle):
-                    lines += [f"   {line}" for line in sheets(part)[0].text(max(20, width - 3)).splitlines()]
-            lines.append("")
+            lines += [*solution_lines(each, width, f"{i}. "), ""]
     return lines[:-1]
+
+
+def _with_headings(made: Sequence[Exercise]) -> list[tuple[str, Exercise]]:
+    """Exercises of several topics, the first of each with what its topic asks; those of one topic have no headings."""
+    several = len({each.topic for each in made}) > 1
+    before = ["", *(each.topic for each in made)]
+    return [
+        (about(each.topic) if several and each.topic != last else "", each)
+        for last, each in zip(before, made, strict=False)
+    ]
+
+
+def solution_lines(made: Exercise, width: int, number: str = "   ") -> list[str]:
+    """The answer of an exercise and the way to it."""
+    lines = _paragraph(f"{number}{plain(made.answer.parts)}", width)
+    lines += _paragraph(f"   {plain(made.solution)}", width, 3)
+    for part in made.solution:
+        if isinstance(part, Triangle):
+            lines += [f"   {line}" for line in sheets(part)[0].text(max(20, width - 3)).splitlines()]
+    return lines
 
 
 def _paragraph(said: str, width: int, first: int = 0) -> list[str]:
@@ -131,13 +153,18 @@ def _part_latex(part: Part) -> str:
 
 def latex_document(made: Sequence[Exercise], *, solutions: bool) -> str:
     """A complete document; the solutions begin on a new page."""
-    tasks = [f"\\item {''.join(map(_part_latex, each.task))} {{\\small [{title_of(each)}]}}" for each in made]
+    tasks: list[str] = []
+    for heading, each in _with_headings(made):
+        tasks += [rf"\item[] \textbf{{{_part_latex(heading)}}}"] if heading else []
+        tasks.append(f"\\item {''.join(map(_part_latex, each.task))} {{\\small [{title_of(each)}]}}")
+        tasks.append(rf"\\ {{\small Answer: {_part_latex(each.answer.form)}}} \hrulefill")
     lines = [
         r"\documentclass{article}",
         r"\usepackage[utf8]{inputenc}",
         r"\usepackage{amsmath}",
         r"\begin{document}",
         r"\section*{Exercises}",
+        r"\noindent Name: \hrulefill\quad Date: \underline{\hspace{4cm}}",
         r"\begin{enumerate}",
         *tasks,
         r"\end{enumerate}",
@@ -152,6 +179,11 @@ def latex_document(made: Sequence[Exercise], *, solutions: bool) -> str:
 
 
 # ---- HTML
+
+#: Lines to write on.
+LINES = """
+.line{border-bottom:1px solid #777;margin:1.6rem 0 .6rem;display:flex}.line span{margin-left:60%}
+"""
 
 
 def _value_mathml(value: Value) -> str:
@@ -184,20 +216,61 @@ def task_html(made: Exercise) -> str:
 
 
 def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
-    """A printable page; the solutions begin on a new sheet."""
-
-    def listed(items: Sequence[str]) -> str:
-        return f"<ol>{''.join(f'<li>{item}</li>' for item in items)}</ol>"
-
-    tasks = [f"{''.join(map(_part_html, e.task))} <small>[{escape(title_of(e))}]</small>" for e in made]
-    body = f"<h1>Exercises</h1>{listed(tasks)}"
+    """A printable page with lines for name, date and answers; the solutions begin on a new sheet."""
+    tasks = []
+    for number, (heading, each) in enumerate(_with_headings(made), 1):
+        said = f"{''.join(map(_part_html, each.task))} <small>[{escape(title_of(each))}]</small>"
+        answer = f'<p class="line"><small>Answer: {escape(each.answer.form)}</small></p>'
+        tasks.append(f"<h2>{escape(heading)}</h2>" if heading else "")
+        tasks.append(f'<ol start="{number}"><li>{said}{answer}</li></ol>')
+    body = f'<h1>Exercises</h1><p class="line">Name: <span>Date:</span></p>{"".join(tasks)}'
     if solutions:
         ways = [
-            f"<b>{''.join(map(_part_html, e.answer.parts))}</b><p>{''.join(map(_part_html, e.solution))}</p>"
+            f"<li><b>{''.join(map(_part_html, e.answer.parts))}</b><p>{''.join(map(_part_html, e.solution))}</p></li>"
             for e in made
         ]
-        body += f'<section class="solutions"><h1>Solutions</h1>{listed(ways)}</section>'
-    return page("Exercises", body, mathml.STYLE)
+        body += f'<section class="solutions"><h1>Solutions</h1><ol>{"".join(ways)}</ol></section>'
+    return page("Exercises", body, mathml.STYLE + LINES)
+
+
+# ---- answers
+
+
+@singledispatch
+def hinted(difference: Difference) -> str:
+    """What is wrong, without the right value.
+
+    >>> from exactspline.classroom.differences import OtherNumber
+    >>> from exactspline.numbers.exact import mpq
+    >>> hinted(OtherNumber("x", mpq(1), mpq(2)))
+    'x is not 2'
+    """
+    return str(difference)
+
+
+@hinted.register
+def _(difference: OtherNumber) -> str:
+    return f"{difference.name} is not {text(difference.given)}"
+
+
+@hinted.register
+def _(difference: OtherPoint) -> str:
+    return f"control point {difference.index} is not {shown(difference.given)}"
+
+
+@hinted.register
+def _(difference: OtherCoefficient) -> str:
+    return f"{difference.name}: the coefficient of t^{difference.power} is not {text(difference.given)}"
+
+
+@hinted.register
+def _(difference: OtherValue) -> str:
+    return f"{difference.name or 'it'} is not {shown(difference.given)} at t = {text(difference.at)}"
+
+
+@hinted.register
+def _(difference: Missing) -> str:
+    return "a parameter is missing"
 
 
 # ---- data

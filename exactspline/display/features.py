@@ -9,14 +9,19 @@ from rich.console import Console
 
 from exactspline.display import console
 from exactspline.display.described import described
+from exactspline.display.numbers import decimal
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis import QUESTIONS, questions_about
 from exactspline.geometry.kinds import JointKind
+from exactspline.geometry.recognition.shapes import ShapeKind
+from exactspline.numbers.exact import rational
 from exactspline.questions.entry import Answered
 from exactspline.splines.nurbs import Nurbs
 
 #: Characters of an exact number that a table shows.
 READABLE = 20
+#: Digits of the numbers of a shape where they are longer.
+DIGITS = 12
 
 
 def feature_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
@@ -51,12 +56,30 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
             made.add_row(
                 joint["kind"], joint["decimal"], joint["parameter"], joint["curvature"] or "", *empty, _remark(joint)
             )
+    for name in _asked(c, Answered.PAIRS):
+        for point in data[name]["points"]:
+            both = [" and ".join(point[k][form] or "–" for k in ("first", "second")) for form in ("decimal", "exact")]
+            made.add_row("self-intersection", *both, "", *empty, point["kind"])
+        for what in data[name]["left_out"]:
+            made.add_row("not decided", "", "", "", *empty, f"self-intersections: {what}")
+        for arc in data[name]["everywhere"]:
+            both = [" and ".join(_decimals(arc[k]) for k in ("first", "second"))] * 2
+            made.add_row("runs over itself", *both, "", *empty, "reversed" * arc["reversed"])
     for name in _asked(c, Answered.PIECES):
         for piece in data[name]:
             made.add_row(QUESTIONS[name].about.of_piece, _intervals(piece), _intervals(piece), "", *empty, "")
+    for found in data["shapes"]:
+        # exact lines are among the straight pieces
+        if found["shape"] != ShapeKind.LINE or found["within"] != "0":
+            interval = _intervals(found["intervals"])
+            made.add_row(found["shape"], interval, interval, "", *empty, _shape(found))
     for piece in data.get("planar_pieces", []):
         interval, lies_in = _intervals(piece["intervals"]), f"in the plane {piece['plane']}"
         made.add_row(QUESTIONS["planar_pieces"].about.of_piece, interval, interval, "", *empty, lies_in)
+
+
+def _decimals(ends: list[dict[str, str]]) -> str:
+    return f"[{', '.join(x['exact'] or x['decimal'] for x in ends)}]"
 
 
 def _asked(c: Nurbs, answered: Answered) -> list[str]:
@@ -120,6 +143,21 @@ def _remark(joint: dict[str, Any]) -> str:
     return ", ".join(filter(None, parts)).replace("-", "−")
 
 
+def _shape(found: dict[str, Any]) -> str:
+    """What describes a shape, and how near the curve is to it, as text."""
+    numbers = {name: [_number(x) for x in values] for name, values in found["numbers"].items()}
+    words = [
+        f"{name} {values[0] if len(values) == 1 else '(' + ', '.join(values) + ')'}" for name, values in numbers.items()
+    ]
+    near = "exactly" if found["within"] == "0" else f"within {decimal(rational(found['within']), 4)}"
+    return ", ".join([*words, near]).replace("-", "−").replace("e−", "e-")
+
+
+def _number(text: str) -> str:
+    """A number of a shape, in full where that is short."""
+    return text if len(text) <= DIGITS or "/" not in text or "√" in text else f"≈ {decimal(rational(text), DIGITS)}"
+
+
 def _continuity(joints: list[dict[str, Any]]) -> str:
     """The numbers of joints by order of geometric continuity."""
     orders = [joint["geometric_continuity"] for joint in joints]
@@ -130,7 +168,7 @@ def _continuity(joints: list[dict[str, Any]]) -> str:
 
 def _approaches(rows: list[dict[str, Any]]) -> Sheet:
     numbers = ("degree", "control points", "roots", "extraneous", "missing", "seconds")
-    made = console.table("approach", *numbers, title="Approaches to critical curvature", right=numbers)
-    for row in rows:
-        made.add_row(row["name"], *[str(row[name.replace(" ", "_")]) for name in numbers[:-1]], f"{row['seconds']:.4f}")
-    return made
+    cells = [
+        (row["name"], *(row[name.replace(" ", "_")] for name in numbers[:-1]), f"{row['seconds']:.4f}") for row in rows
+    ]
+    return Sheet("approach", *numbers, rows=cells, title="Approaches to critical curvature", numbers=numbers)

@@ -25,7 +25,8 @@ def glossary() -> dict[str, dict[str, str]]:
     'it fails, and a witness shows where'
     """
     written = tomllib.loads(resources.files(__package__).joinpath("glossary.toml").read_text(encoding="utf-8"))
-    return written | {"questions": terms_of_questions()}
+    taken = {term for topic in written.values() for term in topic}
+    return written | {"questions": terms_of_questions(taken)}
 
 
 @cache

@@ -20,7 +20,7 @@ from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.values import SplineSurface
+from exactspline.splines.lowest_terms import SplineSurface
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification.statement import Statement, telling_tree
 

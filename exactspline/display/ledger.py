@@ -6,6 +6,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from exactspline.display.data import picked
 from exactspline.display.evidence import worded
 from exactspline.display.numbers import EXACT, Numbers
 from exactspline.display.sheet import Sheet
@@ -15,12 +16,11 @@ from exactspline.papers import paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.claim import Claim
-from exactspline.verification.counts import Counts, count_statements
-from exactspline.verification.errata import numbered, true_relation
+from exactspline.verification.errata import claimed_relation, numbered, true_relation
 from exactspline.verification.evidence import DegreeHere, ExactQuotient, WrongDegree
 from exactspline.verification.kinds.degree import DegreeClaim
-from exactspline.verification.kinds.equality import Vanishing
-from exactspline.verification.rows import Row
+from exactspline.verification.kinds.equality import Identity, Vanishing
+from exactspline.verification.rows import Counts, Row, count_statements
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict
 
@@ -41,6 +41,16 @@ def section(claim: Claim) -> str:
     if claim.status == Status.OURS:
         return OURS
     return claim.section or claim.source
+
+
+def claimed(claim: Claim) -> str:
+    """What a claim says, typeset as what is found: an identity as ``left = factor · right``.
+
+    >>> from exactspline.verification.claims import select
+    >>> [claimed(claim) for claim in select(["C4.1a"])]
+    ['f1 = w · f2', 'f0 = w⁻³ · f2']
+    """
+    return worded(claimed_relation(claim)) if isinstance(claim, Identity) else claim.claims
 
 
 def found(row: Row, numbers: Numbers = EXACT) -> str:
@@ -86,13 +96,7 @@ def row_data(row: Row) -> dict[str, object]:
     """
     claim, finding = row.claim, row.finding
     beside = f", {worded(row.beside)}" if row.beside else ""
-    return {
-        "id": claim.id,
-        "key": claim.key,
-        "paper": claim.paper,
-        "status": claim.status,
-        "kind": claim.kind,
-        "source": claim.source,
+    return picked(claim, "id", "key", "paper", "status", "kind", "source") | {
         "statement": row.statement,
         "assumes": claim.assumed,
         "assumptions": list(finding.assumptions),
@@ -121,12 +125,12 @@ def ledger(
     """The rows of one curve (or of all curves), one per line; with `kernel`, the results of Coq's kernel."""
     asked = () if kernel is None else ("kernel",)
     columns = ("verdict", "claim", "statement", "found", "witness", *asked)
-    made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness", *asked), heads=2)
+    cells = []
     for row in rows:
         mark = "" if row.as_recorded else f" (recorded: {recorded(row)})"
         says = () if kernel is None else (kernel.get((row.paper, row.key), ""),)
-        made.add_row(row.verdict + mark, row.id, row.statement, found(row), witness(row, numbers), *says)
-    return made
+        cells.append((row.verdict + mark, row.id, row.statement, found(row), witness(row, numbers), *says))
+    return Sheet(*columns, rows=cells, title=title, name=name, prose=columns[2:], heads=2)
 
 
 def by_section(rows: Iterable[Row]) -> Sheet:
@@ -257,7 +261,7 @@ def summary(found: Mapping[Status, Counts]) -> str:
     """The counts in a sentence: of the printed statements, of those as they must read, of those beyond the paper.
 
     >>> from exactspline.verification.claims import select
-    >>> from exactspline.verification.counts import recorded
+    >>> from exactspline.verification.rows import recorded
     >>> summary(recorded(select(["C4.2b"])))
     '2 statements of the paper: 1 holds, 1 is refuted (1 error); 1 as it must read: 1 holds.'
     """

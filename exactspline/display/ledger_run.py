@@ -163,7 +163,7 @@ class Run:
                 if wrong:
                     shown.print()
                     shown.print(ledger(wrong, "Refuted on this curve", self.numbers))
-            speaks = [claim.speaks_of(c.dimension, c.polynomial, surface=on_surface) for claim in self.claims]
+            speaks = [claim.applies_to(c.dimension, c.polynomial, surface=on_surface) for claim in self.claims]
             if silent := [claim for claim, spoken in zip(self.claims, speaks, strict=True) if not spoken]:
                 who = "1 claim says" if len(silent) == 1 else f"{len(silent)} claims say"
                 console.lines(

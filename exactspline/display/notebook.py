@@ -13,9 +13,11 @@ from exactspline.classroom.triangles import ProductTable, Triangle
 from exactspline.display.evidence import worded
 from exactspline.display.exercises import task_html
 from exactspline.display.latex import fraction, latex, mathematics
-from exactspline.display.numbers import Numbers, decimals
+from exactspline.display.ledger import claimed
+from exactspline.display.numbers import Numbers
 from exactspline.display.plot.canvas import in_words, settle
 from exactspline.display.quotations import quoted
+from exactspline.display.reading_along import ReadingAlong, along_html
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import counted
@@ -44,6 +46,8 @@ SHOWN, LONG = 8, 24
 LONGEST = 200
 #: Dots per inch of pictures in a notebook.
 RESOLUTION = 80
+#: A long number as a decimal.
+_short = Numbers()
 
 
 @singledispatch
@@ -65,7 +69,7 @@ def facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
 def numbers(values: Iterable[mpq]) -> str:
     """The first exact numbers of a list, long ones shortened."""
     values = list(values)
-    parts = [decimals(text(x)) for x in values[:SHOWN]]
+    parts = [_short(x) for x in values[:SHOWN]]
     return escape(", ".join(parts)) + (f", … ({len(values)})" if len(values) > SHOWN else "")
 
 
@@ -89,7 +93,7 @@ def _(f: BSpline) -> str:
 @html.register
 def _(c: Nurbs) -> str:
     kind = "polynomial" if c.polynomial else "rational"
-    points = escape("; ".join("(" + ", ".join(decimals(text(x)) for x in p) + ")" for p in c.control_points[:SHOWN]))
+    points = escape("; ".join("(" + ", ".join(_short(x) for x in p) + ")" for p in c.control_points[:SHOWN]))
     more = " …" if len(c.control_points) > SHOWN else ""
     lines = [
         ("domain", f"{_domain(c.domain)}, {counted(c.segments, 'segment')}"),
@@ -130,7 +134,7 @@ def _(zero_set: ZeroSet) -> str:
     rows = []
     for root in zero_set:
         left, right = ({None: "end", 1: "+", -1: "−", 0: "0"}[s] for s in root.signs)
-        interval = f"{decimals(text(root.low))} … {decimals(text(root.high))}" if root.exact is None else ""
+        interval = f"{_short(root.low)} … {_short(root.high)}" if root.exact is None else ""
         rows.append(
             (
                 f"${mathematics(root)}$",
@@ -224,10 +228,15 @@ def _(e: Erratum) -> str:
 
 
 @html.register
+def _(read: ReadingAlong) -> str:
+    return along_html(read)
+
+
+@html.register
 def _(s: Statement) -> str:
     c, f = s.claim, s.finding
     fields = [
-        ("claimed", c.claims),
+        ("claimed", claimed(c)),
         ("computed", worded(f.computed)),
         ("factor", worded(f.factor)),
         ("witness", worded(f.witness)),
@@ -250,7 +259,7 @@ def short(x: object) -> str:
     if isinstance(x, BSpline):
         a, b = x.domain
         described = (
-            f"degree {x.degree}, {len(x.control_points)} control points on [{text(a)}, {text(b)}], "
+            f"degree {x.degree}, {counted(len(x.control_points), 'control point')} on [{text(a)}, {text(b)}], "
             f"{counted(len(x.mesh), 'segment')}"
         )
         return f"<BSpline: {described}>" if len(x.control_points) > LONG else repr(x)

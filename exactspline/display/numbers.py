@@ -55,15 +55,6 @@ class Numbers:
 EXACT = Numbers(exact=True)
 
 
-def decimals(formula: str, digits: int = 0, *, exact: bool = False) -> str:
-    """A formula with its exact numbers made readable, as `Numbers` writes them.
-
-    >>> decimals("1/3 x - 37571202085457847/1220703125000000000")
-    '1/3 x - ≈ 0.0307783'
-    """
-    return Numbers(digits, exact).within(formula)
-
-
 def decimal(value: mpq, digits: int) -> str:
     """An exact number rounded to a given number of significant digits.
 

@@ -40,24 +40,16 @@ def reduction_sheet(reductions: Iterable[Reduction]) -> Sheet:
     ('g0', '1/2·w⁻⁸')
     """
     numbers = ("naive", "k, m, j", "nominal", "true", "in lowest terms")
-    made = Sheet("formula", "factors cancelled", "reduced form", *numbers, numbers=numbers)
-    for r in reductions:
-        for part in r.parts:
-            row = part.data()
-            label = _label(r, part)
-            grading = f"{row['k']}, {row['m']}, {row['j']}" if row["k"] is not None else "–"
-            reduced = part.text + (f", poles at {row['poles']} = 0" if row["poles"] else "")
-            made.add_row(
-                label,
-                row["cancelled"],
-                reduced,
-                row["naive"],
-                grading,
-                row["nominal"] or "–",
-                row["true"],
-                row["lowest terms"] or "–",
-            )
-    return made
+    cells = [_cells(_label(r, part), part) for r in reductions for part in r.parts]
+    return Sheet("formula", "factors cancelled", "reduced form", *numbers, rows=cells, numbers=numbers)
+
+
+def _cells(label: str, part: Part) -> tuple[object, ...]:
+    row = part.data()
+    grading = f"{row['k']}, {row['m']}, {row['j']}" if row["k"] is not None else "–"
+    reduced = part.text + (f", poles at {row['poles']} = 0" if row["poles"] else "")
+    degrees = (row["naive"], grading, row["nominal"] or "–", row["true"], row["lowest terms"] or "–")
+    return label, row["cancelled"], reduced, *degrees
 
 
 def _argument(r: Reduction) -> str:

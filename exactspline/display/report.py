@@ -10,15 +10,14 @@ from html import escape
 from importlib.metadata import PackageNotFoundError, version
 
 from exactspline.display.glossary import glossary_list
-from exactspline.display.ledger import WORDS, closing, found, summary, witness
+from exactspline.display.ledger import WORDS, claimed, closing, found, summary, witness
 from exactspline.display.page import cells, definitions, page, table
 from exactspline.display.quotations import parts
 from exactspline.papers import Paper
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
 from exactspline.verification.claim import Claim
-from exactspline.verification.counts import count_statements
-from exactspline.verification.rows import Row
+from exactspline.verification.rows import Row, count_statements
 
 _STYLE = """
 body{font:16px/1.5 Georgia,serif;margin:2rem auto;max-width:52rem;padding:0 1rem;color:#1a1a1a;background:#fff}
@@ -70,7 +69,7 @@ def _claim(claim: Claim, rows: Iterable[Row]) -> str:
     general = next((row for row in mine if not row.curve), None)
     verdict = general.verdict if general else ""
     fields = [
-        ("claimed", claim.claims),
+        ("claimed", claimed(claim)),
         ("assumes", claim.assumed),
         ("recorded", "" if general is None or general.as_recorded else f"{claim.expected}: it differs"),
     ]

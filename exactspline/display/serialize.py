@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from exactspline.display.intersection_data import intersections_data
 from exactspline.errors import ExactSplineError, ShapeError, a_kind, as_instance, as_integer
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.derived import Derived
 from exactspline.geometry.inspection import Approach, inspect_curve
+from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
 from exactspline.geometry.planarity import Plane
+from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.intervals import Interval
@@ -24,8 +27,8 @@ from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.expected import curve_of
+from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.values import SplineVector
 
 
 def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, object]:
@@ -145,6 +148,8 @@ def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], No
             points.append(feature_data(curve, f, digits))
             tick()
         return {"points": points, "everywhere": [intervals_data(piece) for piece in answer.everywhere]}
+    if isinstance(answer, Intersections):
+        return intersections_data(answer, digits)
     return [_element_data(curve, each, digits) for each in answer] if isinstance(answer, tuple) else _text(answer)
 
 
@@ -152,11 +157,28 @@ def _text(answer: object) -> str | None:
     return None if answer is None else str(answer)
 
 
-def _element_data(curve: Nurbs, each: Joint | CurvePiece | tuple[CurvePiece, Plane], digits: int) -> object:
+def shape_data(found: RecognizedPiece) -> dict[str, object]:
+    """A piece with its shape: numbers exactly where they are known in closed form, and how near the piece is proved to
+    be.
+    """
+    return {
+        "intervals": intervals_data(found.piece),
+        "shape": str(found.shape.kind),
+        "numbers": {name: [str(x) for x in values] for name, values in found.shape.numbers.items()},
+        "within": str(found.within),
+        "whole": found.whole,
+    }
+
+
+def _element_data(
+    curve: Nurbs, each: Joint | CurvePiece | RecognizedPiece | tuple[CurvePiece, Plane], digits: int
+) -> object:
     if isinstance(each, Joint):
         return joint_data(curve, each, digits)
     if isinstance(each, CurvePiece):
         return intervals_data(each)
+    if isinstance(each, RecognizedPiece):
+        return shape_data(each)
     piece, lies_in = each
     return {"intervals": intervals_data(piece), "plane": str(lies_in)}
 

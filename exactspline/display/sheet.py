@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from rich.cells import cell_len
 
 from exactspline.display.wrapping import hanging, visible, words_in
+from exactspline.errors import written
 
 if TYPE_CHECKING:
     from rich.console import Console, ConsoleOptions
@@ -24,6 +25,8 @@ PIPE = 1 << 20
 GAP = 2
 #: The smallest width to which prose in a column is broken; below it rows become blocks.
 NARROWEST = 24
+#: Columns whose words the legend explains.
+TAGGED = ("variant", "form", "verdict", "what", "piece")
 #: In a pipe a cell longer than this shifts only its row.
 LONGEST_ALIGNED = 72
 #: Colours of verdicts, which are also given in words.
@@ -71,7 +74,7 @@ class Sheet:
 
     def add_row(self, *cells: object) -> None:
         """Add a row, one cell per column; runs of blanks and line breaks in a cell become single blanks."""
-        row = tuple(visible(" ".join(str(cell).split())) for cell in cells)
+        row = tuple("" if cell is None else visible(" ".join(written(cell).split())) for cell in cells)
         self.rows.append((row + ("",) * len(self.columns))[: len(self.columns)])
 
     @property
@@ -81,8 +84,8 @@ class Sheet:
 
     @property
     def tags(self) -> list[str]:
-        """The words in the columns of variants, forms and verdicts, each once."""
-        columns = [i for i, name in enumerate(self.columns) if name in ("variant", "form", "verdict")]
+        """The words in the columns that name kinds of things, each once."""
+        columns = [i for i, name in enumerate(self.columns) if name in TAGGED]
         return list(dict.fromkeys(row[i] for i in columns for row in self.rows))
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Text]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from exactspline.display.data import picked
 from exactspline.display.evidence import worded
+from exactspline.display.ledger import claimed
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import true_relation
 from exactspline.verification.kinds.degree import DegreeClaim
@@ -23,7 +25,7 @@ def fields(s: Statement) -> list[tuple[str, str]]:
     for side in s.sides:
         rows += [(side.role, side.text), ("of which", f"{side.name}, {side.source}, degree {side.degrees}")]
     rows += [
-        ("claimed", c.claims if not isinstance(c, Identity) else f"factor {c.claims}"),
+        ("claimed", claimed(c)),
         ("found", _found(s)),
         ("factor", worded(f.factor) if not isinstance(c, DegreeClaim | Identity) else ""),
         ("witness", worded(f.witness)),
@@ -50,17 +52,8 @@ def statement_data(s: Statement) -> dict[str, object]:
     ('f_1 = w\\\\,f_2', 'w', [])
     """
     c, f = s.claim, s.finding
-    return {
-        "id": c.id,
-        "source": c.source,
-        "kind": c.kind,
-        "statement": c.statement,
-        "key": c.key,
-        "paper": c.paper,
-        "status": c.status,
-        "words": c.words,
-        "place": c.place,
-        "error": c.error,
+    head = picked(c, "id", "source", "kind", "statement", "key", "paper", "status", "words", "place", "error")
+    return head | {
         "latex": s.latex,
         "sides": [vars(side) for side in s.sides],
         "assumes": c.assumed,

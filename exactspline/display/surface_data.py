@@ -8,9 +8,11 @@ from functools import singledispatch
 from math import prod
 from typing import cast
 
+from exactspline.display.data import Data, picked, plain
 from exactspline.display.described import described_surface
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
+from exactspline.errors import counted
 from exactspline.geometry.surface.chains import ParabolicCurve, Piece
 from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.forms import Patch
@@ -60,25 +62,16 @@ INCOMPLETE = " – incomplete: see the rows that are undecided"
 # ---- data
 
 
-def surface_inspection_data(inspection: SurfaceInspection, digits: int) -> dict[str, object]:
+def surface_inspection_data(inspection: SurfaceInspection, digits: int) -> Data:
     """The whole inspection as data: numbers as exact text, irrational ones as intervals and to a given number of
     digits.
     """
-    surface = inspection.surface
-    return {
-        "surface": surface.name,
-        "degree": list(surface.degree),
-        "polynomial": surface.polynomial,
-        "digits": digits,
-        "closed": [along.value for along in inspection.closed],
-        "complete": inspection.complete,
-        "minimal": inspection.minimal,
-        "curvature": None if inspection.curvature is None else text(inspection.curvature),
-        "umbilic_everywhere": inspection.umbilic_everywhere,
-    } | answers_data(inspection, digits)
+    head = {"surface": inspection.surface.name} | picked(inspection.surface, "degree", "polynomial")
+    facts = picked(inspection, "closed", "complete", "minimal", "curvature", "umbilic_everywhere")
+    return head | {"digits": digits} | facts | answers_data(inspection, digits)
 
 
-def answers_data(inspection: SurfaceInspection | MapInspection, digits: int) -> dict[str, object]:
+def answers_data(inspection: SurfaceInspection | MapInspection, digits: int) -> Data:
     """The answers to all questions of the registry about a surface, under their names."""
     return {
         name: surface_answer_data(entry.answer(inspection), digits)
@@ -115,14 +108,11 @@ def _element_data(each: object, digits: int) -> object:
 
 
 @_element_data.register
-def _patch_data(one: PatchInspection, digits: int) -> dict[str, object]:
+def _patch_data(one: PatchInspection, digits: int) -> Data:
     return {
         "patch": list(one.patch),
         **_hull_data(one.sides),
-        "kind": one.kind.value,
-        "minimal": one.minimal,
-        "curvature": None if one.curvature is None else text(one.curvature),
-        "radius_squared": None if one.radius_squared is None else text(one.radius_squared),
+        **picked(one, "kind", "minimal", "curvature", "radius_squared"),
         "umbilic_everywhere": one.umbilics.everywhere,
         "singular_curve": one.singular.along_curve,
         "curve_of_umbilics": one.umbilics.curve is not None or bool(one.umbilics.edges),
@@ -131,7 +121,7 @@ def _patch_data(one: PatchInspection, digits: int) -> dict[str, object]:
 
 
 @_element_data.register
-def _umbilic_data(umbilic: Umbilic, digits: int) -> dict[str, object]:
+def _umbilic_data(umbilic: Umbilic, digits: int) -> Data:
     return {
         **_place_data(umbilic.place, digits),
         "kind": umbilic.kind.value,
@@ -141,74 +131,48 @@ def _umbilic_data(umbilic: Umbilic, digits: int) -> dict[str, object]:
 
 
 @_element_data.register
-def _place_data(place: Place, digits: int) -> dict[str, object]:
+def _place_data(place: Place, digits: int) -> Data:
     exact, box = place.exact, place.box(digits + 2)
     sides = {
         name: {
             "parameter": text(exact[k]) if exact else text(a) if a == b else None,
-            "interval": _ends(Interval(a, b)),
+            "interval": plain((a, b)),
             "decimal": shown(a, b, digits),
         }
         for k, (name, (a, b)) in enumerate(zip("uv", box, strict=True))
     }
-    return {**sides, "patches": [list(patch) for patch in place.patches]}
+    return {**sides, **picked(place, "patches")}
 
 
 @_element_data.register
-def _line_data(line: ParabolicLine, digits: int) -> dict[str, object]:
-    return {
-        "along": line.along.value,
-        **_parameter_data(line.value, digits),
-        "interval": _ends(line.interval),
-        "closed": line.closed,
-        "one_sided": line.one_sided,
-    }
+def _line_data(line: ParabolicLine, digits: int) -> Data:
+    value = _parameter_data(line.value, digits)
+    return picked(line, "along") | value | picked(line, "interval", "closed", "one_sided")
 
 
 @_element_data.register
-def _curve_data(curve: ParabolicCurve, digits: int) -> dict[str, object]:
-    return {
-        "patches": [list(patch) for patch in curve.patches],
-        "shape": curve.shape.value,
-        **_hull_data(hull(_hull(piece) for piece in curve.pieces)),
-    }
+def _curve_data(curve: ParabolicCurve, digits: int) -> Data:
+    return picked(curve, "patches", "shape") | _hull_data(hull(_hull(piece) for piece in curve.pieces))
 
 
 @_element_data.register
-def _pole_data(pole: Pole, digits: int) -> dict[str, object]:
-    return {
-        "along": pole.along.value,
-        "value": text(pole.value),
-        "interval": _ends(pole.interval),
-        "point": None if pole.point is None else [text(x) for x in pole.point],
-        "gap": pole.gap.value,
-    }
+def _pole_data(pole: Pole, digits: int) -> Data:
+    return picked(pole, "along", "value", "interval", "point", "gap")
 
 
 @_element_data.register
-def _joint_data(joint: SurfaceJoint, digits: int) -> dict[str, object]:
-    return {
-        "across": joint.across.value,
-        "value": text(joint.value),
-        "interval": _ends(joint.interval),
-        "at_seam": joint.at_seam,
-        "kind": joint.kind.value,
-        "geometric_continuity": joint.order,
-        "angle": angle_data(joint.angle, digits),
-    }
+def _joint_data(joint: SurfaceJoint, digits: int) -> Data:
+    order = {"geometric_continuity": joint.order, "angle": angle_data(joint.angle, digits)}
+    return picked(joint, "across", "value", "interval", "at_seam", "kind") | order
 
 
-def _parameter_data(t: Parameter, digits: int) -> dict[str, str | None]:
+def _parameter_data(t: Parameter, digits: int) -> Data:
     """A parameter exactly, if it is rational, and to a given number of digits."""
     return {"value": None if isinstance(t, Root) else text(t), "decimal": shown(*enclosing(t, digits + 2), digits)}
 
 
-def _hull_data(box: Box) -> dict[str, list[str]]:
-    return {name: _ends(side) for name, side in zip("uv", box, strict=True)}
-
-
-def _ends(side: Interval) -> list[str]:
-    return [text(x) for x in side]
+def _hull_data(box: Box) -> Data:
+    return {"u": plain(box.first), "v": plain(box.second)}
 
 
 def shown(low: mpq, high: mpq, digits: int) -> str:
@@ -258,7 +222,7 @@ def surface_sheet(inspection: SurfaceInspection, digits: int) -> Sheet:
         made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), note)
     for curve in inspection.parabolic_curves:
         extent = hull(_extent(piece) for piece in curve.pieces)
-        across = f", across {len(curve.patches)} patches" if len(curve.patches) > 1 else ""
+        across = f", across {counted(len(curve.patches), 'patch')}" if len(curve.patches) > 1 else ""
         made.add_row("parabolic curve", *(_near(side, 2) for side in extent), curve.shape.value + across)
     for place in inspection.parabolic_points:
         made.add_row("parabolic point", *_parameters(place, digits), "K = 0 at this point only")
@@ -322,7 +286,7 @@ def _of_umbilic(umbilic: Umbilic) -> str:
     index = INDEX.get(umbilic.kind)
     parts = [
         umbilic.kind.value + (f" (index {index.replace('1/2', '½').replace('-', '−')})" if index else ""),
-        f"on the border of {len(umbilic.place.patches)} patches" if len(umbilic.place.patches) > 1 else "",
+        f"on the border of {counted(len(umbilic.place.patches), 'patch')}" if len(umbilic.place.patches) > 1 else "",
         "seen from some patches only" if umbilic.one_sided else "",
     ]
     return ", ".join(filter(None, parts))
@@ -343,7 +307,11 @@ def _of_joint(joint: SurfaceJoint) -> str:
 def _add_open_boxes(made: Sheet, boxes: Sequence[Box]) -> None:
     """Add the boxes in which something is undecided; boxes that touch share a row."""
     for box, cluster in clusters(boxes):
-        remark = "not decided here" if len(cluster) == 1 else f"not decided in {len(cluster)} boxes, which --json lists"
+        remark = (
+            "not decided here"
+            if len(cluster) == 1
+            else f"not decided in {counted(len(cluster), 'box')}, which --json lists"
+        )
         made.add_row("undecided", *(_near(side, DIGITS_OF_BOXES) for side in box), remark)
 
 
@@ -379,7 +347,7 @@ def _near(side: Interval, digits: int = 4) -> str:
 # ---- maps of the plane
 
 
-def map_data(inspection: MapInspection, digits: int) -> dict[str, object]:
+def map_data(inspection: MapInspection, digits: int) -> Data:
     """The sign of a Jacobian determinant as data."""
     surface = inspection.surface
     return {

@@ -8,10 +8,12 @@ from html import escape
 
 from exactspline.display import console
 from exactspline.display.evidence import worded
+from exactspline.display.ledger import claimed
 from exactspline.display.numbers import Numbers as Written
+from exactspline.display.numbers import decimal_milliseconds
 from exactspline.display.quotations import quoted
 from exactspline.display.sheet import Sheet
-from exactspline.errors import as_flag, as_items, as_texts, counted, written
+from exactspline.errors import as_flag, as_items, as_texts, counted
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.hooks import Displayed
 from exactspline.papers import find
@@ -40,13 +42,15 @@ COLOURS = dict.fromkeys(Verdict, "#666666") | {
 }
 #: A remark in a table is shortened when it has more characters.
 LONGEST = 160
+#: More rows that hold than these are folded away.
+FEW = 6
 #: Words up to this many characters are not broken in HTML.
 LONGEST_WORD = 24
 #: The columns with words of a source.
 QUOTATIONS = ("words", "printed")
 
 
-class Grid(Displayed):
+class Grid(Sheet, Displayed):
     """A table of texts: HTML in a notebook, aligned columns in a terminal. A cell in dollars is LaTeX.
 
     >>> print(Grid(["curve", "degree"], [["circle", 2], ["ellipse", 2]]))
@@ -56,8 +60,8 @@ class Grid(Displayed):
     """
 
     def __init__(self, columns: Sequence[str], rows: Iterable[Sequence[object]], title: str = "") -> None:
-        self.columns, self.title = list(as_items(columns, "columns")), title
-        self.rows = [[_cell(cell) for cell in as_items(row, "cells")] for row in as_items(rows, "rows")]
+        cells = (list(as_items(row, "cells")) for row in as_items(rows, "rows"))
+        super().__init__(*as_items(columns, "columns"), rows=cells, title=title)
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -74,26 +78,21 @@ class Grid(Displayed):
         return [row[i] for row in self.rows]
 
     def __str__(self) -> str:
-        return self.sheet.text(console.width())
+        return self.text(console.width())
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {', '.join(self.columns)}: {counted(len(self.rows), 'row')}>"
 
-    @property
-    def sheet(self) -> Sheet:
-        """The table for printing, also as CSV and Markdown."""
-        made = Sheet(*self.columns, title=self.title)
-        for row in self.rows:
-            made.add_row(*row)
-        return made
-
     def html(self) -> str:
         """The table as HTML."""
+        return self._table(self.rows)
+
+    def _table(self, rows: Iterable[Sequence[str]]) -> str:
         style = "text-align:left;padding:2px 10px 2px 0;vertical-align:top;overflow-wrap:break-word"
         head = "".join(f'<th style="{style}">{escape(c)}</th>' for c in self.columns)
         body = "".join(
             "<tr>" + "".join(f'<td style="{style}">{_marked(cell)}</td>' for cell in self._typeset(row)) + "</tr>"
-            for row in self.rows
+            for row in rows
         )
         title = f'<caption style="{style};caption-side:top"><b>{escape(self.title)}</b></caption>' if self.title else ""
         return f"<table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
@@ -101,10 +100,6 @@ class Grid(Displayed):
     def _typeset(self, row: Sequence[str]) -> Iterator[str]:
         """The cells; words of a source with their formulas between dollar signs."""
         return (quoted(cell) if column in QUOTATIONS else cell for column, cell in zip(self.columns, row, strict=True))
-
-
-def _cell(value: object) -> str:
-    return "" if value is None else written(value)
 
 
 def _marked(cell: str) -> str:
@@ -128,20 +123,28 @@ def breakable(text: str) -> str:
 class Verdicts(Grid):
     """The rows of a ledger as a table; `rows_of_ledger` are the rows themselves."""
 
-    def __init__(self, rows: Iterable[Row], title: str = "") -> None:
+    def __init__(self, rows: Iterable[Row]) -> None:
         self.rows_of_ledger = list(rows)
         columns = ["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"]
         cells: list[tuple[str, ...]] = [
-            (r.verdict, r.id, r.curve, r.statement, r.claimed, worded(r.computed), remark(r), r.claim.source)
+            (r.verdict, r.id, r.curve, r.statement, claimed(r.claim), worded(r.computed), remark(r), r.claim.source)
             for r in self.rows_of_ledger
         ]
-        if not any(r.curve for r in self.rows_of_ledger):
-            columns, cells, title = (
-                [*columns[:2], *columns[3:]],
-                [(*c[:2], *c[3:]) for c in cells],
-                title or "for all curves",
-            )
-        super().__init__(columns, cells, title)
+        if any(r.curve for r in self.rows_of_ledger):
+            super().__init__(columns, cells)
+        else:
+            super().__init__([*columns[:2], *columns[3:]], [(*c[:2], *c[3:]) for c in cells], "for all curves")
+
+    def html(self) -> str:
+        """The table as HTML: rows that hold are folded away where others are refuted or there are many of them."""
+        rows = list(zip(self.rows, self.rows_of_ledger, strict=True))
+        holds = [cells for cells, row in rows if row.verdict in (PROVED, VERIFIED)]
+        others = [cells for cells, row in rows if row.verdict not in (PROVED, VERIFIED)]
+        if not holds or not (others or len(holds) > FEW):
+            return super().html()
+        verb = "holds" if len(holds) == 1 else "hold"
+        summary = f"<summary>{counted(len(holds), 'statement')} {verb}</summary>"
+        return f"{self._table(others) if others else ''}<details>{summary}{self._table(holds)}</details>"
 
     @property
     def as_recorded(self) -> bool:
@@ -159,7 +162,7 @@ def remark(row: Row) -> str:
 
 
 def _cut(text: str) -> str:
-    return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} … ({len(text)} characters)"
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} … ({counted(len(text), 'character')})"
 
 
 def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = ()) -> Verdicts:
@@ -191,7 +194,7 @@ def degree_table(curve: Nurbs) -> Grid:
             r.nominal,
             *("–" if count is None else count for count in (r.represented, r.true, r.control_points)),
             r.generic,
-            console.decimal_milliseconds(r.seconds),
+            decimal_milliseconds(r.seconds),
         )
         for r in rows
     ]
@@ -297,7 +300,7 @@ def approaches_table(curve: Nurbs) -> Grid:
     ['2', '0', '0', '0', '0']
     """
     rows = [
-        (a.name, a.degree, a.control_points, a.roots, a.extraneous, a.missing, console.decimal_milliseconds(a.seconds))
+        (a.name, a.degree, a.control_points, a.roots, a.extraneous, a.missing, decimal_milliseconds(a.seconds))
         for a in compare_approaches(curve)
     ]
     return Grid(["approach", "degree", "control points", "roots", "extraneous", "missing", "ms"], rows, curve.name)

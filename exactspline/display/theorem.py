@@ -35,6 +35,8 @@ METHODS = {
     "have no zero by what is assumed.",
     "square class": "Let the derivatives of the arguments be indeterminates. In the quotient of the two every "
     "irreducible factor occurs an even number of times.",
+    "type": "Let the derivatives of the curve be indeterminates, with the roots of squares adjoined. The value has "
+    "roots, or a denominator, or neither; that it has no more special type is seen on one curve.",
     "contact": "Let the derivatives of the curve be indeterminates, and differentiate with respect to the second "
     "parameter: the first derivative that does not vanish at the point of contact gives the order.",
     "sign": "Up to its sign, the value is a positive factor times a sum of squares: an identity of polynomials in "
@@ -131,7 +133,7 @@ def _stated(s: Statement) -> Iterator[str]:
         yield rf"It is \emph{{not}} true that {prose(said)}.{assumed}"
         yield rf"\[ \text{{not:}}\quad {in_mathematics(s.latex)} \]"
     else:
-        yield f"{prose(_begun(said))}.{assumed}"
+        yield f"{prose(begun(said))}.{assumed}"
         yield rf"\[ {in_mathematics(s.latex)} \]"
     if s.sides:
         yield "Here"
@@ -140,8 +142,8 @@ def _stated(s: Statement) -> Iterator[str]:
         yield r"\end{gather*}"
 
 
-def _begun(sentence: str) -> str:
-    """The sentence with a capital, unless it begins with a symbol."""
+def begun(sentence: str) -> str:
+    """A sentence with a capital, unless it begins with a symbol."""
     word = sentence.partition(" ")[0]
     return sentence[:1].upper() + sentence[1:] if word.isascii() and word.isalpha() and len(word) > 1 else sentence
 
@@ -150,7 +152,7 @@ def _proof(s: Statement) -> Iterator[str]:
     """How it was decided, by which reading, and how it is decided again."""
     c, f = s.claim, s.finding
     if f.verdict == PROVED:
-        yield _method(s)
+        yield method(s)
     if found := worded(true_relation(c, f) or f.computed):
         yield f"Found: {prose(found)}."
     if f.factor and not isinstance(c, DegreeClaim | Identity):
@@ -168,7 +170,8 @@ def _proof(s: Statement) -> Iterator[str]:
     yield rf"Judge: exactspline, reading \emph{{{s.reading}}}; {again}{judge}."
 
 
-def _method(s: Statement) -> str:
+def method(s: Statement) -> str:
+    """How a claim of its kind is proved for all curves."""
     if isinstance(s.claim, DegreeClaim):
         return COUNTED if s.claim.measure == Measure.NOMINAL else "The degree is that of the generic curve."
     return METHODS.get(s.claim.kind, "It is decided by exact computation.")

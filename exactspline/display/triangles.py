@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from html import escape
 
+from exactspline.classroom.answers import shown
 from exactspline.classroom.triangles import ProductTable, Row, Triangle
 from exactspline.display import mathml
+from exactspline.display.data import Data, picked
 from exactspline.display.latex import fraction, mathematics
 from exactspline.display.page import page
 from exactspline.display.sheet import Sheet
@@ -48,16 +50,6 @@ def rule(scheme: Scheme) -> str:
     return "An entry is 1 − s times the entry above it in the previous column plus s times the entry to its left."
 
 
-def point_text(row: Row) -> str:
-    """A value, or a point between parentheses.
-
-    >>> from exactspline.numbers.exact import mpq
-    >>> point_text((mpq(1, 2),)), point_text((mpq(1, 2), mpq(3)))
-    ('1/2', '(1/2, 3)')
-    """
-    return text(row[0]) if len(row) == 1 else f"({', '.join(map(text, row))})"
-
-
 def sheets(scheme: Scheme) -> list[Sheet]:
     """The points, below them the weights with which neighbours were combined, and the result."""
     return _product_sheets(scheme) if isinstance(scheme, ProductTable) else _triangle_sheets(scheme)
@@ -65,13 +57,10 @@ def sheets(scheme: Scheme) -> list[Sheet]:
 
 def _triangle_sheets(triangle: Triangle) -> list[Sheet]:
     steps = [f"step {r}" for r in range(1, len(triangle.columns))]
-    points = Sheet("point", "given", *steps, title=title(triangle), name=title(triangle))
-    for label, *cells in _grid(triangle, triangle.columns, point_text):
-        points.add_row(label, *cells)
-    shares = Sheet("point", *steps, title=f"Shares s. {rule(triangle)}", name="shares")
-    for label, *cells in _grid(triangle, ((), *triangle.ratios), text):
-        if any(cells):
-            shares.add_row(label, *cells[1:])
+    cells, heading = _grid(triangle, triangle.columns, shown), title(triangle)
+    points = Sheet("point", "given", *steps, rows=cells, title=heading, name=heading)
+    ratios = ([label, *rest] for label, _, *rest in _grid(triangle, ((), *triangle.ratios), text) if any(rest))
+    shares = Sheet("point", *steps, rows=ratios, title=f"Shares s. {rule(triangle)}", name="shares")
     made = [points, shares] if triangle.ratios else [points]
     return [*made, *_result_sheets(triangle)]
 
@@ -80,42 +69,38 @@ def _result_sheets(triangle: Triangle) -> list[Sheet]:
     if triangle.method == "de Boor":
         if not triangle.rational:
             return []
-        made = Sheet("point of the curve", title="Divided by its weight", name="tip")
-        made.add_row(point_text(triangle.tip))
-        return [made]
+        tip = [[shown(triangle.tip)]]
+        return [Sheet("point of the curve", rows=tip, title="Divided by its weight", name="tip")]
     if not triangle.made or triangle.knots is None:
         return []
-    made = Sheet("point", "is", title=f"Knots: {', '.join(map(text, triangle.knots))}", name="result")
-    for i, row in enumerate(triangle.made):
-        made.add_row(f"e{i}", point_text(row))
-    return [made]
+    cells = [(f"e{i}", shown(row)) for i, row in enumerate(triangle.made)]
+    knots = ", ".join(map(text, triangle.knots))
+    return [Sheet("point", "is", rows=cells, title=f"Knots: {knots}", name="result")]
 
 
 def _product_sheets(table: ProductTable) -> list[Sheet]:
     columns = [f"·{text(b)} [{k}]" for k, b in enumerate(table.right)]
-    made = Sheet("times", *columns, title=title(table), name=title(table))
-    for a, row in zip(table.left, table.table, strict=True):
-        made.add_row(text(a), *map(text, row))
-    sums = Sheet("diagonal", "sum", "Bézier point", title=rule(table), name="diagonals")
-    for m, (total, point) in enumerate(zip(table.sums, table.points, strict=True)):
-        sums.add_row(f"{m}", text(total), text(point))
-    return [made, sums]
+    products = [(text(a), *map(text, row)) for a, row in zip(table.left, table.table, strict=True)]
+    pairs = enumerate(zip(table.sums, table.points, strict=True))
+    sums = [(m, text(total), text(point)) for m, (total, point) in pairs]
+    return [
+        Sheet("times", *columns, rows=products, title=title(table), name=title(table)),
+        Sheet("diagonal", "sum", "Bézier point", rows=sums, title=rule(table), name="diagonals"),
+    ]
 
 
-def _grid(
-    triangle: Triangle, columns: Sequence[Sequence[object]], shown: Callable[..., str], name: str = "d"
-) -> Iterable[list[str]]:
+def _grid(triangle: Triangle, columns: Sequence[Sequence[object]], written: Callable[..., str]) -> Iterable[list[str]]:
     """Labelled rows of cells. Each column begins one row lower than the one before, so that an entry is next to the
     lower of the two entries from which it is computed; in elevation each column ends one row lower.
     """
     bezier = triangle.first < 0
-    first, letter = (0, "b") if bezier else (triangle.first, name)
+    first, letter = (0, "b") if bezier else (triangle.first, "d")
     height = max(map(len, columns)) if bezier else len(triangle.columns[0])
     for i in range(height):
         cells = []
         for column in columns:
             k = i if bezier else i - (height - len(column))
-            cells.append(shown(column[k]) if 0 <= k < len(column) else "")
+            cells.append(written(column[k]) if 0 <= k < len(column) else "")
         yield [f"{letter}{first + i}", *cells]
 
 
@@ -195,33 +180,12 @@ def _listed(what: str, rows: Sequence[Row]) -> str:
 # ---- data
 
 
-def scheme_data(scheme: Scheme) -> dict[str, object]:
+def scheme_data(scheme: Scheme) -> Data:
     """A scheme as data: numbers as text."""
-
-    def rows(points: Iterable[Row]) -> list[list[str]]:
-        return [list(map(text, row)) for row in points]
-
-    data: dict[str, object] = {"key": title(scheme), "span": list(map(text, scheme.span))}
+    data: Data = {"key": title(scheme)} | picked(scheme, "span")
     if isinstance(scheme, ProductTable):
-        return data | {
-            "method": "product",
-            "left": list(map(text, scheme.left)),
-            "right": list(map(text, scheme.right)),
-            "table": rows(scheme.table),
-            "sums": list(map(text, scheme.sums)),
-            "points": list(map(text, scheme.points)),
-        }
-    data |= {
-        "method": scheme.method,
-        "degree": scheme.degree,
-        "parameter": None if scheme.parameter is None else text(scheme.parameter),
-        "rational": scheme.rational,
-        "first": scheme.first,
-        "columns": [rows(column) for column in scheme.columns],
-        "ratios": rows(scheme.ratios),
-    }
+        return data | {"method": "product"} | picked(scheme, "left", "right", "table", "sums", "points")
+    data |= picked(scheme, "method", "degree", "parameter", "rational", "first", "columns", "ratios")
     if scheme.method == "de Boor":
-        data["tip"] = list(map(text, scheme.tip))
-    if scheme.made and scheme.knots is not None:
-        data |= {"knots": list(map(text, scheme.knots)), "made": rows(scheme.made)}
-    return data
+        data |= picked(scheme, "tip")
+    return data | picked(scheme, "knots", "made") if scheme.made and scheme.knots is not None else data

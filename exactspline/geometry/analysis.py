@@ -13,9 +13,11 @@ from exactspline.geometry import plane_features, space_features
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.extent import slope_zeros, turning_points
 from exactspline.geometry.facts import ZeroForm
+from exactspline.geometry.intersections import Intersections, self_intersections
 from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
+from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized
 from exactspline.geometry.space_features import SpaceFacts
 from exactspline.hooks import Displayed
 from exactspline.language.rational import Rational
@@ -173,6 +175,16 @@ class Analysis(SpaceFacts, Displayed):
         """
         return tuple(self.pieces_where_zero(self.zero_form(self.critical_form)))
 
+    @question(Of.PLANE_CURVE, answered=Answered.PAIRS)
+    def self_intersections(self) -> Intersections:
+        """The points through which a plane curve passes more than once.
+
+        >>> from exactspline import Nurbs
+        >>> analyse(Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])).self_intersections
+        [<crossing at 0.0669873… and 0.933013…>]
+        """
+        return self_intersections(self.curve)
+
     @question(Of.SPACE_CURVE, answered=Answered.PLANAR_PIECES, of_piece="planar, τ ≡ 0")
     def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
         """The pieces of a space curve that lie in one plane without being straight, and their planes."""
@@ -182,6 +194,31 @@ class Analysis(SpaceFacts, Displayed):
     def plane(self) -> Plane | None:
         """The plane of a space curve that has one."""
         return plane_of(self.curve) if self.in_space and not any(self._twist.polynomials) else None
+
+    @question(*CURVES, answered=Answered.SHAPES)
+    def shapes(self) -> tuple[RecognizedPiece, ...]:
+        """The pieces that are lines, circles or conics, exactly or within 10⁻⁹ of the curve's size.
+
+        See `exactspline.geometry.recognition.pieces.recognized`.
+
+        >>> from exactspline import example
+        >>> [(str(found.shape), found.exact) for found in analyse(example("ellipse")).shapes]
+        [('ellipse: centre (0, 0), half axes (2, 1)', True)]
+        """
+        return recognized(self.curve)
+
+    @question_with("1/1000000", *CURVES, answered=Answered.SHAPES)
+    def shapes_within(self, epsilon: Number) -> tuple[RecognizedPiece, ...]:
+        """The pieces that are lines, circles or conics within this distance.
+
+        >>> from exactspline import Nurbs
+        >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], [1, "0.7071", 1])
+        >>> [str(found.shape.kind) for found in analyse(arc).shapes_within("1/10000")]
+        ['circle']
+
+        Raises `ShapeError` for a distance that is not positive.
+        """
+        return recognized(self.curve, rational(epsilon))
 
     @question_with("0", *CURVES, proof=lambda facts, axis: slope_zeros(facts.curve, axis))
     def turning_points(self, axis: int | str) -> Places[Feature]:

@@ -20,8 +20,7 @@ from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, numerator
 from exactspline.papers import default_papers, find
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without_factor
-from exactspline.splines.values import SplineValue, SplineVector
+from exactspline.splines.lowest_terms import SplineValue, SplineVector, in_lowest_terms, primitive, without_factor
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 from exactspline.words import Word, choice
 

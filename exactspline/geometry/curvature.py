@@ -15,7 +15,7 @@ from exactspline.papers import find
 from exactspline.polynomials.bernstein import ONE, is_square_class, primitive
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.polynomials.isolation import zero_on_segment
-from exactspline.reals.radicals import square_root_parts
+from exactspline.reals.real import square_root_parts
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import in_lowest_terms

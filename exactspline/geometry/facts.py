@@ -55,10 +55,9 @@ from exactspline.questions.entry import CURVES, Answered, Fact, Remembers, quest
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import common_factor
+from exactspline.splines.lowest_terms import SplineValue, common_factor
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.runs import intervals_of, runs
-from exactspline.splines.values import SplineValue
 from exactspline.words import choice
 
 KINDS: dict[int, Kind] = {2: PLANE, 3: SPACE}

@@ -3,7 +3,7 @@ rational, and proved to be irrational otherwise.
 
 The filter decides how many zeros there are, and on which segments. Only on these are the forms computed in integers, by
 the same programs, rounded once, and evaluated in doubles with proved bounds around every zero; a form without zeros
-modulo some small prime has no rational zero (`exactspline.polynomials.modular`). Derivation: docs/certified-filter.md.
+modulo some small prime has no rational zero (`exactspline.polynomials.doubles`). Derivation: docs/certified-filter.md.
 This module loads numpy.
 """
 
@@ -19,14 +19,21 @@ from flint import fmpz_poly
 
 from exactspline.geometry.filtered import programs
 from exactspline.geometry.many_curves import KINDS
-from exactspline.geometry.many_segments import Jumps, Segments, components, rounded, whole
-from exactspline.geometry.many_splines import of_few_segments
+from exactspline.geometry.many_splines import Jumps, Segments, components, of_few_segments, rounded, whole
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import ONE
-from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW, Bounded, Flags, Isolated, narrowed, ordinates
-from exactspline.polynomials.modular import without_rational_zero
+from exactspline.polynomials.doubles import (
+    ROUNDING,
+    UNDERFLOW,
+    Bounded,
+    Flags,
+    Isolated,
+    narrowed,
+    ordinates,
+    without_rational_zero,
+)
 from exactspline.programs.program import Program
 from exactspline.reals.real import Real
 from exactspline.roots.root import Root, knot_root

@@ -4,14 +4,17 @@ entry is defined where its exact answer is computed; this module only lists the 
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.bisector.two_curves import CurveBisector
+from exactspline.geometry.curve_pair import CurvePair
 from exactspline.geometry.surface.inspection import SurfaceInspection
 from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.questions.entry import Entry, Of, questions_of
 
 #: The classes whose properties are questions.
-ASKED = (Analysis, SurfaceInspection, MapInspection, CurveBisector)
+ASKED = (Analysis, SurfaceInspection, MapInspection, CurveBisector, CurvePair)
 #: The questions by the kind of object that they are asked of, and by their names.
 REGISTRY: dict[Of, dict[str, Entry]] = {
     of: {name: entry for owner in ASKED for name, entry in questions_of(owner).items() if of in entry.about.of}
@@ -19,9 +22,9 @@ REGISTRY: dict[Of, dict[str, Entry]] = {
 }
 
 
-def terms_of_questions() -> dict[str, str]:
+def terms_of_questions(other: Container[str] = ()) -> dict[str, str]:
     """The meanings of the questions by their names; where two questions share a name, the one that is not about curves
-    is named with its object.
+    is named with its object, as is a question with the name of another term.
 
     >>> terms_of_questions()["umbilics"]
     'the points with a tangent plane at which the two principal curvatures are equal'
@@ -32,6 +35,6 @@ def terms_of_questions() -> dict[str, str]:
     for of, entries in REGISTRY.items():
         for name, entry in entries.items():
             words = name.replace("_", " ")
-            taken = named.get(words, entry) is not entry
+            taken = words in other or named.get(words, entry) is not entry
             named[f"{words} of a {of}" if taken else words] = entry
     return {words: entry.meaning for words, entry in named.items()}

@@ -24,10 +24,9 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.expected import curve_of
 from exactspline.splines.knots import Mesh
-from exactspline.splines.lowest_terms import in_lowest_terms, where_it_exists
+from exactspline.splines.lowest_terms import SplineSurface, in_lowest_terms, where_it_exists
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, lifted
-from exactspline.splines.values import SplineSurface
 
 V = TypeVar("V", bound=Vector[Any] | Operand)
 

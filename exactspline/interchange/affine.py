@@ -1,10 +1,12 @@
-"""Exact affine maps, as rows ``(a_1, …, a_n, shift)``."""
+"""Exact affine maps, as rows ``(a_1, …, a_n, shift)``, and the vectors from which their columns are made."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
 
+from exactspline.errors import ShapeError
+from exactspline.interchange.numbers import square_root
 from exactspline.numbers.exact import mpq
 
 
@@ -52,3 +54,18 @@ class Affine:
         columns = [self([row[j] for row in inner.rows], 0) for j in range(len(inner.rows))]
         shift = self([row[-1] for row in inner.rows])
         return Affine([*zip(*columns, shift, strict=True)])
+
+
+def unit(vector: Sequence[mpq]) -> list[mpq]:
+    """A vector divided by its length; raises `ShapeError` where that is irrational."""
+    length = square_root(sum((x * x for x in vector), start=mpq(0)))
+    if not length:
+        raise ShapeError("an axis of irrational length", remedy="only axes of rational length are exact")
+    return [x / length for x in vector]
+
+
+def cross(u: Sequence[mpq], v: Sequence[mpq]) -> tuple[mpq, mpq, mpq]:
+    """The vector product; raises `ShapeError` for vectors that are not in space."""
+    if len(u) != 3 or len(v) != 3:
+        raise ShapeError("a vector that is not in space", remedy="write three coordinates")
+    return (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 
-from exactspline.errors import ExactSplineError, ShapeError
+from exactspline.errors import ExactSplineError, ShapeError, counted
 from exactspline.interchange.limits import work
+from exactspline.interchange.numbers import decimal
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
+from exactspline.interchange.segments import Segment, joined
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
@@ -40,6 +43,14 @@ class Collector:
         self.count(1)
         self.skipped.append(Skipped(what, where, why, curve))
 
+    @contextmanager
+    def skipping(self, what: str, where: str, *, curve: bool = True) -> Iterator[None]:
+        """Record an entity as not read where reading it fails."""
+        try:
+            yield
+        except ExactSplineError as error:
+            self.skip(what, where, str(error), curve=curve)
+
     def note(self, text: str) -> None:
         """Record a note that applies to all curves of the file; repetitions are dropped."""
         self._notes[text] = None
@@ -55,6 +66,21 @@ class Collector:
         if objects < 0 or self._objects > self.limits.objects:
             raise ShapeError(f"more than {self.limits.objects} objects", remedy="read with larger limits")
 
+    def numbers(self, texts: Sequence[str]) -> list[mpq]:
+        """Decimals, counted before they are read."""
+        self.count(len(texts))
+        return [decimal(text, self.limits) for text in texts]
+
+    def add_segments(
+        self, what: str, where: str, segments: Sequence[Segment], name: str = "", notes: Sequence[str] = ()
+    ) -> None:
+        """Build the curve made of segments, polynomial where all weights are 1."""
+        degree, knots, points = joined(segments)
+        if all(point[-1] == 1 for point in points):
+            self.add(what, where, degree, knots, [point[:-1] for point in points], name=name, notes=notes)
+        else:
+            self.add(what, where, degree, knots, points, homogeneous=True, name=name, notes=notes)
+
     def add(
         self,
         what: str,
@@ -68,8 +94,6 @@ class Collector:
         name: str = "",
         notes: Sequence[str] = (),
         within: tuple[mpq, mpq] | None = None,
-        source: str | None = None,
-        note: str = "",
     ) -> None:
         """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`; `within` is the part of its
         domain that the file uses. Data that do not define a curve are recorded as skipped, with the reason.
@@ -78,11 +102,11 @@ class Collector:
         try:
             self.count(len(points) + len(knots))
             self._check(degree, knots, points, weights or ())
-            source = f"{self.source.name} {where}".strip() if source is None else source
+            source = f"{self.source.name} {where}".strip()
             if homogeneous:
-                curve = Nurbs.from_homogeneous(degree, knots, points, name=name, source=source, note=note)
+                curve = Nurbs.from_homogeneous(degree, knots, points, name=name, source=source)
             else:
-                curve = Nurbs(degree, knots, points, weights=weights, name=name, source=source, note=note)
+                curve = Nurbs(degree, knots, points, weights=weights, name=name, source=source)
             if within is not None and within != curve.domain:
                 curve = curve.restrict(*within)
         except ExactSplineError as error:
@@ -109,7 +133,7 @@ class Collector:
             raise ShapeError(f"degree {degree}", where="degree", remedy=f"at most {self.limits.degree} is read")
         if not points or len(knots) != len(points) + degree + 1:
             raise ShapeError(
-                f"{len(points)} control points for {len(knots)} knots of degree {degree}",
+                f"{counted(len(points), 'control point')} for {counted(len(knots), 'knot')} of degree {degree}",
                 where="control_points",
                 remedy=f"there must be {max(len(knots) - degree - 1, 0)} (knots − degree − 1)",
             )
@@ -117,6 +141,6 @@ class Collector:
         longest = max(x.numerator.bit_length() + x.denominator.bit_length() for x in numbers)
         if work(degree, knots, longest) > self.limits.work:
             raise ShapeError(
-                f"degree {degree}, {len(points)} control points, numbers of {longest} bits: too much work",
+                f"degree {degree}, {counted(len(points), 'control point')}, numbers of {longest} bits: too much work",
                 remedy="read with a larger limit of work",
             )

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ShapeError, counted
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped
+from exactspline.interchange.segments import ellipse as full_ellipse
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
-
-ONE = (mpq(1), mpq(0))
 
 
 def circle(centre: Iterable[Number], radius: Number) -> Nurbs:
@@ -35,7 +34,7 @@ def ellipse(centre: Iterable[Number], u: Iterable[Number], v: Iterable[Number]) 
     (mpq(0,1), mpq(1,1), mpq(2,1))
     """
     rows = list(zip(_point(u), _point(v), _point(centre), strict=True))
-    return _curve(mapped(arc_around_origin(ONE, ONE), Affine(rows)), "ellipse")
+    return _curve(full_ellipse(Affine(rows)), "ellipse")
 
 
 def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
@@ -62,7 +61,7 @@ def conic(form: Sequence[Number], start: Iterable[Number], end: Iterable[Number]
     Raises `ShapeError` if an end is not exactly on the conic, or if there is no such arc.
     """
     if len(form) != 6:
-        raise ShapeError(f"{len(form)} coefficients", where="form", remedy="give A, B, C, D, E, F")
+        raise ShapeError(counted(len(form), "coefficient"), where="form", remedy="give A, B, C, D, E, F")
     return _curve(conic_arc([rational(c) for c in form], _point(start), _point(end)), "conic")
 
 

@@ -1,24 +1,27 @@
-"""Curve files: JSON with ``degree``, ``knots``, ``control_points``, optional ``weights``, ``name``, ``source``; numbers
-as ints, decimals or text.
+"""Files of curves and surfaces: JSON with ``degree``, ``knots``, ``control_points``, optional ``weights``, ``name``,
+``source``, ``note``; numbers as ints, decimals or text.
 
 A control point is a list of coordinates, or ``{"vector": [x, y]}`` for a direction (see `Direction`), whose weight is
 0. A number in JSON is read as a decimal: 0.1 is 1/10. Output of ``derive`` and ``bisector`` is also read, if it is a
 single curve in one piece; so is any piece copied from it, restricted to the part of the domain that belongs to the
 piece.
+
+Of a surface ``degree`` is ``[m, n]``, ``knots`` are two lists, ``control_points`` (or ``points``) a net of rows in the
+direction of u, ``weights`` a net of the same shape.
 """
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from exactspline.atomic_write import write_text
-from exactspline.errors import CurveFileError, NumberError, as_path, as_text
+from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_path, as_text, counted
 from exactspline.interchange.json_files import (
     CURVE,
-    MAX_BYTES,
+    SURFACE,
     USUAL,
     check_fields,
     from_file,
@@ -30,14 +33,13 @@ from exactspline.interchange.json_files import (
     written_point,
 )
 from exactspline.interchange.limits import Limits
-from exactspline.numbers.exact import mpq, rational
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_points
 from exactspline.splines.given import checked_degree
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
-
-__all__ = ["MAX_BYTES", "curve_data", "curve_from_data", "curve_from_text", "read_curve", "write_json"]
+from exactspline.splines.surface import NurbsSurface
 
 
 def read_curve(path: str | os.PathLike[str]) -> Nurbs:
@@ -82,10 +84,13 @@ def curve_from_data(given: Mapping[str, object], name: str = "", limits: Limits 
         numbers_of(data["knots"], "knots", limits),
         points_of(data["control_points"], limits=limits),
         None if weights is None else numbers_of(weights, "weights", limits),
-        name=str(data.get("name") or name),
-        source=str(data.get("source") or ""),
-        note=str(data.get("note") or ""),
+        **_labels(data, name),
     )
+
+
+def _labels(data: Mapping[str, object], name: str) -> dict[str, str]:
+    """Name, source and note."""
+    return {"name": str(data.get("name") or name)} | {key: str(data.get(key) or "") for key in ("source", "note")}
 
 
 def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
@@ -173,17 +178,112 @@ def _rational(value: object, key: str, limits: Limits) -> mpq:
         raise error.at(key) from None
 
 
+# ---- surfaces
+
+#: An alternative name for ``control_points``.
+NET = "points"
+
+
+def read_surface(path: str | os.PathLike[str]) -> NurbsSurface:
+    """The surface in a file.
+
+    Raises `CurveFileError` (file missing, a directory, unreadable, too large, not JSON; a field missing or unknown) or
+    the error for an invalid field, preceded by the name of the file.
+    """
+    return from_file(path, surface_from_text)
+
+
+def surface_from_text(text: str, name: str = "") -> NurbsSurface:
+    """The surface in a JSON text; `name` is used if the text gives none.
+
+    >>> surface_from_text('''{"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]],
+    ...     "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0.1]]]}''')(1, 1)
+    (mpq(1,1), mpq(1,1), mpq(1,10))
+    """
+    remedy = 'write {"degree": [m, n], "knots": [[…], […]], "control_points": [[…], …]}'
+    return surface_from_data(json_object(text, remedy), name)
+
+
+def surface_from_data(given: Mapping[str, object], name: str = "", limits: Limits = USUAL) -> NurbsSurface:
+    """The surface in JSON data, with numbers as text (`exactspline.interchange.json_files.parsed`), within the limits
+    on single numbers.
+    """
+    data = dict(given)
+    if NET in data and "control_points" not in data:
+        data["control_points"] = data.pop(NET)
+    check_fields(data, SURFACE)
+    degree = [whole_degree(n) for n in _list(data["degree"], "degree", 2)]
+    knots = [_list(row, f"knots[{i}]") for i, row in enumerate(_list(data["knots"], "knots", 2))]
+    net = []
+    for i, row in enumerate(_list(data["control_points"], "control_points")):
+        place = f"control_points[{i}]"
+        net.append(points_of(_list(row, place), place, limits))
+    weights = data.get("weights")
+    return NurbsSurface(
+        (degree[0], degree[1]),
+        numbers_of(knots[0], "knots[0]", limits),
+        numbers_of(knots[1], "knots[1]", limits),
+        net,
+        None if weights is None else _numbers(weights, limits),
+        **_labels(data, name),
+    )
+
+
+def looks_like_surface(text: str) -> bool:
+    """Whether a JSON text describes a surface: an object whose degree is a list.
+
+    >>> looks_like_surface('{"degree": [1, 1]}'), looks_like_surface('{"degree": 2}'), looks_like_surface("{")
+    (True, False, False)
+    """
+    try:
+        return isinstance(json_object(text, "").get("degree"), list)
+    except ExactSplineError:
+        return False
+
+
+def _list(value: Any, where: str, count: int | None = None) -> list[Any]:
+    if not isinstance(value, list):
+        raise CurveFileError("is not a list", where=where, remedy="write a JSON list")
+    if count is not None and len(value) != count:
+        raise CurveFileError(f"has {counted(len(value), 'entry')}", where=where, remedy="one for u and one for v")
+    return value
+
+
+def _numbers(rows: object, limits: Limits) -> list[list[Number]]:
+    listed = ((f"weights[{i}]", row) for i, row in enumerate(_list(rows, "weights")))
+    return [numbers_of(_list(row, place), place, limits) for place, row in listed]
+
+
+# ---- writing
+
+
 def curve_data(curve: Nurbs) -> dict[str, object]:
     """The data of a curve file, with numbers as exact text."""
-    data: dict[str, object] = {"name": curve.name, "source": curve.source} if curve.source else {"name": curve.name}
-    data |= {
-        "degree": curve.degree,
-        "knots": [str(t) for t in curve.knots],
-        "control_points": [written_point(point) for point in curve.control_points],
-    }
-    if curve.note:
-        data["note"] = curve.note
-    return data if curve.polynomial else data | {"weights": [str(w) for w in curve.weights]}
+    points = [written_point(point) for point in curve.control_points]
+    return _data(curve, curve.degree, _texts(curve.knots), points, _texts(curve.weights))
+
+
+def surface_data(surface: NurbsSurface) -> dict[str, object]:
+    """The data of a surface file, with numbers as exact text."""
+    net = [[written_point(point) for point in row] for row in surface.control_points]
+    knots, weights = ([_texts(row) for row in rows] for rows in (surface.knots, surface.weights))
+    return _data(surface, list(surface.degree), knots, net, weights)
+
+
+def _texts(numbers: Iterable[mpq]) -> list[str]:
+    return [str(x) for x in numbers]
+
+
+def _data(
+    of: Nurbs | NurbsSurface, degree: object, knots: object, points: object, weights: object
+) -> dict[str, object]:
+    return (
+        {"name": of.name}
+        | ({"source": of.source} if of.source else {})
+        | {"degree": degree, "knots": knots, "control_points": points}
+        | ({"note": of.note} if of.note else {})
+        | ({} if of.polynomial else {"weights": weights})
+    )
 
 
 def write_json(path: str | os.PathLike[str], data: object) -> None:

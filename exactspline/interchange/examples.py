@@ -2,30 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, overload
+from typing import Literal, TypeVar, overload
 
 from exactspline.errors import CurveFileError, FormulaError, as_path, as_text, nearest
-from exactspline.interchange.curve_files import curve_from_text, read_curve, write_json
+from exactspline.interchange.curve_files import curve_from_text, read_curve, read_surface, surface_from_text
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 
-if TYPE_CHECKING:
-    from exactspline.splines.surface import NurbsSurface
-
-__all__ = [
-    "curve_from_text",
-    "example",
-    "example_names",
-    "example_surface",
-    "example_surface_names",
-    "examples",
-    "load",
-    "load_surface",
-    "read_curve",
-    "write_json",
-]
+V = TypeVar("V")
 
 
 @cache
@@ -124,8 +112,6 @@ def example_surface(name: str) -> NurbsSurface:
 
     Raises `CurveFileError` with the nearest names.
     """
-    from exactspline.interchange.surface_files import surface_from_text
-
     if as_text(name, "the name of a surface") not in example_surface_names():
         remedy = nearest(name, example_surface_names(), listed_by="list surfaces")
         raise CurveFileError(f"there is neither a file nor an example surface called {name!r}", remedy=remedy)
@@ -139,21 +125,20 @@ def load_surface(name_or_path: str) -> NurbsSurface:
     >>> load_surface("enneper").degree
     (3, 3)
     """
-    from exactspline.interchange.surface_files import read_surface
-
-    name_or_path = as_path(name_or_path)
-    is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()
-    known = name_or_path in example_surface_names()
-    return example_surface(name_or_path) if known or is_name else read_surface(name_or_path)
+    return _loaded(name_or_path, example_surface_names(), example_surface, read_surface)
 
 
 def load(name_or_path: str) -> Nurbs:
     """An example curve by its name, otherwise a curve file by its path; for an unknown name the error lists the nearest
     ones.
     """
-    name_or_path = as_path(name_or_path)
-    is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()
-    return _example_curve(name_or_path) if name_or_path in example_names() or is_name else read_curve(name_or_path)
+    return _loaded(name_or_path, example_names(), _example_curve, read_curve)
+
+
+def _loaded(given: str, names: tuple[str, ...], named: Callable[[str], V], read: Callable[[str], V]) -> V:
+    place = as_path(given)
+    is_name = place in names or (place.isidentifier() and not Path(place).exists())
+    return named(place) if is_name else read(place)
 
 
 def _names(folder: str) -> tuple[str, ...]:

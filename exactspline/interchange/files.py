@@ -10,13 +10,22 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError, as_instance, as_items, as_path, as_text, written
+from exactspline.errors import (
+    CurveFileError,
+    ExactSplineError,
+    as_instance,
+    as_items,
+    as_path,
+    as_text,
+    counted,
+    written,
+)
+from exactspline.interchange.curve_files import surface_data
 from exactspline.interchange.examples import example_text, examples
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
-from exactspline.interchange.surface_files import surface_data
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
@@ -84,7 +93,7 @@ def _format(source: Source, named: str | None) -> Format:
     """The format of a file that is not too large: the named one, or the one recognized."""
     limits = source.limits
     if len(source.data) > limits.megabytes << 20:
-        raise CurveFileError(f"{len(source.data)} bytes", remedy=f"at most {limits.megabytes} MB are read")
+        raise CurveFileError(f"{counted(len(source.data), 'byte')}", remedy=f"at most {limits.megabytes} MB are read")
     return _recognized(source.data, source.name) if named is None else named_format(named)
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NoReturn, TypeVar, cast
 
-from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_text
+from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_text, counted
 from exactspline.interchange.limits import Limits
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.exact import text as text_of
@@ -142,7 +142,7 @@ def number_of(value: object, where: str = "", limits: Limits = USUAL) -> Number:
         raise NumberError(f"the exponent {exponent[:20]!r}", where=where, remedy=f"exponents up to {most} are read")
     if len(value) > LONGER * limits.digits:
         raise NumberError(
-            f"a number of {len(value)} characters", where=where, remedy="read with a larger limit of digits"
+            f"a number of {counted(len(value), 'character')}", where=where, remedy="read with a larger limit of digits"
         )
     return str(value)
 

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, field
 from math import inf
 
-from exactspline.errors import NumberError, shown
+from exactspline.errors import NumberError, counted, shown
 from exactspline.interchange.limits import Limits
 from exactspline.numbers.exact import isqrt, mpq, rational
 
@@ -23,7 +23,7 @@ def decimal(text: str, limits: Limits) -> mpq:
     Raises `NumberError` for anything else, and for numbers beyond the limits.
     """
     if len(text) > limits.digits:
-        raise NumberError(f"a number of {len(text)} characters", remedy=f"at most {limits.digits} are read")
+        raise NumberError(f"a number of {counted(len(text), 'character')}", remedy=f"at most {limits.digits} are read")
     match = _DECIMAL.fullmatch(text)
     if not match:
         raise NumberError(f"{shown(text)} is not a decimal number", remedy='decimals look like "1.5" or "-2E-3"')
@@ -132,7 +132,7 @@ class NumberText:
             problem = (
                 "has no finite decimal expansion"
                 if text is None
-                else f"takes {len(text)} characters, but this format allows {self.longest}"
+                else f"takes {counted(len(text), 'character')}, but this format allows {self.longest}"
             )
             raise NumberError(f"{shown(str(value)).strip(chr(39))} {problem}", remedy=_REMEDY)
         self.rounded += 1

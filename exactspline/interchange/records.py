@@ -67,7 +67,7 @@ class Reading:
 
     def _not_one(self, count: int, what: str, all_of_them: str) -> CurveFileError:
         if count or not self.skipped:
-            return CurveFileError(f"{counted(count, what)}, where one is wanted", remedy=f"take {all_of_them}")
+            return CurveFileError(f"{counted(count, what)}, where one is expected", remedy=f"take {all_of_them}")
         first = self.skipped[0]
         return CurveFileError(f"the {first.what} is skipped: {first.why}", where=first.where, remedy="correct the file")
 

@@ -11,7 +11,7 @@ from itertools import pairwise
 from math import comb
 
 from exactspline.errors import ShapeError
-from exactspline.interchange.affine import Affine
+from exactspline.interchange.affine import Affine, cross
 from exactspline.numbers.exact import mpq
 
 Point = tuple[mpq, ...]
@@ -64,6 +64,17 @@ def _small_arc(u: Point, v: Point, radius2: mpq, *, backwards: bool) -> Segment:
     return ((u[0] * first, u[1] * first, first), (middle[0] / c2, middle[1] / c2, mpq(1)), (*_times(v, last), last))
 
 
+def ellipse(frame: Affine) -> list[Segment]:
+    """The image of the unit circle: in the plane or in space, from the first column of the frame on."""
+    start = (mpq(1), mpq(0))
+    return mapped(arc_around_origin(start, start), frame)
+
+
+def bezier_knots(degree: int) -> list[mpq]:
+    """The knots of one segment."""
+    return [mpq(0)] * (degree + 1) + [mpq(1)] * (degree + 1)
+
+
 def _times(point: Sequence[mpq], factor: mpq) -> Point:
     return tuple(x * factor for x in point)
 
@@ -88,7 +99,7 @@ def conic_arc(form: Sequence[mpq], start: Point, end: Point) -> list[Segment]:
     """
     a, b, c, d, e, f = form
     matrix = ((2 * a, b, d), (b, 2 * c, e), (d, e, 2 * f))
-    if not sum((x * y for x, y in zip(matrix[0], _crossed(*matrix[1:]), strict=True)), start=mpq(0)):
+    if not sum((x * y for x, y in zip(matrix[0], cross(*matrix[1:]), strict=True)), start=mpq(0)):
         raise ShapeError("the conic is a pair of lines, a point or empty", remedy="its determinant must not vanish")
     if any(_paired(matrix, (*point, mpq(1)), (*point, mpq(1))) for point in (start, end)):
         raise ShapeError("an end point is not exactly on the conic", remedy="the equation must hold exactly there")
@@ -105,7 +116,7 @@ def _paired(matrix: Sequence[Point], p: Sequence[mpq], q: Sequence[mpq]) -> mpq:
 def _conic(matrix: Sequence[Point], start: Point, end: Point, ellipse: bool, pieces: int) -> list[Segment]:
     p, q = (*start, mpq(1)), (*end, mpq(1))
     tangents = [_applied(matrix, x) for x in (p, q)]
-    pole = _crossed(*tangents)
+    pole = cross(*tangents)
     pole_value = _paired(matrix, pole, pole)
     if start == end or pole[2] == 0 or pole_value == 0:
         return _split(matrix, start, end, ellipse, pieces)
@@ -144,10 +155,6 @@ def _split(matrix: Sequence[Point], start: Point, end: Point, ellipse: bool, pie
 
 def _applied(matrix: Sequence[Point], x: Sequence[mpq]) -> Point:
     return tuple(sum((a * b for a, b in zip(row, x, strict=True)), start=mpq(0)) for row in matrix)
-
-
-def _crossed(u: Sequence[mpq], v: Sequence[mpq]) -> Point:
-    return (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
 
 
 def elevated(segment: Segment, degree: int) -> Segment:

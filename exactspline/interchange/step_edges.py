@@ -6,9 +6,8 @@ import re
 from collections.abc import Sequence
 
 from exactspline.errors import ShapeError
-from exactspline.interchange.affine import Affine
-from exactspline.interchange.numbers import square_root
-from exactspline.interchange.segments import arc_around_origin, joined, mapped
+from exactspline.interchange.affine import Affine, cross, unit
+from exactspline.interchange.segments import arc_around_origin, ellipse, mapped
 from exactspline.interchange.step_records import StepFile, Value
 from exactspline.numbers.exact import mpq
 
@@ -17,7 +16,6 @@ EDGE, ELEMENTARY = "EDGE_CURVE", ("LINE", "CIRCLE", "ELLIPSE")
 ON_SURFACES = ("SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE")
 #: Entities that contain curves in the parameter plane of a surface.
 PARAMETERS = "DEFINITIONAL_REPRESENTATION"
-ONE = (mpq(1), mpq(0))
 _TEXT = re.compile(r"'[^']*'")
 _REFERENCE = re.compile(r"#\d{1,12}", re.ASCII)
 
@@ -55,7 +53,7 @@ class Edges:
                 self.file.collector.skip(keyword, where, "an unbounded line that no edge uses", curve=False)
                 return
             frame, _ = self._frame(keyword, f"#{number}")
-            self._add(keyword, where, arc_of(frame, ONE, ONE), "the full curve")
+            self.file.collector.add_segments(keyword, where, ellipse(frame), where, ["the full curve"])
 
     def _edge(self, number: int, where: str) -> None:
         _, first, last, curve, sense = self.file.named(f"#{number}", EDGE, 5)
@@ -71,14 +69,14 @@ class Edges:
             _, through, along = self.file.named(curve, "LINE", 3)
             direction = self.file.numbers(self.file.named(self.file.named(along, "VECTOR", 3)[1], "DIRECTION", 2)[1])
             start = self.file.point(through)
-            if any(any(_cross(_minus(end, start), direction)) for end in ends):
+            if any(any(cross(_minus(end, start), direction)) for end in ends):
                 raise ShapeError("a vertex that is not exactly on the line", remedy="only exact curves are read")
             self.file.collector.add(EDGE, where, 1, [mpq(0), mpq(0), mpq(1), mpq(1)], ends, name=where)
             return
         frame, inverse = self._frame(keyword, curve)
         u, v = (self._local(inverse, end) for end in (ends if sense == ".T." else ends[::-1]))
-        arc = arc_of(frame, u, v)
-        self._add(EDGE, where, arc, f"on {curve}" + ("" if sense == ".T." else ", reversed"))
+        note = f"on {curve}" + ("" if sense == ".T." else ", reversed")
+        self.file.collector.add_segments(EDGE, where, mapped(arc_around_origin(u, v), frame), where, [note])
 
     def _kind(self, reference: Value) -> str:
         text = self.file.instances.get(int(reference[1:]), "") if isinstance(reference, str) and _is(reference) else ""
@@ -99,11 +97,11 @@ class Edges:
         radii = self.file.numbers(sizes)
         a, b = radii[0], radii[-1]
         _, centre, axis, reference_direction = self.file.named(placement, "AXIS2_PLACEMENT_3D", 4)
-        z = _unit(self._direction(axis, (0, 0, 1)))
+        z = unit(self._direction(axis, (0, 0, 1)))
         given = self._direction(reference_direction, (1, 0, 0))
         along = sum((p * q for p, q in zip(given, z, strict=True)), start=mpq(0))
-        x = _unit([p - along * q for p, q in zip(given, z, strict=True)])
-        y, shift = _cross(z, x), self.file.point(centre)
+        x = unit([p - along * q for p, q in zip(given, z, strict=True)])
+        y, shift = cross(z, x), self.file.point(centre)
         if not a > 0 < b or len(shift) != 3:
             raise ShapeError("a circle without a positive radius", remedy="its radius must be positive")
         rows = [[p * a, q * b, r, c] for p, q, r, c in zip(x, y, z, shift, strict=True)]
@@ -119,32 +117,10 @@ class Edges:
             raise ShapeError("a direction that is not in space", remedy="write three ratios")
         return ratios
 
-    def _add(self, keyword: str, where: str, arc: tuple[int, list[mpq], list[tuple[mpq, ...]]], note: str) -> None:
-        degree, knots, points = arc
-        self.file.collector.add(keyword, where, degree, knots, points, homogeneous=True, name=where, notes=[note])
-
-
-def arc_of(frame: Affine, u: tuple[mpq, mpq], v: tuple[mpq, mpq]) -> tuple[int, list[mpq], list[tuple[mpq, ...]]]:
-    """The image of the arc of the unit circle from u to v as degree, knots and homogeneous control points."""
-    return joined(mapped(arc_around_origin(u, v), frame))
-
 
 def _is(text: str) -> bool:
     return bool(_REFERENCE.fullmatch(text))
 
 
-def _unit(v: Sequence[mpq]) -> list[mpq]:
-    length = square_root(sum((x * x for x in v), start=mpq(0)))
-    if not length:
-        raise ShapeError("an axis without rational length", remedy="only exact curves are read")
-    return [x / length for x in v]
-
-
 def _minus(a: Sequence[mpq], b: Sequence[mpq]) -> list[mpq]:
     return [x - y for x, y in zip(a, b, strict=True)]
-
-
-def _cross(a: Sequence[mpq], b: Sequence[mpq]) -> list[mpq]:
-    if len(a) != 3 or len(b) != 3:
-        raise ShapeError("an edge that is not in space", remedy="vertices have three coordinates")
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]

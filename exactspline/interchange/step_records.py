@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TypeAlias
 
-from exactspline.errors import CurveFileError
+from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
@@ -109,7 +109,9 @@ class StepFile:
             raise CurveFileError(f"not a reference to a {keyword}", remedy="references look like #12")
         arguments = parts(self.instances.get(int(reference[1:]), ""), self.limits).get(keyword, [])
         if len(arguments) != count:
-            raise CurveFileError(f"is not a {keyword} with {count} attributes", where=reference, remedy="refer to one")
+            raise CurveFileError(
+                f"is not a {keyword} with {counted(count, 'attribute')}", where=reference, remedy="refer to one"
+            )
         return arguments
 
     def numbers(self, values: Value) -> list[mpq]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from exactspline.errors import NumberError, ShapeError
+from exactspline.errors import NumberError, ShapeError, counted
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.angles import quarter_turns_of_degrees
 from exactspline.interchange.limits import Limits
@@ -104,7 +104,7 @@ def _one(name: str, n: list[mpq]) -> Affine:
         slope = _tangent(n[0])
         return Affine([[1, slope, 0], [0, 1, 0]] if name == "skewX" else [[1, 0, 0], [slope, 1, 0]])
     raise ShapeError(
-        f"{name[:20]} of {len(n)} numbers", remedy="matrix, translate, scale, rotate, skewX, skewY are read"
+        f"{name[:20]} of {counted(len(n), 'number')}", remedy="matrix, translate, scale, rotate, skewX, skewY are read"
     )
 
 

@@ -21,14 +21,14 @@ class Tokens:
     (2, mpq(1,2), 'x', True)
     """
 
-    def __init__(self, text: str, limits: Limits, position: int = 0, pattern: re.Pattern[str] = _WORD) -> None:
-        self.text, self.limits, self.pattern = text, limits, pattern
+    def __init__(self, text: str, limits: Limits, position: int = 0) -> None:
+        self.text, self.limits = text, limits
         self._counted = (0, 1)
         self.move(position)
 
     def move(self, position: int) -> None:
         """Continue reading at a later position."""
-        self._matches: Iterator[re.Match[str]] = self.pattern.finditer(self.text, position)
+        self._matches: Iterator[re.Match[str]] = _WORD.finditer(self.text, position)
         self._next = next(self._matches, None)
         self.position = position
 

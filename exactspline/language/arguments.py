@@ -7,13 +7,74 @@ expression tree, a Taylor series. Nothing in this package depends on which.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from typing import Generic, TypeVar
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Generic, Protocol, TypeVar
 
-from exactspline.language.argument import Evaluated
+from exactspline.hooks import Displayed
 from exactspline.language.choices import Parameter
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.vector import Vector
+
+
+class Callee(Protocol):
+    """The attributes of a formula that an argument uses when the formula is called on it."""
+
+    function: Callable[..., Any]
+    symbol: str
+
+
+class Argument(Displayed, ABC):
+    """The argument of a formula."""
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} argument>"
+
+    @abstractmethod
+    def calls(self, formula: Callee) -> object:
+        """The value of a formula."""
+
+
+class Evaluated(Argument):
+    """An argument with given operands, on which formulas are evaluated.
+
+    Each evaluation has a private memo: a formula called by several parts of a formula is computed once. The memo is
+    kept in a copy of the argument, so that an argument can be shared between threads.
+    """
+
+    #: The memo: values of the formulas called so far. None except in a copy made for an evaluation.
+    _values: dict[Callee, object] | None = None
+
+    def calls(self, formula: Callee) -> object:
+        """The value of a formula."""
+        if self._values is None:
+            return self.remembering().calls(formula)
+        if formula not in self._values:
+            self._values[formula] = formula.function(self)
+        return self._values[formula]
+
+    def remembering(self) -> Evaluated:
+        """A copy that memoizes every formula for its lifetime; for evaluating many formulas on one argument."""
+        kept = self.copied()
+        kept._values = {}
+        return kept
+
+    @abstractmethod
+    def copied(self) -> Evaluated:
+        """A new argument with the same operands."""
+
+    @abstractmethod
+    def operands(self) -> Mapping[str, Operand | Vector[Operand]]:
+        """The operands by name."""
+
+    @abstractmethod
+    def mapped(self, change: Callable[[Operand], Operand]) -> Evaluated:
+        """The argument with `change` applied to every operand, such as a conversion to another reading or domain."""
+
+    def together(self) -> tuple[Evaluated, ...]:
+        """This argument and the arguments that it consists of."""
+        return (self,)
+
 
 T = TypeVar("T", bound=Operand)
 U = TypeVar("U", bound=Operand)
@@ -157,3 +218,48 @@ def embedded(c: Curve[T]) -> Curve[T]:
     zero = c.w.constant(0)
     point = None if c.point is None else Vector(*c.point, zero)
     return Curve(Vector(*c.p, zero), c.w, polynomial=c.polynomial, point=point)
+
+
+V = TypeVar("V")
+
+#: Computes further values that formulas may name from the operands, given by name.
+Made = Callable[[Mapping[str, Operand]], dict[str, object]]
+
+
+def nothing_made(operands: Mapping[str, object]) -> dict[str, object]:
+    """No further values."""
+    return {}
+
+
+class Accompanied(Curve[T], Generic[T]):
+    """A curve with additional operands, which formulas name as attributes, and with the values that `made` computes
+    from all operands.
+
+    >>> from exactspline.language.kinds import kind_of
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(1).argument(kind_of("plane with delta"), 2)
+    >>> c.p[0].d(1) * c.delta
+    x′·δ
+    """
+
+    def __init__(self, curve: Curve[T], additional: Mapping[str, T], made: Made = nothing_made) -> None:
+        super().__init__(curve.p, curve.w, polynomial=curve.polynomial, gamma=curve.gamma, point=curve.point)
+        self.additional, self.made = dict(additional), made
+        vars(self).update(self.additional | made(self.operands()))
+
+    def operands(self) -> dict[str, T]:
+        """The operands of the curve, and the additional ones."""
+        return super().operands() | self.additional
+
+    def copied(self) -> Accompanied[T]:
+        """A new curve with the same operands."""
+        return Accompanied(super().copied(), self.additional, self.made)
+
+    def mapped(self, change: Callable[[T], U]) -> Accompanied[U]:
+        """The curve with `change` applied to every operand, the additional ones included."""
+        return Accompanied(super().mapped(change), {n: change(x) for n, x in self.additional.items()}, self.made)
+
+
+def vector_of(operands: Mapping[str, V], *names: str) -> Vector[V]:
+    """The vector of operands with these names."""
+    return Vector(*[operands[name] for name in names])

@@ -7,7 +7,8 @@ from typing import Any
 
 from exactspline.errors import FormulaError, a_kind, as_text
 from exactspline.hooks import Displayed
-from exactspline.language.argument import Argument
+from exactspline.language.arguments import Argument
+from exactspline.language.kind import Symbol
 from exactspline.language.kinds import CURVE, Kind, kind_of
 from exactspline.language.letters import Letter
 
@@ -56,9 +57,15 @@ class Formula(Displayed):
             return
         parameters = self.kind.parameters(dimension)
         if len(parameters) > 1:
-            letter = Letter(parameters)
-            self.function(self.kind.argument(dimension, lambda _: letter, letter))
+            self.function(self.kind.argument(dimension, self._letter(parameters), Letter(parameters)))
         self._lettered.add(dimension)
+
+    def _letter(self, parameters: tuple[str, ...]) -> Callable[[Symbol], Letter]:
+        """The operand of a symbol. Where ``u`` is both a parameter of a surface and its value along a curve, a
+        derivative of the latter with respect to the former would be 0 in one sense and 1 in the other.
+        """
+        along = self.kind.composed.values()
+        return lambda symbol: Letter(symbol.parameters if symbol.name in along else parameters)
 
     def __repr__(self) -> str:
         return f"<formula {self.name}, {self.source}>"

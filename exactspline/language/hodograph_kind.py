@@ -9,9 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from exactspline.language.accompanied import Accompanied
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import PARAMETERS, Curve, T
+from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, T
 from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.vector import Vector
 

@@ -12,9 +12,7 @@ from itertools import combinations_with_replacement
 from typing import Any
 
 from exactspline.errors import FormulaError
-from exactspline.language.accompanied import Accompanied, vector_of
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import PARAMETERS, Curve, T
+from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, T, vector_of
 from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.vector import S, Vector, cross
 

@@ -10,8 +10,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from types import MappingProxyType
 
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import T
+from exactspline.language.arguments import Evaluated, T
 from exactspline.language.choices import Parameter
 from exactspline.language.operand import Operand
 

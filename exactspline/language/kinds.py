@@ -10,10 +10,19 @@ from functools import cache
 from typing import Any
 
 from exactspline.errors import FormulaError, nearest
-from exactspline.language.accompanied import Accompanied
 from exactspline.language.adjoined_root import framed
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT, Curve, Operands, Pair, T
+from exactspline.language.arguments import (
+    BARRED,
+    COORDINATES,
+    PARAMETERS,
+    POINT,
+    Accompanied,
+    Curve,
+    Evaluated,
+    Operands,
+    Pair,
+    T,
+)
 from exactspline.language.hodograph_kind import HODOGRAPH
 from exactspline.language.implicit_kinds import IMPLICIT, IMPLICIT_SURFACE, INTERSECTION
 from exactspline.language.kind import Kind, Rule, Symbol

@@ -12,7 +12,8 @@ from exactspline.language.operand import CONSTANTS, Constant, FieldOperand
 
 
 class Letter(FieldOperand):
-    """An operand of which only the parameters are known.
+    """An operand of which only the parameters are known with respect to which it may be differentiated: of a sum or a
+    product those that are common.
 
     >>> Letter(("u", "v")).d(1, by="s")
     Traceback (most recent call last):
@@ -26,7 +27,9 @@ class Letter(FieldOperand):
         self.parameters = parameters
 
     def __add__(self, other: object) -> Letter:
-        return self if isinstance(other, (Letter, *CONSTANTS)) else NotImplemented
+        if isinstance(other, Letter):
+            return Letter(tuple(each for each in self.parameters if each in other.parameters))
+        return self if isinstance(other, CONSTANTS) else NotImplemented
 
     __mul__ = __add__
 

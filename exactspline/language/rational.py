@@ -358,7 +358,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
             highest = highest.elevated_to(x)
         return self.numerator.elevated_to(highest), w.elevated_to(highest)
 
-    def elevated_to(self, other: T) -> Rational[T]:
+    def elevated_to(self, other: T) -> Rational[T]:  # type: ignore[override]  # a numerator has the degree of an operand
         """The same quotient, its numerator elevated to at least the degree of `other`."""
         return Rational(self.numerator.elevated_to(other), self.product)
 

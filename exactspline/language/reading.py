@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from typing import ClassVar
 
 from exactspline.errors import InapplicableError
-from exactspline.language.argument import Argument
+from exactspline.language.arguments import Argument
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Kind, Symbol
 

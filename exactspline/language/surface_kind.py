@@ -6,8 +6,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Generic
 
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import COORDINATES, Operands, T, U
+from exactspline.language.arguments import COORDINATES, Evaluated, Operands, T, U
 from exactspline.language.choices import Parameter
 from exactspline.language.kind import Kind, Symbol
 from exactspline.language.vector import Vector

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 from typing import Any, Generic, ParamSpec, TypeVar, cast, overload
 
-from exactspline.errors import FormulaError, ShapeError, a_kind
+from exactspline.errors import FormulaError, ShapeError, a_kind, counted
 from exactspline.hooks import Displayed
 from exactspline.language.operand import (
     CONSTANTS,
@@ -181,7 +181,9 @@ class Vector(Immutable, Displayed, Generic[T_co]):
 
 def _same_length(a: Vector[Any], b: Vector[Any]) -> None:
     if len(a) != len(b):
-        raise ShapeError(f"vectors of {len(a)} and {len(b)} components", remedy="use vectors of the same dimension")
+        raise ShapeError(
+            f"vectors of {len(a)} and {counted(len(b), 'component')}", remedy="use vectors of the same dimension"
+        )
 
 
 def expect_vector(given: object) -> None:
@@ -239,7 +241,7 @@ def perp(a: Vector[S]) -> Vector[S]:
     Vector(-2, 1)
     """
     if len(a) != 2:
-        raise ShapeError(f"perp of a vector of {len(a)} components", remedy="it is defined in the plane")
+        raise ShapeError(f"perp of a vector of {counted(len(a), 'component')}", remedy="it is defined in the plane")
     return Vector(-a[1], a[0])
 
 
@@ -252,7 +254,7 @@ def cross(a: Vector[S], b: Vector[S]) -> Vector[S]:
     """
     if not len(a) == len(b) == 3:
         raise ShapeError(
-            f"cross product of vectors of {len(a)} and {len(b)} components", remedy="it is defined in space"
+            f"cross product of vectors of {len(a)} and {counted(len(b), 'component')}", remedy="it is defined in space"
         )
     (a0, a1, a2), (b0, b1, b2) = a.components, b.components
     return Vector(a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0)

@@ -21,7 +21,7 @@ from typing import Any, SupportsIndex, TypeAlias, TypeGuard, cast, overload
 import flint
 from gmpy2 import gcd, iroot, is_square, isqrt, lcm, mpq, mpz
 
-from exactspline.errors import NumberError, as_items, shown
+from exactspline.errors import NumberError, as_items, counted, shown
 
 __all__ = [
     "DEEPEST",
@@ -375,7 +375,7 @@ def short_text(value: mpq) -> str:
     ('3/4', '1000000000… (51 characters)')
     """
     whole = text(value)
-    return whole if len(whole) <= 40 else f"{whole[:10]}… ({len(whole)} characters)"
+    return whole if len(whole) <= 40 else f"{whole[:10]}… ({counted(len(whole), 'character')})"
 
 
 def _refuse_float(value: float) -> NumberError:
@@ -389,7 +389,7 @@ def _refuse_float(value: float) -> NumberError:
 
 def _from_text(value: str) -> mpq:
     if len(value) > MAX_TEXT:
-        raise NumberError(f"a number of {len(value)} characters", remedy=f"at most {MAX_TEXT} are read")
+        raise NumberError(f"a number of {counted(len(value), 'character')}", remedy=f"at most {MAX_TEXT} are read")
     if match := _FRACTION.fullmatch(value):
         numerator, denominator = mpz(match[1].lstrip("+")), mpz(match[2].lstrip("+"))
         if denominator == 0:

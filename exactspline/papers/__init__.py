@@ -15,7 +15,7 @@ from importlib import resources
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
-from exactspline.errors import FormulaError, as_text, nearest
+from exactspline.errors import FormulaError, as_text, counted, nearest
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE
 from exactspline.papers.folder import Paper, Table, description_of, folder_at, paper_in
@@ -217,7 +217,7 @@ def find(name: str) -> Formula:
     known = all_formulas()
     if len(owners := _owners(name) if name in known else ()) > 1:
         options = " or ".join(f"{each.name}:{name}" for each in owners)
-        raise FormulaError(f"{len(owners)} papers have a formula called {name!r}", remedy=f"write {options}")
+        raise FormulaError(f"{counted(len(owners), 'paper')} have a formula called {name!r}", remedy=f"write {options}")
     if name not in known:
         remedy = nearest(name, known, listed_by="list formulas")
         raise FormulaError(f"there is no formula called {name!r}", remedy=remedy)

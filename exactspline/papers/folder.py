@@ -165,7 +165,7 @@ class Paper:
 
     def digests(self) -> dict[str, str]:
         """The SHA-256 digests of its files by name."""
-        files = dict(_files(self.folder)) | dict(self.formula_files())
+        files = dict(files_in(self.folder)) | dict(self.formula_files())
         # files that are read are listed even if they are links; other links are ignored
         names = ("paper.toml", "claims.toml", "constructions.toml", "README.md")
         for path in (*names, *self.claim_files):
@@ -178,12 +178,13 @@ class Paper:
         return read_toml(self.folder.joinpath(*file.split("/")), f"{self.name}/{file}")
 
 
-def _files(folder: Traversable, path: str = "") -> Iterator[tuple[str, Traversable]]:
+def files_in(folder: Traversable, path: str = "") -> Iterator[tuple[str, Traversable]]:
+    """The files in a folder and the folders in it, by their paths; neither hidden ones nor links."""
     for each in folder.iterdir():
         if each.name.startswith((".", "__pycache__")) or (isinstance(each, Path) and each.is_symlink()):
             continue
         if each.is_dir():
-            yield from _files(each, f"{path}{each.name}/")
+            yield from files_in(each, f"{path}{each.name}/")
         elif each.is_file():
             yield path + each.name, each
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from math import factorial
 from typing import Any
 
-from exactspline.errors import FormulaError, nearest, shown
+from exactspline.errors import FormulaError, counted, nearest, shown
 from exactspline.language.choices import Parameter
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import Formula, formula
@@ -106,7 +106,7 @@ def formulas_of(text: str, file: str, known: Mapping[str, Formula], *, plain: bo
 
 def _parsed(text: str, file: str) -> ast.Module:
     if len(text) > CHARACTERS:
-        raise FormulaError(f"{len(text)} characters", where=file, remedy=f"at most {CHARACTERS} are read")
+        raise FormulaError(counted(len(text), "character"), where=file, remedy=f"at most {CHARACTERS} are read")
     try:
         return ast.parse(text, file)
     except SyntaxError as error:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from importlib import resources
-from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from exactspline.errors import ClaimError
+from exactspline.papers.folder import files_in
 
 #: The folder that is copied.
 TEMPLATE = "new_paper"
@@ -31,7 +30,7 @@ def write_new_paper(folder: str | Path) -> list[Path]:
     template = resources.files(__package__).joinpath(TEMPLATE)
     written = []
     try:
-        for name, file in sorted(_files(template)):
+        for name, file in sorted(files_in(template)):
             path = place.joinpath(*name.removesuffix(TEXT).split("/"))
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(file.read_bytes())
@@ -39,11 +38,3 @@ def write_new_paper(folder: str | Path) -> list[Path]:
     except OSError as error:
         raise ClaimError(f"cannot be written: {error.strerror}", where=str(folder), remedy="name another") from None
     return written
-
-
-def _files(folder: Traversable, path: str = "") -> Iterator[tuple[str, Traversable]]:
-    for each in folder.iterdir():
-        if each.is_dir() and not each.name.startswith("__"):
-            yield from _files(each, f"{path}{each.name}/")
-        elif each.is_file():
-            yield path + each.name, each

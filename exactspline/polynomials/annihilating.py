@@ -94,7 +94,9 @@ def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
     """
     (f, a), (g, b) = ((p.numer(), p.denom()) for p in (top, bottom))
     f, g = f * b, g * a
-    m = m // greatest_common_divisor([f, g, m])
+    # m may have multiple factors
+    while (common := greatest_common_divisor([f, g, m])).degree() > 0:
+        m = m // common
     check_size(m.degree(), max(f.height_bits(), g.height_bits()))
     return primitive(resultant(_rows(m), [fmpz_poly([-f[j], g[j]]) for j in range(max(f.degree(), g.degree()) + 1)]))
 

@@ -79,6 +79,16 @@ def derivative(c: fmpz_poly, n: fmpz) -> fmpz_poly:
     return c.derivative() * U_PLUS_V - n * c
 
 
+def quotient_slope(top: fmpz_poly, bottom: fmpz_poly) -> fmpz_poly:
+    """The numerator of the derivative of a quotient of two forms of degree n, a form of degree 2n − 2, up to a positive
+    constant and a square: its sign is that of the derivative.
+
+    >>> quotient_slope(fmpz_poly([0, 1]), fmpz_poly([1, 1]))  # t
+    1
+    """
+    return top.derivative() * bottom - top * bottom.derivative()
+
+
 def over_common_denominator(forms: Sequence[Form]) -> tuple[list[fmpz_poly], fmpz]:
     """The polynomials of one or more forms over their least common denominator, and this denominator.
 

@@ -104,9 +104,16 @@ class Zeros(NamedTuple):
     undecided: list[Box]
 
 
-def isolate(first: PatchForm, second: PatchForm, also: Sequence[PatchForm] = (), box: Box = UNIT) -> Zeros:
+def isolate(
+    first: PatchForm,
+    second: PatchForm,
+    also: Sequence[PatchForm] = (),
+    box: Box = UNIT,
+    not_positive: Sequence[PatchForm] = (),
+) -> Zeros:
     """The common zeros of two forms of the same degree and with a common constant that are in a closed box or close to
-    it, except those at which one of the forms in `also` is certainly not zero.
+    it, except those at which one of the forms in `also` is certainly not zero, or one of `not_positive` certainly
+    positive.
 
     Every zero in the box is in the region of one of the zeros returned or in an undecided box; a region may extend
     beyond the box.
@@ -118,11 +125,13 @@ def isolate(first: PatchForm, second: PatchForm, also: Sequence[PatchForm] = (),
     (1, [], 0.70710678118...)
     """
     result = Zeros([], [])
-    todo = deque([Sized(box, [f.part(box) for f in (first, second, *also)], 0)])
-    boxes = 0
+    todo = deque([Sized(box, [f.part(box) for f in (first, second, *also, *not_positive)], 0)])
+    boxes, vanishing = 0, 2 + len(also)
     while todo:
         part = todo.popleft()
-        if is_known(part.box, result.zeros) or any(f.sign is not None for f in part.forms):
+        if is_known(part.box, result.zeros) or any(f.sign is not None for f in part.forms[:vanishing]):
+            continue
+        if any(f.sign == 1 for f in part.forms[vanishing:]):
             continue
         boxes += 1
         pair = preconditioned(part.forms[0], part.forms[1])

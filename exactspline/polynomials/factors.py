@@ -19,7 +19,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly, fmpz, fmpz_mpoly, fmpz_poly, nmod_poly
 
-from exactspline.errors import FormulaError, ReachError
+from exactspline.errors import FormulaError, ReachError, counted
 from exactspline.numbers.exact import PRIME, common_divisor
 from exactspline.polynomials.cost import LONGEST, LONGEST_LOOP, REMEDY, affords, check_reach, height_bits
 from exactspline.polynomials.factorization import Factorization, multiplied
@@ -205,10 +205,10 @@ def bounded_product(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
     Raises `FormulaError` if it is too large.
     """
     if len(p) * len(q) > PAIRS:
-        raise FormulaError(f"a product of {len(p)} by {len(q)} terms", remedy=SHORTER)
+        raise FormulaError(f"a product of {len(p)} by {counted(len(q), 'term')}", remedy=SHORTER)
     product: fmpq_mpoly = p * q
     if len(product) > TERMS:
-        raise FormulaError(f"a polynomial of {len(product)} terms", remedy=SHORTER)
+        raise FormulaError(f"a polynomial of {counted(len(product), 'term')}", remedy=SHORTER)
     return product
 
 
@@ -286,7 +286,7 @@ def _cost(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly, per_bit: dict[int, int]) -> in
 def _size(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> str:
     degrees = _degrees(p)
     if len(degrees) > 2:
-        return f"of {len(p)} terms in {len(degrees)} variables"
+        return f"of {counted(len(p), 'term')} in {counted(len(degrees), 'variable')}"
     return f"of degree {' × '.join(map(str, degrees))} with integers of {_bits(p)} bits"
 
 

@@ -6,8 +6,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, Pair
+from exactspline.language.arguments import Curve, Evaluated, Pair
 from exactspline.language.kinds import CurveKind, Kind, PairKind, TableKind
 from exactspline.language.provenance import is_alone
 from exactspline.language.vector import Vector

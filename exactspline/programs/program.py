@@ -6,28 +6,70 @@ patch.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
+from exactspline.language.operand import Operand
 from exactspline.language.provenance import within
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
 from exactspline.polynomials.tensor_bernstein import stride_for
 from exactspline.programs.compiled import Run, compiled, needed
 from exactspline.programs.denominators import ONE
 from exactspline.programs.given import Given, operands_of
 from exactspline.programs.instructions import Instructions
-from exactspline.programs.parts import rebuilt, terms_of
 from exactspline.programs.reading import ProgramReading, Signature
 from exactspline.programs.term import Term
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.lowest_terms import SplineValue
 from exactspline.splines.tensor import TensorSpline, make
 from exactspline.splines.tensor_patches import Degrees, spread
-from exactspline.splines.values import SplineValue
+
+T = TypeVar("T", bound=Operand)
+
+
+def terms_of(value: object, kind: type[T]) -> list[T]:
+    """The terms of a value, or of each of several.
+
+    Raises `FormulaError` for a value that formulas of programs do not return.
+    """
+    if isinstance(value, RuledSurface):
+        return terms_of(value.directrix, kind) + terms_of(value.generator, kind)
+    if isinstance(value, Rational):
+        return [*terms_of(value.numerator, kind), value.denominator]
+    if isinstance(value, (Vector, tuple)):
+        return [term for part in value for term in terms_of(part, kind)]
+    if isinstance(value, kind):
+        return [value]
+    raise FormulaError(
+        f"a formula that returns a {type(value).__name__}", remedy="a scalar, a vector, a quotient or a ruled surface"
+    )
+
+
+def rebuilt(value: object, splines: Iterator[Operand]) -> object:
+    """The value with splines in the place of its terms."""
+    return _rebuilt(value, splines)
+
+
+def _rebuilt(value: object, splines: Iterator[Any]) -> Any:
+    if isinstance(value, RuledSurface):
+        directrix = _rebuilt(value.directrix, splines)
+        return RuledSurface(directrix, _rebuilt(value.generator, splines))
+    if isinstance(value, Rational):
+        numerator = _rebuilt(value.numerator, splines)
+        return Rational(numerator, next(splines))
+    if isinstance(value, Vector):
+        return Vector(*[_rebuilt(part, splines) for part in value])
+    if isinstance(value, tuple):
+        return tuple(_rebuilt(part, splines) for part in value)
+    return next(splines)
 
 
 class Stage(NamedTuple):

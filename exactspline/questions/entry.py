@@ -68,6 +68,7 @@ class Of(StrEnum):
     SURFACE = "surface in space"
     PLANAR_MAP = "map of a rectangle into the plane"
     PAIR = "pair of space curves"
+    TWO_CURVES = "two curves"
 
 
 #: A question about curves in the plane and in space.
@@ -86,12 +87,16 @@ class Answered(StrEnum):
     #: Pieces of it, each with its plane; or one plane.
     PLANAR_PIECES = "planar pieces"
     PLANE = "plane"
+    #: Pieces of it, each with the shape that it is or lies near to.
+    SHAPES = "shapes"
     #: The patches of a surface, each with what holds of it.
     PATCHES = "patches"
     #: Curves on a surface, whole.
     CURVES = "curves"
     #: Parts of a bisector; what is not known of them is named beside them.
     SOLUTIONS = "solutions"
+    #: Pairs of parameters of two curves, and arcs that they have in common; what is not decided is named.
+    PAIRS = "pairs"
     #: A value, or one point.
     VALUE = "value"
     POINT = "point"

@@ -12,7 +12,7 @@ from collections import defaultdict
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant
 from exactspline.language.parts import Value

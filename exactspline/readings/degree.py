@@ -11,8 +11,7 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 
 from exactspline.errors import FormulaError, InapplicableError, as_text
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, Pair
+from exactspline.language.arguments import Curve, Evaluated, Pair
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, Symbol

@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import Any
 
 from exactspline.language.adjoined_root import Adjoined
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind
 from exactspline.language.operand import Constant

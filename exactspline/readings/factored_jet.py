@@ -9,16 +9,15 @@ from __future__ import annotations
 from flint import fmpq, fmpq_mpoly
 from flint.utils.flint_exceptions import DomainError
 
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import RingOperand
-from exactspline.language.reading import Reading
 from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.polynomials.factorization import Factorization
 from exactspline.polynomials.factors import bounded_product
-from exactspline.readings.jet import Jet, JetReading, JetRing
+from exactspline.readings.jet import IndeterminateReading, Jet, JetReading, JetRing
 
 #: Sums with more terms are tested for divisibility by factors met before that are shorter.
 LONG = 100
@@ -138,7 +137,7 @@ def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, provenance: Provenanc
     rest, divided = p / content, powers * variables
     if len(rest) > LONG:
         for q in ring.repeated:
-            times, rest = divided_out(rest, q)
+            times, (rest,) = divided_out([rest], q)
             divided = divided * Powers([(q, times)])
     return FactoredJet(ring, unit, divided * Powers([(rest, 1)]) if rest.total_degree() > 0 else divided, provenance)
 
@@ -149,14 +148,14 @@ def _remember(ring: JetRing, powers: Powers) -> None:
             ring.repeated.append(p)
 
 
-def divided_out(p: fmpq_mpoly, q: fmpq_mpoly) -> tuple[int, fmpq_mpoly]:
-    """The multiplicity of q as a factor of p, and the cofactor."""
+def divided_out(polynomials: list[fmpq_mpoly], q: fmpq_mpoly) -> tuple[int, list[fmpq_mpoly]]:
+    """The multiplicity of q as a common factor of polynomials that are not all zero, and the cofactors."""
     times = 0
     while True:
         try:
-            p = p / q  # stops at the first remainder
+            polynomials = [p / q for p in polynomials]  # stops at the first remainder
         except DomainError:
-            return times, p
+            return times, polynomials
         times += 1
 
 
@@ -177,14 +176,10 @@ def _factored(operand: Operand) -> FactoredJet:
     return FactoredJet.of(operand)
 
 
-class FactoredJetReading(Reading):
+class FactoredJetReading(IndeterminateReading):
     """The argument with indeterminate operands, whose products stay products."""
 
     name = "factored jet"
-    proves = "an identity for every curve of every degree"
-
-    def __init__(self, order: int) -> None:
-        self.order = order
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The argument in which every operand is an indeterminate."""

@@ -13,8 +13,8 @@ from typing import Any, cast
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
+from exactspline.errors import FormulaError, counted
+from exactspline.language.arguments import Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind
 from exactspline.language.letters import refuse_letter
@@ -265,7 +265,9 @@ def polynomial_text(jet: Jet, limit: int = 12) -> str:
     terms = [(p.monomial(i), p.coefficient(i)) for i in range(min(limit, count))]
     parts = [_term_text(jet.ring, exponents, from_flint(c)) for exponents, c in terms]
     text = " ".join(parts).removeprefix("+ ")
-    return (text if not text.startswith("− ") else "−" + text[2:]) + (f" + … ({count} terms)" if count > limit else "")
+    return (text if not text.startswith("− ") else "−" + text[2:]) + (
+        f" + … ({counted(count, 'term')})" if count > limit else ""
+    )
 
 
 def _term_text(ring: JetRing, exponents: Any, c: mpq) -> str:
@@ -285,7 +287,16 @@ def _jet(ring: JetRing, terms: Terms) -> Jet:
     return Jet(ring, ring.of_terms(terms))
 
 
-class JetReading(Reading):
+class IndeterminateReading(Reading):
+    """A reading in which the operands, and their derivatives up to an order, are indeterminate."""
+
+    proves = "an identity for every curve of every degree"
+
+    def __init__(self, order: int) -> None:
+        self.order = order
+
+
+class JetReading(IndeterminateReading):
     """The argument with indeterminate operands, and their derivatives up to an order.
 
     >>> from exactspline.language.kinds import PAIR
@@ -295,10 +306,6 @@ class JetReading(Reading):
     """
 
     name = "jet"
-    proves = "an identity for every curve of every degree"
-
-    def __init__(self, order: int) -> None:
-        self.order = order
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The argument in which every operand is an indeterminate; a polynomial curve has the denominator 1."""

@@ -13,8 +13,7 @@ from typing import Any, NamedTuple
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import PARAMETERS
+from exactspline.language.arguments import PARAMETERS, Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, Symbol

@@ -10,13 +10,12 @@ from flint import fmpq, fmpq_mpoly
 from flint.utils.flint_exceptions import DomainError
 
 from exactspline.errors import VanishingDivisorError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
-from exactspline.language.reading import Reading
 from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
-from exactspline.readings.jet import Jet, JetRing, Terms, terms_of
+from exactspline.readings.jet import IndeterminateReading, Jet, JetRing, Terms, terms_of
 
 
 class JetFraction(FieldOperand):
@@ -154,14 +153,10 @@ def _divides(b: fmpq_mpoly, a: fmpq_mpoly) -> bool:
     return True
 
 
-class RationalJetReading(Reading):
+class RationalJetReading(IndeterminateReading):
     """The argument with indeterminate operands, whose quotients are in lowest terms."""
 
     name = "rational jet"
-    proves = "an identity for every curve of every degree"
-
-    def __init__(self, order: int) -> None:
-        self.order = order
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The argument in which every operand is an indeterminate."""

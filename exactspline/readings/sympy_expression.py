@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import cache, reduce
 from heapq import heapify, heappop, heappush
 from itertools import cycle
-from math import gcd
+from math import lcm
 from typing import Any, Self, cast
 
 import sympy
@@ -19,7 +19,7 @@ from sympy.core.function import AppliedUndef
 from sympy.polys.rings import PolyElement, PolyRing
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
@@ -248,7 +248,7 @@ class Fractions:
         """The sum: common factors are factored out, the rest is expanded."""
         terms = [term for term in terms if term.unit]
         common = reduce(Factorization.shared, [term.powers for term in terms]) if terms else Factorization()
-        denominator = reduce(_lcm, [int(term.unit.denominator) for term in terms], 1)
+        denominator = lcm(*[int(term.unit.denominator) for term in terms])
         total = self.ring.zero
         for term in terms:
             lifted = self.ring.ground_new(int(term.unit * denominator))
@@ -327,7 +327,3 @@ def exact_quotient(p: PolyElement, q: PolyElement) -> PolyElement | None:
                 heappush(heap, tuple(-e for e in place))
             remainder[place] = remainder.get(place, 0) - factor * coefficient
     return q.ring.from_dict(quotient)
-
-
-def _lcm(a: int, b: int) -> int:
-    return a * b // gcd(a, b)

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from math import factorial
 from typing import Any, Protocol, Self, cast
 
-from exactspline.errors import FormulaError, as_instance, as_integer
+from exactspline.errors import FormulaError, as_instance, as_integer, counted
 from exactspline.language.arguments import Curve, T
 from exactspline.language.operand import Constant, FieldOperand, Scalar
 from exactspline.numbers.exact import Number, mpq
@@ -71,7 +71,8 @@ class Series(FieldOperand):
         self.only_parameter(by)
         if order >= len(self.coefficients):
             raise FormulaError(
-                f"a derivative of order {order} of a series of {len(self.coefficients)} terms", remedy="expand further"
+                f"a derivative of order {order} of a series of {counted(len(self.coefficients), 'term')}",
+                remedy="expand further",
             )
         return Series(a * (factorial(i) // factorial(i - order)) for i, a in enumerate(self.coefficients) if i >= order)
 

@@ -10,7 +10,7 @@ from math import factorial
 from typing import Protocol, Self, cast
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand

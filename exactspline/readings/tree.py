@@ -9,7 +9,7 @@ from operator import add, attrgetter, getitem, mul, neg, pow, sub, truediv
 from typing import NamedTuple, cast
 
 from exactspline.errors import FormulaError, as_integer
-from exactspline.language.argument import Argument, Callee
+from exactspline.language.arguments import Argument, Callee
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import Kind
 from exactspline.language.linear_system import level

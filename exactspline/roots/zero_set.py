@@ -6,13 +6,14 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from exactspline.errors import ShapeError, as_flag, as_items
+from exactspline.certificates import ZEROS
+from exactspline.certificates import certificate as written
+from exactspline.errors import ShapeError, as_flag, as_items, counted
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import mpq, ratio, text
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import Isolation, isolate
-from exactspline.roots.certificate import certificate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import spline_of
@@ -130,7 +131,8 @@ class ZeroSet(Immutable, Displayed):
         return self.roots[i]
 
     def __repr__(self) -> str:
-        return f"<ZeroSet: {len(self.roots)} roots, {len(self.intervals)} intervals, {len(self.jumps)} jumps>"
+        parts = {"root": self.roots, "interval": self.intervals, "jump": self.jumps}
+        return f"<ZeroSet: {', '.join(counted(len(found), what) for what, found in parts.items())}>"
 
     def refine(self, digits: int, progress: Callable[[int, int], None] | None = None) -> list[Interval]:
         """Intervals at most ``10^−digits`` wide that contain the roots; `progress` is called after each root with the
@@ -146,15 +148,42 @@ class ZeroSet(Immutable, Displayed):
         return result
 
     def certificate(self) -> dict[str, object]:
-        """A proof, as JSON data with exact strings, that these are all zeros (see `exactspline.certificates`)."""
-        return certificate(
-            self.spline,
-            self.isolations,
-            self.roots,
-            [(jump.parameter, jump.left.sign, jump.right.sign) for jump in self.jumps],
-            [(interval.low, interval.high) for interval in self.intervals],
-            periodic=self.periodic,
-        )
+        """A proof that these are all zeros: JSON data with exact strings, for `exactspline.certificates` or any other
+        checker.
+
+        A segment contains the integers ``c_i`` of its form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` (t from 0 to 1 on the segment), the
+        leaves of a subdivision of [0, 1], each with the number, 0 or 1, of sign changes of the Bernstein coefficients
+        on it, and the midpoints that are zeros themselves. If required by multiple zeros, it also contains factors
+        whose powers multiply to the form, up to a constant, the zeros at the ends and powers of ``u + v``; the leaves
+        then refer to the product of the factors, each taken once. The roots, with the intervals computed so far, are
+        those of the whole spline. An interval on which it vanishes is given by its two ends; if it crosses the seam of
+        a periodic spline, its end is smaller than its beginning.
+
+        >>> zeros(BSpline.bezier([1, -2, 1])).certificate()["segments"][0]["leaves"]
+        [['0', '1/2', 1], ['1/2', '1', 1]]
+        """
+        f = self.spline
+        data: dict[str, object] = {
+            "degree": f.degree,
+            "periodic": self.periodic,
+            "breakpoints": [text(t) for t in f.mesh.breaks],
+            "segments": [
+                _segment([str(c[k]) for k in range(f.degree + 1)], i)
+                for c, i in zip(f.polynomials, self.isolations, strict=True)
+            ],
+            "roots": [
+                {
+                    "low": text(root.low),
+                    "high": text(root.high),
+                    "multiplicities": [root.left_multiplicity, root.right_multiplicity],
+                    "signs": list(root.signs),
+                }
+                for root in self.roots
+            ],
+            "jumps": [{"at": text(jump.parameter), "signs": [jump.left.sign, jump.right.sign]} for jump in self.jumps],
+            "intervals": [[text(interval.low), text(interval.high)] for interval in self.intervals],
+        }
+        return written(ZEROS, data)
 
 
 def _restored(spline: BSpline, periodic: bool, isolations: Any, roots: Any, jumps: Any, intervals: Any) -> ZeroSet:
@@ -233,7 +262,7 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
     >>> f = BSpline(1, [0, 0, 1, 2, 3, 3], [1, -1, 0, 0])
     >>> found = zeros(f)
     >>> found, found.roots, found.intervals
-    (<ZeroSet: 1 roots, 1 intervals, 0 jumps>, (<Root 1/2: multiplicity 1, sign + to −>,), (<ZeroInterval [2, 3]>,))
+    (<ZeroSet: 1 root, 1 interval, 0 jumps>, (<Root 1/2: multiplicity 1, sign + to −>,), (<ZeroInterval [2, 3]>,))
 
     Raises `ShapeError` for anything but a `BSpline`.
     """
@@ -243,7 +272,9 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
 
 def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bool) -> list[ZeroInterval]:
     """The segments on which the spline vanishes, with adjacent ones merged."""
-    count, result = len(isolations), []
+    count, result = len(isolations), list[ZeroInterval]()
+    if all(isolations):
+        return result
     for first, number in runs([x is None for x in isolations], [periodic, *[True] * (count - 1)]):
         last = first + number
         before = isolations[first - 1] if first or periodic else None
@@ -257,3 +288,19 @@ def jump_root(jump: Jump) -> Root:
     """The knot of a jump as a `Root`, with the signs on both sides."""
     t = jump.parameter
     return Root(t, t, (jump.left.multiplicity, jump.right.multiplicity), (jump.left.sign, jump.right.sign))
+
+
+def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, object]:
+    if isolation is None:
+        return {"coefficients": coefficients, "factors": [], "points": [], "leaves": []}
+    return {"coefficients": coefficients} | isolation_data(isolation)
+
+
+def isolation_data(isolation: Isolation) -> dict[str, object]:
+    """What proves the zeros of one form: factors, points and leaves, as data."""
+    leaves = sorted((mpq(k, 1 << level), mpq(k + 1, 1 << level), changes) for level, k, changes in isolation.leaves)
+    return {
+        "factors": [[[str(x) for x in g.polynomial.coeffs()], k] for g, k in isolation.factors or []],
+        "points": [text(t) for t in sorted(mpq(k, 1 << level) for level, k in isolation.points)],
+        "leaves": [[text(a), text(b), changes] for a, b, changes in leaves],
+    }

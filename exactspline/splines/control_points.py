@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
-from exactspline.errors import ShapeError, as_instance, as_items, shown
+from exactspline.errors import ShapeError, as_instance, as_items, counted, shown
 from exactspline.numbers.exact import Number, mpq, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.given import exact_row
@@ -66,13 +66,13 @@ def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Poin
     for i, point in enumerate(points):
         if len(point) != len(points[0]):
             raise ShapeError(
-                f"{len(point)} coordinates where control_points[0] has {len(points[0])}",
+                f"{counted(len(point), 'coordinate')} where control_points[0] has {len(points[0])}",
                 where=f"control_points[{i}]",
                 remedy="use one dimension",
             )
         if len(point) < least:
             raise ShapeError(
-                f"{len(point)} coordinates", where=f"control_points[{i}]", remedy=f"at least {least} are needed"
+                counted(len(point), "coordinate"), where=f"control_points[{i}]", remedy=f"at least {least} are needed"
             )
     return tuple(points)
 
@@ -84,7 +84,7 @@ def exact_weights(weights: Iterable[Number] | None, points: Sequence[Point]) -> 
     exact = exact_row(weights, "weights")
     if len(exact) != len(points):
         raise ShapeError(
-            f"{len(exact)} weights for {len(points)} control points",
+            f"{counted(len(exact), 'weight')} for {counted(len(points), 'control point')}",
             where="weights",
             remedy="give one weight per control point",
         )

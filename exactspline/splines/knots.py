@@ -13,7 +13,7 @@ from itertools import groupby, pairwise
 
 from flint import fmpz
 
-from exactspline.errors import DomainError, KnotError, NumberError, ShapeError, as_items
+from exactspline.errors import DomainError, KnotError, NumberError, ShapeError, as_items, counted
 from exactspline.numbers.exact import Number, mpq, rational, short_text, text, to_fmpz
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
@@ -111,7 +111,7 @@ class KnotVector(Immutable):
         need = 2 * degree + 2
         if len(self.knots) < need:
             raise KnotError(
-                f"{len(self.knots)} knots for degree {degree}",
+                f"{counted(len(self.knots), 'knot')} for degree {degree}",
                 where="knots",
                 remedy=f"degree {degree} needs at least {need} knots",
                 degree=degree,
@@ -142,7 +142,7 @@ class KnotVector(Immutable):
         needed = len(self.knots) - degree - 1
         if points != needed:
             raise ShapeError(
-                f"{points} control points for {len(self.knots)} knots of degree {degree}",
+                f"{points} control points for {counted(len(self.knots), 'knot')} of degree {degree}",
                 where="control_points",
                 remedy=f"there must be {needed} (knots − degree − 1)",
             )

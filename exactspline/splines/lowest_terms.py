@@ -21,7 +21,15 @@ from exactspline.polynomials.factors import certainly_coprime, greatest_common_d
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.expected import spline_of
-from exactspline.splines.values import SplineSurface, SplineValue, SplineVector
+
+#: The vectors of splines: polynomial, and over one denominator.
+SplineVector = Vector[BSpline] | Rational[BSpline]
+#: Ruled surfaces of such vectors.
+SplineSurface = RuledSurface[SplineVector]
+#: Quotients of those.
+RationalSurface = RuledSurface[Rational[BSpline]]
+#: What formulas return.
+SplineValue = BSpline | SplineVector | SplineSurface
 
 
 def common_factor(v: Vector[BSpline]) -> BSpline:

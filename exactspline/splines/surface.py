@@ -11,7 +11,7 @@ from functools import partial
 from itertools import product
 from math import comb
 
-from exactspline.errors import ExactSplineError, ShapeError, WeightError, shown
+from exactspline.errors import ExactSplineError, ShapeError, WeightError, counted, shown
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import checked_order
 from exactspline.language.rational import Rational
@@ -392,7 +392,7 @@ def _checked_net(given: object, counts: tuple[int, int]) -> Net:
     for i, points in enumerate(net):
         if len(points[0]) != dimension:
             raise ShapeError(
-                f"{len(points[0])} coordinates where control_points[0] has {dimension}",
+                f"{counted(len(points[0]), 'coordinate')} where control_points[0] has {dimension}",
                 where=f"control_points[{i}]",
                 remedy="use one dimension",
             )
@@ -406,7 +406,7 @@ def _checked_weights(given: object, net: Net) -> Weights:
     rows = [] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
     if len(rows) != len(net):
         raise ShapeError(
-            f"{len(rows)} rows of weights for {len(net)} rows of control points",
+            f"{counted(len(rows), 'row')} of weights for {counted(len(net), 'row')} of control points",
             where="weights",
             remedy="give one weight per control point, in rows along u",
         )

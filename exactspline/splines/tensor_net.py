@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import product
-from typing import Any, TypeVar
+from typing import TypeVar, cast
 
-from exactspline.errors import ExactSplineError, ShapeError, shown
+from exactspline.errors import ExactSplineError, ShapeError, counted, shown
 from exactspline.numbers.exact import Number, mpq
 from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline
@@ -16,6 +16,7 @@ from exactspline.splines.tensor_patches import Degrees
 
 Net = list[list[mpq]]
 Points = tuple[tuple[mpq, ...], ...]
+T = TypeVar("T")
 #: The points of a row, or their numbers.
 Row = TypeVar("Row", bound=Sequence[object])
 
@@ -52,7 +53,7 @@ def control_point_counts(knots: tuple[KnotVector, KnotVector], degrees: tuple[in
 
 
 def checked_net(
-    given: object, counts: tuple[int, int], letters: tuple[str, str], read: Callable[[Iterable[Any], str], Row]
+    given: object, counts: tuple[int, int], letters: tuple[str, str], read: Callable[[Iterable[T], str], Row]
 ) -> list[Row]:
     """A net of control points as given by a user: this many rows along the first parameter of this many points along
     the second; `read` takes a row and its place.
@@ -68,12 +69,12 @@ def checked_net(
         if isinstance(row, str) or not isinstance(row, Iterable):
             remedy = "give a list of control points"
             raise ShapeError(f"{shown(row)} is not a row of control points", where=place, remedy=remedy)
-        points = read(row, place)
+        points = read(cast("Iterable[T]", row), place)
         if len(points) != counts[1]:
-            raise _miscounted(f"{len(points)} control points in a row", place, counts[1], letters[1])
+            raise _miscounted(f"{counted(len(points), 'control point')} in a row", place, counts[1], letters[1])
         net.append(points)
     if len(net) != counts[0]:
-        raise _miscounted(f"{len(net)} rows of control points", "control_points", counts[0], letters[0])
+        raise _miscounted(f"{counted(len(net), 'row')} of control points", "control_points", counts[0], letters[0])
     return net
 
 

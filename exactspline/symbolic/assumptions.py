@@ -54,7 +54,7 @@ class Assumption:
     formula: str = ""
     implies: tuple[str, ...] = ()
 
-    def speaks_of(self, kind: Kind) -> bool:
+    def applies_to(self, kind: Kind) -> bool:
         """Whether its polynomial is defined for arguments of a kind."""
         return _one_taken(kind, self.kinds)
 

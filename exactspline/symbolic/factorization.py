@@ -15,8 +15,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import ClaimError, ExactSplineError, ReachError, as_flag, as_integer, as_items
 from exactspline.hooks import Displayed
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, Pair, T
+from exactspline.language.arguments import Curve, Evaluated, Pair, T
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
@@ -102,9 +101,12 @@ def _factor(constant: mpq, powers: tuple[tuple[str, Terms, int], ...], ring: Jet
 POLYNOMIAL = "whether curves are polynomial"
 
 
-def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False) -> Evaluated:
+def jets_for(
+    formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False, factor: str = "1"
+) -> Evaluated:
     """The indeterminate curve (and point, or two curves) with as many derivatives as the formulas need, in the fraction
-    reading; with w = 1 if `polynomial` is set.
+    reading; with w = 1 if `polynomial` is set. Where the roots of a frame are adjoined, formulas (and a `factor` in the
+    notation of claims) in γ only get indeterminate coordinates of γ.
 
     >>> jets_for(("f2",), 2, polynomial=True).w
     (1) / (1)
@@ -112,6 +114,8 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     chosen = list(map(formula_of, as_items(formulas, "formulas")))
     dimension, polynomial = as_integer(dimension, "a dimension", 1), as_flag(polynomial, POLYNOMIAL)
     kind = common_kind(each.kind for each in chosen)
+    if kind.adjoins_roots:
+        polynomial = polynomial or without_denominator(chosen, factor, dimension)
     order = max((order_of(each, dimension) for each in chosen), default=0)
     shared, key = _SHARED.get(), (kind, dimension, order, polynomial)
     if shared is not None and key in shared:
@@ -144,12 +148,6 @@ def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int
     """Whether the formulas, and a factor in the notation of claims, involve only γ and not its denominator."""
     weighted = {"w", "W"} & {part.partition("^")[0] for part in factor.split()}
     return not weighted and all(speaks_of_gamma_alone(each, dimension) for each in formulas)
-
-
-def jets_with_roots(formulas: Sequence[Formula], factor: str, dimension: int, *, polynomial: bool = False) -> Evaluated:
-    """Like `jets_for`, with the roots of the frame adjoined; formulas in γ only get indeterminate coordinates of γ."""
-    alone = without_denominator(formulas, factor, dimension)
-    return jets_for(formulas, dimension, polynomial=polynomial or alone)
 
 
 def find_factor(left: Value, right: Value) -> Factor | None:
@@ -286,26 +284,26 @@ def named_values(ring: JetRing) -> Iterator[tuple[str, object]]:
 
 
 #: The paper whose names take precedence; None if there is no current paper.
-_SPOKEN_OF: ContextVar[Paper | None] = ContextVar("spoken of", default=None)
+_NAMED_BY: ContextVar[Paper | None] = ContextVar("named by", default=None)
 
 
 def naming() -> tuple[Paper, ...]:
     """The papers whose formulas give factors their names: the current paper and those that it uses, then the default
     papers.
     """
-    source = _SPOKEN_OF.get()
+    source = _NAMED_BY.get()
     sources = (source, *source.uses) if source is not None and not source.default else ()
     return tuple(dict.fromkeys((*sources, *default_papers())))
 
 
 @contextmanager
-def speaking_of(source: Paper) -> Iterator[None]:
+def named_by(source: Paper) -> Iterator[None]:
     """A context in which factors have the names given by a paper."""
-    token = _SPOKEN_OF.set(source)
+    token = _NAMED_BY.set(source)
     try:
         yield
     finally:
-        _SPOKEN_OF.reset(token)
+        _NAMED_BY.reset(token)
 
 
 @cache

@@ -31,11 +31,11 @@ from exactspline.polynomials.factorization import Factorization
 from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, multiplied
+from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, divided_out, multiplied
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
-from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, speaking_of
+from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, named_by
 from exactspline.symbolic.substitution import Substitution
 
 #: The role of a part of a formula: its value matters or, for a generator, whose ruling parameter is free, only its
@@ -300,7 +300,7 @@ def reduce(
     known = _dimensions(formula)
     chosen = [dimension] if dimension else known
     source = owner(formula) if isinstance(formula, Formula) else None
-    with nullcontext() if source is None or source.default else speaking_of(source):
+    with nullcontext() if source is None or source.default else named_by(source):
         for n in chosen[:-1]:
             try:
                 return _reduced(formula, n, polynomial, parameter)
@@ -463,7 +463,7 @@ def _content(
     if len(components) == 1:
         return common, rests
     for q in sorted(divisors, key=len, reverse=True):
-        e, rests = _divided_out(rests, q)
+        e, rests = divided_out(rests, q)
         common = common * Powers([(q, e)])
     content = greatest_common_divisor(rests)
     content = content / content.leading_coefficient()
@@ -471,13 +471,3 @@ def _content(
     if any(core * content != p for core, p in zip(cores, rests, strict=True)):
         raise ReductionError("the product of the factors is not what was factored", remedy="report this")
     return (common * Powers([(content, 1)]) if content.total_degree() > 0 else common), cores
-
-
-def _divided_out(polynomials: list[fmpq_mpoly], q: fmpq_mpoly) -> tuple[int, list[fmpq_mpoly]]:
-    """The multiplicity of a common factor q, and the polynomials with q divided out."""
-    times = 0
-    while True:
-        results = [divmod(p, q) for p in polynomials]
-        if any(rest for _, rest in results):
-            return times, polynomials
-        times, polynomials = times + 1, [quotient for quotient, _ in results]

@@ -40,7 +40,7 @@ def all_cases(limit: int | None = None) -> Iterator[Case]:
     ['random 0', 'integers 0', 'fonts 0', 'cad 0', 'near 2 cusp', 'named geomdl-135']
     """
     for name, family in FAMILIES.items():
-        for number, case in enumerate(family(random.Random(f"{name} {VERSION}"))):
+        for number, case in enumerate(filter(None, family(random.Random(f"{name} {VERSION}")))):
             if number == limit:
                 break
             yield case
@@ -72,67 +72,52 @@ def bezier_knots(degree: int) -> list[float]:
     return [*[0] * (degree + 1), *[1] * (degree + 1)]
 
 
-def _numbered(family: str, makers: Iterator[Case | None]) -> Iterator[Case]:
-    return (case for case in makers if case is not None)
+def _random(chance: random.Random) -> Iterator[Case | None]:
+    for number in range(1500):
+        degree, dimension = chance.choice((2, 3, 3, 4)), 3 if number % 4 == 3 else 2
+        segments = chance.randint(2, 3) if number % 3 == 2 and degree < 4 else 1
+        inner = sorted(chance.random() for _ in range(segments - 1))
+        knots = [*[0] * (degree + 1), *inner, *[1] * (degree + 1)]
+        points = [tuple(chance.uniform(-1, 1) for _ in range(dimension)) for _ in range(degree + segments)]
+        weights = [chance.uniform(1, 3) for _ in points] if number % 5 == 4 else None
+        yield made(f"random {number}", "random", degree, knots, points, weights, chance.random())
 
 
-def _random(chance: random.Random) -> Iterator[Case]:
-    def curves() -> Iterator[Case | None]:
-        for number in range(1500):
-            degree, dimension = chance.choice((2, 3, 3, 4)), 3 if number % 4 == 3 else 2
-            segments = chance.randint(2, 3) if number % 3 == 2 and degree < 4 else 1
-            inner = sorted(chance.random() for _ in range(segments - 1))
-            knots = [*[0] * (degree + 1), *inner, *[1] * (degree + 1)]
-            points = [tuple(chance.uniform(-1, 1) for _ in range(dimension)) for _ in range(degree + segments)]
-            weights = [chance.uniform(1, 3) for _ in points] if number % 5 == 4 else None
-            yield made(f"random {number}", "random", degree, knots, points, weights, chance.random())
-
-    return _numbered("random", curves())
-
-
-def _integers(chance: random.Random) -> Iterator[Case]:
+def _integers(chance: random.Random) -> Iterator[Case | None]:
     """The smallest cases first, so that the first failure is a small example."""
 
-    def curves() -> Iterator[Case | None]:
-        number = 0
-        for size, count in ((1, 300), (2, 500), (4, 700), (9, 300)):
-            for _ in range(count):
-                degree, dimension = chance.choice((2, 3, 3, 3, 3, 4)), 3 if number % 5 == 4 else 2
-                segments = 2 if number % 4 == 3 else 1
-                knots = [*[0] * (degree + 1), *range(1, segments), *[segments] * (degree + 1)]
-                points = [
-                    tuple(chance.randint(-size, size) for _ in range(dimension)) for _ in range(degree + segments)
-                ]
-                weights = [chance.randint(1, 3) for _ in points] if number % 6 == 5 else None
-                t = segments * chance.choice((1, 2, 3, 5, 7)) / 8
-                yield made(f"integers {number}", "integers", degree, list(knots), points, weights, t)
-                number += 1
-
-    return _numbered("integers", curves())
+    number = 0
+    for size, count in ((1, 300), (2, 500), (4, 700), (9, 300)):
+        for _ in range(count):
+            degree, dimension = chance.choice((2, 3, 3, 3, 3, 4)), 3 if number % 5 == 4 else 2
+            segments = 2 if number % 4 == 3 else 1
+            knots = [*[0] * (degree + 1), *range(1, segments), *[segments] * (degree + 1)]
+            points = [tuple(chance.randint(-size, size) for _ in range(dimension)) for _ in range(degree + segments)]
+            weights = [chance.randint(1, 3) for _ in points] if number % 6 == 5 else None
+            t = segments * chance.choice((1, 2, 3, 5, 7)) / 8
+            yield made(f"integers {number}", "integers", degree, list(knots), points, weights, t)
+            number += 1
 
 
-def _fonts(chance: random.Random) -> Iterator[Case]:
+def _fonts(chance: random.Random) -> Iterator[Case | None]:
     """Contours and segments as in type design: whole units, points at extremes, smooth joins, serifs."""
 
-    def curves() -> Iterator[Case | None]:
-        for number in range(700):
-            if number % 7 == 6:
-                yield _contour(number, chance)
-                continue
-            x, y = chance.randint(0, 900), chance.randint(-200, 800)
-            dx, dy = chance.choice((-1, 1)) * chance.randint(20, 400), chance.choice((-1, 1)) * chance.randint(20, 400)
-            if number % 2:
-                # a quarter of a bowl, its handles along the axes
-                first, second = round(dx * chance.uniform(0.3, 0.9)), round(dy * chance.uniform(0.3, 0.9))
-                points: list[Row] = [(x, y), (x + first, y), (x + dx, y + dy - second), (x + dx, y + dy)]
-            elif number % 4:
-                points = [(x, y), (x + dx, y), (x + dx, y + dy)]
-            else:
-                # a spine, as of an s
-                points = [(x, y), (x + dx, y), (x, y + dy), (x + dx, y + dy + chance.randint(-3, 3))]
-            yield made(f"fonts {number}", "fonts", len(points) - 1, bezier_knots(len(points) - 1), points)
-
-    return _numbered("fonts", curves())
+    for number in range(700):
+        if number % 7 == 6:
+            yield _contour(number, chance)
+            continue
+        x, y = chance.randint(0, 900), chance.randint(-200, 800)
+        dx, dy = chance.choice((-1, 1)) * chance.randint(20, 400), chance.choice((-1, 1)) * chance.randint(20, 400)
+        if number % 2:
+            # a quarter of a bowl, its handles along the axes
+            first, second = round(dx * chance.uniform(0.3, 0.9)), round(dy * chance.uniform(0.3, 0.9))
+            points: list[Row] = [(x, y), (x + first, y), (x + dx, y + dy - second), (x + dx, y + dy)]
+        elif number % 4:
+            points = [(x, y), (x + dx, y), (x + dx, y + dy)]
+        else:
+            # a spine, as of an s
+            points = [(x, y), (x + dx, y), (x, y + dy), (x + dx, y + dy + chance.randint(-3, 3))]
+        yield made(f"fonts {number}", "fonts", len(points) - 1, bezier_knots(len(points) - 1), points)
 
 
 def _contour(number: int, chance: random.Random) -> Case | None:
@@ -145,31 +130,28 @@ def _contour(number: int, chance: random.Random) -> Case | None:
     return made(f"fonts {number}", "fonts", 3, list(knots), points)
 
 
-def _cad(chance: random.Random) -> Iterator[Case]:
+def _cad(chance: random.Random) -> Iterator[Case | None]:
     """Arcs with rounded weights, decimal millimetres far from the origin, uneven knots, higher degrees."""
 
-    def curves() -> Iterator[Case | None]:
-        for number in range(900):
-            kind = number % 3
-            x, y = round(chance.uniform(-2000, 2000), 3), round(chance.uniform(-2000, 2000), 3)
-            if kind == 0:
-                r = round(chance.uniform(0.5, 80), 2)
-                points: list[Row] = [(x + r, y), (x + r, y + r), (x, y + r)]
-                yield made(f"cad {number}", "cad", 2, bezier_knots(2), points, [1, double(mpq(1, 2)) ** 0.5, 1])
-                continue
-            degree = chance.choice((3, 3, 3, 5))
-            inner = sorted(round(chance.uniform(0.01, 0.99), 4) for _ in range(chance.randint(0, 3)))
-            knots = [*[0] * (degree + 1), *inner, *[1] * (degree + 1)]
-            count, points = degree + 1 + len(inner), []
-            for k in range(count):
-                place = (x + 12.7 * k, y + round(chance.uniform(-9, 9), 3))
-                points.append(tuple(round(c, 3) for c in (*place, chance.uniform(-3, 3))[: 3 if kind == 2 else 2]))
-            yield made(f"cad {number}", "cad", degree, list(knots), points)
-
-    return _numbered("cad", curves())
+    for number in range(900):
+        kind = number % 3
+        x, y = round(chance.uniform(-2000, 2000), 3), round(chance.uniform(-2000, 2000), 3)
+        if kind == 0:
+            r = round(chance.uniform(0.5, 80), 2)
+            points: list[Row] = [(x + r, y), (x + r, y + r), (x, y + r)]
+            yield made(f"cad {number}", "cad", 2, bezier_knots(2), points, [1, double(mpq(1, 2)) ** 0.5, 1])
+            continue
+        degree = chance.choice((3, 3, 3, 5))
+        inner = sorted(round(chance.uniform(0.01, 0.99), 4) for _ in range(chance.randint(0, 3)))
+        knots = [*[0] * (degree + 1), *inner, *[1] * (degree + 1)]
+        count, points = degree + 1 + len(inner), []
+        for k in range(count):
+            place = (x + 12.7 * k, y + round(chance.uniform(-9, 9), 3))
+            points.append(tuple(round(c, 3) for c in (*place, chance.uniform(-3, 3))[: 3 if kind == 2 else 2]))
+        yield made(f"cad {number}", "cad", degree, list(knots), points)
 
 
-def _near(chance: random.Random) -> Iterator[Case]:
+def _near(chance: random.Random) -> Iterator[Case | None]:
     """Almost degenerate: ε = ±2⁻ᵏ away from what a formula divides by or a sign depends on."""
     shapes: dict[str, Callable[[float], list[Row]]] = {
         # γ′ = 0 at 1/2 for ε = 0
@@ -190,25 +172,19 @@ def _near(chance: random.Random) -> Iterator[Case]:
         "extremum at an end": lambda e: [(0, 0), (e, 1), (2, 2), (3, 1)],
     }
 
-    def curves() -> Iterator[Case | None]:
-        for k, (name, shape), sign in product(DIAL, shapes.items(), (1, -1)):
-            points = [tuple(float(c) for c in point) for point in shape(sign / (1 << k))]
-            degree = len(points) - 1
-            key = f"near {k} {name}" + ("" if sign > 0 else " −")
-            yield made(key, "near", degree, bezier_knots(degree), points, note=f"ε = {'−' * (sign < 0)}2⁻ᵏ, k = {k}")
-
-    return _numbered("near", curves())
+    for k, (name, shape), sign in product(DIAL, shapes.items(), (1, -1)):
+        points = [tuple(float(c) for c in point) for point in shape(sign / (1 << k))]
+        degree = len(points) - 1
+        key = f"near {k} {name}" + ("" if sign > 0 else " −")
+        yield made(key, "near", degree, bezier_knots(degree), points, note=f"ε = {'−' * (sign < 0)}2⁻ᵏ, k = {k}")
 
 
-def _named(chance: random.Random) -> Iterator[Case]:
-    found = (
-        made(f"named {n.key}", "named", n.degree, n.knots, n.points, n.weights, n.parameter, n.link, n.note)
-        for n in REPORTED
-    )
-    return _numbered("named", found)
+def _named(chance: random.Random) -> Iterator[Case | None]:
+    for n in REPORTED:
+        yield made(f"named {n.key}", "named", n.degree, n.knots, n.points, n.weights, n.parameter, n.link, n.note)
 
 
-FAMILIES: dict[str, Callable[[random.Random], Iterator[Case]]] = {
+FAMILIES: dict[str, Callable[[random.Random], Iterator[Case | None]]] = {
     "random": _random,
     "integers": _integers,
     "fonts": _fonts,

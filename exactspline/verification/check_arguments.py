@@ -5,18 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from exactspline.errors import InapplicableError
-from exactspline.language.accompanied import Accompanied
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, Pair
+from exactspline.errors import InapplicableError, counted
+from exactspline.language.arguments import Accompanied, Curve, Evaluated, Pair
 from exactspline.language.formula import Formula
 from exactspline.language.hodograph_kind import curve_of_hodograph
 from exactspline.language.kinds import HODOGRAPH, PLANAR_MAP, SURFACE, CurveKind, PairKind, kind_of
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import DegreeReading
-from exactspline.splines.bspline import BSpline
-from exactspline.splines.integral import integral
+from exactspline.splines.bspline import BSpline, integral
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
@@ -122,7 +119,9 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
     if asked.constants:
         values = dict(zip(asked.constants, CONSTANTS, strict=False))
         if len(values) < len(asked.constants):
-            raise InapplicableError(f"{len(asked.constants)} constants", remedy=f"at most {len(CONSTANTS)} are tried")
+            raise InapplicableError(
+                f"{counted(len(asked.constants), 'constant')}", remedy=f"at most {len(CONSTANTS)} are tried"
+            )
         handed = Accompanied(handed, {name: curve.w.constant(value) for name, value in values.items()})
     chosen = Chosen(point, tuple((Name(name), value) for name, value in values.items())) if point or values else None
     return Given(handed, chosen, chosen)

@@ -12,8 +12,7 @@ from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
 from exactspline.hooks import Displayed
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Operands
+from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
@@ -22,7 +21,6 @@ from exactspline.numbers.immutable import Immutable
 from exactspline.papers import Paper
 from exactspline.papers import paper as paper_named
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
@@ -30,7 +28,7 @@ from exactspline.symbolic.factorization import sharing
 from exactspline.verification.check_arguments import free_operands, too_long
 from exactspline.verification.claim_fields import claim_kind, declared
 from exactspline.verification.decision import Statement
-from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.evaluation import Evaluation, evaluation
 from exactspline.verification.evidence import (
     AnyOperands,
     Evidence,
@@ -145,7 +143,7 @@ def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) 
     """Assumptions by their names, each about the arguments of the claim."""
     assumptions = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
     for each in assumptions:
-        if claim.curve != ArgumentKind.TABLE and not each.speaks_of(kind_of(claim.curve)):
+        if claim.curve != ArgumentKind.TABLE and not each.applies_to(kind_of(claim.curve)):
             raise ClaimError(
                 f"the assumption {each.name!r} does not apply to {str(claim.curve)!r}",
                 where=name,
@@ -218,8 +216,6 @@ class Claim(Immutable, Displayed):
     of_one_curve: ClassVar[bool] = False
     #: Whether such claims can be decided where roots are adjoined.
     of_frames: ClassVar[bool] = False
-    #: Whether it states that something vanishes: then it is decided on one curve for all values of the free operands.
-    has_residues: ClassVar[bool] = False
     #: Whether it is decided by zeros or signs of functions of one parameter.
     asks_for_zeros: ClassVar[bool] = False
     #: Whether `examine` decides for all arguments with the given curve, and not only for the given one.
@@ -361,7 +357,7 @@ class Claim(Immutable, Displayed):
         """The dimensions to which it applies."""
         return kind_of(self.curve).dimensions
 
-    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+    def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """Whether it applies to single curves (or surfaces) of that dimension and kind: splines have no roots."""
         kind = kind_of(self.curve)
         made = kind.made_of_a_surface if surface else kind.made_of_a_curve
@@ -392,7 +388,9 @@ class Claim(Immutable, Displayed):
 
     @property
     def equality(self) -> Statement | None:
-        """Its statement, where that is an equality: decided in any exact reading."""
+        """Its statement, where that is an equality: decided in any exact reading, and on one curve for all values of
+        the free operands.
+        """
         return None
 
     @abstractmethod
@@ -414,17 +412,17 @@ class Claim(Immutable, Displayed):
             return left(Fact.ZEROS_IN_TWO_PARAMETERS)
         if isinstance(own.curve, NurbsSurface) and (long := too_long(map(self.find, self.named), own.curve)):
             return left(long)
-        argument = own.handed(self.curve)
+        argument = own.argument(self.curve)
         gone = self.missing(argument)
         finding = vacuous(gone) if gone else self.examine(argument, own)
         if finding.verdict in (REFUTED, VACUOUS) and (failing := own.failing(self.curve, self.assumes)):
             return inapplicable(failing, finding.computed, finding.relation)
         part = self.part_tried(own)
         if part and finding.verdict == VERIFIED:
-            if not (self.has_residues and isinstance(own.curve, Nurbs)):
+            if self.equality is None or not isinstance(own.curve, Nurbs):
                 return sampled(finding, part)
             holds = not own.failing(self.curve, self.assumes) and self._is_proved(proof or self.prove)
-            return finding if holds else self._on_all(finding, own, part)
+            return finding if holds else self._on_all(self.equality, finding, own, part)
         if part and finding.verdict == REFUTED:
             return replace(finding, witness=OnPart(finding.witness, part))
         return finding
@@ -435,14 +433,14 @@ class Claim(Immutable, Displayed):
         except ExactSplineError:  # reported where the proof is requested
             return False
 
-    def _on_all(self, finding: Finding, own: Evaluation, part: Evidence) -> Finding:
+    def _on_all(self, equality: Statement, finding: Finding, own: Evaluation, part: Evidence) -> Finding:
         """A finding on a part, decided on the whole curve with indeterminates for the free operands; undecided if too
         expensive.
         """
         free = free_operands(self.curve) or AnyOperands()
         try:
             for segment in on_segments(kind_of(self.curve), own.curve, self.highest_derivative(own.curve.dimension)):
-                if failing := [x for x in self.residues(segment.argument) if not x.is_zero]:
+                if failing := [x for x in equality.residues(segment.argument) if not x.is_zero]:
                     fails = FailsWithOthers(segment.place(failing[0]), free, part)
                     return replace(finding, verdict=REFUTED, computed=Fact.NOT_SO, witness=fails)
         except VanishingDivisorError:
@@ -454,14 +452,8 @@ class Claim(Immutable, Displayed):
         return finding
 
     @abstractmethod
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The finding on one curve, given as the argument of the formulas."""
-
-    def residues(self, c: Evaluated) -> list[JetFraction]:
-        """The values that vanish exactly if a claim that `has_residues` holds for an argument in a reading with
-        division.
-        """
-        return []
 
     def highest_derivative(self, dimension: int) -> int:
         """The highest derivative that its formulas need."""
@@ -469,7 +461,7 @@ class Claim(Immutable, Displayed):
 
     def part_tried(self, own: Evaluation) -> Evidence | None:
         """Which part of all arguments with a curve is tried in a check; None where it is all of them."""
-        return None if self.tries_all else own.part(self.curve)
+        return None if self.tries_all else own.given(self.curve).part
 
     @property
     def compared(self) -> list[Formula]:
@@ -478,10 +470,10 @@ class Claim(Immutable, Displayed):
 
     def beside(self, own: Evaluation) -> Evidence | None:
         """The operands in addition to the curve in a check; None where there are none."""
-        free = free_operands(self.curve) if self.has_residues else None
-        return free or own.beside(self.curve)
+        free = free_operands(self.curve) if self.equality else None
+        return free or own.given(self.curve).beside
 
-    def missing(self, argument: Handed) -> Evidence | None:
+    def missing(self, argument: Evaluated) -> Evidence | None:
         """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; None when
         all exist.
         """
@@ -518,9 +510,9 @@ class Claim(Immutable, Displayed):
         """The example curves and surfaces to which it applies, the one named as witness first."""
         for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
             curve = self.curve_named(name)
-            if self.speaks_of(curve.dimension, curve.polynomial):
+            if self.applies_to(curve.dimension, curve.polynomial):
                 yield False, name, curve
         if kind_of(self.curve).made_of_a_surface:
             for surface in one_patch_surfaces():
-                if self.speaks_of(surface.dimension, surface.polynomial, surface=True):
+                if self.applies_to(surface.dimension, surface.polynomial, surface=True):
                     yield True, surface.name, surface

@@ -9,7 +9,7 @@ from typing import TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError
 from exactspline.papers.folder import Paper
-from exactspline.symbolic.factorization import SharedJets, sharing, speaking_of
+from exactspline.symbolic.factorization import SharedJets, named_by, sharing
 from exactspline.verification.claim import Claim
 from exactspline.verification.evaluation import sharing_evaluations
 from exactspline.verification.evidence import Stopped
@@ -37,7 +37,7 @@ class Proofs:
         """The reading in which a claim is decided for all curves, and the finding."""
         key = claim.source_paper, claim
         if key not in self._made:
-            with sharing(self._jets), speaking_of(claim.source_paper):
+            with sharing(self._jets), named_by(claim.source_paper):
                 try:
                     self._made[key] = fitting(claim, claim.prove)
                 except ExactSplineError as error:
@@ -50,7 +50,7 @@ class Proofs:
         if key not in self._combined:
             reading, finding = proof = self[claim]
             if finding.verdict not in (REFUTED, VERIFIED, CONTRADICTION) and not isinstance(finding.witness, Stopped):
-                with sharing(self._jets), speaking_of(claim.source_paper):
+                with sharing(self._jets), named_by(claim.source_paper):
                     refuted = fitting(claim, lambda: claim.refuted_on_examples(lambda: proof))
                 finding = compared(finding, refuted) if refuted.verdict == REFUTED else finding
             self._combined[key] = reading, finding

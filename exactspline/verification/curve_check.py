@@ -7,8 +7,7 @@ from typing import Any
 
 from flint import fmpz_poly
 
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, Operands
+from exactspline.language.arguments import Curve, Evaluated, Operands
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
@@ -56,7 +55,7 @@ def stated_factor(factor: str, c: Evaluated | Operands) -> StatedFactor:
 
     >>> from exactspline.interchange.examples import example
     >>> [str(stated_factor("w^-3", example(name))) for name in ("circle", "parabola")]
-    ['w^-3', 'w^-3 = 1 (polynomial: w = 1)']
+    ['w⁻³', 'w⁻³ = 1 (polynomial: w = 1)']
     """
     powers = tuple((Name(name), exponent) for name, exponent in factor_parts(factor))
     known = [each for each in c.together() if isinstance(each, (Curve, Surface))]

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from enum import Enum, auto
 from typing import Any, Protocol
 
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, embedded
+from exactspline.errors import FormulaError
+from exactspline.language.arguments import Curve, Evaluated, embedded
 from exactspline.language.formula import Formula
 from exactspline.language.parts import Value, split
 from exactspline.language.ruled import differences
@@ -68,12 +68,15 @@ class Decision:
 
 
 class Statement(Protocol):
-    """A statement that can be decided for an argument of formulas in any exact reading."""
+    """The equality of two values, which can be decided for an argument of formulas in any exact reading."""
 
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
         """The finding, `holds` where the statement is true. A factor that exists for no curve makes it false; where it
         does not exist on one curve, nothing is decided there.
         """
+
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """The values that vanish exactly if it is true, for an argument in a reading with division."""
 
 
 @dataclass(frozen=True)
@@ -122,6 +125,16 @@ class Equation:
         stated = None if general else factor
         return Finding(REFUTED, Fact.NOT_IDENTICAL, stated, _where(found.difference, Sides.SIDES, found.component))
 
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """The left side times the denominator of the factor, minus the right side times its numerator."""
+        top: Any
+        bottom: Any
+        top, bottom = factor_of_text(self.factor, c, self.find)
+        if bottom.is_zero:
+            raise FormulaError("the factor is divided by zero")
+        sides = (split(each(c))[0] for each in (self.left, self.right))
+        return [p * bottom - q * top for p, q in zip(*sides, strict=True)]
+
 
 @dataclass(frozen=True)
 class Zero:
@@ -129,17 +142,16 @@ class Zero:
 
     formula: Formula
 
-    @property
-    def formulas(self) -> tuple[Formula, ...]:
-        """It alone."""
-        return (self.formula,)
-
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
         """Every component is zero."""
-        for i, part in enumerate(split(self.formula(c))[0]):
+        for i, part in enumerate(self.residues(c)):
             if not part.is_zero:
                 return Finding(REFUTED, Fact.NOT_ZERO, witness=_where(part, Sides.ZERO, i))
         return Finding(holds, Fact.ZERO)
+
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """Its components."""
+        return list(split(self.formula(c))[0])
 
 
 @dataclass(frozen=True)
@@ -151,11 +163,6 @@ class OneRuledSurface:
     left: Formula
     right: Formula
 
-    @property
-    def formulas(self) -> tuple[Formula, ...]:
-        """Both."""
-        return (self.left, self.right)
-
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
         """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, where neither generator vanishes."""
         a, b = self.left(c), self.right(c)
@@ -164,11 +171,14 @@ class OneRuledSurface:
                 return vacuous(NoGenerator(Name(formula.name) if holds is PROVED else None))
         if isinstance(split(a.generator)[0][0], JetFraction):
             return self._by_quotients(a, b, holds)
-        for product in differences(a, b):
-            for x in split(product)[0]:
-                if not x.is_zero:
-                    return Finding(REFUTED, Fact.TWO_SURFACES, witness=_where(x, Sides.SURFACES))
+        for x in self.residues(c):
+            if not x.is_zero:
+                return Finding(REFUTED, Fact.TWO_SURFACES, witness=_where(x, Sides.SURFACES))
         return Finding(holds, OneSurface())
+
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """The components of the vector products with a generator."""
+        return [x for product in differences(self.left(c), self.right(c)) for x in split(product)[0]]
 
     @staticmethod
     def _by_quotients(a: Any, b: Any, holds: Verdict) -> Finding:
@@ -189,11 +199,6 @@ class DirectrixOf:
     plane: Formula
     surface: Formula
 
-    @property
-    def formulas(self) -> tuple[Formula, ...]:
-        """Both."""
-        return (self.plane, self.surface)
-
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
         """The plane curve and the directrix, compared as quotients."""
         assert isinstance(c, Curve)  # with its point
@@ -206,6 +211,12 @@ class DirectrixOf:
         if plane[0] == space[0] and plane[1] == space[1] and space[2].is_zero:
             return Finding(holds, Fact.CURVE_OF_ZERO_ZETA)
         return Finding(REFUTED, Fact.OTHER_CURVE, witness=Fact.CURVES_DIFFER)
+
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """The differences of the coordinates."""
+        assert isinstance(c, Curve)
+        plane, space = self.plane(c), self.surface(embedded(c)).directrix
+        return [plane[0] - space[0], plane[1] - space[1], space[2]]
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import all_formulas, find, known_as
-from exactspline.readings.degree import Degree, DegreeReading
+from exactspline.readings.degree import Degree, DegreeReading, parse_degree
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.tree import trace
@@ -38,8 +38,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.covariants import TrueDegree, degree_at, graded, true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.symbolic.substitution import substitute
-from exactspline.verification.generic_degree import lowest_degree, symbolic_minimum
-from exactspline.verification.generic_proof import reduction_of
+from exactspline.verification.generic_proof import lowest_degree, reduction_of, symbolic_minimum
 from exactspline.verification.minimality import attained, witness
 
 
@@ -76,7 +75,7 @@ def measure(formula: Formula, curve: Nurbs) -> Measure:
     return Measure(known_as(formula), nominal, value.degree, true_degree_or_none(value), control_point_count(value))
 
 
-def speaks_of(formula: Formula, dimension: int) -> bool:
+def applies_to(formula: Formula, dimension: int) -> bool:
     """Whether a formula applies to single curves of this dimension."""
     return formula.kind in {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
 
@@ -84,7 +83,7 @@ def speaks_of(formula: Formula, dimension: int) -> bool:
 def measurable(dimension: int) -> list[Formula]:
     """The formulas that apply to curves of this dimension."""
     n = as_integer(dimension, "a dimension", 1)
-    return [formula for formula in all_formulas().values() if speaks_of(formula, n)]
+    return [formula for formula in all_formulas().values() if applies_to(formula, n)]
 
 
 @dataclass(frozen=True)
@@ -210,6 +209,16 @@ class GenericRow:
     absent: tuple[int, ...]
     differ: tuple[int, ...]
 
+    def at(self, d: int) -> dict[str, int | None]:
+        """The three degrees for curves of degree d ≥ 2; None for what does not exist or vanishes.
+
+        >>> row = GenericRow("an object", "6d", "–", 3, 3, "3d − 3", 0, "3d − 6", (3,), (), ())
+        >>> row.at(4)
+        {'naive': 24, 'paper': None, 'true': 6}
+        """
+        texts = {"naive": self.naive, "paper": self.paper, "true": "–" if d in self.absent else self.true}
+        return {name: None if text == "–" else parse_degree(text).at({"d": d}) for name, text in texts.items()}
+
 
 def generic_table(*, polynomial: bool = False) -> list[Callable[[], GenericRow]]:
     """The rows for all constructions and for the generators of ruled surfaces, as calls."""
@@ -308,7 +317,7 @@ def bisected_pair(kind: Kind, curve: Nurbs) -> Curve[BSpline] | Pair[BSpline]:
 
 def formula_table(curve: Nurbs, formulas: Iterable[Formula] | None = None) -> list[Callable[[], DegreeRow]]:
     """The rows for every formula that applies to such a curve, as calls: of some papers, or of the default papers."""
-    known = measurable(curve.dimension) if formulas is None else [f for f in formulas if speaks_of(f, curve.dimension)]
+    known = measurable(curve.dimension) if formulas is None else [f for f in formulas if applies_to(f, curve.dimension)]
     return [partial(_formula_row, f, curve) for f in known]
 
 

@@ -12,7 +12,7 @@ from functools import cache
 from flint import fmpq_mpoly
 
 from exactspline.errors import ExactSplineError, FormulaError, ReachError
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
 from exactspline.readings.expression import Operation
@@ -80,7 +80,7 @@ def _known(claim: Claim, kind: Kind, argument: Evaluated) -> Iterator[fmpq_mpoly
         for name in WEIGHTS if {"x", "p1"} & operands.keys() else ():  # where w is a denominator, not any function
             if isinstance(value := operands.get(name), JetFraction):
                 yield value.top
-    for assumed in filter(lambda assumed: assumed.speaks_of(kind), _all(claim.assumes)):
+    for assumed in filter(lambda assumed: assumed.applies_to(kind), _all(claim.assumes)):
         try:
             yield assumed.polynomial(argument).top
         except ExactSplineError:

@@ -18,12 +18,13 @@ from exactspline.symbolic.factorization import Factor
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import combined
-from exactspline.verification.counts import error_of
 from exactspline.verification.evidence import Evidence, Found, Relating, StatedFactor
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.kinds.examples import Count
+from exactspline.verification.notation import WEIGHTS, factor_parts
+from exactspline.verification.rows import error_of
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 
@@ -131,6 +132,16 @@ def true_relation(claim: Claim, finding: Finding) -> Relating | None:
     return Relating(name_of(claim, claim.left), factor, name_of(claim, claim.right))
 
 
+def claimed_relation(claim: Identity) -> Relating:
+    """The relation between the two sides that an identity claims."""
+    powers = tuple((_symbol(claim, name), exponent) for name, exponent in factor_parts(claim.factor))
+    return Relating(name_of(claim, claim.left), StatedFactor(powers), name_of(claim, claim.right))
+
+
+def _symbol(claim: Claim, name: str) -> Name:
+    return Name(name) if name in WEIGHTS or not name[0].isalpha() else name_of(claim, name)
+
+
 def name_of(claim: Claim, formula: str) -> Name:
     """A formula of a claim by its symbol, by its name where it has none."""
     symbol = claim.find(formula).symbol
@@ -204,7 +215,7 @@ def _shown(claim: Claim) -> tuple[str, ...]:
         )
     if isinstance(claim, DegreeClaim) and claim.measure == Measure.LOWEST_TERMS:
         return (
-            "from exactspline.verification.generic_degree import lowest_degree",
+            "from exactspline.verification.generic_proof import lowest_degree",
             *finding,
             f"print(lowest_degree({found(claim.formula)}, {d}))",
         )

@@ -9,8 +9,7 @@ from functools import cached_property
 from itertools import product
 from typing import Any
 
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Operands
+from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.kinds import PairKind, kind_of
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import zero_on_segment
@@ -20,20 +19,8 @@ from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.check_arguments import Given, argument, moved_copy
-from exactspline.verification.evidence import (
-    AssumptionFails,
-    At,
-    Between,
-    Evidence,
-    OnAllOf,
-    OnPatch,
-    OnWholePatch,
-    Place,
-)
+from exactspline.verification.evidence import AssumptionFails, At, Between, OnAllOf, OnPatch, OnWholePatch, Place
 from exactspline.verification.vocabulary import ArgumentKind
-
-#: The arguments of formulas on one curve: the curve, with a point or a second curve, or operands of Table 1.
-Handed = Evaluated
 
 
 class Evaluation:
@@ -42,22 +29,25 @@ class Evaluation:
 
     >>> from exactspline.interchange.examples import example
     >>> own = Evaluation(example("cusp"))
-    >>> own.handed("plane") is own.handed("plane"), own.handed("plane") is own.curve
+    >>> own.argument("plane") is own.argument("plane"), own.argument("plane") is own.curve
     (True, False)
     """
 
     def __init__(self, curve: Nurbs | NurbsSurface | Operands) -> None:
         self.curve: Any = curve
-        self._handed: dict[str, Given] = {}
+        self._arguments: dict[str, Given] = {}
         self._pair: Evaluated | None = None
         self._failing: dict[tuple[str, Assumption], AssumptionFails | None] = {}
 
-    def _argument(self, kind: str) -> Given:
-        if kind not in self._handed:
+    def given(self, kind: str) -> Given:
+        """The argument of formulas of a kind, which memoizes their values, and what it is."""
+        if kind == ArgumentKind.TABLE:
+            return Given(self.curve)
+        if kind not in self._arguments:
             given = argument(kind, self.curve)
             made = self._bare if given.argument is self.curve else given.argument.remembering()
-            self._handed[kind] = given._replace(argument=made)
-        return self._handed[kind]
+            self._arguments[kind] = given._replace(argument=made)
+        return self._arguments[kind]
 
     @cached_property
     def _bare(self) -> Evaluated:
@@ -65,22 +55,14 @@ class Evaluation:
         bare: Evaluated = self.curve.remembering()
         return bare
 
-    def handed(self, kind: str) -> Handed:
-        """The argument of formulas of a kind; it memoizes their values."""
-        return self.curve if kind == ArgumentKind.TABLE else self._argument(kind).argument
-
-    def beside(self, kind: str) -> Evidence | None:
-        """The additional operands in this argument; None where there are none."""
-        return None if kind == ArgumentKind.TABLE else self._argument(kind).beside
-
-    def part(self, kind: str) -> Evidence | None:
-        """Which part of all arguments with this curve it is; None where it is the only one."""
-        return None if kind == ArgumentKind.TABLE else self._argument(kind).part
+    def argument(self, kind: str) -> Evaluated:
+        """The argument of formulas of a kind."""
+        return self.given(kind).argument
 
     def _assumed_of(self, kind: str) -> Evaluated:
         """The argument about which assumptions are made: all segments of both curves of a pair."""
         if not isinstance(kind_of(kind), PairKind):
-            return self.handed(kind)
+            return self.argument(kind)
         if self._pair is None:
             self._pair = surface_pair(self.curve, moved_copy(self.curve)).remembering()
         return self._pair
@@ -125,8 +107,8 @@ def evaluation(curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Evaluatio
     return Evaluation(curve) if shared is None else shared.setdefault(id(curve), Evaluation(curve))
 
 
-def _fails(each: Assumption, handed: object) -> Place | None:
-    value = each.polynomial(handed)
+def _fails(each: Assumption, argument: object) -> Place | None:
+    value = each.polynomial(argument)
     if isinstance(value, TensorSpline):
         if not each.everywhere:
             return None if all(value.polynomials) else OnWholePatch()
@@ -137,11 +119,11 @@ def _fails(each: Assumption, handed: object) -> Place | None:
     return zero_of(value)
 
 
-def fails_on_surface(each: Assumption, handed: Evaluated) -> Place | None:
+def fails_on_surface(each: Assumption, argument: Evaluated) -> Place | None:
     """The same where the parameters are those of a surface; what could not be decided counts as a zero."""
     from exactspline.geometry.surface.signs import Sign, sign_on_patch  # most evaluations are of curves
 
-    value = each.polynomial(handed)
+    value = each.polynomial(argument)
     patches = product(*[range(len(mesh)) for mesh in value.meshes])
     for form, (i, j) in ((value.patch_form(*patch), patch) for patch in patches):
         sign = Sign.ZERO if form.is_zero or not each.everywhere else sign_on_patch(form).sign

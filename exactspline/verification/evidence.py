@@ -652,13 +652,13 @@ class TypeHere(Evidence):
     special: bool = False
 
 
-class SpeaksOf(Evidence):
+class OfKind(Evidence):
     """The kind of argument of a formula."""
 
     kind: Name
 
 
-class SpeaksOfAnother(Evidence):
+class OfAnotherKind(Evidence):
     """A formula, the kind of its argument, and the requested kind."""
 
     formula: Name

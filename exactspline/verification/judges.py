@@ -11,16 +11,16 @@ from time import perf_counter
 from typing import Protocol
 
 from exactspline.errors import ClaimError, ExactSplineError, nearest
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import kind_of
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.symbolic.factorization import without_denominator
 from exactspline.verification.claim import Claim
-from exactspline.verification.combined import fitting
+from exactspline.verification.combined import Proofs, fitting
 from exactspline.verification.coq_judge import Coq
 from exactspline.verification.evidence import Fact, JudgesDisagree
 from exactspline.verification.kinds.equality import Identity
-from exactspline.verification.ledger import Proofs, Task
+from exactspline.verification.ledger import Task
 from exactspline.verification.notation import factor_formulas
 from exactspline.verification.rows import Row, row
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, Finding, undecided, worst

@@ -13,7 +13,7 @@ from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
-from exactspline.symbolic.factorization import speaking_of
+from exactspline.symbolic.factorization import named_by
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import expect_claim
 from exactspline.verification.combined import Proofs, fitting
@@ -94,7 +94,7 @@ def _on_curves(
         calls += [
             partial(checked, claim, own, Name(own.curve.name) or UNNAMED, proofs)
             for claim in claims
-            if claim.speaks_of(curve.dimension, curve.polynomial, surface=isinstance(curve, NurbsSurface))
+            if claim.applies_to(curve.dimension, curve.polynomial, surface=isinstance(curve, NurbsSurface))
         ]
     return calls
 
@@ -113,7 +113,7 @@ def checked(claim: Claim, own: Evaluation, name: Name, proofs: Proofs) -> Row:
     """
     start = perf_counter()
     try:
-        with speaking_of(claim.source_paper):
+        with named_by(claim.source_paper):
             finding = fitting(claim, partial(claim.check, own, lambda: proofs[claim]))
     except ExactSplineError as error:
         finding = undecided(error)

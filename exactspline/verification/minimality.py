@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from random import Random
 from typing import Any
 
@@ -23,14 +24,14 @@ from exactspline.geometry.constructions import Construction, Variant, constructi
 from exactspline.geometry.derived import Piece, derive
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import text
+from exactspline.numbers.exact import mpq, text
 from exactspline.polynomials.bernstein import divide_u_plus_v
 from exactspline.polynomials.factors import factorize
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.lowest_terms import lowest_terms
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.generic_degree import minimum_at
+from exactspline.verification.generic_proof import minimum_at
 
 #: Primes near 2⁶¹ for common factors; small ones for irreducibility, where the residue must be irreducible by chance.
 LARGE_PRIMES = (2305843009213693951, 2305843009213693921, 2305843009213693907, 2305843009213693723)
@@ -67,23 +68,15 @@ def _segments(made: Construction, piece: Piece, curve: Nurbs) -> list[dict[str, 
             value = _over_one(list(value) if isinstance(value, Vector) else [value])
         if value.is_zero and not value.is_vector:
             return []
-        breaks = value.denominator.breakpoints
-        rows = lowest_terms(value)
-        return [_quotient([text(t) for t in breaks[i : i + 2]], forms, n) for i, (forms, n) in enumerate(rows)]
+        spans = pairwise(value.denominator.breakpoints)
+        return [_segment(span, forms, n) for span, (forms, n) in zip(spans, lowest_terms(value), strict=True)]
     segments = []
-    for i, (c, _) in enumerate(value.forms):
+    for (a, b), (c, _) in zip(pairwise(value.breakpoints), value.forms, strict=True):
         if c:
-            a, b = value.breakpoints[i : i + 2]
             lowest, times = divide_u_plus_v(c, value.degree)
-            weight = curve.w.restrict(a, b)
-            segments.append(
-                _zero_form(
-                    [text(a), text(b)],
-                    lowest,
-                    value.degree - times,
-                    divide_u_plus_v(weight.polynomials[0], weight.degree)[0],
-                )
-            )
+            n, weight = value.degree - times, curve.w.restrict(a, b)
+            w, _ = divide_u_plus_v(weight.polynomials[0], weight.degree)
+            segments.append(_segment((a, b), [lowest], n, w) | {"irreducible modulo": _irreducible(lowest, n)})
     return segments
 
 
@@ -97,26 +90,13 @@ def _coefficients(c: fmpz_poly, n: int) -> list[str]:
     return [str(c[i]) for i in range(n + 1)]
 
 
-def _quotient(interval: list[str], forms: list[fmpz_poly], n: int) -> dict[str, object]:
-    prime, cofactors = bezout_combination(forms, [n] * len(forms))
-    return {
-        "interval": interval,
-        "degree": n,
-        "forms": [_coefficients(c, n) for c in forms],
-        "prime": prime,
-        "cofactors": cofactors,
-    }
-
-
-def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[str, object]:
-    prime, cofactors = bezout_combination([c, w], [n, w.degree()])
-    segment = {
-        "interval": interval,
-        "degree": n,
-        "forms": [_coefficients(c, n)],
-        "weight": _coefficients(w, w.degree()),
-    }
-    return segment | {"prime": prime, "cofactors": cofactors, "irreducible modulo": _irreducible(c, n)}
+def _segment(span: tuple[mpq, mpq], forms: list[fmpz_poly], n: int, w: fmpz_poly | None = None) -> dict[str, Any]:
+    """One segment: forms of degree n without a common factor, for a zero set together with the weight."""
+    weights = [] if w is None else [w]
+    prime, cofactors = bezout_combination([*forms, *weights], [*[n] * len(forms), *[c.degree() for c in weights]])
+    segment = {"interval": list(map(text, span)), "degree": n, "forms": [_coefficients(c, n) for c in forms]}
+    weight = {} if w is None else {"weight": _coefficients(w, w.degree())}
+    return segment | weight | {"prime": prime, "cofactors": cofactors}
 
 
 def bezout_combination(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, list[list[str]]]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from exactspline.errors import ClaimError, as_text, shown
-from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.operand import Operand
 from exactspline.numbers.exact import rational

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from exactspline.errors import FormulaError, as_flag, as_integer
+from exactspline.errors import FormulaError, as_flag, as_integer, counted
 from exactspline.hooks import Worded
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
@@ -16,11 +16,9 @@ from exactspline.language.parts import split
 from exactspline.numbers.exact import mpq
 from exactspline.papers import all_formulas, find, formula_of, resolve
 from exactspline.readings.degree import Degree, DegreeReading
-from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_with_roots
+from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_for
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation
 from exactspline.verification.evidence import At, Difference
@@ -31,17 +29,39 @@ from exactspline.words import choice
 Named = Formula | str
 
 
-@dataclass(frozen=True)
-class Proof(Worded):
-    """The answer of `prove`: whether ``left = factor · right`` for all curves of that dimension. Usable as a
-    condition.
-    """
+@dataclass(frozen=True, repr=False)
+class _Answer(Worded):
+    """Whether ``left = factor · right``. Usable as a condition."""
 
     left: str
     right: str
     factor: str
-    dimension: int
     finding: Finding
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.verdict}: {self.left} = {self.factor} {self.right}>"
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict: VACUOUS where both sides vanish identically (0 = 0 is not a success; then any factor is right),
+        and where a side or the factor does not exist on a segment.
+        """
+        return self.finding.verdict
+
+    @property
+    def holds(self) -> bool:
+        """Whether it is proved for all curves, or verified on the given one."""
+        return self.verdict in (PROVED, VERIFIED)
+
+    def __bool__(self) -> bool:
+        return self.holds
+
+
+@dataclass(frozen=True, repr=False)
+class Proof(_Answer):
+    """The answer of `prove`: whether ``left = factor · right`` for all curves of that dimension."""
+
+    dimension: int
     #: The true quotient of the left side by the right side; None for vectors that are not parallel, and where roots are
     #: adjoined.
     quotient: Factor | None
@@ -49,20 +69,7 @@ class Proof(Worded):
     roots: bool = False
 
     def __repr__(self) -> str:
-        return f"<Proof {self.verdict}: {self.left} = {self.factor} {self.right} in R{self.dimension}>"
-
-    @property
-    def verdict(self) -> Verdict:
-        """PROVED, REFUTED, or VACUOUS where both sides vanish for every curve: 0 = 0 is not a success."""
-        return self.finding.verdict
-
-    @property
-    def holds(self) -> bool:
-        """Whether it is proved."""
-        return self.verdict == PROVED
-
-    def __bool__(self) -> bool:
-        return self.holds
+        return f"{super().__repr__()[:-1]} in R{self.dimension}>"
 
     def data(self) -> dict[str, object]:
         """The answer as data."""
@@ -75,24 +82,9 @@ class Proof(Worded):
         )
 
 
-@dataclass(frozen=True)
-class Check(Worded):
-    """The answer of `verify`: whether ``left = factor · right`` on one curve. Usable as a condition."""
-
-    left: str
-    right: str
-    factor: str
-    finding: Finding
-
-    def __repr__(self) -> str:
-        return f"<Check {self.verdict}: {self.left} = {self.factor} {self.right}>"
-
-    @property
-    def verdict(self) -> Verdict:
-        """VERIFIED, REFUTED, or VACUOUS where both sides vanish on the whole curve (then any factor is right), or a
-        side or the factor does not exist on a segment.
-        """
-        return self.finding.verdict
+@dataclass(frozen=True, repr=False)
+class Check(_Answer):
+    """The answer of `verify`: whether ``left = factor · right`` on one curve."""
 
     @property
     def parameter(self) -> mpq | None:
@@ -101,17 +93,9 @@ class Check(Worded):
         return witness.at.parameter if isinstance(witness, Difference) and isinstance(witness.at, At) else None
 
     @property
-    def holds(self) -> bool:
-        """Whether it is verified."""
-        return self.verdict == VERIFIED
-
-    @property
     def vacuous(self) -> bool:
         """Whether there is nothing to decide."""
         return self.verdict == VACUOUS
-
-    def __bool__(self) -> bool:
-        return self.holds
 
 
 def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None = None) -> Proof:
@@ -140,14 +124,11 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     kind = common_kind(f.kind for f in sides)
     equation = Equation(sides[0], sides[1], factor)
     _check_kinds(kind, equation.formulas, n)
-    if kind.adjoins_roots:
-        curve = jets_with_roots(equation.formulas, factor, n)
-    else:
-        curve = RationalJetReading(max(order_of(f, n) for f in equation.formulas)).argument(kind, n)
+    curve = jets_for(equation.formulas, n, factor=factor)
     finding = equation.decide(curve)
     nothing = kind.adjoins_roots or sides[1](curve).is_zero
     quotient = None if nothing else find_factor(sides[0](curve), sides[1](curve))
-    return Proof(sides[0].name, sides[1].name, factor, n, finding, quotient, kind.adjoins_roots)
+    return Proof(sides[0].name, sides[1].name, factor, finding, n, quotient, kind.adjoins_roots)
 
 
 def proof_of(text: str, *, trust: bool = False) -> Proof:
@@ -238,7 +219,8 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     ps, qs = (split(f(curve))[0] for f in sides)
     if len(ps) != len(qs):
         raise FormulaError(
-            f"{sides[0].name} has {len(ps)} components and {sides[1].name} has {len(qs)}", remedy="compare equals"
+            f"{sides[0].name} has {counted(len(ps), 'component')} and {sides[1].name} has {len(qs)}",
+            remedy="compare equals",
         )
     finding = Equation(sides[0], sides[1], factor).decide(curve, VERIFIED)
     return Check(sides[0].name, sides[1].name, factor, finding)

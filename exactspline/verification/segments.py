@@ -8,17 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
-from math import comb
 from typing import Any, NamedTuple
 
+from flint import fmpq_poly
+
 from exactspline.errors import VanishingDivisorError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, T
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, Evaluated, T
 from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.kinds import PairKind
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction
+from exactspline.roots.values import in_powers
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.evidence import At, On
@@ -120,23 +121,22 @@ def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> 
     splines: dict[str, BSpline] = dict(curve.operands())
     for i, (a, b) in enumerate(zip(curve.breakpoints, curve.breakpoints[1:], strict=False)):
 
-        def operand(symbol: Symbol, i: int = i, width: mpq = b - a) -> JetFraction:
+        def operand(symbol: Symbol, i: int = i) -> JetFraction:
             if symbol.name not in ring.symbols:
                 own, parameter = splines[symbol.name.lower()], BAR if symbol.name.isupper() else OWN
-                return _polynomial(own.segments[i], ring, parameter, width)
+                return _polynomial(own, i, ring, parameter)
             return JetFraction(ring, ring[symbol.name].polynomial, ring.context.constant(1))
 
         made = kind.argument(curve.dimension, operand, one, polynomial=curve.polynomial)
         yield OnSegment(made.remembering(), a, b)
 
 
-def _polynomial(points: tuple[mpq, ...], ring: JetRing, parameter: str, width: mpq) -> JetFraction:
-    """A segment by its Bézier points, as a polynomial in the parameter minus its value at the start of the segment."""
-    n, t = len(points) - 1, ring[parameter].polynomial
-    polynomial = ring.context.constant(0)
-    for k in range(n, -1, -1):
-        c = comb(n, k) * sum((-1) ** (k - j) * comb(k, j) * points[j] for j in range(k + 1)) / width**k
-        polynomial = polynomial * t + to_fmpq(mpq(c))
+def _polynomial(f: BSpline, i: int, ring: JetRing, parameter: str) -> JetFraction:
+    """A segment of a spline as a polynomial in the parameter minus its value at the start of the segment."""
+    local = in_powers(f, i)(fmpq_poly([to_fmpq(f.breakpoints[i]), 1]))
+    t, polynomial = ring[parameter].polynomial, ring.context.constant(0)
+    for c in reversed(local.coeffs()):
+        polynomial = polynomial * t + c
     return JetFraction(ring, polynomial, ring.context.constant(1))
 
 

@@ -368,3 +368,19 @@ def test_too_much_work_is_said():
     many = Family.parsed("degree=3 segments=500 count=1").curve(0)
     with pytest.raises(ExactSplineError, match="too much work"):
         answer_data(xs.oracle(many, "length"))
+
+
+def test_self_intersections_are_pairs_of_parameters_and_what_is_not_decided_is_an_error():
+    loop = xs.Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
+    (item,) = oracle(loop, "self_intersections").items
+    assert item.values["parameter"] + item.values["other parameter"] == 1
+    assert item.values["x"] == mpq(1, 2)
+    fold = xs.Nurbs(4, [0] * 5 + [1] * 5, [(0, 0), (1, 0), (1, 2), (1, 0), (0, 0)])
+    (item,) = oracle(fold, "self_intersections").items
+    assert item.facts == {"reversed": True}
+    # (x, x²) for x = t (t − 1/2) (t − 1): three times over one arc
+    x = xs.BSpline.identity(0, 1)
+    x = x * (x - mpq(1, 2)) * (x - 1)
+    thrice = xs.Nurbs.from_splines([x, x * x])
+    with pytest.raises(QuestionError, match="not decided"):
+        oracle(thrice, "self_intersections")

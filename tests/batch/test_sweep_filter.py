@@ -27,7 +27,7 @@ from exactspline.numbers.exact import mpq
 np = pytest.importorskip("numpy")
 
 from exactspline.geometry import many_roots  # noqa: E402  # needs numpy
-from exactspline.polynomials.modular import PRIMES, PRODUCT, without_rational_zero  # noqa: E402
+from exactspline.polynomials.doubles import PRIMES, PRODUCT, without_rational_zero  # noqa: E402
 from tests.geometry.test_filtered_splines import troubled  # noqa: E402
 
 SHARED = Path(os.environ.get("EXACTSPLINE_CURVES", Path(__file__).resolve().parents[3] / "shared" / "curves")).parent

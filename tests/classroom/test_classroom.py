@@ -11,13 +11,14 @@ from xml.etree import ElementTree
 import pytest
 from click.testing import CliRunner
 
-from exactspline.classroom.answers import Circle, Parameters, Points, Polynomials
+from exactspline.classroom.answers import Circle, Parameters, Points, Polynomials, shown
 from exactspline.classroom.comparison import compare_curves, compare_formulas
 from exactspline.classroom.differences import (
     Invented,
     Missing,
     OtherDimension,
     OtherDomain,
+    OtherNumber,
     OtherPoint,
     OtherValue,
     Shape,
@@ -25,7 +26,7 @@ from exactspline.classroom.differences import (
 from exactspline.classroom.exercises import LARGEST
 from exactspline.classroom.parts import Math
 from exactspline.classroom.reading import AnswerError, numbers, points, polynomials
-from exactspline.classroom.topics import TOPICS, TopicError, exercise, exercises
+from exactspline.classroom.topics import HINTS, TOPICS, TopicError, about, exercise, exercises
 from exactspline.cli import app
 from exactspline.display.exercises import html_page, latex_document, plain, text_lines
 from exactspline.interchange.curve_files import curve_data
@@ -50,6 +51,10 @@ def test_the_checker_solves_every_exercise_and_the_answers_are_small(topic):
     assert SHEETS[topic][7] == exercise(topic, 7)
 
 
+def run(*arguments, **options):
+    return CliRunner().invoke(app, [str(a) for a in arguments], **options)
+
+
 def numbers_in(written):
     """Where the numbers of an answer stand; exponents are none of them."""
     return [m.span() for m in re.finditer(r"-?\d+(?:/\d+)?", written) if written[: m.start()][-1:] != "^"]
@@ -72,6 +77,33 @@ def wrong_answers(made):
     yield ", ".join(
         [*([] if written in ("no", "none") else parts), parts[0] if "t" in written or "(" in written else "7"]
     )
+
+
+@topics
+def test_nothing_is_told_before_it_is_asked_for(topic):
+    """Before: a wrong answer was met with the right one."""
+    asked = ("teach", "check", "--topic", topic, "--seed", 2, "--text")
+    made = exercise(topic, 2)
+    for wrong in wrong_answers(made):
+        if made.answer.written == wrong or made.answer.check(wrong):
+            continue
+        differences = made.answer.check(wrong).differences
+        right = {f" is {shown(each.right)}" for each in differences if isinstance(each, OtherPoint)}
+        right |= {f" is {each.right}," for each in differences if isinstance(each, OtherNumber)}
+        told = run(*asked, wrong).output
+        assert told.startswith("wrong")
+        assert not any(each in told for each in right)
+        assert HINTS[topic][:30] in " ".join(run(*asked, wrong, "--hint").output.split())
+        assert plain(made.answer.parts) in " ".join(run(*asked, wrong, "--show").output.split())
+
+
+def test_a_sheet_of_several_topics_has_headings_and_lines_for_name_date_and_answers():
+    made = [exercise("circle", 0), exercise("circle", 1), exercise("power", 0)]
+    text = text_lines(made, 80, solutions=False)
+    assert [line for line in text if line.startswith(("Whether", "Conversion"))] == [about("circle"), about("power")]
+    for written in (html_page(made, solutions=False), latex_document(made, solutions=False)):
+        assert all(word in written for word in ("Name:", "Date:", "no, or centre x, centre y, radius squared"))
+    assert run("teach", "exercise", "circle", "power", "--count", 2).output.count("[") >= 4
 
 
 @topics
@@ -248,7 +280,7 @@ def test_sheets_have_all_that_is_asked_and_answered():
         ElementTree.fromstring(math)
     assert page.count("<li>") == 2 * len(TOPICS)
     document = latex_document(made, solutions=True)
-    assert document.count(r"\item") == 2 * len(TOPICS)
+    assert document.count(r"\item ") == 2 * len(TOPICS)
     bare = document.replace(r"\left(", "").replace(r"\right)", "").replace(r"\{", "").replace(r"\}", "")
     assert bare.count("{") == bare.count("}")
     assert document.count("$") % 2 == 0
@@ -270,23 +302,26 @@ def test_what_the_page_for_teachers_says_runs(tmp_path, monkeypatch):
         "from exactspline.language import det\n\n\ndef kappa(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w**4\n"
     )
     page = PAGE.read_text(encoding="utf-8")
-    commands = re.findall(r"^\./run (.*)$", page, flags=re.MULTILINE)
+    lesson, rest = page.split("## Triangles of fractions")
+    in_class = re.findall(r"^ *\./run (.*)$", lesson, flags=re.MULTILINE)
+    taught = [CliRunner().invoke(app, shlex.split(re.split(r" > ", command)[0])) for command in in_class]
+    assert [result.exit_code for result in taught] == [0, 0, 1]
+    assert "hint: The control points of the segment" in taught[2].output
+    commands = re.findall(r"^\./run (.*)$", rest, flags=re.MULTILINE)
     printed = []
     for command in commands:
         arguments = shlex.split(re.split(r" {3,}| > ", command)[0])
         result = CliRunner().invoke(app, arguments, env={"COLUMNS": "80"})
         assert result.exit_code == 0, (command, result.output)
         printed.append(result.output)
-    assert len(commands) == 10
-    shown = re.search(r"```\n(De Boor.*?)\n```", page, flags=re.DOTALL)[1]
-    assert printed[0].startswith(shown)
+    assert len(commands) == 11
+    shown_there = re.search(r"```\n(De Boor.*?)\n```", page, flags=re.DOTALL)[1]
+    assert printed[0].startswith(shown_there)
     listed = set(re.findall(r"`(\w+)`", "".join(re.findall(r"^\| (`.*?) \|", page, flags=re.MULTILINE))))
     assert listed == set(TOPICS)
 
 
 def test_the_command_line(tmp_path):
-    def run(*arguments, **options):
-        return CliRunner().invoke(app, [str(a) for a in arguments], **options)
 
     made = exercise("circle", 3)
     file = tmp_path / "answer.txt"

@@ -41,11 +41,11 @@ def test_a_point_and_a_space_curve(tmp_path):
     assert done.returncode == 0
     data = json.loads(file.read_text())
     assert [piece["moved"] for piece in data["pieces"]] == ["x", "y", "z"]
-    assert run("bisector", "ellipse_in_space", "--point", "1,1,2").stdout.count("ruled surface") == 3
+    assert run("bisector", "ellipse_in_space", "--point", "1,1,2", "-q").stdout.count("ruled surface") == 3
 
 
 def test_a_point_and_a_plane_curve_is_trimmed():
-    done = run("bisector", "ellipse", "--point", "-1,1/3", "--digits", "8")
+    done = run("bisector", "ellipse", "--point", "-1,1/3", "--digits", "8", "-q")
     assert done.returncode == 0
     assert done.stdout.count("arc") == 2
     data = json.loads(run("bisector", "parabola", "--point", "0,1", "--json").stdout)["rows"][0]
@@ -115,7 +115,7 @@ def files(folder, name):
 
 
 def shown_at(width, *arguments):
-    done = CliRunner().invoke(app, ["bisector", *map(str, arguments)], env={"COLUMNS": str(width)})
+    done = CliRunner().invoke(app, ["bisector", "-q", *map(str, arguments)], env={"COLUMNS": str(width)})
     assert done.exit_code == 0
     return done.stdout
 

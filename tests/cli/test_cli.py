@@ -20,7 +20,7 @@ def test_prove_as_json_follows_the_schema():
 def test_prove_on_a_curve_shows_the_cancelled_factor():
     done = run_alone("prove", "--curve", "rational_cubic", "--claim", "C4.1")
     assert done.returncode == 0
-    assert "f0 = w^-3 · f2" in done.stdout
+    assert "f0 = w⁻³ · f2" in done.stdout
     assert "all as recorded" in done.stdout
 
 

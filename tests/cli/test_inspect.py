@@ -40,7 +40,7 @@ def inspected(tmp_path, monkeypatch):
 
 def test_a_square_has_four_corners_with_their_angles(inspected):
     output, data = inspected(SQUARE)
-    rows = [line for line in output.splitlines() if line.startswith("corner")]
+    rows = [line for line in output.splitlines() if line.startswith("corner ")]
     assert len(rows) == 4
     assert all("turns by 90° (cos = 0, sin = 1), G0" in row for row in rows)
     assert "at the seam" in rows[0]

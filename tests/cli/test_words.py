@@ -1,5 +1,6 @@
 """What the command line says around its tables: schemas, glossary, nearest names, pages, numbers, habits."""
 
+import csv
 import json
 import re
 from functools import cache
@@ -9,6 +10,7 @@ import jsonschema
 import pytest
 from click.testing import CliRunner
 
+from exactspline import examples
 from exactspline.cli import app
 from exactspline.cli.commands import leaves
 from exactspline.cli.schema import schema_of, schemas
@@ -17,7 +19,16 @@ from exactspline.display.evidence import worded
 from exactspline.display.glossary import meaning, terms
 from exactspline.display.ledger import WORDS
 from exactspline.display.ledger_page import ledger_page
-from exactspline.display.numbers import Numbers, decimals
+from exactspline.display.numbers import Numbers
+from exactspline.geometry.bisector.components import Solutions
+from exactspline.geometry.bisector.trimmed import PieceKind
+from exactspline.geometry.intersections import IntersectionKind
+from exactspline.geometry.kinds import FeatureKind, JointKind
+from exactspline.geometry.recognition.shapes import ShapeKind
+from exactspline.geometry.surface.degenerate import Gap
+from exactspline.geometry.surface.inspection import PatchKind
+from exactspline.geometry.surface.joints import SurfaceJointKind
+from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
@@ -49,6 +60,7 @@ DOCUMENTS = {
     "errata": ["errata", "--json"],
     "degrees": ["formula", "degrees", "--curve", "straight_between_arcs", "--json"],
     "generic": ["formula", "degrees", "--generic", "--json"],
+    "degrees at": ["formula", "degrees", "--at", "3", "--json"],
     "patch degrees": ["formula", "degrees", "--paper", "surfaces", "--patch", "1,2", "parabolic", "L", "--json"],
     "formula degrees": ["formula", "degrees", "--paper", "lifted", "--generic", "evolute_lifted", "--json"],
     "identity": ["identity", "f1 = w f2", "--json"],
@@ -115,6 +127,47 @@ def test_keys_of_the_whole_ledger_on_one_curve_are_unique():
 def test_the_glossary_has_every_word_of_the_tables(term):
     assert meaning(term) in terms().values()
     assert run("list", "words", term).stdout.startswith(f"{term}: ")
+
+
+#: Everything that is said of features, joints, patches and pieces.
+KINDS = (
+    FeatureKind,
+    JointKind,
+    SurfaceJointKind,
+    PatchKind,
+    Gap,
+    Shape,
+    Solutions,
+    PieceKind,
+    ShapeKind,
+    IntersectionKind,
+)
+#: Curves, surfaces and bisectors whose tables have many kinds of rows.
+TABLES = [
+    *(["inspect", name] for name in (*examples("curves"), "torus", "sphere", "monkey_saddle", "bicubic", "folded_map")),
+    ["bisector", "cubic_s", "--point", "7/4,3/2"],
+    ["bisector", "twisted_cubic", "--point", "1,0,1"],
+    ["bisector", "twisted_cubic", "space_line"],
+    ["inspect", "straight_between_arcs", "--ask", "joints", "--ask", "straight_pieces", "--ask", "cusps"],
+]
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
+def test_every_kind_of_thing_is_in_the_glossary(kind):
+    assert [str(each) for each in kind if str(each) not in terms()] == []
+
+
+@pytest.mark.parametrize("asked", TABLES, ids=" ".join)
+def test_every_row_and_remark_begins_with_a_word_of_the_glossary(asked):
+    """Before: "stationary", "singular end", "straight", "closed", "G3" were printed and explained nowhere."""
+    rows = list(csv.DictReader(run(*asked, "--csv").stdout.splitlines()))
+    said = {row.get("what") or row.get("piece") or "nothing" for row in rows}
+    said |= {part for row in rows for part in re.split(", ", row.get("remark") or "") if part[:1].islower()}
+    assert [each for each in said if not begins_with_a_term(each)] == []
+
+
+def begins_with_a_term(text):
+    return any(text == term or text.startswith((f"{term} ", f"{term}:")) for term in terms())
 
 
 @pytest.mark.parametrize(
@@ -218,10 +271,10 @@ def test_prove_answers_first():
 
 def test_long_fractions_are_decimals_and_stand_in_full_on_demand():
     long = "-37571202085457847/1220703125000000000"
-    assert decimals(f"differs by {long}") == "differs by ≈ -0.0307783"
-    assert decimals(f"differs by {long}", exact=True) == f"differs by {long}"
-    assert decimals("at 1/3") == "at 1/3"
-    assert decimals("g1 = w⁸·1/2·f") == "g1 = w⁸·1/2·f"
+    assert Numbers().within(f"differs by {long}") == "differs by ≈ -0.0307783"
+    assert Numbers(exact=True).within(f"differs by {long}") == f"differs by {long}"
+    assert Numbers().within("at 1/3") == "at 1/3"
+    assert Numbers().within("g1 = w⁸·1/2·f") == "g1 = w⁸·1/2·f"
     between = Between(mpq("3333333333333333/10000000000000000"), mpq("3333333333333334/10000000000000000"))
     assert worded(between, Numbers()) == "near the parameter 0.333333"
     assert worded(Between(mpq(1, 3), mpq(1, 2)), Numbers()) == "between the parameters 1/3 and 1/2"

@@ -11,7 +11,7 @@ from exactspline import BSpline
 from exactspline.display.plot.canvas import PlotError, new_figure
 from exactspline.display.plot.comparisons import plot_approaches
 from exactspline.display.plot.curves import plot_curve, plot_quotient
-from exactspline.display.plot.frames import homogeneous
+from exactspline.display.plot.frames import homogeneous, inside
 from exactspline.display.plot.functions import plot_function, plot_roots
 from exactspline.display.plot.html import Scene, scenes_data, turning_page
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
@@ -78,6 +78,24 @@ def test_no_face_reaches_across_a_pole():
     poles = tensor_mesh(saddle)
     assert poles.faces
     assert all(len({(p[0] - 2 * p[1]) < 1 for p in face}) == 1 for face in poles.faces)
+
+
+def test_a_surface_reaches_the_border_of_what_is_shown():
+    """Before: only whole cells of the grid were drawn, so that a bisector was a bundle of splinters."""
+    box = ((mpq(0),) * 3, (mpq(1, 3), mpq(2, 7), mpq(1)))
+    mesh = tensor_mesh(SADDLE, box)
+    points = [p for face in mesh.faces for p in face]
+    assert all(inside(p, box) for p in points)
+    assert {p[0] for p in points} >= {mpq(0), mpq(1, 3)}
+    assert {p[1] for p in points} >= {mpq(0), mpq(2, 7)}
+    # what is drawn is all of the part of the saddle over the rectangle
+    assert sum(area(face) for face in mesh.faces) == mpq(1, 3) * mpq(2, 7)
+
+
+def area(face):
+    """Of the projection of a polygon to the first two coordinates."""
+    pairs = zip(face, [*face[1:], face[0]], strict=True)
+    return abs(sum(p[0] * q[1] - p[1] * q[0] for p, q in pairs)) / 2
 
 
 def test_a_tensor_surface_is_drawn_through_its_exact_points_with_its_net():

@@ -228,7 +228,7 @@ def test_what_a_row_says_already_is_not_said_again():
     assert false.witness == ExactQuotient(false.factor)
     assert (found(false), witness(false)) == ("f1 = w · f2", "")
     degree = next(c for c in select(["C4.1c"]) if c.kind == "degree" and c.measure == "nominal")
-    curve = next(c for c in map(example, example_names()) if degree.speaks_of(c.dimension, c.polynomial))
+    curve = next(c for c in map(example, example_names()) if degree.applies_to(c.dimension, c.polynomial))
     (row,) = audit([replace(degree, claimed="99")], [curve])
     assert isinstance(row.witness, WrongDegree)
     assert (found(row), witness(row)) == (f"{row.witness.degree}, not 99", "")

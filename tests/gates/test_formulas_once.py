@@ -179,7 +179,6 @@ def vanishes(value: Iterable[object]) -> bool:
 #: Formulas that are equal and of which a claim speaks as parts of what is equal.
 PARTS = [
     {"jerk", "third_derivative", "jerk_terms", "jerk_shared", "jet_3"},
-    {"curvature_squared_inverted", "curvature_radius_squared", "primer_radius_squared"},
     {"radius_squared", "inverse_curvature_squared", "curvature_radius_squared"},
     {"radius_vector", "towards_the_circle"},
     {"bisector_numerators", "bisector_numerators_levelled"},

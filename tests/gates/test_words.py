@@ -41,10 +41,8 @@ IN_CODE = {
     r"left to exact": "decided by exact arithmetic",
     r"beside (the|its|it|their|them|each|one)": "next to, in addition to",
 }  # fmt: skip
-FOLDERS = (
-    "workshop/",
-    *(f"exactspline/{room}/" for room in ("batch", "display", "geometry", "programs", "splines", "verification")),
-)
+ROOMS = ("batch", "classroom", "cli", "display", "geometry", "interchange", "programs", "splines", "testing")
+FOLDERS = ("workshop/", *(f"exactspline/{room}/" for room in (*ROOMS, "verification")))
 TEXTS = ("*.py", "*.pyi", "*.md", "*.ipynb", "*.js", "*.html")
 
 

@@ -17,11 +17,11 @@ from exactspline.cli import app
 from exactspline.display.bisector_data import curve_bisector_data
 from exactspline.errors import ReachError
 from exactspline.geometry.bisector import root_lines
-from exactspline.geometry.bisector.over_root import OverRoot, by_powers
 from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
 from exactspline.polynomials.elimination import resultant
+from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.two_parameters import S, T, least_value, rows_of
 from exactspline.roots.of_polynomials import as_splines, roots_in
 from exactspline.roots.zero_set import zeros

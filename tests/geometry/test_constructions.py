@@ -16,7 +16,7 @@ from exactspline.interchange.examples import example
 from exactspline.language.parts import split
 from exactspline.papers import find
 from exactspline.splines.lowest_terms import in_lowest_terms, lowest_terms, true_degree
-from exactspline.verification.generic_degree import symbolic_minimum
+from exactspline.verification.generic_proof import symbolic_minimum
 
 DIMENSION = {"plane": 2, "space": 3}
 

@@ -16,7 +16,7 @@ from exactspline.geometry.planarity import with_plane_curves
 from exactspline.interchange.curve_files import read_curve
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.verification.claims import all_claims
-from exactspline.verification.generic_degree import symbolic_minimum
+from exactspline.verification.generic_proof import symbolic_minimum
 from exactspline.verification.ledger import audit
 from exactspline.verification.minimality import certificate
 from tests.support.sampled import sample

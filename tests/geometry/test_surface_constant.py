@@ -14,7 +14,7 @@ from exactspline.geometry.surface.constant import constant_curvature, has_curvat
 from exactspline.geometry.surface.forms import SurfaceForms
 from exactspline.geometry.surface.joints import SurfaceJointKind
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
-from exactspline.interchange.surface_files import surface_data
+from exactspline.interchange.curve_files import surface_data
 from exactspline.language.arguments import Operands
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import FORMS, SURFACE

@@ -13,7 +13,7 @@ from exactspline import NurbsSurface, analyse, example
 from exactspline.cli import app
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.joints import SurfaceJointKind
-from exactspline.interchange.surface_files import surface_data
+from exactspline.interchange.curve_files import surface_data
 from exactspline.splines.surface import Along
 
 #: The dial: what coordinates are multiplied by and moved by.

@@ -23,7 +23,7 @@ from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.planar_maps import MapKind
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
-from exactspline.interchange.surface_files import surface_data
+from exactspline.interchange.curve_files import surface_data
 from exactspline.polynomials.common_zeros import isolate, same
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form

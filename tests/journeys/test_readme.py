@@ -3,6 +3,7 @@
 import contextlib
 import io
 import re
+import shlex
 import subprocess
 import sys
 from functools import cache
@@ -15,23 +16,63 @@ from exactspline.cli.commands import leaves
 from exactspline.display.code import code_lines
 from exactspline.papers import default_papers
 from exactspline.verification.claims import all_claims
+from tests.support.command import run
 from tests.support.decided import errors_in_print, remarks
 
 README = Path(__file__).resolve().parents[2] / "README.md"
+COMMANDS = README.parent / "docs" / "commands.md"
+RUN = [
+    README.parent / name
+    for name in ("README.md", "docs/commands.md", "docs/library.md", "docs/concepts.md", "docs/two-parameters.md")
+]
+in_the_checkout = pytest.mark.skipif(not README.exists(), reason="the pages are in the checkout only")
 
 
-@pytest.mark.skipif(not README.exists(), reason="the README is in the checkout only")
-@pytest.mark.parametrize("page", ["README.md", "docs/concepts.md"])
+def blocks_of(page, kind):
+    return re.findall(rf"^```{kind}\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+
+
+@in_the_checkout
+@pytest.mark.parametrize("page", RUN, ids=lambda page: page.stem)
+def test_what_a_page_shows_is_what_is_printed(page, monkeypatch):
+    """Every block that begins with a prompt, up to the dots."""
+    monkeypatch.setenv("EXACTSPLINE_COMMAND", "./run")
+    for block in blocks_of(page, ""):
+        prompt, *shown = block.splitlines()
+        if not prompt.startswith("$ "):
+            continue
+        command, *arguments = shlex.split(prompt.removeprefix("$ "))
+        assert command == "./run"
+        done = run(*arguments)
+        rest = "\n".join(line.rstrip() for line in done.stdout.splitlines()) + "\n"
+        for part in "\n".join([*shown, ""]).split("…\n"):
+            if not part:
+                continue
+            assert part in rest, (prompt, part)
+            rest = rest.partition(part)[2]
+        assert done.returncode == 0
+
+
+@in_the_checkout
+def test_the_two_commands_of_the_readme_are_those_of_the_script():
+    (block,) = blocks_of(README, "sh")
+    named = [line.split()[1] for line in block.splitlines()]
+    assert named == ["prove", "test"]
+    assert set(named) <= {*leaves(), *re.findall(r"^    (\w+)\)", (README.parent / "run").read_text(), re.MULTILINE)}
+
+
+@in_the_checkout
+@pytest.mark.parametrize("page", [page for page in RUN if page != COMMANDS], ids=lambda page: page.stem)
 def test_python_blocks_of_a_page_run(page):
     """One after the other, as they are read."""
-    blocks = re.findall(r"```python\n(.*?)```", (README.parent / page).read_text(encoding="utf-8"), re.DOTALL)
+    blocks = blocks_of(page, "python")
     assert blocks
     subprocess.run([sys.executable, "-c", "\n".join(blocks)], check=True)
 
 
-@pytest.mark.skipif(not README.exists(), reason="the README is in the checkout only")
-def test_the_readme_names_every_command():
-    text = README.read_text(encoding="utf-8")
+@in_the_checkout
+def test_the_page_of_commands_names_every_command():
+    text = COMMANDS.read_text(encoding="utf-8")
     missing = [name for name in leaves() if f"`./run {name}" not in text and f"`{name.split()[-1]}`" not in text]
     assert not missing
 

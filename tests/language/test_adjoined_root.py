@@ -201,7 +201,7 @@ def test_the_claims_over_roots_are_as_recorded_also_by_sympy(claim):
     """By two algebras; on single curves nothing is said: splines have no roots."""
     assert proved(claim).verdict == claim.expected
     assert Sympy().decide(claim).verdict == claim.expected
-    assert not any(claim.speaks_of(n, polynomial) for n in (2, 3) for polynomial in (False, True))
+    assert not any(claim.applies_to(n, polynomial) for n in (2, 3) for polynomial in (False, True))
 
 
 def test_frames_in_the_plane_and_in_space_are_in_the_ledger():

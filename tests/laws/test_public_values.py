@@ -13,7 +13,7 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.batch.oracle_answers import Answer, answer_data
-from exactspline.language.argument import Argument
+from exactspline.language.arguments import Argument
 from exactspline.language.kinds import PLANE
 from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector

@@ -8,11 +8,13 @@ import pytest
 from flint import Ordering, fmpq_mpoly_ctx, fmpz, fmpz_mpoly_ctx, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReachError
+from exactspline.numbers.exact import mpq
 from exactspline.polynomials import elimination, factors
 from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
 from exactspline.polynomials.factorization import Factorization, power_text
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
-from exactspline.verification.coq.refutations import Units
+from exactspline.verification.coq.denominators import factored
+from exactspline.verification.coq.proofs import Nonzero
 
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
 S, T = CONTEXT.gens()
@@ -150,9 +152,9 @@ def test_prime_factors_of_any_integer_or_none():
 
 
 def test_a_prime_weight_of_any_size_is_a_unit_of_a_theorem():
-    units = Units()
-    units.recognize(10**15 + 37)
-    assert units.atoms == [(10**15 + 37,)]
+    units = Nonzero()
+    units.recognize(factored(mpq(10**15 + 37)))
+    assert units.atoms == [10**15 + 37]
 
 
 @pytest.mark.parametrize("content", [6, -6])

@@ -138,7 +138,7 @@ def test_what_exists_nowhere_on_a_curve_is_told_to_be_missing_also_of_ruled_surf
     """On a straight line γ′ × γ″ = 0: quotients and ruled surfaces with that denominator do not exist."""
     line, found = example("space_line"), set()
     for claim in all_claims():
-        if claim.kind == "same surface" and "focal_surface" in claim.named and claim.speaks_of(3, line.polynomial):
+        if claim.kind == "same surface" and "focal_surface" in claim.named and claim.applies_to(3, line.polynomial):
             finding = claim.check(line)
             assert finding.verdict == "INAPPLICABLE"
             assert worded(finding.witness) == "γ′×γ″ vanishes on all of [0, 1]"

@@ -25,6 +25,7 @@ CASES = {
     "multiple": lambda: zeros((T**2 + T - 1) ** 2 * (3 * T - 1) ** 2 * (T**2 + 1)),
     "midpoints": lambda: zeros((2 * T - 1) * (4 * T - 1) ** 3 * (T - 1) * T**2),
     "periodic": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, -1, 0]), periodic=True),
+    "an interval of two segments": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [1, 0, 0, 0, 1])),
     "two intervals": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])),
     "periodic, an end": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [0, 1, 0, 0, -1, 0, 0]), periodic=True),
     "periodic, a start": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [0, 0, 1, 0, 0, -1, 0]), periodic=True),
@@ -219,6 +220,18 @@ ATTACKS = {
     "leaves beyond the segment": one_segment(
         ["-2", "1"], [["0", "2", 1], ["2", "1", 1]], roots=[("1/2", "3/4", 1, [-1, 1])] * 2
     ),
+    "one zero for two": one_segment(
+        ["3", "-4", "1"],
+        [["0", "1/2", 0], ["1/2", "1", 1]],
+        points=["1/2"],
+        roots=[("1/2", "1/2", 1, [1, -1]), ("1/2", "1/2", 1, [-1, 1])],
+    ),
+    "another zero at the end": one_segment(
+        ["3", "-4", "1"],
+        [["0", "3/4", 1], ["3/4", "1", 0]],
+        points=["3/4"],
+        roots=[("3/4", "3/4", 1, [1, -1]), ("3/4", "3/4", 1, [-1, 1])],
+    ),
     "a power that does not end": one_segment(POSITIVE, WHOLE, [[["1"], 10**18], [POSITIVE, 1]]),
     "a degree that does not end": one_segment(POSITIVE, WHOLE, [[["1", "1"], 10**18]]),
     "an exponent that does not end": one_segment(["-1", "1e999999999"], WHOLE),
@@ -232,7 +245,9 @@ ATTACKS = {
 @pytest.mark.parametrize("sturm", [True, False])
 @pytest.mark.parametrize("name", ATTACKS)
 def test_attacks_are_refused(name, sturm):
-    """Proved before, without Sturm's sequence: a zero of 1 + uv, that t − 1/2 has no zero, that it has two."""
+    """Proved before, without Sturm's sequence: a zero of 1 + uv, that t − 1/2 has no zero, that it has two; with it,
+    that both zeros of (2t − 1)(4t − 3) are at 1/2.
+    """
     with pytest.raises(ValueError, match=r"."):
         check_certificate(ATTACKS[name], sturm=sturm)
 

@@ -21,8 +21,8 @@ from exactspline.errors import (
     ShapeError,
     WeightError,
 )
+from exactspline.interchange.curve_files import looks_like_surface, surface_data, surface_from_text
 from exactspline.interchange.examples import load_surface
-from exactspline.interchange.surface_files import looks_like_surface, surface_data, surface_from_text
 
 UNIT = [0, 0, 1, 1]
 SQUARE = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]]

@@ -9,7 +9,7 @@ import pytest
 from exactspline import Nurbs
 from exactspline.interchange.examples import example, example_names
 from exactspline.language.kinds import kind_of
-from exactspline.symbolic.factorization import speaking_of
+from exactspline.symbolic.factorization import named_by
 from exactspline.verification.claims import all_claims
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import Fact, NoGenerator, Undefined, UndefinedAt
@@ -59,7 +59,7 @@ def evaluated(i):
 
 def does_not_exist(claim, own):
     """Why a formula of the claim does not exist on a curve: 0/0, or a ruled surface without rulings."""
-    if gone := claim.missing(own.handed(claim.curve)):
+    if gone := claim.missing(own.argument(claim.curve)):
         return gone
     found = claim.check(own)
     nothing = found.verdict in (VACUOUS, INAPPLICABLE)
@@ -70,9 +70,9 @@ def does_not_exist(claim, own):
 def findings(claim):
     """Curve by curve what is not there, and the assumptions that fail on a whole segment."""
     for i, curve in enumerate(CURVES):
-        if claim.speaks_of(curve.dimension, curve.polynomial):
+        if claim.applies_to(curve.dimension, curve.polynomial):
             own = evaluated(i)
-            with speaking_of(claim.source_paper):
+            with named_by(claim.source_paper):
                 failing = [each.name for each in claim.assumes if own.failing(claim.curve, [each])]
                 yield does_not_exist(claim, own), [name for name in failing if name.endswith("≢ 0")], failing
 
@@ -100,5 +100,5 @@ def test_what_every_other_claim_speaks_of_exists_where_its_assumptions_hold():
     for i, curve in enumerate(SPECIAL):
         for claim in others:
             own = evaluated(i)
-            if claim.speaks_of(curve.dimension, curve.polynomial) and claim.missing(own.handed(claim.curve)):
+            if claim.applies_to(curve.dimension, curve.polynomial) and claim.missing(own.argument(claim.curve)):
                 assert own.failing(claim.curve, claim.assumes), claim.key

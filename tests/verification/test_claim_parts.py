@@ -127,9 +127,9 @@ def test_coefficients_of_the_generic_polynomial_curve_are_computed():
 
 
 def test_what_stands_beside_a_curve():
-    assert Evaluation(example("ellipse")).beside("plane") is None
-    assert Evaluation(example("ellipse")).beside("plane point").point
-    assert Evaluation(table_1_splines()).beside(ArgumentKind.TABLE) is None
+    assert Evaluation(example("ellipse")).given("plane").beside is None
+    assert Evaluation(example("ellipse")).given("plane point").beside.point
+    assert Evaluation(table_1_splines()).given(ArgumentKind.TABLE).beside is None
 
 
 def test_operands_of_table_1_have_the_degrees_that_they_are_said_to_have():
@@ -184,7 +184,7 @@ def test_minimal_forms_are_told_with_their_grading():
 def test_one_claim_makes_its_tasks():
     one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
     assert len(tasks([one])) == 1 + sum(
-        one.speaks_of(example(n).dimension, example(n).polynomial) for n in example_names()
+        one.applies_to(example(n).dimension, example(n).polynomial) for n in example_names()
     )
 
 
@@ -241,9 +241,9 @@ def test_continuity_is_that_of_the_least_continuous_component(monkeypatch):
             one, claimed=f"degree 2, {nominal} {Counter.NOMINAL_CONTINUITY}, {true} {Counter.TRUE_CONTINUITY}"
         )
         own = Evaluation(example(one.example))
-        assert said.examine(own.handed(one.curve), own).verdict == VERIFIED
+        assert said.examine(own.argument(one.curve), own).verdict == VERIFIED
         other = replace(one, claimed=f"{nominal + 1} {Counter.NOMINAL_CONTINUITY}")
-        assert other.examine(own.handed(one.curve), own).verdict == REFUTED
+        assert other.examine(own.argument(one.curve), own).verdict == REFUTED
 
 
 def test_a_tree_is_spelled_out_only_where_it_would_repeat_the_symbol():
@@ -262,12 +262,12 @@ def test_a_formula_is_missing_where_its_denominator_vanishes_on_one_segment():
     curve = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (0, 0), (0, 0), (1, 2), (3, 1)])
     own, gone = Evaluation(curve), 0
     for one in [c for c in all_claims() if c.curve == "plane" and c.named]:
-        values = [one.find(name)(own.handed("plane")) for name in one.named]
+        values = [one.find(name)(own.argument("plane")) for name in one.named]
         nowhere = [v for v in values if isinstance(v, Rational) and v.denominator.vanishes_somewhere]
-        assert bool(one.missing(own.handed("plane"))) is bool(nowhere)
+        assert bool(one.missing(own.argument("plane"))) is bool(nowhere)
         gone += bool(nowhere)
         if nowhere:
-            assert one.missing(own.handed("plane")).formula in one.named
+            assert one.missing(own.argument("plane")).formula in one.named
     assert gone > 3
 
 
@@ -407,9 +407,9 @@ def test_an_iso_curve_that_does_not_exist_on_one_segment_says_nothing():
     one = next(c for c in all_claims() if isinstance(c, IsoCurve))
     curve = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (0, 0), (0, 0), (1, 2), (3, 1)])
     own = Evaluation(curve)
-    assert one.examine(own.handed(one.curve), own).verdict == VACUOUS
+    assert one.examine(own.argument(one.curve), own).verdict == VACUOUS
     whole = Evaluation(example("rational_cubic"))
-    assert one.examine(whole.handed(one.curve), whole).verdict == VERIFIED
+    assert one.examine(whole.argument(one.curve), whole).verdict == VERIFIED
 
 
 @pytest.mark.parametrize("power", [2, 4, 6])
@@ -469,7 +469,7 @@ def test_a_claim_on_formulas_in_two_dimensions_divides_by_those_that_it_speaks_o
 def test_contact_is_verified_on_a_curve_that_is_not_special():
     one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact) and c.expected == "PROVED")
     names = [n for n in example_names() if example(n).dimension in one.dimensions and not example(n).polynomial]
-    verdicts = {one.check(example(n)).verdict for n in names if one.speaks_of(example(n).dimension, False)}
+    verdicts = {one.check(example(n)).verdict for n in names if one.applies_to(example(n).dimension, False)}
     assert VERIFIED in verdicts or not verdicts
     assert REFUTED not in verdicts
 

@@ -76,7 +76,7 @@ def assert_verdict(claim, verdict):
     assert combined(claim)[1].verdict == verdict
     for name in PLANE if 2 in claim.dimensions else SPACE:
         curve = example(name)
-        if claim.speaks_of(curve.dimension, curve.polynomial):
+        if claim.applies_to(curve.dimension, curve.polynomial):
             found = claim.check(curve).verdict
             assert found == VERIFIED if verdict == PROVED else found != VERIFIED
 

@@ -62,7 +62,7 @@ def test_what_is_not_multiplied_out_is_undecided_and_not_said_to_be_outside_of_t
 def test_curves_are_named_by_what_they_are_where_claims_say_nothing_of_a_surface():
     claims = claims_of(paper("chen_riesenfeld_cohen_2007"))
     torus = example("torus")
-    silent = [claim for claim in claims if not claim.speaks_of(3, False, surface=True)]
+    silent = [claim for claim in claims if not claim.applies_to(3, False, surface=True)]
     told = reasons(silent, torus)
     assert "both" not in told
     assert sum(map(int, re.findall(r"\d+(?= of)", told))) == len(claims)
@@ -84,7 +84,7 @@ def test_a_wrong_factor_is_refuted_on_a_rational_surface(factor):
 def test_a_wrong_power_of_w_holds_where_w_is_one():
     wrong = replace(named("S2-L-L_lifted"), factor="w^-3", expected=Verdict.REFUTED, key="S2-wrong")
     (row,) = checked("bicubic", [wrong])
-    assert (row.verdict, worded(row.factor)) == (VERIFIED, "w^-3 = 1 (polynomial: w = 1)")
+    assert (row.verdict, worded(row.factor)) == (VERIFIED, "w⁻³ = 1 (polynomial: w = 1)")
 
 
 def test_a_proof_that_fails_on_a_surface_is_a_contradiction(monkeypatch):

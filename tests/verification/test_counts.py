@@ -12,9 +12,9 @@ from exactspline.display.ledger import closing, headline, summary
 from exactspline.papers import default_papers, load_paper, paper, papers
 from exactspline.papers.new import write_new_paper
 from exactspline.verification.claims import all_claims, claims_in, claims_of
-from exactspline.verification.counts import Counts, count_statements, recorded
 from exactspline.verification.errata import errata, remarks
 from exactspline.verification.ledger import Proofs, proved
+from exactspline.verification.rows import Counts, count_statements, recorded
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from exactspline.verification.vocabulary import Status
 from tests.support.decided import errors_in_print

@@ -141,7 +141,7 @@ def is_true_after_all(claim, false):
     if false.kind == "degree" and false.measure == "nominal" and claim.measure != "nominal":
         names = POLYNOMIAL if false.of == "polynomial" else GENERIC
         own = Evaluation(example(names[false.dimensions[0]]))
-        degree = find(false.formula)(own.handed(false.curve)).degree
+        degree = find(false.formula)(own.argument(false.curve)).degree
         return getattr(degree, "s", degree) == parse_degree(false.claimed).at({"d": 3})
     return False
 
@@ -169,7 +169,7 @@ def test_what_is_false_everywhere_is_verified_on_no_curve(kind):
     fooled, tried = [], 0
     for claim, false, where in false_claims(kind):
         n = false.dimensions[0]
-        if where == EVERYWHERE and false.speaks_of(n, False) and _is_not_zero(false, own[n]):
+        if where == EVERYWHERE and false.applies_to(n, False) and _is_not_zero(false, own[n]):
             tried += 1
             if false.check(own[n]).verdict == VERIFIED:
                 fooled.append((claim.key, false))
@@ -178,7 +178,7 @@ def test_what_is_false_everywhere_is_verified_on_no_curve(kind):
 
 
 def _is_not_zero(claim, own):
-    handed = own.handed(claim.curve)
+    handed = own.argument(claim.curve)
     return any(not x.is_zero for name in claim.named for x in split(claim.find(name)(handed))[0])
 
 

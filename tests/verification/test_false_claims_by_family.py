@@ -50,6 +50,12 @@ LETTERS = [
     ("implicit", "c.gamma", "s", ("u", "v", "s̄")),
     ("point", "c.gamma", "s", ("u", "v")),
     ("plane with delta", "c.gamma", "s", ("u", "v")),
+    ("curve on a surface", "c.gamma", "s", ("s̄",)),
+    ("forms", "perp(join(c.E, c.w))", "u", ("s", "s̄")),
+    ("implicit surface", "c.gamma", "s", ("u", "v", "s̄")),
+    ("intersection", "c.gamma", "s", ("u", "v", "s̄")),
+    # along the curve u is a function of s: ∂u/∂u = 0 was PROVED
+    ("curve on a surface", "join(c.u, c.v)", "s", ("u", "v")),
 ]
 
 

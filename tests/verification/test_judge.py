@@ -285,7 +285,7 @@ def test_leading_terms_of_a_sum_of_different_degrees_keep_the_dominant_one(also)
 def test_a_curve_of_lower_degree_decides_nothing_of_the_generic_one():
     """4d − 1 is false of all curves: no curve verifies it; 4d − 2, which is true, is met by this one."""
     rows = list(audit([c for c in select(["C6.1d"]) if c.curve == "plane point"], [example("rational_cubic")]))
-    assert [(row.claimed, worded(row.computed), str(row.relation), str(row.verdict)) for row in rows] == [
+    assert [(row.claimed, worded(row.computed), str(row.finding.relation), str(row.verdict)) for row in rows] == [
         ("11", "10", "=", "INAPPLICABLE"),
         ("10", "10", "=", "UNDECIDED"),  # with one point
     ]
@@ -301,7 +301,7 @@ def test_no_row_verifies_an_equality_that_does_not_hold():
                 int(text.split()[-1 if "≤" in text or "≥" in text else 0].replace("−", "-"))
                 for text in (row.claimed, worded(row.computed).split(" (")[0])
             )
-            assert {"=": claimed == computed, "≤": computed <= claimed, "≥": computed >= claimed}[row.relation]
+            assert {"=": claimed == computed, "≤": computed <= claimed, "≥": computed >= claimed}[row.finding.relation]
 
 
 def test_a_contradiction_between_readings_is_an_alarm(monkeypatch):
@@ -354,7 +354,7 @@ def test_what_is_proved_of_the_generic_curve_is_met_by_an_example():
     rows = audit(generic, map(example, example_names()))
     met = {row.key for row in rows if row.verdict == VERIFIED or row.reason == Reason.SAMPLED}
     spoken_of = [
-        c for c in generic if any(c.speaks_of(example(n).dimension, example(n).polynomial) for n in example_names())
+        c for c in generic if any(c.applies_to(example(n).dimension, example(n).polynomial) for n in example_names())
     ]
     assert spoken_of
     assert [c.key for c in spoken_of if c.key not in met] == []

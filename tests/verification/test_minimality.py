@@ -89,7 +89,10 @@ def test_whitespace_and_underscores_do_not_change_a_number():
     def blank(segment):
         segment["forms"] = [[f" {x}" for x in form] for form in segment["forms"]]
 
-    for change, flaw in ((blank, "not an integer"), (lambda s: s.pop("prime"), "not a certificate")):
+    def arabic(segment):
+        segment["forms"] = [[x.translate({48 + k: 0x660 + k for k in range(10)}) for x in f] for f in segment["forms"]]
+
+    for change, flaw in ((blank, "not an integer"), (arabic, "not an integer"), (lambda s: s.pop("prime"), "not a c")):
         with pytest.raises(ValueError, match=flaw):
             check_certificate(spoilt(change))
 
@@ -101,11 +104,12 @@ def test_integers_of_any_length_are_read():
     assert integer("-1" + "0" * 9000) == -(10**9000)
 
 
-def test_a_degree_too_high_is_caught():
-    """(u + v) times a form of degree 4 is a form of degree 5 of the same function."""
+@pytest.mark.parametrize("scale", [1, 10**400], ids=["as it is", "huge"])
+def test_a_degree_too_high_is_caught(scale):
+    """(u + v) times a form of degree 4 is a form of degree 5 of the same function, also beyond the range of doubles."""
 
     def raised(segment):
-        old = [int(x) for x in segment["forms"][0]]
+        old = [int(x) * scale for x in segment["forms"][0]]
         segment["forms"] = [
             [str((old[i - 1] if i else 0) + (old[i] if i < len(old) else 0)) for i in range(len(old) + 1)]
         ]

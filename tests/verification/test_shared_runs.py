@@ -31,8 +31,8 @@ def test_eight_threads_run_the_ledger_over_one_curve():
 def test_an_evaluation_does_not_outlive_its_run():
     curve = example("circle")
     one, two = Evaluation(curve), Evaluation(curve)
-    assert one.handed("plane") is one.handed("plane")
-    assert one.handed("plane") is not two.handed("plane")
+    assert one.argument("plane") is one.argument("plane")
+    assert one.argument("plane") is not two.argument("plane")
     assert curve._values is None
 
 

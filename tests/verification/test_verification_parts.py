@@ -37,8 +37,7 @@ from exactspline.verification.degree_tables import (
 from exactspline.verification.errata import name_of, numbered, remarks
 from exactspline.verification.evaluation import Evaluation, between, zero_of
 from exactspline.verification.evidence import At, Between, OnAllOf, Relating
-from exactspline.verification.generic_degree import joined_degree
-from exactspline.verification.generic_proof import table_1_degrees
+from exactspline.verification.generic_proof import joined_degree, table_1_degrees
 from exactspline.verification.ledger import Proofs, checked, proved
 from exactspline.verification.notation import degree_latex, factor_latex
 from exactspline.verification.patch_degrees import measured_degrees
@@ -99,7 +98,7 @@ SAMPLED = [c for c in all_claims() if c.key in SAMPLE]
 def test_what_is_not_outside_is_as_recorded(one, name):
     """Claim by claim, so that what goes wrong has a name."""
     curve = example(name)
-    if one.speaks_of(curve.dimension, curve.polynomial):
+    if one.applies_to(curve.dimension, curve.polynomial):
         row = checked(one, Evaluation(curve), name, Proofs())
         assert row.as_recorded
         assert 0 <= row.seconds < 60

@@ -10,6 +10,7 @@ from exactspline.display.plot.canvas import (
     GREEN,
     GREY,
     ORANGE,
+    PAGE,
     PURPLE,
     SKY,
     VERMILLION,
@@ -52,8 +53,8 @@ def draw(rows: Sequence[Row], path: str) -> None:
     cases = list(dict.fromkeys(row.case for row in compared))
     if not cases and not drawn:
         raise PlotError("there is no ratio to draw", remedy="measure a section with other libraries, or growth")
-    heights = [height for height in (2 + len(cases) / 4 if cases else 0, 4 if drawn else 0) if height]
-    figure = new_figure(10, sum(heights))
+    heights = [height for height in (3 + len(cases) / 3 if cases else 0, 4 if drawn else 0) if height]
+    figure = new_figure(PAGE, sum(heights))
     parts = iter(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0])
     if cases:
         _ratios(next(parts).subplots(), compared, cases)
@@ -74,10 +75,10 @@ def _ratios(axes: Axes, rows: Sequence[Row], cases: Sequence[str]) -> None:
     axes.set_xscale("log")
     _label(axes, [1, *(1 / row.ratio for row in rows if row.ratio)])
     axes.set_yticks([-i for i in range(len(cases))], cases)
-    axes.tick_params(axis="y", labelsize=8)
+    axes.tick_params(axis="y", labelsize=9)
     axes.grid(axis="y", color=GREY, alpha=1 / 5)
-    axes.set_xlabel("processor time of the other / ours: right of the line exactspline is faster")
-    axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1, 1))
+    axes.set_xlabel("time of the other / ours (> 1: exactspline is faster)")
+    axes.legend(fontsize=9, loc="upper right", bbox_to_anchor=(1, -0.1), ncols=4)
 
 
 def _label(axes: Axes, ratios: Sequence[float]) -> None:

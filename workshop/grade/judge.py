@@ -239,7 +239,7 @@ class _Form:
     """A form and its zeros, as given by the certificate."""
 
     def __init__(self, certified: dict[str, object]) -> None:
-        certificate: dict[str, Any] = certified  # data, as `exactspline.roots.certificate` writes it
+        certificate: dict[str, Any] = certified  # data, as `exactspline.roots.zero_set` writes it
         self.breaks = [mpq(t) for t in certificate["breakpoints"]]
         self.segments = [[int(x) for x in s["coefficients"]] for s in certificate["segments"]]
         self.roots = [

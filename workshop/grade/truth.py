@@ -1,7 +1,7 @@
 """Exact answers to the questions that libraries are asked, each with the data with which the independent checker
 verifies it.
 
-Answers are data: exact numbers as text, roots as certificates (see `exactspline.roots.certificate`), so that they can
+Answers are data: exact numbers as text, roots as certificates (see `exactspline.roots.zero_set`), so that they can
 be stored in a file and checked again by `workshop.grade.recheck`, which shares no arithmetic with this.
 """
 

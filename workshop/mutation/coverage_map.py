@@ -24,6 +24,7 @@ ROOT = Path(__file__).resolve().parents[2]
 MAP = ROOT / "workshop" / "mutation" / ".state" / "coverage.json"
 #: The packages whose mutants are judged by tests.
 ENGINE = (
+    "certificates",
     "numbers",
     "polynomials",
     "reals",

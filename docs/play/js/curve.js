@@ -3,10 +3,10 @@
 import { chart } from "./chart.js";
 import { Editor, copy, fromHash, toHash } from "./editor.js";
 import { Kernel } from "./kernel.js";
-import { Plane } from "./plane.js";
+import { Plane, symbol } from "./plane.js";
 import { preview, samples } from "./preview.js";
 import { double } from "./numbers.js";
-import { data, element, navigation, statusLine } from "./site.js";
+import { data, element, navigation, reportHeight, statusLine } from "./site.js";
 import { html } from "./svg.js";
 
 const FORMS = [
@@ -17,6 +17,7 @@ const FORMS = [
 const SHAPES = { inflection: "square", maximum: "triangle", minimum: "diamond", singular: "cross" };
 
 navigation();
+reportHeight();
 const say = statusLine(element("status"));
 const kernel = new Kernel(say);
 const plane = new Plane(element("plane"), { label: "the curve with its control points" });
@@ -34,7 +35,13 @@ function changed(why) {
   showPoint(why === "typed");
   if (why === "done") history.replaceState(null, "", `#${toHash(editor.curve)}`);
   if (why === "new") fit();
-  kernel.latest("features", copy(editor.curve), showFeatures, complain);
+  const { answers, ...asked } = editor.curve;
+  if (answers && why === "new") {
+    showFeatures({ answer: answers.features });
+    showForms(answers.forms);
+  }
+  editor.curve = asked;
+  kernel.latest("features", copy(asked), showFeatures, complain);
   clearTimeout(idle);
   idle = setTimeout(askForms, 350);
 }
@@ -79,6 +86,7 @@ function showFeatures({ answer, milliseconds }) {
   if (!rows.length) rows.push(html("tr", {}, html("td", { colspan: 3 }, "no inflection, no extremum of curvature, no singular point")));
   const head = html("tr", {}, ...["feature", "parameter t", "curvature"].map((name) => html("th", { scope: "col" }, name)));
   element("features").replaceChildren(html("thead", {}, head), html("tbody", {}, ...rows));
+  if (milliseconds === undefined) return;
   document.body.dataset.answered = `${Number(document.body.dataset.answered ?? 0) + 1}`;
   document.body.dataset.first ??= performance.now().toFixed(0);
   document.body.dataset.features = JSON.stringify(answer.features);
@@ -106,13 +114,17 @@ async function askDigits(group, index, digits = 50) {
 function askForms() {
   const variants = FORMS.map(([variant]) => variant);
   kernel.latest("forms", { curve: copy(editor.curve), variants }, ({ answer }) => {
-    element("forms").replaceChildren(
-      ...answer.map((form, i) =>
-        html("figure", { style: "margin:0 0 12px" }, html("figcaption", {}, html("b", {}, `degree ${form.degree}`), ` · ${form.controls} control points · ${FORMS[i][1]}`), chart(form)),
-      ),
-    );
+    showForms(answer);
     document.body.dataset.degrees = JSON.stringify(answer.map((form) => form.degree));
   }, () => element("forms").replaceChildren());
+}
+
+function showForms(answer) {
+  element("forms").replaceChildren(
+    ...answer.map((form, i) =>
+      html("figure", { style: "margin:0 0 12px" }, html("figcaption", {}, html("b", {}, `degree ${form.degree}`), ` · ${form.controls} control points · ${FORMS[i][1]}`), chart(form)),
+    ),
+  );
 }
 
 function showPoint(keep = false) {
@@ -143,6 +155,13 @@ function osculate(event) {
   if (radius * plane.view.unit < 4000) plane.line("osculating", Array.from({ length: 121 }, (_, k) => turn((k * Math.PI) / 60)));
 }
 
+const LEGEND = [
+  ["square", "inflection", "inflection"],
+  ["triangle", "maximum", "largest curvature"],
+  ["diamond", "minimum", "smallest curvature"],
+  ["cross", "singular", "cusp, stop or corner"],
+];
+element("legend").append(...LEGEND.map(([shape, kind, name]) => html("span", {}, symbol(shape, `mark ${shape} ${kind}`), name)));
 for (const id of ["comb", "evolute"]) element(id).onchange = draw;
 plane.element.addEventListener("pointermove", osculate);
 plane.element.addEventListener("pointerleave", () => plane.clear("osculating"));

@@ -6,7 +6,7 @@ import { html } from "./svg.js";
 const COLUMNS = [
   ["naive", "naive", "var(--orange)"],
   ["paper", "in the paper", "var(--sky)"],
-  ["lowest", "lowest", "var(--green)"],
+  ["true", "lowest", "var(--green)"],
 ];
 
 navigation();
@@ -23,8 +23,9 @@ function show() {
     const width = `${Math.max((100 * value) / largest, 0.4)}%`;
     return html("div", { class: "bar" }, html("span", { style: `width:${width};background:${colour}` }), `${value}`, html("small", {}, row[key].text));
   };
+  element("key").replaceChildren(...COLUMNS.map(([, name, colour]) => html("span", {}, html("span", { class: "key", style: `background:${colour}` }), name)));
   element("bars").replaceChildren(
-    html("thead", {}, html("tr", {}, html("th", {}, "construction"), ...COLUMNS.map(([, name]) => html("th", { class: "formula" }, name)), html("th", { class: "wide" }, `at d = ${d}`))),
+    html("thead", {}, html("tr", {}, html("th", {}, "construction"), ...COLUMNS.map(([, name, colour]) => html("th", { class: "formula" }, html("span", { class: "key", style: `background:${colour}` }), name)), html("th", { class: "wide" }, `at d = ${d}`))),
     html(
       "tbody",
       {},

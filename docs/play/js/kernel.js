@@ -9,7 +9,7 @@ export class Kernel {
   constructor(status) {
     this.#worker.onmessage = ({ data }) => {
       if (data.broken) return status?.(`The library could not be started: ${data.broken}`, true);
-      if (data.steps) return status?.(data.step < data.steps ? `${data.doing} … ${data.step + 1}/${data.steps}` : "");
+      if (data.steps) return status?.(data.step < data.steps ? `the library starts in this page: ${data.doing} … ${data.step + 1}/${data.steps}` : "");
       const { resolve, reject } = this.#waiting.get(data.id);
       this.#waiting.delete(data.id);
       if (data.error) reject(new Error(data.error));

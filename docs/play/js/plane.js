@@ -5,6 +5,19 @@ import { svg, path } from "./svg.js";
 const WIDTH = 720;
 const MARGIN = 36;
 
+const SHAPES = {
+  disc: "M5 0A5 5 0 1 1 -5 0A5 5 0 1 1 5 0Z",
+  diamond: "M0 -6.5L6.5 0L0 6.5L-6.5 0Z",
+  square: "M-5 -5H5V5H-5Z",
+  triangle: "M0 -6L6 5H-6Z",
+  cross: "M-5 -5L5 5M5 -5L-5 5",
+};
+
+// A mark by itself, for a legend.
+export function symbol(shape, style) {
+  return svg("svg", { viewBox: "-8 -8 16 16", width: 16, height: 16, "aria-hidden": "true" }, svg("path", { d: SHAPES[shape], class: style }));
+}
+
 export class Plane {
   constructor(host, { height = 520, label }) {
     this.height = height;
@@ -81,14 +94,7 @@ export class Plane {
   // A mark: a disc, diamond, square or cross, so that colour is never the only difference.
   mark(layer, point, shape, title, attributes = {}) {
     const [x, y] = this.to(point);
-    const d = {
-      disc: "M5 0A5 5 0 1 1 -5 0A5 5 0 1 1 5 0Z",
-      diamond: "M0 -6.5L6.5 0L0 6.5L-6.5 0Z",
-      square: "M-5 -5H5V5H-5Z",
-      triangle: "M0 -6L6 5H-6Z",
-      cross: "M-5 -5L5 5M5 -5L-5 5",
-    }[shape];
-    const made = svg("path", { d, transform: `translate(${x} ${y})`, class: `mark ${shape}`, ...attributes }, svg("title", {}, title));
+    const made = svg("path", { d: SHAPES[shape], transform: `translate(${x} ${y})`, class: `mark ${shape}`, ...attributes }, svg("title", {}, title));
     this.layer(layer).append(made);
     return made;
   }

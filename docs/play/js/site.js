@@ -2,8 +2,15 @@
 
 import { html } from "./svg.js";
 
-const PAGES = [
+const SECTIONS = [
   ["../index.html", "exactspline"],
+  ["../learn.html", "Learn"],
+  ["../papers.html", "Check a paper"],
+  ["../compute.html", "Compute"],
+  ["../mathematics.html", "Mathematics"],
+  ["../reference.html", "Reference"],
+];
+const PAGES = [
   ["curve.html", "curve"],
   ["reduce.html", "reduce"],
   ["claims.html", "claims"],
@@ -15,10 +22,15 @@ const PAGES = [
 
 export function navigation() {
   const here = location.pathname.split("/").at(-1);
-  document.querySelector("header nav").append(
-    ...PAGES.map(([href, name]) => html("a", { href, "aria-current": href === here ? "page" : false }, name)),
-  );
+  const row = (pages) => html("div", {}, ...pages.map(([href, name]) => html("a", { href, "aria-current": href === here ? "page" : false }, name)));
+  document.querySelector("header nav").append(row(SECTIONS), row(PAGES));
   if (new URLSearchParams(location.search).has("embed")) document.body.classList.add("embedded");
+}
+
+// Within a page of others: tell it how high this one is, so that its frame grows with what is shown.
+export function reportHeight() {
+  if (window.parent === window) return;
+  new ResizeObserver(() => parent.postMessage({ exactspline: document.body.offsetHeight }, "*")).observe(document.body);
 }
 
 export function statusLine(element) {

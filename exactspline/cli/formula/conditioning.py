@@ -5,9 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from exactspline.cli.common import CURVE_HELP, loaded, tracked
+from exactspline.cli.common import CURVE_HELP, loaded
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.progress import tracked
 
 #: The default: a witness for each direction.
 WITNESSES = ("conditioning_reduced_worse", "conditioning_reduced_better")

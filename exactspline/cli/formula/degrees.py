@@ -5,9 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
-from exactspline.cli.common import CurveFiles, Papers, Trust, also_in_their_planes, loaded, tracked
+from exactspline.cli.common import CurveFiles, Papers, Trust, also_in_their_planes, loaded
 from exactspline.cli.output import Output, document, print_json, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.progress import tracked
 from exactspline.errors import FormulaError, ShapeError, nearest
 
 if TYPE_CHECKING:
@@ -28,6 +29,9 @@ def degrees(
     generic: Annotated[
         bool, Option("--generic", help="For all curves: what is proved for the generic curve of degree d.")
     ] = False,
+    at: Annotated[
+        int | None, Option("--at", metavar="D", min=2, max=1000, help="The same as numbers, for curves of degree D.")
+    ] = None,
     certify: Annotated[
         bool, Option("--certify", help="Proofs that the minimal forms cannot be lowered, as JSON data.")
     ] = False,
@@ -51,8 +55,8 @@ def degrees(
     if certify:
         _certify(curve)
         return
-    if generic:
-        _generic(out, name or [])
+    if generic or at is not None:
+        _generic(out, name or [], at)
         return
     usual = ["rational_cubic", "rational_space_cubic" if formulas else "six_segment_cubic"]
     chosen, good = loaded(curve or usual)
@@ -91,9 +95,9 @@ def _of_papers(
     chosen = given if curve else own or loaded(["rational_cubic", "rational_space_cubic"])[0]
     tables = [(c, tracked(formula_table(c, formulas), c.name)) for c in also_in_their_planes(chosen)]
     if good and not any(rows for _, rows in tables):
-        told = ", ".join(c.name for c, _ in tables)
+        names_of_curves = ", ".join(c.name for c, _ in tables)
         raise FormulaError(
-            f"none of these formulas speaks of {told}",
+            f"none of these formulas applies to {names_of_curves}",
             remedy="ask for all curves with --generic, for surfaces with --patch 3,3",
         )
     _give(out, [(c, rows) for c, rows in tables if rows])
@@ -188,18 +192,19 @@ def _certify(names: list[str] | None) -> None:
         raise Exit(2)
 
 
-def _generic(out: Output, names: list[str]) -> None:
-    from exactspline.display.degrees import generic_sheet
+def _generic(out: Output, names: list[str], at: int | None) -> None:
+    from exactspline.display.degrees import generic_sheet, sheet_at
     from exactspline.verification.degree_tables import generic_table
 
     found = {kind: tracked(generic_table(polynomial=kind == "polynomial"), kind) for kind in ("rational", "polynomial")}
     _check_names(names, [row.object for row in found["rational"]])
     kinds = {kind: [row for row in rows if _is_one_of(row.object, names)] for kind, rows in found.items()}
-    out.give(
-        "generic",
-        [{"key": f"{kind}: {row.object}", "curves": kind} | vars(row) for kind, rows in kinds.items() for row in rows],
-        [generic_sheet(kind, rows) for kind, rows in kinds.items()],
-        by="curves",
-    )
+    headed = [({"key": f"{kind}: {row.object}", "curves": kind}, row) for kind, rows in kinds.items() for row in rows]
+    if at is not None:
+        rows = [head | {"d": at, "object": row.object} | row.at(at) for head, row in headed]
+        out.give("degrees at", rows, [sheet_at(kind, rows, at) for kind, rows in kinds.items()], by="curves")
+    else:
+        rows = [head | vars(row) for head, row in headed]
+        out.give("generic", rows, [generic_sheet(kind, rows) for kind, rows in kinds.items()], by="curves")
     if any(row.differ for rows in kinds.values() for row in rows):
         raise Exit(1)

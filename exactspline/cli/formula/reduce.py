@@ -7,9 +7,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-from exactspline.cli.common import Trust, tracked
+from exactspline.cli.common import Trust
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
+from exactspline.cli.progress import tracked
 from exactspline.errors import ExactSplineError, FormulaError
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def _formula(name: str, trust: bool) -> Any:
         return resolve(name, trust=trust)
     if not trust:
         raise FormulaError(
-            "a module runs as it stands, any Python",
+            "a module runs unchanged, any Python",
             where=name,
             remedy="add --trust for what you trust; file.py:function is checked before it runs",
         )

@@ -32,13 +32,19 @@ def check(
     factor: Annotated[
         str, Option("--factor", metavar="F", help="A formula may be that factor times the reference: w^3.")
     ] = "1",
+    hint: Annotated[bool, Option("--hint", help="Where it is wrong, say how to begin.")] = False,
+    show: Annotated[bool, Option("--show", help="Where it is wrong, show the right values and the solution.")] = False,
     trust: Trust = False,
 ) -> None:
-    """Prove an answer right, or show where it differs; exit status 1 where it is wrong."""
+    """Prove an answer right, or say where it is wrong, without the right values unless they are asked for; exit status
+    1 where it is wrong.
+    """
     if bool(topic) == bool(reference):
         raise OptionsError("one of --topic and --reference is needed", remedy="say what the answer is compared with")
     if bool(text) == bool(answer) or (text and reference):
         raise OptionsError("one answer is needed", remedy="name a file, or write --topic TOPIC --text ANSWER")
+    if hint and reference:
+        raise OptionsError("--hint and --reference", remedy="there are hints for exercises")
     found, against = (
         _exercise(topic, seed, text or _read(answer)) if topic else _compared(answer, reference, factor, trust)
     )
@@ -46,19 +52,33 @@ def check(
 
     cells = [("right" if found.right else "wrong", each) for each in found.differences or [""]]
     out.give(
-        "check-answer", [row], [Sheet("answer", "difference", rows=cells, prose=["difference"])], lambda: _tell(found)
+        "check-answer",
+        [row],
+        [Sheet("answer", "difference", rows=cells, prose=["difference"])],
+        lambda: _tell(out, found, topic, seed, hint, show),
     )
     if not found:
         raise Exit(1)
 
 
-def _tell(found: Finding) -> None:
+def _tell(out: Output, found: Finding, topic: str, seed: int, hint: bool, show: bool) -> None:
     from exactspline.display import console
+    from exactspline.display.exercises import hinted, solution_lines
 
     shown = console.console()
     console.lines(shown, "right" if found else "wrong", style="bold")
-    for told in found.differences:
-        console.lines(shown, str(told), indent=4, first=2)
+    for difference in dict.fromkeys(map(str if show else hinted, found.differences)):
+        console.lines(shown, difference, indent=4, first=2)
+    if found or out.quiet:
+        return
+    from exactspline.classroom.topics import HINTS, exercise
+
+    if hint:
+        console.lines(shown, f"hint: {HINTS[topic]}")
+    if show and topic:
+        sys.stdout.write("\n".join(solution_lines(exercise(topic, seed), min(console.width(), 80))) + "\n")
+    if not (hint or show):
+        console.lines(shown, f"{'--hint says how to begin, ' if topic else ''}--show shows the right values")
 
 
 def _exercise(topic: str, seed: int, given: str) -> tuple[Finding, str]:

@@ -13,7 +13,9 @@ from exactspline.display.sheet import Sheet
 @printing
 def exercise(
     out: Output,
-    topic: Annotated[str, Argument(help="A topic, or all; without it the topics are listed.")] = "",
+    topic: Annotated[
+        list[str] | None, Argument(help="Topics, or all; without them the topics are listed.", metavar="TOPIC")
+    ] = None,
     seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The first exercise's number.")] = 0,
     count: Annotated[int, Option("--count", metavar="K", min=1, max=500, help="This many exercises per topic.")] = 1,
     solutions: Annotated[bool, Option("--solutions", help="With a sheet of solutions.")] = False,
@@ -33,7 +35,7 @@ def exercise(
         rows = [{"key": name, "about": asks} for name, asks in topics]
         out.give("topics", rows, [Sheet("topic", "asks", rows=topics, prose=["asks"])])
         return
-    made = [each for name in (TOPICS if topic == "all" else [topic]) for each in exercises(name, seed, count)]
+    made = [each for name in (TOPICS if topic == ["all"] else topic) for each in exercises(name, seed, count)]
     if latex or html:
         sys.stdout.write((latex_document if latex else html_page)(made, solutions=solutions))
         return

@@ -69,7 +69,7 @@ def _schemes(curve: Nurbs, at: list[str], insert: list[str], times: int, elevate
 def _factors(curve: Nurbs, names: str) -> tuple[BSpline, BSpline]:
     """The two functions that the names mean: of a rational curve the numerators ``w x``, ``w y``."""
     known = dict(zip("xyz", curve.p, strict=False)) | {"w": curve.w}
-    wanted = [name.strip() for name in names.split(",")]
-    if len(wanted) != 2 or any(name not in known for name in wanted):
+    requested = [name.strip() for name in names.split(",")]
+    if len(requested) != 2 or any(name not in known for name in requested):
         raise OptionsError(f"{names!r} does not name two functions", remedy=f"write two of {', '.join(known)}: x,y")
-    return known[wanted[0]], known[wanted[1]]
+    return known[requested[0]], known[requested[1]]

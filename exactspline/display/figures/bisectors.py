@@ -18,8 +18,7 @@ from exactspline.display.plot.surfaces import mark_points, plot_mesh
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
 from exactspline.papers import find
-from exactspline.splines.lowest_terms import control_point_count
-from exactspline.splines.values import RationalSurface
+from exactspline.splines.lowest_terms import RationalSurface, control_point_count
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

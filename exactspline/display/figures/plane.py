@@ -8,6 +8,7 @@ from exactspline.display.plot.canvas import GREEN, ORANGE, PAGE, SILVER, VERMILL
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.display.plot.html import Scene
+from exactspline.errors import counted
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.zero_forms import zero_form
@@ -19,9 +20,8 @@ from exactspline.polynomials.factorization import superscript
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import control_point_count
+from exactspline.splines.lowest_terms import SplineVector, control_point_count
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.values import SplineVector
 from exactspline.verification.kinds.examples import extrema_at_ends
 
 if TYPE_CHECKING:
@@ -98,10 +98,11 @@ def figure_1() -> Drawn:
             f"a jump, {extrema_at_ends(curve)} extrema at the ends of one segment."
         ),
         (
-            f"(b) the numerator of (κ²)′, {cost(squared)}; {len(squared_zeros)} roots, {len(extra)} of them extra "
-            "ones where κ = 0."
+            f"(b) the numerator of (κ²)′, {cost(squared)}; {counted(len(squared_zeros), 'root')}, {len(extra)} of them "
+            "extra ones where κ = 0."
         ),
-        f"(c) g0, {cost(direct)}; {len(direct_zeros)} roots. Graphs scaled by {powers[0]} and {powers[1]} and trimmed.",
+        f"(c) g0, {cost(direct)}; {counted(len(direct_zeros), 'root')}.",
+        f"Graphs scaled by {powers[0]} and {powers[1]} and trimmed.",
     )
     return captioned(figure, 1, " ".join(parts))
 
@@ -117,8 +118,12 @@ def _crop(ax: Axes, curve: Nurbs) -> None:
     ax.set_ylim(*sides[1])
 
 
-def _graph(f: BSpline, zeros: Any, ax: Axes, title: str, polygon: str = SILVER, mark: str = GREEN) -> str:
-    """A graph scaled by a power of ten and trimmed, with its polygon and its roots; the power as text."""
+def _graph(
+    f: BSpline, zeros: Any, ax: Axes, title: str, polygon: str = SILVER, mark: str = GREEN, *, whole: bool = False
+) -> str:
+    """A graph scaled by a power of ten and trimmed, with its polygon and its roots; the power as text. With `whole`
+    all of it, large values on a logarithmic scale.
+    """
     a, b = f.domain
     values = sorted(abs(f(a + (b - a) * mpq(k, 200))) for k in range(201))
     usual = values[len(values) // 2]
@@ -126,7 +131,10 @@ def _graph(f: BSpline, zeros: Any, ax: Axes, title: str, polygon: str = SILVER, 
     plot_function(f / 10**power, ax, scale="clip", polygon_color=polygon)
     draw_roots(ax, zeros, f.domain, "D", mark)
     legend_below(ax, columns=5)
-    height = min(TRIMMED * usual, values[-1] * mpq(11, 10)) / 10**power
+    height = (2 * values[-1] if whole else min(TRIMMED * usual, values[-1] * mpq(11, 10))) / 10**power
+    if whole:
+        ax.set_yscale("symlog", linthresh=1, linscale=0.5)
+        ax.set_yticks([sign * 10.0**k for sign in (-1, 1) for k in range(3, len(str(int(height))), 3)] + [0])
     ax.set_ylim(float(-height), float(height))
     ax.set_ylabel(f"value · $10^{{{-power}}}$")
     ax.set_title(f"{title}: {cost(f)}")
@@ -142,7 +150,7 @@ def figure_2() -> Drawn:
     squared, squared_zeros = zero_form(curve, "critical_curvature", SQUARING)
     reduced, reduced_zeros = zero_form(curve, "critical_curvature", "paper")
     powers = [
-        _graph(squared, squared_zeros, left, "(a) squaring approach", GREEN, VERMILLION),
+        _graph(squared, squared_zeros, left, "(a) squaring approach", GREEN, VERMILLION, whole=True),
         _graph(reduced, reduced_zeros, right, "(b) direct approach", GREEN, VERMILLION),
     ]
     inset = right.inset_axes((0.02, 0.66, 0.27, 0.32))
@@ -154,14 +162,14 @@ def figure_2() -> Drawn:
     stored = {min(f.continuity) for f in (squared, reduced)}
     parts = (
         (
-            f"(a) the graph, top and bottom trimmed, of the numerator of (κ²)′ of an ellipse γ, {cost(squared)}, "
-            f"scaled by {powers[0]}."
+            f"(a) the graph of the numerator of (κ²)′ of an ellipse γ, {cost(squared)}, scaled by {powers[0]}, on a "
+            "logarithmic scale beyond ±1."
         ),
         (
             f"(b) the ellipse and the graph of g2, eq. (11), {cost(reduced)}, scaled by {powers[1]}. Control "
             "polygons in green."
         ),
-        f"{len(squared_zeros)} and {len(reduced_zeros)} roots, the rightmost being the leftmost.",
+        f"{len(squared_zeros)} and {counted(len(reduced_zeros), 'root')}, the rightmost being the leftmost.",
         (
             f"Both graphs are C{'/'.join(map(superscript, smooth))} in a C{'/'.join(map(superscript, stored))} "
             "representation."

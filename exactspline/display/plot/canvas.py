@@ -15,7 +15,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import ExactSplineError, a_kind, shown
+from exactspline.errors import ExactSplineError, a_kind, counted, shown
 from exactspline.geometry.kinds import Feature
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.roots.root import Root
@@ -170,7 +170,7 @@ def draw_polygons(ax: Axes, runs: list[Run], count: int, bends: int = 1, color: 
         draw(ax, [*legs, run[-1]], color=color, linewidth=1, label="_legs", zorder=2)
         draw(ax, run, "o", color=BLUE, markersize=5 if count < 100 else 3.5, label="_control points", zorder=2.2)
     nothing: list[list[float]] = [[]] * (3 if ax.name == "3d" else 2)
-    label = f"control polygon ({count} points{f', {hidden} far away or at infinity' if hidden else ''})"
+    label = f"control polygon ({counted(count, 'point')}{f', {hidden} far away or at infinity' if hidden else ''})"
     ax.plot(*nothing, "o-", color=color, markerfacecolor=BLUE, markeredgecolor=BLUE, markersize=5, label=label)
 
 

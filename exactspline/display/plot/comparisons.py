@@ -24,7 +24,7 @@ from exactspline.display.plot.canvas import (
 )
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
 from exactspline.display.plot.functions import draw_roots, marked, plot_function
-from exactspline.errors import as_items
+from exactspline.errors import as_items, counted
 from exactspline.geometry.analysis import QUESTIONS, analyse
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.joints import Joint
@@ -88,13 +88,13 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
     ax = plot_curve(curve, figure.add_subplot(grid[:, 0], projection="3d" if curve.dimension == 3 else None))
     if evolute:
         plot_evolute(curve, ax)
-    ax.set_title(f"{shown_name(curve)}: degree {curve.degree}, {len(curve.control_points)} control points")
+    ax.set_title(f"{shown_name(curve)}: degree {curve.degree}, {counted(len(curve.control_points), 'control point')}")
     for i, (title, f, roots) in enumerate(panels):
         marker, color = MARKS[i % len(MARKS)]
         panel = plot_function(f, figure.add_subplot(grid[i, 1]))
         draw_roots(panel, roots, f.domain, marker, color)
         legend_below(panel)
-        panel.set_title(f"{title}: degree {f.degree}, {len(f.control_points)} control points")
+        panel.set_title(f"{title}: degree {f.degree}, {counted(len(f.control_points), 'control point')}")
         single, jumps = marked(roots)
         size = 7 + 3 * (len(panels) - 1 - i)
         places = [*single, *jumps]

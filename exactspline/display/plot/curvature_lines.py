@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from math import comb
 from typing import TYPE_CHECKING, Any
 
-from exactspline.display.plot.canvas import library
+from exactspline.display.plot.canvas import GREY, library
 from exactspline.formulas.surfaces.by_forms import area_of_forms, minimality_of_forms, parabolic_of_forms
 from exactspline.geometry.surface.forms import Patch, SurfaceForms
 from exactspline.language.arguments import Operands
@@ -177,8 +177,14 @@ def _between(values: Any, i: int, j: int, x: float, y: float) -> Any:
     return low * (1 - y) + (values[i, j + 1] * (1 - x) + values[i + 1, j + 1] * x) * y
 
 
+#: What the two families are called, and their colours.
+FAMILIES = {"lines of the larger curvature": GREY, "lines of the smaller curvature": "#ffffff"}
+
+
 def lines_of_curvature(samples: Samples) -> tuple[list[Floats], list[Floats]]:
-    """The lines of both families as points of the rectangle."""
+    """The lines of both families (of the larger and of the smaller principal curvature, for the normal S_u × S_v) as
+    points of the rectangle.
+    """
     return _family(samples, 0), _family(samples, 1)
 
 

@@ -10,7 +10,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.splines.common import with_common_knots
-from exactspline.splines.values import SplineVector
+from exactspline.splines.lowest_terms import SplineVector
 
 #: The visible part: the fraction of points omitted on either side, and the margin (in multiples of its longest side).
 OUTLIERS, AROUND = 10, mpq(1)
@@ -101,6 +101,27 @@ def clipped(
         return None
     ends = [tuple(x + z * d for x, d in zip(point, direction, strict=True)) for z in (low, high)]
     return ends[0], ends[1]
+
+
+def polygon_in(corners: Sequence[Point], box: Box) -> list[Point]:
+    """The part of a polygon inside a box: cut by one side of the box after the other.
+
+    >>> square = [(mpq(x), mpq(y)) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))]
+    >>> polygon_in(square, ((mpq(1), mpq(1)), (mpq(3), mpq(3))))
+    [(mpq(2,1), mpq(1,1)), (mpq(2,1), mpq(2,1)), (mpq(1,1), mpq(2,1)), (mpq(1,1), mpq(1,1))]
+    """
+    points = list(corners)
+    for k in range(len(box[0])):
+        for bound, side in ((box[0][k], 1), (box[1][k], -1)):
+            cut: list[Point] = []
+            for p, q in zip(points, [*points[1:], *points[:1]], strict=True):
+                a, b = side * (p[k] - bound), side * (q[k] - bound)
+                if a >= 0:
+                    cut.append(p)
+                if a * b < 0:
+                    cut.append(tuple(x + (y - x) * a / (a - b) for x, y in zip(p, q, strict=True)))
+            points = cut
+    return points
 
 
 def homogeneous(value: SplineVector) -> tuple[list[tuple[mpq, ...]], Sequence[mpq], int]:

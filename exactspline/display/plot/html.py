@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from html import escape
 from importlib.resources import files
 from itertools import cycle
-from typing import TypedDict
+from typing import NotRequired, TypedDict
 
 from exactspline.display.page import page
 from exactspline.display.plot.canvas import BLACK, BLUE, GREEN, GREY, SKY, VERMILLION, Point, Run
@@ -25,7 +25,7 @@ ISOLINES, DARK = (7, 24), "#24556F"
 ROOM = mpq(1, 20)
 #: The text of a page around its scenes.
 STYLE = """
-body{font:1rem/1.5 system-ui,sans-serif;color:#1a2230;margin:1rem auto;max-width:80rem;padding:0 1rem}
+body{color-scheme:light dark;font:1rem/1.5 system-ui,sans-serif;margin:1rem auto;max-width:80rem;padding:0 1rem}
 """
 #: Significant digits of the coordinates on a page.
 DIGITS = 5
@@ -40,6 +40,8 @@ class SurfaceData(TypedDict):
     color: str
     points: list[list[float]]
     faces: list[list[int]]
+    #: The two parameters of every point, which are shown under the pointer.
+    parameters: NotRequired[list[list[float]]]
 
 
 class LineData(TypedDict):
@@ -58,6 +60,8 @@ class DotData(TypedDict):
     color: str
     size: float
     places: list[list[float]]
+    #: What is shown of each under the pointer.
+    names: NotRequired[list[str]]
 
 
 class SceneData(TypedDict):

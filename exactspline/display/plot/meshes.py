@@ -8,8 +8,8 @@ from itertools import count, pairwise
 from typing import Any
 
 from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
-from exactspline.display.plot.frames import Box, clipped, homogeneous, kept, usual_box
-from exactspline.errors import ShapeError, as_items
+from exactspline.display.plot.frames import Box, box_around, clipped, homogeneous, inside, kept, polygon_in, usual_box
+from exactspline.errors import ShapeError, as_items, counted
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -19,13 +19,15 @@ from exactspline.numbers.sides import Side
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
+from exactspline.splines.lowest_terms import SplineSurface
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.values import SplineSurface
 
 #: Samples along the curve, in total and at least per segment; samples along a ruling.
 SAMPLES, LEAST, ALONG = 192, 12, 21
 #: Samples of a surface in two parameters in each direction, in total and at least per segment.
 GRID, LEAST_OF_GRID = 48, 8
+#: A cell at the border of what is shown is halved this often.
+DEPTH = 4
 #: Sampling stops this close to a pole, as a fraction of the distance between samples.
 BESIDE = mpq(1, 8)
 
@@ -34,26 +36,26 @@ BESIDE = mpq(1, 8)
 class SurfaceMesh:
     """Rows of points in patches (None where there is no point, or a faraway one), and a control net.
 
-    ``net`` are the polygons of the control points in connected runs, ``points`` is the number of control points,
-    ``hidden`` the number of those that are directions (weight 0) or far away.
+    ``cut`` are the polygons that join the patches to the border of what is shown, three or more corners each. ``net``
+    are the polygons of the control points in connected runs, ``points`` is the number of control points, ``hidden`` the
+    number of those that are directions (weight 0) or far away.
     """
 
     patches: list[list[list[Point | None]]]
     net: list[Run]
     points: int
     hidden: int
+    cut: Sequence[Run] = ()
 
     @property
     def faces(self) -> list[Run]:
-        """The quadrilaterals with all four corners."""
+        """The quadrilaterals with all four corners, and what is cut."""
         points, faces = self.indexed
         return [[points[k] for k in face] for face in faces]
 
     @property
     def indexed(self) -> tuple[list[Point], list[tuple[int, ...]]]:
-        """The points, patch by patch, and the quadrilaterals as indices into that list: neighbours share their
-        corners.
-        """
+        """The points, patch by patch, and the faces as indices into that list: neighbours share their corners."""
         points: list[Point] = []
         faces: list[tuple[int, ...]] = []
         for rows in self.patches:
@@ -67,6 +69,12 @@ class SurfaceMesh:
                     corners = tuple(x for x in (p, q, s, r) if x is not None)
                     if len(corners) == 4:
                         faces.append(corners)
+        known: dict[Point, int] = {}
+        for polygon in self.cut:
+            first, *more = [known.setdefault(p, len(points) + len(known)) for p in polygon]
+            # in a fan of quadrilaterals and at most one triangle
+            faces += [(first, *more[k : k + 3]) for k in range(0, len(more) - 1, 2)]
+        points += known
         return points, faces
 
     def isolines(self, along: int, across: int) -> list[Run]:
@@ -98,7 +106,7 @@ def _two(given: Iterable[Number], what: str) -> tuple[mpq, mpq]:
     """Both ends of an interval, exactly."""
     ends = tuple(map(rational, as_items(given, what)))
     if len(ends) != 2:
-        raise ShapeError(f"{len(ends)} numbers for {what}", where=what, remedy="give two, (low, high)")
+        raise ShapeError(f"{counted(len(ends), 'number')} for {what}", where=what, remedy="give two, (low, high)")
     return ends
 
 
@@ -224,23 +232,74 @@ def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box
             "expected a surface of splines in two parameters",
             remedy="give a vector of three TensorSplines, or a quotient of such",
         )
-    meshes = numerator[0].meshes
-    # one patch for either sign of the denominator, so that no face reaches across a pole
-    patches: dict[int, list[list[Point | None]]] = {1: [], -1: []}
-    for s in _grid(meshes[0].breaks):
-        lines = [c.at_s(s) for c in (*numerator, *([] if w is None else [w]))]
-        values = [[line(t) for line in lines] for t in _grid(meshes[1].breaks)]
-        for sign, rows in patches.items():
-            rows.append([_over(v, w is not None) if (w is None or v[-1] * sign > 0) else None for v in values])
-    there = [p for rows in patches.values() for row in rows for p in row if p is not None]
+    sampled = _Sampled([*numerator, *([] if w is None else [w])], w is not None)
+    grids = [_grid(mesh.breaks) for mesh in numerator[0].meshes]
+    places = [[sampled(s, t) for t in grids[1]] for s in grids[0]]
+    there = [p for row in places for p, _ in row if p is not None]
     box = usual_box(there, w is not None) if box is None else box
+    # one patch for either sign of the denominator, so that no face reaches across a pole
+    patches = [
+        [[kept(p, box) if sign == side else None for p, sign in row] for row in places] for side in (True, False)
+    ]
+    cut = [
+        polygon
+        for s in pairwise(grids[0])
+        for t in pairwise(grids[1])
+        if not sampled.is_inside(s, t, box)
+        for polygon in sampled.cut(s, t, box, DEPTH)
+    ]
     points = _control_net(numerator, w, box)
     net = [run for line in (*points, *map(list, zip(*points, strict=True))) for run in joined(line)]
     flat = [p for row in points for p in row]
-    shown = list(patches.values())[: 1 if w is None else 2]
-    return SurfaceMesh(
-        [[[kept(p, box) for p in row] for row in rows] for rows in shown], net, len(flat), flat.count(None)
-    )
+    return SurfaceMesh(patches[: 1 if w is None else 2], net, len(flat), flat.count(None), cut)
+
+
+class _Sampled:
+    """Points of a surface, each computed once, with the sign of the denominator there: whether it is positive."""
+
+    def __init__(self, scalars: Sequence[TensorSpline], quotient: bool) -> None:
+        self.scalars, self.quotient = scalars, quotient
+        self._lines: dict[mpq, list[BSpline]] = {}
+        self._points: dict[tuple[mpq, mpq], tuple[Point | None, bool]] = {}
+
+    def __call__(self, s: mpq, t: mpq) -> tuple[Point | None, bool]:
+        if (s, t) not in self._points:
+            if s not in self._lines:
+                self._lines[s] = [c.at_s(s) for c in self.scalars]
+            values = [line(t) for line in self._lines[s]]
+            self._points[s, t] = _over(values, self.quotient), not self.quotient or values[-1] > 0
+        return self._points[s, t]
+
+    def corners(self, s: tuple[mpq, mpq], t: tuple[mpq, mpq]) -> list[Point] | None:
+        """The corners of a cell in order around it; None where a pole may run through it."""
+        found = [self(s[i], t[j]) for i, j in ((0, 0), (0, 1), (1, 1), (1, 0))]
+        points = [p for p, _ in found if p is not None]
+        return points if len(points) == 4 and len({sign for _, sign in found}) == 1 else None
+
+    def is_inside(self, s: tuple[mpq, mpq], t: tuple[mpq, mpq], box: Box) -> bool:
+        """Whether a cell has its corners in a box and no pole."""
+        corners = self.corners(s, t)
+        return corners is not None and all(inside(p, box) for p in corners)
+
+    def cut(self, s: tuple[mpq, mpq], t: tuple[mpq, mpq], box: Box, depth: int) -> list[Run]:
+        """The polygons of a cell inside a box: it is halved in both directions until it is inside, outside or small."""
+        corners = self.corners(s, t)
+        if corners is not None:
+            if self.is_inside(s, t, box):
+                return [corners]
+            if not _overlap(box_around(corners), box):
+                return []
+            if not depth:
+                polygon = polygon_in(corners, box)
+                return [polygon] if len(polygon) > 2 else []
+        if not depth:
+            return []
+        halves = [((a, (a + b) / 2), ((a + b) / 2, b)) for a, b in (s, t)]
+        return [piece for u in halves[0] for v in halves[1] for piece in self.cut(u, v, box, depth - 1)]
+
+
+def _overlap(first: Box, second: Box) -> bool:
+    return all(a <= d and c <= b for a, b, c, d in zip(*first, *second, strict=True))
 
 
 def _grid(breaks: Sequence[mpq]) -> list[mpq]:

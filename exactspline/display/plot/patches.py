@@ -11,10 +11,10 @@ from itertools import pairwise
 from math import cos, pi, radians, sin
 from typing import TYPE_CHECKING, Any
 
-from exactspline.display.plot.canvas import BLACK, GREEN, GREY, PAGE, VERMILLION, draw, library, new_figure
-from exactspline.display.plot.curvature_lines import Samples, lines_of_curvature
+from exactspline.display.plot.canvas import BLACK, GREEN, PAGE, VERMILLION, draw, library, new_figure
+from exactspline.display.plot.curvature_lines import FAMILIES, Samples, lines_of_curvature
 from exactspline.display.plot.surfaces import shaded
-from exactspline.errors import as_instance
+from exactspline.errors import as_instance, counted
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.places import Place, enclosing
 from exactspline.geometry.surface.signs import Point
@@ -97,7 +97,7 @@ def _in_space(ax: Any, inspection: SurfaceInspection, samples: Samples, lines: A
     surface = inspection.surface
     marks = [
         (paint.line(samples.lifted(line), 0.5), color)
-        for family, color in zip(lines, (GREY, "white"), strict=True)
+        for family, color in zip(lines, FAMILIES.values(), strict=True)
         for line in family
     ]
     marks += [(paint.line([surface(*p) for p in run], 1.6), BLACK) for run in parabolic_runs(inspection)]
@@ -175,7 +175,7 @@ def _in_the_plane(ax: Axes, inspection: SurfaceInspection, samples: Samples, lin
             ax.contourf(us, vs, signs.T / largest, levels=[-2, 0, 2], colors=[HYPERBOLIC, ELLIPTIC], zorder=1)
         else:
             ax.fill_between([us[0], us[-1]], vs[0], vs[-1], color=colour_of(one, 1.0), linewidth=0, zorder=1)
-    for family, color in zip(lines, (GREY, "white"), strict=True):
+    for family, color in zip(lines, FAMILIES.values(), strict=True):
         for line in family:
             ax.plot(line[:, 0], line[:, 1], color=color, linewidth=0.5, zorder=2)
     for k, mesh in enumerate(inspection.surface.meshes):
@@ -184,6 +184,10 @@ def _in_the_plane(ax: Axes, inspection: SurfaceInspection, samples: Samples, lin
     for run in parabolic_runs(inspection):
         draw(ax, run, color=BLACK, linewidth=1.6, zorder=3)
     _dots(ax, list(umbilic_spots(inspection)), VERMILLION, "o")
+    for place, umbilic in zip(umbilic_spots(inspection), inspection.umbilics, strict=True):
+        near = {"xytext": (5, 5), "textcoords": "offset points", "zorder": 5, "fontsize": "small"}
+        halo = [library("matplotlib.patheffects").withStroke(linewidth=2, foreground="white")]
+        ax.annotate(umbilic.kind.value, tuple(map(float, place)), path_effects=halo, annotation_clip=True, **near)
     _dots(ax, list(singular_spots(inspection)), GREEN, "s")
     (a, b), (c, d) = inspection.surface.domain
     ax.set_xlim(float(a), float(b))
@@ -259,11 +263,16 @@ def _legend(figure: Figure, inspection: SurfaceInspection, lines: bool) -> None:
     if next(_curves(inspection), None) or inspection.parabolic_lines:
         handles.append(line([], [], color=BLACK, linewidth=1.6, label="parabolic curve"))
     if lines:
-        handles.append(line([], [], color=GREY, linewidth=0.7, label="lines of curvature"))
+        outline = [library("matplotlib.patheffects").withStroke(linewidth=2.6, foreground="#999999")]
+        handles += [
+            line([], [], color=color, linewidth=1.2, label=label, path_effects=outline)
+            for label, color in FAMILIES.items()
+        ]
     if inspection.umbilics.points:
-        count = len(inspection.umbilics)
-        label = f"{count} umbilic{'s' if count > 1 else ''}"
+        label = counted(len(inspection.umbilics), "umbilic")
         handles.append(line([], [], color=VERMILLION, marker="o", linestyle="", label=label))
     if inspection.singular_points.points:
         handles.append(line([], [], color=GREEN, marker="s", linestyle="", label="singular point"))
-    figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False, fontsize="small")
+    figure.legend(
+        handles=handles, loc="outside lower center", ncols=min(len(handles), 4), frameon=False, fontsize="small"
+    )

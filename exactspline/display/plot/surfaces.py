@@ -23,7 +23,7 @@ from exactspline.display.plot.curves import plot_quotient
 from exactspline.display.plot.frames import Box, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.display.plot.options import check_options, exact_box
-from exactspline.errors import FormulaError, ShapeError, as_items, as_text
+from exactspline.errors import FormulaError, ShapeError, as_items, as_text, counted
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, Kind
 from exactspline.language.rational import Rational
@@ -32,9 +32,9 @@ from exactspline.numbers.exact import Number, rational
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
+from exactspline.splines.lowest_terms import SplineSurface
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
-from exactspline.splines.values import SplineSurface
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -97,7 +97,8 @@ def plot_mesh(
 
 def shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
     """The colour of a face by its angle to the light, the same for both of its sides."""
-    (px, py, pz), (qx, qy, qz), (rx, ry, rz), (sx, sy, sz) = corners
+    (px, py, pz), (qx, qy, qz), (rx, ry, rz), *more = corners
+    sx, sy, sz = more[0] if more else (rx, ry, rz)
     ax, ay, az, bx, by, bz = rx - px, ry - py, rz - pz, sx - qx, sy - qy, sz - qz
     normal = (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
     length = hypot(*normal)
@@ -243,7 +244,7 @@ def _argument(curve: Curve[BSpline], other: Any) -> tuple[Kind, str, Any]:
     point = tuple(map(rational, as_items(other, "the coordinates of a point")))
     if len(point) != curve.dimension or len(point) not in (2, 3):
         raise ShapeError(
-            f"a point of {len(point)} coordinates with a curve in R{curve.dimension}",
+            f"a point of {counted(len(point), 'coordinate')} with a curve in R{curve.dimension}",
             remedy="both in the plane or both in space",
         )
     kind, default = (

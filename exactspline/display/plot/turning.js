@@ -1,9 +1,9 @@
 // Interactive 3-D surfaces, with light: WebGL, nothing else. One camera for all scenes that stand side by side.
 //
 // A scene is plain data: {title, box: [low, high], ticks: [[…], […], […]],
-//   surfaces: [{label, color, points: [[x, y, z], …], faces: [[i, j, k, …], …]}],
+//   surfaces: [{label, color, points: [[x, y, z], …], faces: [[i, j, k, …], …], parameters: [[u, v], …] or none}],
 //   lines:    [{label, color, width, runs: [[[x, y, z], …], …]}],
-//   dots:     [{label, color, size, places: [[x, y, z], …]}]}
+//   dots:     [{label, color, size, places: [[x, y, z], …], names: ["…", …] or none}]}
 
 const START = { turn: -Math.PI / 3, tilt: 0.4, zoom: 1 };
 const STEP = Math.PI / 36;
@@ -74,7 +74,8 @@ class View {
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", `${scene.title}: drag or arrow keys turn it, + and − change its size, 0 brings it back`);
     this.labels = made("div", { className: "ticks" });
-    this.element = made("figure", { className: "turning" }, made("figcaption", { textContent: scene.title }), made("div", {}, this.canvas, this.labels));
+    this.tip = made("output", { className: "tip", hidden: true });
+    this.element = made("figure", { className: "turning" }, made("figcaption", { textContent: scene.title }), made("div", {}, this.canvas, this.labels, this.tip));
     const gl = (this.gl = this.canvas.getContext("webgl", { alpha: true, antialias: true, premultipliedAlpha: true }));
     if (!gl) throw new Error("this browser shows no WebGL");
     this.programs = [SURFACE, LINE, DOT].map((sources) => this.#program(sources));
@@ -226,6 +227,26 @@ class View {
     return [(clientWidth * (1 + x * this.scale[0])) / 2, (clientHeight * (1 - y * this.scale[1])) / 2];
   }
 
+  // Say what is under the pointer: a dot by its name, otherwise the parameters of the nearest point of a surface.
+  point(event) {
+    const [x, y] = [event.offsetX, event.offsetY];
+    const eye = this.rows[2];
+    let best = { rank: Infinity };
+    const offer = (place, text, reach, ahead) => {
+      const [px, py] = this.#onPage(place);
+      const far = Math.hypot(px - x, py - y);
+      // of points at one place the one in front
+      const rank = far - (8 * eye.reduce((sum, e, i) => sum + e * place[i], 0)) / this.radius - ahead;
+      if (far < reach && rank < best.rank) best = { rank, text, px, py };
+    };
+    for (const dot of this.dots) if (this.#isShown(dot)) dot.places.forEach((p, i) => offer(p, dot.names?.[i], dot.names ? 10 : 0, 100));
+    for (const s of this.surfaces) if (this.#isShown(s) && s.parameters) s.points.forEach((p, i) => offer(p, `u ≈ ${s.parameters[i][0]}, v ≈ ${s.parameters[i][1]}`, 14, 0));
+    this.tip.hidden = !best.text;
+    if (!best.text) return;
+    this.tip.textContent = best.text;
+    Object.assign(this.tip.style, { left: `${best.px}px`, top: `${best.py}px` });
+  }
+
   // The numbers stand along the edges of the box that lie outermost.
   #write() {
     const { box } = this.scene;
@@ -283,15 +304,18 @@ export function turning(element, scenes) {
     "-": () => enlarge(1 / 1.1),
     0: () => draw(Object.assign(camera, START)),
   };
-  for (const { canvas } of views) {
+  for (const view of views) {
+    const { canvas } = view;
     const held = new Map();
+    canvas.onpointerleave = () => (view.tip.hidden = true);
     canvas.onpointerdown = (event) => {
       held.set(event.pointerId, event);
       canvas.setPointerCapture(event.pointerId);
     };
     canvas.onpointermove = (event) => {
       const before = held.get(event.pointerId);
-      if (!before) return;
+      if (!before) return view.point(event);
+      view.tip.hidden = true;
       held.set(event.pointerId, event);
       if (held.size === 1) turn((event.clientX - before.clientX) / 120, (event.clientY - before.clientY) / 120);
       else {

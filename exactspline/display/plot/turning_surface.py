@@ -6,8 +6,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from exactspline.display.plot.canvas import BLACK, GREEN, GREY, VERMILLION
-from exactspline.display.plot.curvature_lines import Samples, lines_of_curvature
+from exactspline.display.plot.canvas import BLACK, GREEN, VERMILLION
+from exactspline.display.plot.curvature_lines import FAMILIES, Samples, lines_of_curvature
 from exactspline.display.plot.frames import box_around, grown, three_ticks
 from exactspline.display.plot.html import ROOM, DotData, LineData, SceneData, SurfaceData, dots_of, line_of, places_of
 from exactspline.display.plot.patches import (
@@ -36,7 +36,7 @@ def inspected_scene(inspection: SurfaceInspection) -> SceneData:
     >>> from exactspline import analyse, example
     >>> scene = inspected_scene(analyse(example("torus")))
     >>> [one["label"] for one in scene["surfaces"]], [one["label"] for one in scene["lines"]]
-    (['K > 0', 'K < 0'], ['lines of curvature', 'lines of curvature', 'parabolic curve'])
+    (['K > 0', 'K < 0'], ['lines of the larger curvature', 'lines of the smaller curvature', 'parabolic curve'])
 
     Raises `PlotError` without matplotlib, which brings the arrays used for sampling.
     """
@@ -57,20 +57,22 @@ def _surfaces(inspection: SurfaceInspection, samples: Samples) -> Iterator[Surfa
     """The faces of each colour, with the points that they need."""
     for colour, label in LABELS.items():
         points: list[list[float]] = []
+        parameters: list[list[float]] = []
         known: dict[tuple[int, int, int], int] = {}
         faces = []
         for which, one in enumerate(inspection.patches):
-            own = samples.points[one.patch]
+            own, us, vs = samples.points[one.patch], samples.us[one.patch[0]], samples.vs[one.patch[1]]
             for i, j in _faces(one, samples, colour):
                 face = []
                 for k, h in ((i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)):
                     if (which, k, h) not in known:
                         known[which, k, h] = len(points)
                         points += places_of([own[k, h]])
+                        parameters += places_of([(us[k], vs[h])])
                     face.append(known[which, k, h])
                 faces.append(face)
         if faces:
-            yield {"label": label, "color": colour, "points": points, "faces": faces}
+            yield {"label": label, "color": colour, "points": points, "faces": faces, "parameters": parameters}
 
 
 def _faces(one: PatchInspection, samples: Samples, colour: str) -> Iterator[tuple[int, int]]:
@@ -84,19 +86,23 @@ def _faces(one: PatchInspection, samples: Samples, colour: str) -> Iterator[tupl
 
 def _lines(inspection: SurfaceInspection, samples: Samples) -> Iterator[LineData]:
     families = lines_of_curvature(samples) if has_lines(inspection) else ([], [])
-    # a page uses one colour per label, the last one given
-    for family, colour in zip(families[::-1], ("#ffffff", GREY), strict=True):
+    for family, (label, colour) in zip(families, FAMILIES.items(), strict=True):
         if family:
-            yield line_of("lines of curvature", colour, 1, [samples.lifted(line) for line in family])
+            yield line_of(label, colour, 1, [samples.lifted(line) for line in family])
     if runs := list(parabolic_runs(inspection)):
         yield line_of("parabolic curve", BLACK, 3, [_on(inspection, run) for run in runs])
 
 
 def _dots(inspection: SurfaceInspection) -> Iterator[DotData]:
-    marked = (("umbilics", VERMILLION, umbilic_spots), ("singular points", GREEN, singular_spots))
-    for label, colour, spots in marked:
+    kinds = [f"umbilic, {umbilic.kind.value}" for umbilic in inspection.umbilics]
+    singular = ["singular point"] * len(inspection.singular_points.points)
+    marked = (("umbilics", VERMILLION, umbilic_spots, kinds), ("singular points", GREEN, singular_spots, singular))
+    for label, colour, spots, names in marked:
         if places := list(spots(inspection)):
-            yield dots_of(label, colour, 12, _on(inspection, places))
+            named = [
+                f"{name}: u ≈ {float(u):.5g}, v ≈ {float(v):.5g}" for name, (u, v) in zip(names, places, strict=True)
+            ]
+            yield dots_of(label, colour, 12, _on(inspection, places)) | {"names": named}
 
 
 def _on(inspection: SurfaceInspection, parameters: Iterable[Point]) -> Sequence[Sequence[float]]:

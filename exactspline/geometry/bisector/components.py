@@ -21,7 +21,7 @@ from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.values import RationalSurface
+from exactspline.splines.lowest_terms import RationalSurface
 
 #: Longer equations are shown by their degree only.
 SHORT = 40

@@ -12,7 +12,6 @@ from typing import Generic, TypeVar
 from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.geometry.bisector.flats import ALL, Conditions
-from exactspline.geometry.bisector.over_root import OverRoot, by_powers
 from exactspline.geometry.bisector.polynomials import Euclidean, common_divisor
 from exactspline.geometry.bisector.root_lines import RootLines
 from exactspline.geometry.bisector.system import System
@@ -22,11 +21,12 @@ from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.numbers.exact import mpq, to_fmpz
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import substituted
+from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.two_parameters import lifted, rows_of
 from exactspline.roots.of_polynomials import as_splines
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.values import RationalSurface
+from exactspline.splines.lowest_terms import RationalSurface
 
 P = TypeVar("P", bound=Euclidean)
 

@@ -13,7 +13,7 @@ from enum import StrEnum
 from itertools import pairwise, starmap
 from typing import Any
 
-from exactspline.errors import ShapeError, as_items
+from exactspline.errors import ShapeError, as_items, counted
 from exactspline.geometry.bisector.common import Bisector
 from exactspline.geometry.bisector.missing import STILL, THROUGH, is_zero_on
 from exactspline.language.arguments import Curve
@@ -26,9 +26,8 @@ from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
-from exactspline.splines.lowest_terms import common_factor
+from exactspline.splines.lowest_terms import SplineSurface, common_factor
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.values import SplineSurface
 from exactspline.words import choice
 
 
@@ -157,7 +156,9 @@ def exact_point(curve: Curve[BSpline], point: Iterable[Number], dimension: int) 
     if curve.dimension != dimension:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy=f"this needs a curve in R{dimension}")
     if len(coordinates) != dimension:
-        raise ShapeError(f"a point of {len(coordinates)} coordinates", where="point", remedy=f"give {dimension}")
+        raise ShapeError(
+            f"a point of {counted(len(coordinates), 'coordinate')}", where="point", remedy=f"give {dimension}"
+        )
     return coordinates
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ShapeError, counted
 from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.numbers import finite_double
 from exactspline.interchange.segments import joined, polynomial
@@ -66,7 +66,7 @@ class ContourPen:
     def curveTo(self, *points: Sequence[object]) -> None:
         """Draw a cubic; raises `ShapeError` unless there are three points."""
         if len(points) != 3:
-            raise ShapeError(f"a cubic of {len(points)} points", remedy="give three")
+            raise ShapeError(f"a cubic of {counted(len(points), 'point')}", remedy="give three")
         self._runs.append(("cubic", [self._point(point) for point in points]))
 
     def qCurveTo(self, *points: Sequence[object] | None) -> None:

@@ -16,7 +16,7 @@ from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, finite_double
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.segments import arc_around_origin, joined, mapped
+from exactspline.interchange.segments import bezier_knots, ellipse
 from exactspline.interchange.tokens import Tokens
 from exactspline.interchange.writing import cartesian
 from exactspline.numbers.exact import mpq
@@ -75,8 +75,7 @@ def _poles(words: Tokens, count: int, dimension: int, rational: bool) -> tuple[l
 def _bezier(collector: Collector, words: Tokens, dimension: int, where: str) -> None:
     rational, degree = words.whole() != 0, words.count()
     points, weights = _poles(words, degree + 1, dimension, rational)
-    knots = [mpq(0)] * (degree + 1) + [mpq(1)] * (degree + 1)
-    collector.add("Bézier curve", where, degree, knots, points, weights)
+    collector.add("Bézier curve", where, degree, bezier_knots(degree), points, weights)
 
 
 def _spline(collector: Collector, words: Tokens, dimension: int, where: str) -> None:
@@ -131,11 +130,9 @@ def _ellipse(collector: Collector, words: Tokens, dimension: int, where: str, ki
     major = words.number()
     minor = words.number() if kind == ELLIPSE else major
     frame = Affine([[x * major, y * minor, c] for x, y, c in zip(across, up, centre, strict=True)])
-    one = (mpq(1), mpq(0))
-    degree, knots, points = joined(mapped(arc_around_origin(one, one), frame))
     name = "circle" if kind == CIRCLE else "ellipse"
     note = f"the full {name}, exact for the axes as written; edges may use only a part of it"
-    collector.add(name, where, degree, knots, points, homogeneous=True, notes=[note])
+    collector.add_segments(name, where, ellipse(frame), notes=[note])
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import PurePath
 
+from exactspline.errors import counted
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.numbers import decimal
 from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.segments import bezier_knots
 from exactspline.numbers.exact import mpq, rational
 
 
@@ -25,10 +26,7 @@ def read(source: Source) -> Reading:
     """The curve of a file, if degree and knots are given."""
     collector = Collector("cptw", source)
     rows = [line.replace(",", " ").split() for line in source.text.splitlines()]
-    points = []
-    for row in filter(None, rows):
-        collector.count(len(row))
-        points.append([decimal(word, source.limits) for word in row])
+    points = [collector.numbers(row) for row in rows if row]
     weighted = PurePath(source.name).suffix.lower() != ".cpt"
     complete(collector, "control points", points, homogeneous=weighted)
     return collector.reading()
@@ -45,9 +43,9 @@ def complete(
     """Add the curve with these control points and with the degree and knots that the caller gave."""
     degree, given = collector.source.degree, collector.source.knots
     if degree is None or (given is None and len(points) != degree + 1):
-        collector.skip(f"{len(points)} control points", where, "the file holds no degree and no knots: give both")
+        collector.skip(counted(len(points), "control point"), where, "the file holds no degree and no knots: give both")
         return
-    knots = [mpq(0)] * (degree + 1) + [mpq(1)] * (degree + 1) if given is None else [rational(knot) for knot in given]
+    knots = bezier_knots(degree) if given is None else [rational(knot) for knot in given]
     notes = ["degree and knots were given by the caller"]
     collector.add("control points", where, degree, knots, points, weights, homogeneous=homogeneous, notes=notes)
 

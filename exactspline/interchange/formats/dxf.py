@@ -13,13 +13,13 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from exactspline.errors import CurveFileError, ExactSplineError, ShapeError
-from exactspline.interchange.affine import Affine
+from exactspline.errors import CurveFileError, ShapeError
+from exactspline.interchange.affine import Affine, cross, unit
 from exactspline.interchange.angles import quarter_turns_of_degrees, quarter_turns_of_radians
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.numbers import NumberText, decimal, square_root, whole
+from exactspline.interchange.numbers import NumberText, decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.segments import Segment, arc_around_origin, bulged, joined, mapped, polynomial
+from exactspline.interchange.segments import Segment, arc_around_origin, bulged, mapped, polynomial
 from exactspline.interchange.writing import in_space
 from exactspline.numbers.exact import mpq
 
@@ -70,10 +70,8 @@ def read(source: Source) -> Reading:
                 why = WHY.get(entity.kind, "this type of entity is not read")
                 collector.skip(entity.kind, where, why, curve=entity.kind in CURVES)
             continue
-        try:
+        with collector.skipping(entity.kind, where):
             reader(_Values(collector, entity, where))
-        except ExactSplineError as error:
-            collector.skip(entity.kind, where, str(error))
     return collector.reading()
 
 
@@ -148,39 +146,30 @@ class _Values:
         x, y, z = default or (None, None, 0)
         return [self.number(code, x), self.number(code + 10, y), self.number(code + 20, z)]
 
-    def points(self, code: int) -> list[list[mpq]]:
-        """All points whose x coordinate has the group code `code`."""
-        points: list[list[mpq]] = []
+    def rows(self, *codes: int) -> list[list[mpq]]:
+        """All rows of values with these group codes, each begun by the first of them; a missing value is 0."""
+        rows: list[list[mpq]] = []
         for group, value in self.entity.pairs:
-            if group == code:
-                points.append([decimal(value, self.collector.limits), mpq(0), mpq(0)])
-            elif group in (code + 10, code + 20) and points:
-                points[-1][(group - code) // 10] = decimal(value, self.collector.limits)
-        return points
+            if group == codes[0]:
+                rows.append([mpq(0)] * len(codes))
+            if group in codes and rows:
+                rows[-1][codes.index(group)] = decimal(value, self.collector.limits)
+        return rows
 
-    def frame(self) -> tuple[list[mpq], list[mpq], list[mpq]]:
+    def frame(self) -> tuple[Sequence[mpq], Sequence[mpq], Sequence[mpq]]:
         """The axes of the entity's coordinate system, by the arbitrary axis algorithm; raises `ShapeError` if they are
         irrational.
         """
-        normal = _unit(self.point(210, (0, 0, 1)))
+        normal = unit(self.point(210, (0, 0, 1)))
         small = all(abs(x) < mpq(1, 64) for x in normal[:2])
-        across = _unit(_cross([mpq(0), mpq(1), mpq(0)] if small else [mpq(0), mpq(0), mpq(1)], normal))
-        return across, _cross(normal, across), normal
+        across = unit(cross([mpq(0), mpq(1), mpq(0)] if small else [mpq(0), mpq(0), mpq(1)], normal))
+        return across, cross(normal, across), normal
 
     def add(self, segments: Sequence[Segment]) -> None:
         """Add the curve made of segments in space, as a plane curve if z = 0."""
         if all(point[2] == 0 for segment in segments for point in segment):
             segments = [tuple((*point[:2], point[3]) for point in segment) for segment in segments]
-        degree, knots, points = joined(segments)
-        kind = self.entity.kind
-        weights = {point[-1] for point in points}
-        if weights == {1}:
-            plain = [point[:-1] for point in points]
-            self.collector.add(kind, self.where, degree, knots, plain, name=self.name, notes=self.notes)
-        else:
-            self.collector.add(
-                kind, self.where, degree, knots, points, homogeneous=True, name=self.name, notes=self.notes
-            )
+        self.collector.add_segments(self.entity.kind, self.where, segments, self.name, self.notes)
 
     @property
     def name(self) -> str:
@@ -188,19 +177,8 @@ class _Values:
         return " ".join([self.entity.kind.lower(), *self.entity.texts(5)[:1]])
 
 
-def _unit(vector: Sequence[mpq]) -> list[mpq]:
-    length = square_root(sum((x * x for x in vector), start=mpq(0)))
-    if not length:
-        raise ShapeError("an axis of irrational length", remedy="only axes of rational length are exact")
-    return [x / length for x in vector]
-
-
-def _cross(u: Sequence[mpq], v: Sequence[mpq]) -> list[mpq]:
-    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-
-
 def _spline(values: _Values) -> None:
-    points, knots, weights = values.points(10), values.numbers(40), values.numbers(41)
+    points, knots, weights = values.rows(10, 20, 30), values.numbers(40), values.numbers(41)
     flags = values.flag(70)
     if not points and values.entity.texts(11):
         raise CurveFileError("a spline with fit points only", remedy="control points and knots are required")
@@ -245,7 +223,7 @@ def _arc_between(values: _Values, start: int, end: int) -> None:
 
 def _ellipse(values: _Values) -> None:
     major = values.point(11)
-    minor = [values.number(40) * x for x in _cross(_unit(values.point(210, (0, 0, 1))), major)]
+    minor = [values.number(40) * x for x in cross(unit(values.point(210, (0, 0, 1))), major)]
     turns = [quarter_turns_of_radians(values.entity.texts(code)[0]) if values.entity.texts(code) else default
              for code, default in ((41, 0), (42, 4))]  # fmt: skip
     if turns[0] == turns[1]:
@@ -265,12 +243,7 @@ def _elliptic(values: _Values, centre: Sequence[mpq], u: Sequence[mpq], v: Seque
 
 
 def _polyline(values: _Values) -> None:
-    vertices: list[list[mpq]] = []
-    for group, text in values.entity.pairs:
-        if group == 10:
-            vertices.append([decimal(text, values.collector.limits), mpq(0), mpq(0)])
-        elif group in (20, 42) and vertices:
-            vertices[-1][1 if group == 20 else 2] = decimal(text, values.collector.limits)
+    vertices = values.rows(10, 20, 42)
     if values.flag(70) & CLOSED:
         vertices.append([*vertices[0][:2], mpq(0)] if vertices else [])
     segments: list[Segment] = []

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
-from exactspline.errors import CurveFileError, ExactSplineError, ShapeError
+from exactspline.errors import CurveFileError, ExactSplineError, ShapeError, counted
 from exactspline.interchange.bridges.fonttools import ContourPen
 from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.collector import Collector
@@ -80,7 +80,7 @@ def _count(source: Source) -> int:
         return 1
     count = int.from_bytes(source.data[8:12], "big")
     if not 0 < count <= source.limits.objects or 12 + 4 * count > len(source.data):
-        raise CurveFileError(f"a collection of {count} fonts", remedy="repair the font")
+        raise CurveFileError(f"a collection of {counted(count, 'font')}", remedy="repair the font")
     return count
 
 

@@ -15,7 +15,7 @@ from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.formats.control_points import complete
 from exactspline.interchange.json_files import parsed
-from exactspline.interchange.numbers import NumberText, decimal, whole
+from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.writing import cartesian
 from exactspline.numbers.exact import mpq
@@ -92,8 +92,7 @@ def _arrays(collector: Collector, data: dict[str, Any]) -> None:
 def _row(collector: Collector, values: Any) -> list[mpq]:
     if not isinstance(values, list):
         raise CurveFileError("a list of numbers is missing", remedy="write a JSON list")
-    collector.count(len(values))
-    return [decimal(str(value), collector.limits) for value in values]
+    return collector.numbers(list(map(str, values)))
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.numbers import NumberText, decimal, whole
+from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.writing import cartesian
 from exactspline.interchange.xml_tree import Element, attribute, parse
@@ -33,13 +33,10 @@ def read(source: Source) -> Reading:
         if kind not in CURVES:
             collector.skip(f"geometry {kind}", where, "not a spline curve", curve=False)
             continue
-        try:
+        with collector.skipping(f"geometry {kind}", where):
             degree, knots, points, weights = _parts(collector, element)
-        except ExactSplineError as error:
-            collector.skip(f"geometry {kind}", where, str(error))
-            continue
-        name = element.attributes.get("label", "")
-        collector.add(f"geometry {kind}", where, degree, knots, points, weights, name=name)
+            name = element.attributes.get("label", "")
+            collector.add(f"geometry {kind}", where, degree, knots, points, weights, name=name)
     return collector.reading()
 
 
@@ -51,24 +48,20 @@ def _parts(collector: Collector, element: Element) -> tuple[int, list[mpq], list
         raise CurveFileError(
             f"{len(vectors)} knot vectors", where="Basis", remedy="a curve has one knot vector, and coefs"
         )
-    knots = _numbers(collector, vectors[0])
+    knots = collector.numbers(vectors[0].text.split())
     if vectors[0].attributes.get("mode", "list") != "list" and vectors[0].attributes["mode"] != "graded":
         raise CurveFileError("a knot vector without a list of knots", where="KnotVector", remedy="write out the knots")
-    values = _numbers(collector, coefficients)
+    values = collector.numbers(coefficients.text.split())
     dimension = whole(coefficients.attributes.get("geoDim", ""))
     if dimension < 1 or len(values) % dimension:
         raise CurveFileError(
-            f"{len(values)} numbers for points of dimension {dimension}", where="coefs", remedy="give full rows"
+            f"{counted(len(values), 'number')} for points of dimension {dimension}",
+            where="coefs",
+            remedy="give full rows",
         )
     points = [values[i : i + dimension] for i in range(0, len(values), dimension)]
-    weights = next((_numbers(collector, e) for e in below if e.tag == "weights"), None)
+    weights = next((collector.numbers(e.text.split()) for e in below if e.tag == "weights"), None)
     return whole(vectors[0].attributes.get("degree", "")), knots, points, weights
-
-
-def _numbers(collector: Collector, element: Element) -> list[mpq]:
-    words = element.text.split()
-    collector.count(len(words))
-    return [decimal(word, collector.limits) for word in words]
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:

@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.iges_records import Entry, entries, formatted, unit_of
@@ -50,7 +50,7 @@ class _Values:
     def text(self) -> str:
         """The next parameter as text, empty if it is omitted."""
         if self.position >= len(self.texts):
-            raise CurveFileError(f"only {len(self.texts)} parameters", remedy="complete the record")
+            raise CurveFileError(f"only {counted(len(self.texts), 'parameter')}", remedy="complete the record")
         self.position += 1
         return self.texts[self.position - 1]
 
@@ -84,10 +84,8 @@ def read(source: Source) -> Reading:
             why = "its parts are read separately" if entry.kind == COMPOSITE else "this type of entity is not read"
             collector.skip(name, where, why, curve=entry.kind in CURVES)
             continue
-        try:
+        with collector.skipping(f"entity {entry.kind}", where):
             reader(collector, entry, where, _placement(collector, directory, entry))
-        except ExactSplineError as error:
-            collector.skip(f"entity {entry.kind}", where, str(error))
     return collector.reading()
 
 

@@ -10,10 +10,11 @@ import re
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.segments import bezier_knots
 from exactspline.interchange.writing import homogeneous
 from exactspline.numbers.exact import mpq
 
@@ -43,10 +44,8 @@ def read(source: Source) -> Reading:
         if keyword == "CURVE":
             number += 1
             where = f"curve {number}" + (f" ({name})" if name else "")
-            try:
+            with collector.skipping("curve", where):
                 _curve(collector, node, where, name)
-            except ExactSplineError as error:
-                collector.skip("curve", where, str(error))
         elif keyword in SKIPPED:
             collector.skip(keyword.lower(), name or "unnamed object", "not a spline curve", curve=keyword == "POLYLINE")
         else:
@@ -95,13 +94,14 @@ def _curve(collector: Collector, node: Node, where: str, name: str) -> None:
     dimension, homogeneous = int(match[2]), match[1] == "P"
     if len(points) != count or any(len(row) != dimension + homogeneous for row in points):
         raise CurveFileError(
-            f"{len(points)} points, but {count} of type {match[0]} are announced", remedy="the two must agree"
+            f"{counted(len(points), 'point')}, but {count} of type {match[0]} are announced",
+            remedy="the two must agree",
         )
     notes = []
     if homogeneous:
         points = [[*row[1:], row[0]] for row in points]
     if kind == "BEZIER":
-        knots = [mpq(0)] * order + [mpq(1)] * order
+        knots = bezier_knots(order - 1)
     elif len(vectors) == 1:
         knots = _numbers(collector, vectors[0][1:])
         if vectors[0][0] == "KVP":

@@ -12,13 +12,12 @@ from collections.abc import Sequence
 from importlib import resources
 from typing import Any
 
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.curve_files import curve_data, curve_from_data
+from exactspline.interchange.curve_files import curve_data, curve_from_data, surface_from_data
 from exactspline.interchange.json_files import parsed
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.surface_files import surface_from_data
 
 #: The fields of a curve that are long.
 SIZED = "knots", "control_points", "weights"
@@ -53,10 +52,8 @@ def read(source: Source) -> Reading:
         is_surface = isinstance(entry, dict) and isinstance(entry.get("degree"), list)
         what = "surface" if is_surface else "curve"
         where = f"{what} {number}"
-        try:
+        with collector.skipping(what, where, curve=not is_surface):
             (_surface if is_surface else _curve)(collector, entry, where)
-        except ExactSplineError as error:
-            collector.skip(what, where, str(error), curve=not is_surface)
     return collector.reading()
 
 

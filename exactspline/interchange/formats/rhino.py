@@ -19,12 +19,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.segments import arc_around_origin, joined, mapped
+from exactspline.interchange.segments import ellipse
 from exactspline.interchange.writing import homogeneous, in_space
 from exactspline.numbers.exact import mpq, rational
 
@@ -57,15 +57,13 @@ def read(source: Source) -> Reading:
             collector.note(f"lengths in {entry['unit']}: read as written")
             continue
         where, kind = entry["where"], entry["kind"]
-        try:
+        with collector.skipping(kind, where):
             if "plane" in entry:
                 _circle(collector, entry)
             elif "points" in entry:
                 _spline(collector, entry)
             else:
                 collector.skip(kind, where, "this type of object is not read", curve=kind in CURVES)
-        except ExactSplineError as error:
-            collector.skip(kind, where, str(error))
     return collector.reading()
 
 
@@ -102,11 +100,8 @@ def _circle(collector: Collector, entry: dict[str, Any]) -> None:
     [radius] = map(rational, entry["radius"])
     rows = [map(rational, row) for row in entry["plane"]]
     frame = Affine([[radius * x, radius * y, centre] for x, y, centre in zip(*rows, strict=True)])
-    one = (mpq(1), mpq(0))
-    degree, knots, points = joined(mapped(arc_around_origin(one, one), frame))
     note = "a full circle, exact for the plane as written; its parameter was the angle"
-    where, name = entry["where"], entry["name"]
-    collector.add("ArcCurve", where, degree, knots, points, homogeneous=True, name=name, notes=[note, *entry["notes"]])
+    collector.add_segments("ArcCurve", entry["where"], ellipse(frame), entry["name"], [note, *entry["notes"]])
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:

@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, whole, with_point
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
@@ -58,15 +58,11 @@ def read(source: Source) -> Reading:
         match = _KEYWORD.match(text)
         keyword = match[1] if match else ""
         if keyword == "POLYLINE" or (_CURVE.search(text) and (text.startswith("(") or keyword in (SPLINE, *KINDS))):
-            try:
+            with collector.skipping(keyword, where):
                 _curve(file, parts(text, source.limits), where, edges.notes(number))
-            except ExactSplineError as error:
-                collector.skip(keyword, where, str(error))
         elif keyword in ELEMENTARY or keyword == EDGE:
-            try:
+            with collector.skipping(keyword, where):
                 edges.read(keyword, number, where)
-            except ExactSplineError as error:
-                collector.skip(keyword, where, str(error))
         elif keyword in SKIPPED:
             collector.skip(keyword, where, SKIPPED[keyword], curve=keyword not in NO_CURVE)
         elif keyword in PLACING:
@@ -132,7 +128,9 @@ def _name(arguments: list[Value], where: str) -> str:
 def _listed(file: StepFile, arguments: list[Value]) -> list[mpq]:
     counts, values = [whole(text) for text in file.texts(arguments[0])], file.numbers(arguments[1])
     if len(counts) != len(values) or any(count < 0 for count in counts):
-        raise CurveFileError(f"{len(counts)} multiplicities for {len(values)} knots", remedy="give one per knot")
+        raise CurveFileError(
+            f"{counted(len(counts), 'multiplicity')} for {counted(len(values), 'knot')}", remedy="give one per knot"
+        )
     file.collector.count(sum(counts))
     return [knot for knot, times in zip(values, counts, strict=True) for _ in range(times)]
 
@@ -144,7 +142,8 @@ def _standard(kind: str, degree: int, count: int) -> list[mpq]:
     times = degree if kind == "BEZIER_CURVE" else 1
     if degree < 1 or count <= degree or (count - 1 - degree) % times:
         raise CurveFileError(
-            f"{count} points for degree {degree}", remedy="this kind of curve needs a different number of points"
+            f"{counted(count, 'point')} for degree {degree}",
+            remedy="this kind of curve needs a different number of points",
         )
     inner = [mpq(i // times + 1) for i in range(count - 1 - degree)]
     return [mpq(0)] * (degree + 1) + inner + [mpq((count - 1 - degree) // times + 1)] * (degree + 1)

@@ -21,7 +21,7 @@ from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.segments import Segment, arc_around_origin, joined, mapped, polynomial
+from exactspline.interchange.segments import Segment, ellipse, mapped, polynomial
 from exactspline.interchange.svg_paths import Subpath, least_size, subpaths
 from exactspline.interchange.svg_styles import HIDING, MOVING, ORIGIN, SHAPING, Sheet, declarations, in_words
 from exactspline.interchange.svg_transforms import about, length, transform
@@ -251,17 +251,8 @@ def _shape(collector: Collector, element: Element, where: str, place: _Place) ->
         if part.problem:
             collector.skip("subpath", at, part.problem)
             continue
-        _add(collector, element.tag, at, mapped(part.segments, place.placed), f"{name}.{i}" if several else name, notes)
-
-
-def _add(
-    collector: Collector, what: str, where: str, segments: Sequence[Segment], name: str, notes: Sequence[str]
-) -> None:
-    degree, knots, points = joined(segments)
-    if {point[-1] for point in points} == {1}:
-        collector.add(what, where, degree, knots, [point[:-1] for point in points], name=name, notes=notes)
-    else:
-        collector.add(what, where, degree, knots, points, homogeneous=True, name=name, notes=notes)
+        placed = mapped(part.segments, place.placed)
+        collector.add_segments(element.tag, at, placed, f"{name}.{i}" if several else name, notes)
 
 
 def _basic(collector: Collector, element: Element) -> tuple[list[Segment], list[str]]:
@@ -303,8 +294,7 @@ def _round(element: Element, size: Callable[[str], mpq]) -> list[Segment]:
     rx, ry = (size(given[0]), size(given[-1])) if given else (mpq(0), mpq(0))
     if rx <= 0 or ry <= 0:
         raise NotDrawnError("no radius is positive", remedy="nothing is drawn")
-    one = (mpq(1), mpq(0))
-    return mapped(arc_around_origin(one, one), Affine([[rx, 0, size("cx")], [0, ry, size("cy")]]))
+    return ellipse(Affine([[rx, 0, size("cx")], [0, ry, size("cy")]]))
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:

@@ -9,6 +9,7 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.bisector import (
     middle_height,
     middle_normal,
     normal_height,
+    plane_bisector_polynomial,
     point_bisector_determinant_polynomial,
     point_bisector_directrix,
     point_bisector_directrix_levelled,
@@ -226,3 +227,9 @@ def point_bisector_with_another_directrix(c):
     """The surface with the directrix ``δ + xG`` for an arbitrary function x, here the first coordinate of p."""
     generator = cross(D1(c), c.gamma - c.point)
     return ruled(point_bisector_directrix_polynomial(c) + generator * c.p[0], generator)
+
+
+@formula("§6.2.2, (4), in another plane", on="plane point")
+def tilted_plane_bisector_slope(c):
+    """The derivative of the height of the planar bisector in a tilted plane, that of the points ``(3x/5, y, 4x/5)``."""
+    return plane_bisector_polynomial(c)[0].d(1) * 4 / 5

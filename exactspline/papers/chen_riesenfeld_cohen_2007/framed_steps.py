@@ -8,6 +8,7 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.frames import (
     binormal_length,
     curvature_in_space,
     radius_derivative_along_binormal,
+    signed_curvature,
     speed,
     unit_binormal,
     unit_normal,
@@ -29,6 +30,18 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.space import (
 def tangent_developable_by_unit_tangent(c):
     """``γ + ζT`` with the unit tangent T."""
     return ruled(c.gamma, unit_tangent(c))
+
+
+@formula("§4.3, next to eq. (12)", on="framed plane")
+def inverted_curvature(c):
+    """``‖γ′‖³/[γ′ γ″]``: what is printed as κ."""
+    return c.sigma**3 / f0(c)
+
+
+@formula("§4.3, next to eq. (12)", on="framed plane")
+def signed_radius(c):
+    """``1/κ``, with the sign of κ."""
+    return 1 / signed_curvature(c)
 
 
 @formula("§4.3, first line of eq. (12)", on="framed plane")

@@ -114,12 +114,6 @@ def f0_g0(c):
 
 
 @formula("§4.3, next to eq. (12)", on="plane")
-def curvature_squared_inverted(c):
-    """``‖γ′‖⁶ / [γ′ γ″]²``: the square of what is printed as κ next to eq. (12)."""
-    return speed_squared(c) ** 3 / f0(c) ** 2
-
-
-@formula("§4.3, next to eq. (12)", on="plane")
 def curvature_radius_squared(c):
     """``1/κ²``."""
     return 1 / curvature_squared(c)

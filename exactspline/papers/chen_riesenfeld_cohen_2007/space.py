@@ -266,18 +266,6 @@ def focal_binormal_by_arc_length(c):
     return psi_numerator(c) / velocity_acceleration_jerk(c)
 
 
-@formula("eq. (19), derivative by arc length", on="space")
-def focal_binormal_squared_by_arc_length(c):
-    """The square of this component."""
-    return focal_binormal_by_arc_length(c) ** 2
-
-
-@formula("eq. (19), derivative by the parameter", on="space")
-def focal_binormal_squared_by_parameter(c):
-    """The same with the derivative with respect to the parameter, ``(1/κ)′B = ‖γ′‖ Ψ``; squared to be rational."""
-    return speed_squared(c) * focal_binormal_squared_by_arc_length(c)
-
-
 @formula("definition of the focal curve", on="space")
 def focal_contact_1(c):
     """``(F − γ)·γ′``: zero if the sphere around F has contact of first order."""

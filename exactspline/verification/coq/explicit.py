@@ -8,13 +8,12 @@ from dataclasses import dataclass, field
 from flint import fmpq_mpoly
 
 from exactspline.errors import ClaimError
-from exactspline.language.accompanied import Accompanied
-from exactspline.language.arguments import COORDINATES, POINT, Curve
+from exactspline.language.arguments import COORDINATES, POINT, Accompanied, Curve
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CURVE, CurveKind, FramedKind, Kind, Symbol
 from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.verification.coq.terms import integer
+from exactspline.verification.coq.terms import integer, sum_of_products
 from exactspline.verification.segments import with_explicit_curve
 
 #: A polynomial in t by its coefficients.
@@ -96,15 +95,7 @@ def written(coefficients: Coefficients, t: str, number: str) -> str:
     >>> written((1, 0, -2), "t", "number")
     'number 1 - number 2 * t ^ 2'
     """
-    terms = []
-    for k, c in enumerate(coefficients):
-        if c:
-            factors = [t if k == 1 else f"{t} ^ {k}"] if k else []
-            if abs(c) != 1 or not k:
-                factors.insert(0, f"{number} {abs(c)}")
-            terms.append(("- " if c < 0 else "+ ") + " * ".join(factors))
-    text = " ".join(terms) or f"+ {number} 0"
-    return text.removeprefix("+ ") if text.startswith("+") else f"{number} 0 {text}"
+    return sum_of_products(((c, [(t, k)] if k else []) for k, c in enumerate(coefficients) if c), number)
 
 
 #: The numerators, denominators, points and constants to try, the simplest first.

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Callee
+from exactspline.language.arguments import Callee
 from exactspline.language.formula import Formula
 from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.implicit_kinds import ImplicitKind

@@ -12,8 +12,7 @@ from typing import cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.adjoined_root import Adjoined
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import COORDINATES, Operands, T
+from exactspline.language.arguments import COORDINATES, Evaluated, Operands, T
 from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, FramedKind, Kind, Symbol
@@ -23,11 +22,10 @@ from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node, nodes
 from exactspline.verification.coq.settings import (
-    PLAIN,
-    FormsSetting,
     HodographSetting,
     ImplicitSetting,
     Setting,
+    Spelling,
     SurfaceCurveSetting,
     SurfaceSetting,
 )
@@ -43,17 +41,17 @@ def setting_of(kind: Kind, dimension: int, order: int, *, polynomial: bool, tree
         given = list(trees)
         used = tuple(root for root in ROOTS if any(root in leaves(tree) for tree in given))
         return FramedSetting(kind, dimension, order, used=used, differentiates=any(map(_differentiates, given)))
-    if isinstance(kind, HodographKind):
-        return HodographSetting(kind, dimension, order, polynomial)
-    if isinstance(kind, ImplicitKind):
-        return ImplicitSetting(kind, dimension, order)
-    if isinstance(kind, SurfaceKind):
-        return SurfaceSetting(kind, dimension, order)
-    if isinstance(kind, SurfaceCurveKind):
-        return SurfaceCurveSetting(kind, dimension, order)
-    if isinstance(kind, FormsKind):
-        return FormsSetting(kind, dimension, order)
-    return Setting(kind, dimension, order, polynomial)
+    return SETTINGS.get(type(kind), Setting)(kind, dimension, order, polynomial)
+
+
+#: The settings of kinds that are not those of curves.
+SETTINGS: dict[type[Kind], type[Setting]] = {
+    HodographKind: HodographSetting,
+    ImplicitKind: ImplicitSetting,
+    SurfaceKind: SurfaceSetting,
+    SurfaceCurveKind: SurfaceCurveSetting,
+    FormsKind: SurfaceSetting,
+}
 
 
 def _differentiates(tree: Node) -> bool:
@@ -80,11 +78,6 @@ class FramedSetting(Setting):
     used: tuple[str, ...] = ()
     differentiates: bool = False
 
-    @property
-    def shape(self) -> str:
-        """Its name in the base."""
-        return f"framed_{PLAIN[self.dimension - 2]}"
-
     @cached_property
     def ring(self) -> JetRing:
         """The jets, and the roots as variables."""
@@ -99,21 +92,6 @@ class FramedSetting(Setting):
     def differentiates_roots(self) -> bool:
         """Whether derivatives of roots occur."""
         return self.differentiates
-
-    @property
-    def _all(self) -> tuple[str, ...]:
-        return ROOTS[: self.dimension - 1]
-
-    @property
-    def introduced(self) -> list[str]:
-        """Functions and roots, and the hypotheses about them."""
-        functions = [self.named(symbol.name) for symbol in self.symbols]
-        return [*functions, *map(self.named, self._all), "Hw", *self._bound, *[f"H{name}" for name in self._all]]
-
-    @property
-    def _bound(self) -> list[str]:
-        """The vectors that the quantifier names."""
-        return [] if self.dimension == 2 else ["velocity_", "binormal_"]
 
     def _place(self, i: int) -> int:
         """The number of the i-th variable of the ring in the list."""
@@ -171,15 +149,15 @@ class FramedSetting(Setting):
         """The roots do not vanish because their squares do not; their derivatives, by Leibniz' rule."""
         bare = replace(self, used=())
         lines = [
-            f"pose (k := {self.jets}).",
-            f"pose (r0 := {bare.rules}).",
+            f"pose (k := {self.spelling.jets}).",
+            f"pose (r0 := {bare.spelling.rules}).",
             "assert (R0 : forall q, rules_hold K k q (r0 q)) by rules_by_computation.",
         ]
         for root in self.used:
             own = self.named(root)
             lines += [
                 f"assert (N{root} : {own} <> zero K).",
-                f"{{ pose (c := {bare.deep}).",
+                f"{{ pose (c := {bare.spelling.deep}).",
                 f"  apply (root_nonzero K {own} _ H{root}).",
                 f"  {self._because(root, premises)} }}",
             ]
@@ -198,8 +176,8 @@ class FramedSetting(Setting):
             held = f"(conj (root_inverse K {self.named(root)} N{root}) (conj H{root} {held}))"
         return [
             *lines,
-            f"pose (l := [{first}] ++ {self.jets}).",
-            f"pose (r := {self.rules}).",
+            f"pose (l := [{first}] ++ {self.spelling.jets}).",
+            f"pose (r := {self.spelling.rules}).",
             "assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.",
             f"pose (roots := [{squares}]%formula : list expr).",
             f"assert (Q : roots_hold K l roots) by exact {held}.",
@@ -223,31 +201,20 @@ class FramedSetting(Setting):
         raise FormulaError(f"nothing shows that {root} is not zero", remedy="assume that its square is not")
 
     @property
-    def own_rules(self) -> list[str]:
-        """The derivatives of the roots and their inverses."""
-        rules = []
-        if self.differentiates_roots:
-            for root in self.used:
-                place = self.position(root)
-                half = self._half(root)
-                rules.append(f"({place}%positive, ({half}) * var {place - 1})")
-                rules.append(f"({place - 1}%positive, - (({half}) * var {place - 1} ^ 3))")
-        return rules
-
-    @property
     def symbols(self) -> tuple[Symbol, ...]:
         """The functions."""
         return self.kind.symbols(self.dimension)
 
-    @property
-    def jets(self) -> str:
-        """The list of jets."""
-        return " ++ ".join(f"jets s {self.order} {self.named(symbol.name)}" for symbol in self.symbols)
-
-    @property
-    def deep(self) -> str:
-        """The argument as expressions."""
-        n = self.dimension
+    def _spelled(self) -> Spelling:
+        rules, n = list[str](), self.dimension
+        for root in self.used if self.differentiates_roots else ():  # of the roots and their inverses
+            place, half = self.position(root), self._half(root)
+            rules.append(f"({place}%positive, ({half}) * var {place - 1})")
+            rules.append(f"({place - 1}%positive, - (({half}) * var {place - 1} ^ 3))")
+        functions = [self.named(symbol.name) for symbol in self.symbols]
+        bound = [] if n == 2 else ["velocity_", "binormal_"]
+        roots = ROOTS[: n - 1]
+        introduced = [*functions, *map(self.named, roots), "Hw", *bound, *[f"H{name}" for name in roots]]
         curve = f"homogeneous s {self.variables(COORDINATES[:n])} ({self.variable('w')}) []"
         sigma, rho = (self.variable(root) if root in self.used else "num 0" for root in ROOTS)
-        return f"Framed ({curve}) ({sigma}) ({rho})"
+        return self._by_chains(introduced, f"Framed ({curve}) ({sigma}) ({rho})", rules)

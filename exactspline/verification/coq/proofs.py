@@ -235,7 +235,7 @@ class Proof(Nonzero):
         """The lines of the proof that the atoms do not vanish."""
         lines = [
             *self.setting.preamble([(h.name, self.writer(h.node), h.value) for h in self.premises]),
-            f"pose (c := {self.setting.deep}).",
+            f"pose (c := {self.setting.spelling.deep}).",
             f"pose (atoms := {self.atom_list}).",
             f"pose (known := {self.known_list}).",
             "assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.",

@@ -7,21 +7,32 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT
-from exactspline.language.choices import Parameter
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT, Evaluated
+from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.implicit_kinds import ImplicitKind
-from exactspline.language.kinds import CurveKind, Kind, PairKind, Symbol, TableKind
+from exactspline.language.kinds import CurveKind, FramedKind, Kind, PairKind, Symbol, TableKind
+from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
 from exactspline.numbers.exact import from_flint
 from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.verification.coq.terms import integer
+from exactspline.verification.coq.terms import sum_of_products
 
-PLAIN = ("plane", "space")
+#: The names in the base of kinds that are not curves alone, in the plane and in space.
+SHAPES: dict[type[Kind], tuple[str, str]] = {
+    PairKind: ("pair", "pair"),
+    TableKind: ("table", "table"),
+    FramedKind: ("framed_plane", "framed_space"),
+    HodographKind: ("hodograph", "hodograph"),
+    ImplicitKind: ("implicit_curve", "implicit_surface"),
+    SurfaceKind: ("planar_map", "surface"),
+    SurfaceCurveKind: ("curve_on_a_surface", "curve_on_a_surface"),
+    FormsKind: ("two_forms", "two_forms"),
+}
 #: What follows ``every_`` in the name of a quantifier, where it is not the shape.
 QUANTIFIERS = {
     **{"plane": "plane_curve", "plane_point": "plane_curve_with_point", "plane_with": "plane_curve_with"},
@@ -35,6 +46,17 @@ WEIGHTS = {
     **{"pair": ("w", "W"), "table": ("w1", "w2")},
     **dict.fromkeys(("hodograph", "implicit_curve", "implicit_surface", "two_forms"), ()),
 }
+
+
+class Spelling(NamedTuple):
+    """How an argument is written: the variables of a proof and the hypotheses about them, in the order of the
+    quantifier; the list of jets; the rules for their derivatives; the argument as expressions.
+    """
+
+    introduced: list[str]
+    jets: str
+    rules: str
+    deep: str
 
 
 @dataclass(frozen=True)
@@ -68,19 +90,17 @@ class Setting:
 
     @property
     def shape(self) -> str:
-        """Its name in the base: ``plane``, ``space_point``, ``pair``, ``table``.
+        """Its name in the base: ``plane``, ``space_point``, ``pair``, ``table``, …
 
         Raises `FormulaError` for a kind of argument without a name in the base.
         """
-        if isinstance(self.kind, PairKind):
-            return "pair"
-        if isinstance(self.kind, TableKind):
-            return "table"
+        plain = SHAPES.get(type(self.kind), ("plane", "space"))[self.dimension - 2]
+        before = {"hodograph": "primitive_", "plane": "polynomial_", "space": "polynomial_"}.get(plain, "")
         beside = "_point" if self.has_point else "_with" if self.constants else ""
-        if (self.has_point and self.constants) or (self.polynomial and beside):
+        several = isinstance(self.kind, ImplicitKind) and self.kind.functions != "f"
+        if several or (self.has_point and self.constants) or (self.polynomial and beside):
             raise FormulaError(f"no quantifier over the kind {self.kind.name!r}", remedy="add one to the base")
-        plain = PLAIN[self.dimension - 2]
-        return f"polynomial_{plain}" if self.polynomial else f"{plain}{beside}"
+        return f"{before if self.polynomial else ''}{plain}{beside}"
 
     @property
     def quantifier(self) -> str:
@@ -131,8 +151,9 @@ class Setting:
         return JetFraction(self.ring, self.ring[name].polynomial, self.ring.context.constant(1))
 
     def position(self, name: str, order: int = 0) -> int:
-        """The number of a variable in the list of jets."""
-        return self._place(self.ring.index[name, (order,)])
+        """The number of a variable in the list of jets, or of its derivative with respect to the first parameter."""
+        parameters = 1 if name in self.ring.rules else max(len(self.ring.symbols[name].parameters), 1)
+        return self._place(self.ring.index[name, (order, *[0] * (parameters - 1))])
 
     def _place(self, i: int) -> int:
         """The number of the i-th variable of the ring."""
@@ -144,53 +165,56 @@ class Setting:
             return f"q{POINT.index(name) + 1}"
         return f"{name}_"
 
-    @property
-    def introduced(self) -> list[str]:
-        """The variables of a proof, and the hypotheses about them, in the order of the quantifier."""
-        weights = [f"H{weight}" for weight in self.weights]
+    @cached_property
+    def spelling(self) -> Spelling:
+        """How the argument is written."""
+        return self._spelled()
+
+    def _spelled(self) -> Spelling:
+        weights, n = [f"H{weight}" for weight in self.weights], self.dimension
         if self.constants:
             functions = [self.named(symbol.name) for symbol in self.symbols if symbol.parameters]
-            return [*functions, *weights, *[x for name in self.constants for x in (f"{name}_", f"H{name}_")]]
-        names = [self.named(symbol.name) for symbol in self.symbols]
-        constants = [f"H{self.named(symbol.name)}" for symbol in self.symbols if not symbol.parameters]
-        return [*names, *constants, *weights]
+            introduced = [*functions, *weights, *[x for name in self.constants for x in (f"{name}_", f"H{name}_")]]
+        else:
+            names = [self.named(symbol.name) for symbol in self.symbols]
+            constants = [f"H{self.named(symbol.name)}" for symbol in self.symbols if not symbol.parameters]
+            introduced = [*names, *constants, *weights]
+        if self.shape == "table":
+            vectors = [self.variables([f"v{j}_{i}" for j in range(n)]) for i in "12"]
+            one, two = ([f"({self.variable(f'{x}{i}')})" for x in "pw"] for i in "12")
+            return self._by_chains(introduced, f"Table {' '.join(one)} {vectors[0]} {' '.join(two)} {vectors[1]}")
+        weight = "number 1" if self.polynomial else self.variable("w")
+        first = f"homogeneous s {self.variables(COORDINATES[:n])} ({weight})"
+        if self.shape == "pair":
+            second = f"homogeneous s_bar {self.variables(BARRED[:n])} ({self.variable('W')})"
+            return self._by_chains(introduced, f"Pair ({first} []) ({second} [])")
+        curve = f"{first} {self.variables(POINT[:n]) if self.has_point else '[]'}"
+        accompanied = f"Accompanied ({curve}) {self.variables(self.constants)}"
+        return self._by_chains(introduced, accompanied if self.constants else curve)
 
-    @property
-    def jets(self) -> str:
-        """The list of jets."""
-        rest = [self.named(name) for name in (*self.ring.rules, *self.ring.constants)]
-        parts = []
-        for symbol in self.symbols:
-            if symbol.parameters and symbol.name not in self.ring.rules:
-                parameter = "s" if symbol.parameters == PARAMETERS[:1] else "s_bar"
-                parts.append(f"jets {parameter} {self.order} {self.named(symbol.name)}")
-        return " ++ ".join([*parts, *([f"[{'; '.join(rest)}]"] if rest else [])])
-
-    @property
-    def own_rules(self) -> list[str]:
-        """The rules other than those of jets and constants, for the first parameter."""
-        return []
-
-    @property
-    def rules(self) -> str:
-        """The rules for the derivatives of the jets."""
-        chains = {str(parameter): list[str]() for parameter in PARAMETERS}
-        for symbol in self.symbols:
-            if symbol.parameters and symbol.name not in self.ring.rules:
-                chains[symbol.parameters[0]].append(f"chain {self.position(symbol.name)} {self.order}")
-        constants = [str(self.position(symbol.name)) for symbol in self.symbols if not symbol.parameters]
+    def _by_chains(self, introduced: list[str], deep: str, own: Sequence[str] = ()) -> Spelling:
+        """The spelling where functions have jets in one parameter; `own` are the rules that the kind adds to these."""
+        free = [symbol for symbol in self.symbols if symbol.parameters and symbol.name not in self.ring.rules]
+        constants = [symbol.name for symbol in self.symbols if not symbol.parameters]
+        rest = [self.named(name) for name in (*self.ring.rules, *constants)]
+        letters = dict(zip(PARAMETERS, ("s", "s_bar"), strict=True))
+        jets = [f"jets {letters[symbol.parameters[0]]} {self.order} {self.named(symbol.name)}" for symbol in free]
+        chains = {parameter: list[str]() for parameter in PARAMETERS}
+        for symbol in free:
+            chains[symbol.parameters[0]].append(f"chain {self.position(symbol.name)} {self.order}")
         if constants:
-            chains[PARAMETERS[0]].append(f"constants [{'; '.join(constants)}]%positive")
-        if own := self.own_rules:
+            chains[PARAMETERS[0]].append(f"constants [{'; '.join(str(self.position(c)) for c in constants)}]%positive")
+        if own:
             chains[PARAMETERS[0]].append(f"[{'; '.join(own)}]%formula")
         first, second = (" ++ ".join(chains[parameter]) or "[]" for parameter in PARAMETERS)
-        return f"of_parameters ({first}) ({second})"
+        listed = [f"[{'; '.join(rest)}]"] if rest else []
+        return Spelling(introduced, " ++ ".join([*jets, *listed]), f"of_parameters ({first}) ({second})", deep)
 
     def preamble(self, premises: Sequence[tuple[str, str, object]]) -> list[str]:
         """The steps that define the variables of the checker; premises are given by name, term and value."""
         return [
-            f"pose (l := {self.jets}).",
-            f"pose (r := {self.rules}).",
+            f"pose (l := {self.spelling.jets}).",
+            f"pose (r := {self.spelling.rules}).",
             "assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.",
             "pose (roots := [] : list expr).",
             "assert (Q : roots_hold K l roots) by exact I.",
@@ -204,22 +228,6 @@ class Setting:
         """A list of variables of the checker."""
         return "[" + "; ".join(map(self.variable, names)) + "]"
 
-    @property
-    def deep(self) -> str:
-        """The argument as expressions."""
-        n = self.dimension
-        if self.shape == "table":
-            vectors = [self.variables([f"v{j}_{i}" for j in range(n)]) for i in "12"]
-            one, two = ([f"({self.variable(f'{x}{i}')})" for x in "pw"] for i in "12")
-            return f"Table {' '.join(one)} {vectors[0]} {' '.join(two)} {vectors[1]}"
-        weight = "number 1" if self.polynomial else self.variable("w")
-        first = f"homogeneous s {self.variables(COORDINATES[:n])} ({weight})"
-        if self.shape == "pair":
-            second = f"homogeneous s_bar {self.variables(BARRED[:n])} ({self.variable('W')})"
-            return f"Pair ({first} []) ({second} [])"
-        curve = f"{first} {self.variables(POINT[:n]) if self.has_point else '[]'}"
-        return f"Accompanied ({curve}) {self.variables(self.constants)}" if self.constants else curve
-
     def expression(self, polynomial: fmpq_mpoly) -> str:
         """A polynomial with integer coefficients as an expression."""
         terms = []
@@ -227,227 +235,104 @@ class Setting:
             c = from_flint(coefficient)
             if c.denominator != 1:
                 raise FormulaError(f"the coefficient {c}", remedy="multiply the denominators out")
-            factors = [
-                f"var {self._place(i)}" + (f" ^ {int(e)}" if e > 1 else "") for i, e in enumerate(exponents) if e
-            ]
-            if abs(c) != 1 or not factors:
-                factors.insert(0, f"num {integer(abs(int(c)))}")
-            terms.append(("- " if c < 0 else "+ ") + " * ".join(factors))
-        text = " ".join(terms) or "+ num 0"
-        return text.removeprefix("+ ") if text.startswith("+") else f"num 0 {text}"
+            terms.append((int(c), [(f"var {self._place(i)}", int(e)) for i, e in enumerate(exponents) if e]))
+        return sum_of_products(terms, "num")
 
 
-@dataclass(frozen=True)
 class HodographSetting(Setting):
     """A polynomial plane curve with γ′ = (u² − v², 2uv) h; a polynomial one has h = 1."""
 
-    @property
-    def shape(self) -> str:
-        """Its name in the base."""
-        return "primitive_hodograph" if self.polynomial else "hodograph"
-
-    @property
-    def introduced(self) -> list[str]:
-        """The curve, then the functions that define its derivatives."""
-        return [*[self.named(symbol.name) for symbol in self.symbols], "Hx", "Hy"]
-
-    @property
-    def _factor(self) -> str:
-        return "number 1" if self.polynomial else self.variable("h")
-
-    @property
-    def own_rules(self) -> list[str]:
-        """The derivatives of the coordinates."""
-        x, y = self.position("x"), self.position("y")
+    def _spelled(self) -> Spelling:
         u, v = self.variable("u"), self.variable("v")
-        return [
-            f"({x}%positive, ({u} * {u} - {v} * {v}) * {self._factor})",
-            f"({y}%positive, ({u} * {v} + {u} * {v}) * {self._factor})",
+        factor = "number 1" if self.polynomial else self.variable("h")
+        rules = [
+            f"({self.position('x')}%positive, ({u} * {u} - {v} * {v}) * {factor})",
+            f"({self.position('y')}%positive, ({u} * {v} + {u} * {v}) * {factor})",
         ]
-
-    @property
-    def deep(self) -> str:
-        """The argument as expressions."""
-        beside = f"[{self.variable('u')}; {self.variable('v')}; {self._factor}]"
-        return f"Accompanied (homogeneous s {self.variables('xy')} (number 1) []) {beside}"
+        deep = f"Accompanied (homogeneous s {self.variables('xy')} (number 1) []) [{u}; {v}; {factor}]"
+        return self._by_chains([*[self.named(symbol.name) for symbol in self.symbols], "Hx", "Hy"], deep, rules)
 
 
-@dataclass(frozen=True)
 class ImplicitSetting(Setting):
     """A curve along which a function F of the coordinates is constant, and the partial derivatives of F."""
 
     @property
-    def shape(self) -> str:
-        """Its name in the base."""
+    def free(self) -> tuple[str, ...]:
+        """The free operands."""
         assert isinstance(self.kind, ImplicitKind)
-        if self.kind.functions != "f":
-            raise FormulaError(f"no quantifier over the kind {self.kind.name!r}", remedy="add one to the base")
-        return "implicit_curve" if self.dimension == 2 else "implicit_surface"
+        return self.kind.free
 
     @property
     def symbols(self) -> tuple[Symbol, ...]:
         """Coordinates, free operands, and the partial derivatives up to the second order."""
-        return tuple(
-            symbol for symbol in self.kind.symbols(self.dimension) if len(symbol.name) <= 3 or self._free(symbol)
-        )
+        known = self.kind.symbols(self.dimension)
+        return tuple(symbol for symbol in known if len(symbol.name) <= 3 or symbol.name in self.free)
 
-    def _free(self, symbol: Symbol) -> bool:
-        assert isinstance(self.kind, ImplicitKind)
-        return symbol.name in self.kind.free
-
-    @property
-    def _axes(self) -> str:
-        return COORDINATES[: self.dimension]
-
-    @property
-    def introduced(self) -> list[str]:
-        """The coordinates, the free operands, the partial derivatives; then the hypotheses about derivatives."""
-        names = [self.named(symbol.name) for symbol in self.symbols]
-        hypotheses = [f"H{x}" for x in self._axes] + [f"Hf{x}" for x in self._axes]
-        return [*names, *(f"d{x}_" for x in self._axes), *hypotheses]
-
-    @property
-    def jets(self) -> str:
-        """The jets of the free operands, then the other symbols."""
-        rest = [self.named(symbol.name) for symbol in self.symbols if not self._free(symbol)]
-        free = [f"jets s {self.order} {self.named(symbol.name)}" for symbol in self.symbols if self._free(symbol)]
-        return " ++ ".join([*free, f"[{'; '.join(rest)}]"])
-
-    @property
-    def _velocity(self) -> list[str]:
-        f = [self.variable(f"f{x}") for x in self._axes]
+    def _spelled(self) -> Spelling:
+        axes = COORDINATES[: self.dimension]
+        f, free = ([self.variable(name) for name in names] for names in ([f"f{x}" for x in axes], self.free))
+        second = {x: [self.variable("f" + "".join(sorted(x + y))) for y in axes] for x in axes}
         if self.dimension == 2:
-            pace = self.variable("pace")
-            return [f"(- ({f[1]}) * {pace})", f"({f[0]} * {pace})"]
-        cut = [self.variable(f"cut{x}") for x in self._axes]
-        return [f"({f[i]} * {cut[j]} - {f[j]} * {cut[i]})" for i, j in ((1, 2), (2, 0), (0, 1))]
-
-    def _second(self, x: str, y: str) -> str:
-        return self.variable("f" + "".join(sorted(x + y)))
-
-    @property
-    def own_rules(self) -> list[str]:
-        """The velocity of the curve, and the chain rule."""
-        rules = [f"({self.position(x)}%positive, {v})" for x, v in zip(self._axes, self._velocity, strict=True)]
-        for x in self._axes:
-            terms = [f"{self._second(x, y)} * {v}" for y, v in zip(self._axes, self._velocity, strict=True)]
+            velocity = [f"(- ({f[1]}) * {free[0]})", f"({f[0]} * {free[0]})"]
+        else:
+            velocity = [f"({f[i]} * {free[j]} - {f[j]} * {free[i]})" for i, j in ((1, 2), (2, 0), (0, 1))]
+        rules = [f"({self.position(x)}%positive, {v})" for x, v in zip(axes, velocity, strict=True)]
+        for x in axes:  # the chain rule
+            terms = [f"{each} * {v}" for each, v in zip(second[x], velocity, strict=True)]
             rules.append(f"({self.position(f'f{x}')}%positive, {' + '.join(terms)})")
-        return rules
+        names = [self.named(symbol.name) for symbol in self.symbols]
+        hypotheses = [*(f"d{x}_" for x in axes), *(f"H{x}" for x in axes), *(f"Hf{x}" for x in axes)]
+        curve = f"homogeneous s {self.variables(axes)} (number 1) []"
+        rows = "; ".join(f"[{'; '.join(row)}]" for row in second.values())
+        deep = f"Implicit ({curve}) [{'; '.join(free)}] [{'; '.join(f)}] [{rows}]"
+        spelled = self._by_chains([*names, *hypotheses], deep, rules)
+        others = [self.named(symbol.name) for symbol in self.symbols if symbol.name not in self.free]
+        jets = [f"jets s {self.order} {self.named(name)}" for name in self.free]
+        return spelled._replace(jets=" ++ ".join([*jets, f"[{'; '.join(others)}]"]))
 
-    @property
-    def deep(self) -> str:
-        """The argument as expressions."""
-        assert isinstance(self.kind, ImplicitKind)
-        rows = ["[" + "; ".join(self._second(x, y) for y in self._axes) + "]" for x in self._axes]
-        gradient = self.variables([f"f{x}" for x in self._axes])
-        curve = f"homogeneous s {self.variables(self._axes)} (number 1) []"
-        return f"Implicit ({curve}) {self.variables(self.kind.free)} {gradient} [{'; '.join(rows)}]"
 
-
-@dataclass(frozen=True)
 class SurfaceSetting(Setting):
-    """A rational surface in space, or a rational map of the plane, with all partial derivatives up to an order."""
+    """A rational surface in space, or a rational map of the plane, or two quadratic forms in two parameters, with all
+    partial derivatives up to an order.
+    """
 
-    @property
-    def shape(self) -> str:
-        """Its name in the base."""
-        return "planar_map" if self.dimension == 2 else "surface"
-
-    @property
-    def introduced(self) -> list[str]:
-        """The functions, that derivatives commute, and that the denominator has no zero."""
-        return [*[self.named(symbol.name) for symbol in self.symbols], "C", *[f"H{weight}" for weight in self.weights]]
-
-    @property
-    def jets(self) -> str:
-        """The list of partial derivatives."""
-        return " ++ ".join(f"partials {self.order} {self.named(symbol.name)}" for symbol in self.symbols)
-
-    def position(self, name: str, order: int = 0) -> int:
-        """The number of a function, or of its derivative with respect to u."""
-        return self._place(self.ring.index[name, (order, 0)])
-
-    @property
-    def rules(self) -> str:
-        """The rules for the derivatives of the jets."""
-        first, second = (
-            " ++ ".join(f"grid {self.position(symbol.name)} {self.order} {i}" for symbol in self.symbols)
-            for i, _ in enumerate((Parameter.U, Parameter.V))
-        )
-        return f"of_parameters ({first}) ({second})"
-
-    @property
-    def deep(self) -> str:
-        """The argument as expressions."""
-        return f"Patch (homogeneous s {self.variables(COORDINATES[: self.dimension])} ({self.variable('w')}) [])"
+    def _spelled(self) -> Spelling:
+        names = [symbol.name for symbol in self.symbols]
+        introduced = [*map(self.named, names), "C", *[f"H{weight}" for weight in self.weights]]
+        jets = " ++ ".join(f"partials {self.order} {self.named(name)}" for name in names)
+        by_u, by_v = (" ++ ".join(f"grid {self.position(name)} {self.order} {i}" for name in names) for i in (0, 1))
+        w, own = self.variable("w"), [name for name in names if name != "w"]
+        deep = f"Patch (homogeneous s {self.variables(own)} ({w}) [])"
+        if isinstance(self.kind, FormsKind):
+            deep = f"Accompanied (rational_curve s [] ({w}) []) {self.variables(own)}"
+        return Spelling(introduced, jets, f"of_parameters ({by_u}) ({by_v})", deep)
 
 
-@dataclass(frozen=True)
-class FormsSetting(SurfaceSetting):
-    """Two quadratic forms, functions of u and v, and a function w."""
-
-    @property
-    def shape(self) -> str:
-        """Its name in the base."""
-        return "two_forms"
-
-    @property
-    def deep(self) -> str:
-        """The argument as expressions."""
-        return f"Accompanied (rational_curve s [] ({self.variable('w')}) []) {self.variables('EFGLMN')}"
-
-
-@dataclass(frozen=True)
 class SurfaceCurveSetting(Setting):
     """A curve on a rational surface: its parameters u and v with their derivatives, and the partial derivatives of the
     surface, which are differentiated along the curve by the chain rule.
     """
 
     @property
-    def shape(self) -> str:
-        """Its name in the base."""
-        return "curve_on_a_surface"
-
-    @property
-    def _route(self) -> tuple[str, ...]:
+    def route(self) -> tuple[str, ...]:
+        """The parameters as functions along the curve."""
         return tuple(self.kind.composed.values())
 
-    @property
-    def _coordinates(self) -> tuple[str, ...]:
-        return tuple(symbol.name for symbol in self.symbols if symbol.name not in self._route)
-
     def _operand(self, symbol: Symbol) -> JetFraction:
-        return self._jet(symbol.name) if symbol.name in self._route else super()._operand(symbol)
+        return self._jet(symbol.name) if symbol.name in self.route else super()._operand(symbol)
 
-    @property
-    def introduced(self) -> list[str]:
-        """The functions, that derivatives commute, the chain rule, and that the denominator has no zero."""
-        names = [self.named(name) for name in (*self._route, *self._coordinates)]
-        return [*names, "C", *[f"F{name}" for name in self._coordinates], *[f"H{weight}" for weight in self.weights]]
-
-    @property
-    def jets(self) -> str:
-        """The derivatives of the parameters, then the partial derivatives of the surface."""
-        route = [f"jets time {self.order} {self.named(name)}" for name in self._route]
-        return " ++ ".join([*route, *[f"partials {self.order} {self.named(name)}" for name in self._coordinates]])
-
-    def position(self, name: str, order: int = 0) -> int:
-        """The number of a parameter or its derivative, or of a coordinate or its derivative with respect to u."""
-        orders = (order,) if name in self._route else (order, 0)
-        return self._place(self.ring.index[name, orders])
-
-    @property
-    def rules(self) -> str:
-        """The rules for the derivatives of the jets: with respect to u, to v, and along the curve."""
-        by_u, by_v = ([f"grid {self.position(name)} {self.order} {i}" for name in self._coordinates] for i in (0, 1))
-        along = [f"chain {self.position(name)} {self.order}" for name in self._route]
-        paces = " ".join(str(self.position(name, 1)) for name in self._route)
-        along += [f"chained {self.position(name)} {self.order} {paces}" for name in self._coordinates]
+    def _spelled(self) -> Spelling:
+        coordinates = [symbol.name for symbol in self.symbols if symbol.name not in self.route]
+        names = [self.named(name) for name in (*self.route, *coordinates)]
+        hypotheses = ["C", *[f"F{name}" for name in coordinates], *[f"H{weight}" for weight in self.weights]]
+        jets = [f"jets time {self.order} {self.named(name)}" for name in self.route]
+        jets += [f"partials {self.order} {self.named(name)}" for name in coordinates]
+        by_u, by_v = ([f"grid {self.position(name)} {self.order} {i}" for name in coordinates] for i in (0, 1))
+        along = [f"chain {self.position(name)} {self.order}" for name in self.route]
+        paces = " ".join(str(self.position(name, 1)) for name in self.route)
+        along += [f"chained {self.position(name)} {self.order} {paces}" for name in coordinates]
         first, second, third = (" ++ ".join(rules) for rules in (by_u, by_v, along))
-        return f"of_three_parameters ({first}) ({second}) ({third})"
-
-    @property
-    def deep(self) -> str:
-        """The argument as expressions."""
+        rules = f"of_three_parameters ({first}) ({second}) ({third})"
         net = f"homogeneous time {self.variables(COORDINATES[: self.dimension])} ({self.variable('w')}) []"
-        return f"Path (Patch ({net})) {self.variables(self._route)}"
+        deep = f"Path (Patch ({net})) {self.variables(self.route)}"
+        return Spelling([*names, *hypotheses], " ++ ".join(jets), rules, deep)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from importlib import resources
 
@@ -191,6 +191,22 @@ def number(value: Constant) -> tuple[str, int]:
 def integer(value: int) -> str:
     """An integer, in parentheses where it is negative."""
     return f"({text(value)})" if value < 0 else text(value)
+
+
+def sum_of_products(terms: Iterable[tuple[int, Sequence[tuple[str, int]]]], number: str) -> str:
+    """A sum of integers times powers, each base with its exponent; `number` is the function symbol for numbers.
+
+    >>> sum_of_products([(-2, [("x", 1), ("y", 3)]), (1, [])], "num")
+    'num 0 - num 2 * x * y ^ 3 + num 1'
+    """
+    texts = []
+    for c, powers in terms:
+        factors = [base if e == 1 else f"{base} ^ {e}" for base, e in powers]
+        if abs(c) != 1 or not factors:
+            factors.insert(0, f"{number} {abs(c)}")
+        texts.append(("- " if c < 0 else "+ ") + " * ".join(factors))
+    text = " ".join(texts) or f"+ {number} 0"
+    return text.removeprefix("+ ") if text.startswith("+") else f"{number} 0 {text}"
 
 
 def leaves(tree: Node) -> set[str]:

@@ -168,7 +168,7 @@ class _Theorem(Statement[tuple[str, list[str]]]):
             *[f"P{p}" for p in proof.primes],
             *[h.name for h in proof.existing],
         ]
-        introduced = " ".join(["K", *self.setting.introduced, *hypotheses])
+        introduced = " ".join(["K", *self.setting.spelling.introduced, *hypotheses])
         lines = [*proof.script(), *closing]
         first = f"{self.setting.opening}; intros {introduced}."
         said = " ->\n  ".join([*premises, conclusion])
@@ -296,7 +296,7 @@ class _Theorem(Statement[tuple[str, list[str]]]):
         ]
 
 
-def times_factor(claim: Identity, theorem: Statement[Any], right: Node) -> Node:
+def times_factor(claim: Identity, theorem: Statement[Conclusion], right: Node) -> Node:
     """The right side with its factor."""
     above: Node | None = None
     below: Node | None = None
@@ -317,7 +317,7 @@ def times_factor(claim: Identity, theorem: Statement[Any], right: Node) -> Node:
     return product
 
 
-def _part(claim: Identity, theorem: Statement[Any], name: str) -> Node:
+def _part(claim: Identity, theorem: Statement[Conclusion], name: str) -> Node:
     if name in WEIGHTS:
         return Node(Operation.LEAF, value={"w": "first.w", "W": "second.w"}[name] if theorem.kind is PAIR else "w")
     if name[0].isalpha():

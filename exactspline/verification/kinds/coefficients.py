@@ -7,6 +7,7 @@ from dataclasses import field
 from typing import ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import CURVE
 from exactspline.language.vector import Vector
 from exactspline.readings.bernstein_term import BernsteinTermReading, every_coefficient
@@ -14,7 +15,7 @@ from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import (
     CoefficientIsZero,
     Fact,
@@ -50,9 +51,9 @@ class Coefficients(Claim):
         if not all(is_polynomial(self.find(self.formula), n) for n in self.dimensions):
             raise ClaimError(f"{self.formula!r} is a quotient", where="formula", remedy="name a polynomial")
 
-    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+    def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """A generic claim does not apply to single curves."""
-        return self.curves == Curves.EVERY and super().speaks_of(dimension, polynomial, surface=surface)
+        return self.curves == Curves.EVERY and super().applies_to(dimension, polynomial, surface=surface)
 
     def prove(self) -> tuple[Name, Finding]:
         """A claim about every curve can only be refuted, by a single curve; one about the generic curve is decided by
@@ -82,7 +83,7 @@ class Coefficients(Claim):
         degrees = ForDegrees(GENERIC_DEGREES[0], GENERIC_DEGREES[-1])
         return sampled(Finding(VERIFIED, OnlyForDegrees(degrees)), degrees)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """No control point is zero."""
         value = self.find(self.formula)(argument)
         components = list(value) if isinstance(value, Vector) else [value]

@@ -8,14 +8,14 @@ from functools import cache
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError, VanishingDivisorError
-from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import JetFraction, RationalJetReading
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import AtLeast, ContactOrder, DerivativeAt, Evidence, Fact, UndefinedAt, Vanishes
 from exactspline.verification.segments import at_equal_parameters, equated, on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, inapplicable, vacuous
@@ -99,7 +99,7 @@ class Contact(Claim):
         """Both curves are the given one."""
         return Fact.WITH_ITSELF
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The derivatives as polynomials in the two parameters, on every segment."""
         formula, curve = self.find(self.formula), own.curve
         if is_singular(formula, curve.dimension, curve.polynomial):

@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.language.arguments import Pair
+from exactspline.language.arguments import Evaluated, Pair
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, kind_of
@@ -29,10 +29,9 @@ from exactspline.symbolic.covariants import degree_at, generic_degree, graded, t
 from exactspline.symbolic.reduction import Reduction
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound, DegreeHere, Evidence, Fact, Found, WrongDegree, ZeroHere
-from exactspline.verification.generic_degree import joined_degree
-from exactspline.verification.generic_proof import degree_in_table_1, reduction_of, transposed, vanishes
+from exactspline.verification.generic_proof import degree_in_table_1, joined_degree, reduction_of, transposed, vanishes
 from exactspline.verification.notation import degree_latex
 from exactspline.verification.verdict import (
     PROVED,
@@ -133,14 +132,14 @@ class DegreeClaim(Claim):
         """The reading that decides the measure."""
         return Name({Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant"))
 
-    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+    def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """Counts by another rule, heights, and lower bounds for the generic curve do not apply to single curves."""
         silent = (
             self.counting == Counting.PART_BY_PART
             or self.measure == Measure.HEIGHT
             or (self.measure.is_generic and self.relation == Relation.AT_LEAST)
         )
-        return not silent and super().speaks_of(dimension, polynomial, surface=surface)
+        return not silent and super().applies_to(dimension, polynomial, surface=surface)
 
     def prove(self) -> tuple[Name, Finding]:
         """The reading is that of the measure."""
@@ -155,7 +154,7 @@ class DegreeClaim(Claim):
         """A nominal degree is that of every segment, with any point and any constants."""
         return None if self.measure == Measure.NOMINAL else super().part_tried(own)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The degree of the given splines. A curve with a higher degree refutes a claim about the generic one; a curve
         with a lower degree may be special, and decides nothing.
         """
@@ -192,7 +191,7 @@ class DegreeClaim(Claim):
             return False
         return any(min(f.degree) < order_of(self.find(self.formula), argument.dimension) for f in argument.p)
 
-    def _computed(self, argument: Handed) -> int:
+    def _computed(self, argument: Evaluated) -> int:
         if self.measure == Measure.REDUCED:
             return max(self._own(p.true_degree) for p in split(self._reduced(argument))[0])
         value = self.find(self.formula)(argument)

@@ -4,29 +4,39 @@ that a plane curve lies on one.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import field, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from exactspline.errors import ClaimError, FormulaError
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve, embedded
+from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import POINT_IN_SPACE, Kind, kind_of
 from exactspline.language.parts import split
-from exactspline.language.ruled import RuledSurface, differences
+from exactspline.language.ruled import RuledSurface
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet
-from exactspline.readings.rational_jet import JetFraction, RationalJetReading
+from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.tensor import TensorSpline
-from exactspline.symbolic.factorization import Factor, jets_for, jets_with_roots
+from exactspline.symbolic.factorization import Factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
-from exactspline.verification.decision import DirectrixOf, Equation, OneRuledSurface, Statement, Zero
-from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.evidence import ExactQuotient, Fact, OneSurface, OneSurfaceBut, Remainder, Rulings
+from exactspline.verification.decision import DirectrixOf, Equation, OneRuledSurface, Outcome, Statement, Zero
+from exactspline.verification.evaluation import Evaluation, evaluation
+from exactspline.verification.evidence import (
+    ExactQuotient,
+    Fact,
+    OneSurface,
+    OneSurfaceBut,
+    OnExample,
+    Remainder,
+    Rulings,
+)
 from exactspline.verification.generic_proof import factor_of, harmful
-from exactspline.verification.notation import WEIGHTS, factor_latex, factor_of_text, factor_parts
+from exactspline.verification.notation import WEIGHTS, factor_latex, factor_parts
+from exactspline.verification.paper_curves import curve_names
+from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import REFUTED, VACUOUS, VERIFIED, Finding
 from exactspline.verification.vocabulary import ArgumentKind, Name
 
@@ -43,15 +53,27 @@ def checked_factor(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
+class EqualityClaim(Claim):
+    """A claim that two values are equal, whose sides `equality` compares in any exact reading."""
+
+    @property
+    @abstractmethod
+    def equality(self) -> Statement:
+        """The equality."""
+
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
+        """The sides, multiplied out on the splines."""
+        return self.equality.decide(argument, VERIFIED)
+
+
 @claim_kind
-class Identity(Claim):
+class Identity(EqualityClaim):
     """``left = factor · right``."""
 
     kind: ClassVar[str] = "identity"
     value: ClassVar[str] = "$factor"
     sides: ClassVar[tuple[str, ...]] = ("left", "right")
     of_frames: ClassVar[bool] = True
-    has_residues: ClassVar[bool] = True
 
     left: Name = field(metadata=read(formula_name))
     right: Name = field(metadata=read(formula_name))
@@ -72,10 +94,12 @@ class Identity(Claim):
         quotient is not a product of polynomials.
         """
         equation = self.equality
-        if kind_of(self.curve).adjoins_roots:
-            return equation.decide(jets_with_roots(equation.formulas, self.factor, dimension, polynomial=polynomial))
-        c = jets_for(equation.formulas, dimension, polynomial=polynomial)
+        c = jets_for(equation.formulas, dimension, polynomial=polynomial, factor=self.factor)
         finding = equation.decide(c)
+        if kind_of(self.curve).adjoins_roots:
+            if finding.computed is Fact.NOT_IDENTICAL and (example := self._differs_on(dimension, polynomial)):
+                return replace(finding, witness=OnExample(Name(example), finding.witness))
+            return finding
         if finding.verdict == VACUOUS:
             return finding
         if all(x.is_zero for x in split(equation.right(c))[0]):
@@ -89,19 +113,22 @@ class Identity(Claim):
             finding, computed=factor, factor=factor, witness=ExactQuotient(factor) if differ else finding.witness
         )
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
-        return self.equality.decide(argument, VERIFIED)
-
-    def residues(self, c: Evaluated) -> list[JetFraction]:
-        """The left side times the denominator of the factor, minus the right side times its numerator."""
-        top: Any
-        bottom: Any
-        top, bottom = factor_of_text(self.factor, c, self.find)
-        if bottom.is_zero:
-            raise FormulaError("the factor is divided by zero")
-        sides = (split(self.find(name)(c))[0] for name in (self.left, self.right))
-        return [p * bottom - q * top for p, q in zip(*sides, strict=True)]
+    def _differs_on(self, dimension: int, polynomial: bool) -> str:
+        """The first example curve on which the sides, with roots adjoined, differ; curves on which they do not exist
+        are skipped.
+        """
+        kind = kind_of(self.curve)
+        for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
+            curve = self.curve_named(name)
+            if curve.dimension == dimension and curve.polynomial == polynomial:
+                try:
+                    first = next(on_segments(kind, curve, self.highest_derivative(dimension)))
+                    differs = self.equality.compare(first.argument).outcome is Outcome.DIFFERENT
+                    if differs and not evaluation(curve).failing(self.curve, self.assumes):
+                        return name
+                except ExactSplineError:
+                    continue
+        return ""
 
     @property
     def compared(self) -> list[Formula]:
@@ -110,14 +137,13 @@ class Identity(Claim):
 
 
 @claim_kind
-class Vanishing(Claim):
+class Vanishing(EqualityClaim):
     """``left`` is identically zero."""
 
     kind: ClassVar[str] = "vanishing"
     value: ClassVar[str] = "0"
     notation: ClassVar[str] = r"$left \equiv 0"
     of_frames: ClassVar[bool] = True
-    has_residues: ClassVar[bool] = True
 
     left: Name = field(metadata=read(formula_name))
 
@@ -129,27 +155,17 @@ class Vanishing(Claim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left`` is the zero polynomial."""
         formula = self.find(self.left)
-        roots = kind_of(self.curve).adjoins_roots
-        jets = jets_with_roots((formula,), "1", dimension, polynomial=polynomial) if roots else None
-        c = jets or jets_for((formula,), dimension, polynomial=polynomial)
+        c = jets_for((formula,), dimension, polynomial=polynomial)
         finding = self.equality.decide(c)
-        if roots or finding.verdict != REFUTED:
+        if finding.verdict != REFUTED or kind_of(self.curve).adjoins_roots:
             return finding
         rest = next(x for x in split(formula(c))[0] if not x.is_zero)
         witness = self.refuted_on_examples().witness or Fact.POLYNOMIAL_NOT_ZERO
         return Finding(REFUTED, Remainder(Jet(rest.ring, rest.top)), witness=witness)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """All components are the zero spline."""
-        return self.equality.decide(argument, VERIFIED)
-
-    def residues(self, c: Evaluated) -> list[JetFraction]:
-        """Its components."""
-        return list(split(self.find(self.left)(c))[0])
-
 
 @claim_kind
-class SameSurface(Claim):
+class SameSurface(EqualityClaim):
     """The ruled surfaces ``left`` and ``right`` are equal: their generators are parallel, and their directrices differ
     by a multiple of these.
     """
@@ -158,7 +174,6 @@ class SameSurface(Claim):
     value: ClassVar[str] = "one surface"
     notation: ClassVar[str] = r"$left \;\text{and}\; $right \;\text{are one surface}"
     sides: ClassVar[tuple[str, ...]] = ("left", "right")
-    has_residues: ClassVar[bool] = True
 
     left: Name = field(metadata=read(formula_name))
     right: Name = field(metadata=read(formula_name))
@@ -190,17 +205,13 @@ class SameSurface(Claim):
         bad = list(dict.fromkeys([*bad, *also]))
         return replace(finding, computed=OneSurface(tuple(bad)), assumptions=tuple(dict.fromkeys([*used, *others])))
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""
-        finding = self.equality.decide(argument, VERIFIED)
+        finding = super().examine(argument, own)
         but = self._but(argument) if finding.verdict == VERIFIED else None
         return replace(finding, computed=but) if but else finding
 
-    def residues(self, c: Evaluated) -> list[JetFraction]:
-        """The vector products with a generator."""
-        return [x for product in differences(self.find(self.left)(c), self.find(self.right)(c)) for x in product]
-
-    def _but(self, argument: Handed) -> OneSurfaceBut | None:
+    def _but(self, argument: Evaluated) -> OneSurfaceBut | None:
         """Where one generator vanishes and the other does not."""
         surfaces = (self.find(self.left)(argument), self.find(self.right)(argument))
         generators = [split(surface.generator)[0] for surface in surfaces]
@@ -219,14 +230,13 @@ def _poles(factor: Factor) -> Factor:
 
 
 @claim_kind
-class IsoCurve(Claim):
+class IsoCurve(EqualityClaim):
     """The plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right`` of the same plane curve in space."""
 
     kind: ClassVar[str] = "iso-curve"
     value: ClassVar[str] = "the curve ζ = 0"
     notation: ClassVar[str] = r"$left \;\text{is the curve}\; \zeta = 0 \;\text{of}\; $right"
     evaluated_first: ClassVar[bool] = False  # the right side takes the curve in space
-    has_residues: ClassVar[bool] = True
 
     left: Name = field(metadata=read(formula_name))
     right: Name = field(metadata=read(formula_name))
@@ -253,16 +263,6 @@ class IsoCurve(Claim):
         witness = self.refuted_on_examples().witness if finding.verdict == REFUTED else None
         return replace(finding, witness=witness or finding.witness)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """The plane curve and the directrix, compared as quotients."""
-        return self.equality.decide(argument, VERIFIED)
-
     def highest_derivative(self, dimension: int) -> int:
         """The right side is a formula in space."""
         return max(order_of(self.find(self.left), dimension), order_of(self.find(self.right), dimension + 1))
-
-    def residues(self, c: Evaluated) -> list[JetFraction]:
-        """The differences of the coordinates."""
-        assert isinstance(c, Curve)
-        plane, space = self.find(self.left)(c), self.find(self.right)(embedded(c)).directrix
-        return [plane[0] - space[0], plane[1] - space[1], space[2]]

@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
+from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
@@ -20,7 +21,7 @@ from exactspline.splines.lowest_terms import control_point_count, in_lowest_term
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim, example_name, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import (
     AtKnot,
     Conditions,
@@ -54,14 +55,14 @@ class ExampleClaim(Claim):
                 remedy="name another one",
             )
 
-    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+    def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """It applies to its example only."""
         return False
 
     def prove(self) -> tuple[Name, Finding]:
         """The finding on the example."""
         own = Evaluation(self.curve_named(self.example))
-        return self.reading, self.examine(own.handed(self.curve), own)
+        return self.reading, self.examine(own.argument(self.curve), own)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The same for every case."""
@@ -102,7 +103,7 @@ class Count(ExampleClaim):
     formula: Name = field(metadata=read(formula_name))
     claimed: str = field(metadata=read(counted))
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """Only the claimed numbers are computed."""
         value = joined(self.find(self.formula)(argument))
         numerators, below = split(value)
@@ -194,7 +195,7 @@ class Condition(ExampleClaim):
     left: Name = field(metadata=read(formula_name))
     right: Name = field(metadata=read(formula_name))
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """Undecided where enclosures do not separate two condition numbers."""
         f, g = (self.only_component(n, split(self.find(n)(argument))[0]) for n in (self.left, self.right))
         theirs = list(zeros(g, periodic=own.curve.closed))

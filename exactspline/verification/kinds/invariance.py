@@ -11,9 +11,7 @@ from functools import cache, partial
 from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, VanishingDivisorError
-from exactspline.language.accompanied import Accompanied
-from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import PARAMETERS, Curve, T
+from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, T
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Symbol
 from exactspline.language.kinds import CurveKind, Kind, kind_of
@@ -27,7 +25,7 @@ from exactspline.symbolic.motions import MAPS, Map
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.decision import Changed
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DifferUnder, Evidence, UndefinedAt, UnderEvery, UnderMap, Weight
 from exactspline.verification.segments import OnSegment, on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS, VERIFIED, Finding, vacuous
@@ -154,7 +152,7 @@ class Invariance(Claim):
         """All elements of the group are covered together."""
         return UnderEvery(self.under)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """On every segment of the curve, with indeterminates for the constants of the group, or for the change of
         parameter.
         """

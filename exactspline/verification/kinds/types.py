@@ -9,27 +9,27 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, ExactSplineError, VanishingDivisorError
 from exactspline.language.adjoined_root import Adjoined
-from exactspline.language.arguments import POINT, Operands
+from exactspline.language.arguments import POINT, Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind, kind_of
 from exactspline.language.parts import joined, split
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.factorization import jets_for, jets_with_roots
+from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, any_formula, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.decision import Equation
-from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import (
     Evidence,
     Fact,
     NotItsDefinition,
+    OfAnotherKind,
+    OfKind,
     OfType,
     RationalForm,
     RationalOfDegree,
-    SpeaksOf,
-    SpeaksOfAnother,
     TypeHere,
     TypeOnExample,
     Undefined,
@@ -92,11 +92,7 @@ class TypeClaim(Claim):
     def _on_all_curves(self, dimension: int, polynomial: bool) -> list[Any]:
         """The components on the indeterminate argument."""
         formula = self.find(self.formula)
-        if kind_of(self.curve).adjoins_roots:
-            c = jets_with_roots((formula,), "1", dimension, polynomial=polynomial)
-        else:
-            c = jets_for((formula,), dimension, polynomial=polynomial)
-        return split(joined(formula(c)))[0]
+        return split(joined(formula(jets_for((formula,), dimension, polynomial=polynomial))))[0]
 
     def _types_of_examples(self, dimension: int, polynomial: bool) -> Iterator[tuple[str, ValueType | None]]:
         """The type on the example curves, the one named as witness first."""
@@ -133,7 +129,7 @@ class TypeClaim(Claim):
     def beside(self, own: Evaluation) -> None:
         """Nothing: all free operands are indeterminate."""
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The type on one curve; a more special one than that of the generic curve decides nothing."""
         if isinstance(own.curve, Operands):
             return left(Fact.NO_COMMON_KNOTS)
@@ -245,7 +241,7 @@ class Existence(Claim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The absence of a rational form is refuted by a nonzero one that equals the definition."""
         equation = Equation(self.find(self.formula), self.find(self.definition))
-        c = jets_with_roots(equation.formulas, "1", dimension, polynomial=polynomial)
+        c = jets_for(equation.formulas, dimension, polynomial=polynomial)
         if all(x.is_zero for x in split(equation.left(c))[0]):
             return vacuous()
         if equation.decide(c).verdict == PROVED:
@@ -257,7 +253,7 @@ class Existence(Claim):
         """Both formulas, each once."""
         return [self.find(self.formula), self.find(self.definition)]
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The rational form on this curve."""
         general = _decided(self, own.curve.dimension, own.curve.polynomial)
         if general.verdict != REFUTED:
@@ -292,9 +288,9 @@ class Applies(Claim):
         own, asked = self.find(self.formula).kind, kind_of(self.curve)
         if asked.takes(own, dimension):
             return Finding(PROVED, Fact.APPLIES)
-        witness = SpeaksOfAnother(Name(self.formula), Name(own.name), Name(asked.name))
-        return Finding(REFUTED, SpeaksOf(Name(own.name)), witness=witness)
+        witness = OfAnotherKind(Name(self.formula), Name(own.name), Name(asked.name))
+        return Finding(REFUTED, OfKind(Name(own.name)), witness=witness)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The same for every curve."""
         return self.prove()[1]

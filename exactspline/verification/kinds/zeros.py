@@ -8,6 +8,7 @@ from dataclasses import field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
+from exactspline.language.arguments import Evaluated
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
@@ -23,7 +24,7 @@ from exactspline.verification.claim import Claim, formula_name, formula_names, o
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
 from exactspline.verification.decision import SquaresAddUp
-from exactspline.verification.evaluation import Evaluation, Handed, zero_of
+from exactspline.verification.evaluation import Evaluation, zero_of
 from exactspline.verification.evidence import (
     At,
     Fact,
@@ -97,7 +98,7 @@ class ZeroSet(Claim):
             return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=refuted.witness)
         return Finding(UNDECIDED, None, quotients)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """On every segment, each numerator has no zeros after removing the other's factors."""
         values = [(name, self.find(name)(argument)) for name in self.formulas]
         if self.measure == ZeroSetOf.VALUES:
@@ -184,7 +185,7 @@ class SignClaim(Claim):
         refuted = self.refuted_on_examples()
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=Fact.SQUARES_MAY_VANISH)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """Segment by segment: there is no root at which the sign changes, and one value has that sign."""
         (p, *others), below = split(self.find(self.formula)(argument))
         if others:
@@ -265,7 +266,7 @@ class SquareClass(Claim):
         verdict = REFUTED if refuted.verdict == REFUTED else UNDECIDED
         return Finding(verdict, difference, quotient, refuted.witness or difference)
 
-    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+    def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """On every segment both are squares up to a constant, or neither is; a segment where one is 0 is skipped."""
         (n, m), (p, q) = [
             (self.only_component(name, numerators), w)

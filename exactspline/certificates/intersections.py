@@ -1,0 +1,201 @@
+"""Checks a certificate of the common points of two plane curves, with only the standard library.
+
+For every pair of segments the certificate either names a coordinate in which their control points are apart, or the
+zeros of the determinant F of Bézout's matrix, which is computed here from the control points, and whether the parameter
+of the first curve is on its segment. Where an entry of the adjugate is not zero, the matrix has corank one, and there
+is exactly one such parameter; its place follows from the signs of two entries.
+
+A segment consists of the integers of three forms ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ``: the coordinates times the weight, and the
+weight.
+"""
+
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import cache
+from math import gcd
+from typing import Any
+
+from exactspline.certificates.numbers import count, fraction, integer, require
+from exactspline.certificates.zeros import isolated_zeros, product_of, restricted
+
+Polynomial = list[int]
+INSIDE, OUTSIDE, START, END = "inside", "outside", "start", "end"
+
+
+def check_intersections(certificate: Mapping[str, Any]) -> dict[str, int]:
+    """The number of common points that a certificate proves, one for each pair of segments that has it."""
+    curves = [[_segment(given) for given in certificate[name]] for name in ("first", "second")]
+    claimed = {(count(pair["segments"][0]), count(pair["segments"][1])): pair for pair in certificate["pairs"]}
+    every = {(i, j) for i in range(len(curves[0])) for j in range(len(curves[1]))}
+    require(len(claimed) == len(certificate["pairs"]) and claimed.keys() == every, "not every pair of segments once")
+    return {"points": sum(_checked(curves[0][i], curves[1][j], pair) for (i, j), pair in claimed.items())}
+
+
+def _segment(given: Mapping[str, Any]) -> list[Polynomial]:
+    forms = [[integer(x) for x in given[name]] for name in ("x", "y", "w")]
+    require(len({len(form) for form in forms}) == 1 and len(forms[0]) > 1, "forms of different degrees, or of degree 0")
+    require(all(x > 0 for x in forms[2]), "a weight that is not positive")
+    return forms
+
+
+def _checked(first: list[Polynomial], second: list[Polynomial], pair: Mapping[str, Any]) -> int:
+    """The number of common points of two segments."""
+    if "apart" in pair:
+        axis, at = count(pair["apart"]["axis"]), fraction(pair["apart"]["at"])
+        require(axis in (0, 1), "an axis that is not one of the plane")
+        sides = [{_side(x, w, at) for x, w in zip(curve[axis], curve[2], strict=True)} for curve in (first, second)]
+        require(sides in ([{-1}, {1}], [{1}, {-1}]), "control points that are not apart")
+        return 0
+    one, other = (second, first) if _exchanged(pair) else (first, second)
+    matrix = _bezout(one, other)
+    size, degree = len(matrix), len(other[0]) - 1
+    form = _determinant(matrix)
+    require(any(form), "the determinant vanishes: arcs in common are not proved")
+    entries = _line_entries(one, other) if size == 1 else _entries(matrix)
+    zeros = isolated_zeros(_padded(form, size * degree), pair["elimination"])
+    claims = pair["zeros"]
+    require(len(claims) == len(zeros), f"{len(zeros)} zeros of the determinant, another number claimed")
+    return sum(_on_segment(claim, zero, entries) for claim, zero in zip(claims, zeros, strict=True))
+
+
+def _exchanged(pair: Mapping[str, Any]) -> bool:
+    require(type(pair["exchanged"]) is bool, "exchanged is neither true nor false")
+    return bool(pair["exchanged"])
+
+
+def _side(x: int, w: int, at: Fraction) -> int:
+    value = x * at.denominator - at.numerator * w
+    return (value > 0) - (value < 0)
+
+
+# ---- Bézout's matrix
+
+
+def _bezout(curve: list[Polynomial], point: list[Polynomial]) -> list[list[Polynomial]]:
+    """The coefficients of ``det(Q, P(σ), P(s))/(s − σ)``, polynomials in the parameter of Q."""
+    m = len(curve[0]) - 1
+    points = list(zip(*curve, strict=True))
+    matrix = [[[0] * len(point[0]) for _ in range(m)] for _ in range(m)]
+    for i in range(m + 1):
+        for j in range(i + 1, m + 1):
+            line = _along(_across(points[i], points[j]), point)
+            # (σⁱ sʲ − σʲ sⁱ)/(s − σ) = Σ σ^(i + r) s^(j − 1 − r)
+            for r in range(j - i):
+                entry = matrix[i + r][j - 1 - r]
+                matrix[i + r][j - 1 - r] = [a + b for a, b in zip(entry, line, strict=True)]
+    return matrix
+
+
+def _across(a: tuple[int, ...], b: tuple[int, ...]) -> tuple[int, int, int]:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def _along(line: tuple[int, ...], curve: list[Polynomial]) -> Polynomial:
+    return [sum(a * x for a, x in zip(line, row, strict=True)) for row in zip(*curve, strict=True)]
+
+
+def _determinant(matrix: list[list[Polynomial]]) -> Polynomial:
+    """By the first rows and subsets of the columns."""
+
+    @cache
+    def minor(columns: tuple[int, ...]) -> tuple[int, ...]:
+        if not columns:
+            return (1,)
+        total: Polynomial = []
+        for k, column in enumerate(columns):
+            term = product_of(matrix[len(columns) - 1][column], list(minor(columns[:k] + columns[k + 1 :])))
+            sign = -1 if (len(columns) - 1 - k) % 2 else 1
+            total = [a + sign * b for a, b in zip(_padded(total, len(term) - 1), term, strict=True)]
+        return tuple(total)
+
+    return list(minor(tuple(range(len(matrix)))))
+
+
+def _padded(p: Polynomial, degree: int) -> Polynomial:
+    return p + [0] * (degree + 1 - len(p))
+
+
+def _entries(matrix: list[list[Polynomial]]) -> tuple[Polynomial, Polynomial, Polynomial]:
+    """The entries A₀₀, A₀₁ and the last one of the adjugate."""
+
+    def without(row: int, column: int) -> list[list[Polynomial]]:
+        return [[x for j, x in enumerate(r) if j != column] for i, r in enumerate(matrix) if i != row]
+
+    last = len(matrix) - 1
+    return _determinant(without(0, 0)), [-x for x in _determinant(without(0, 1))], _determinant(without(last, last))
+
+
+def _line_entries(line: list[Polynomial], other: list[Polynomial]) -> tuple[Polynomial, Polynomial, Polynomial]:
+    """For a segment of degree 1: u, s, and s again, as forms along the other curve."""
+    start, end = zip(*line, strict=True)
+    normal = _across(start, end)
+    require(any(normal), "a segment that is a single point")
+    top, bottom = _along(_across(start, normal), other), _along(_across(normal, end), other)
+    return bottom, top, top
+
+
+# ---- places
+
+
+def _on_segment(claim: Mapping[str, Any], zero: tuple[Any, ...], entries: tuple[Polynomial, ...]) -> int:
+    """Whether the parameter at a zero is on the segment: 1 or 0."""
+    low, high, factor = zero[:3]
+    a, b = fraction(claim["low"]), fraction(claim["high"])
+    if low == high:
+        require(a == b == low, "another place than that of the zero")
+    elif a == b:
+        require(low < a < high and restricted(factor, a, a)[0] == 0, "a place that is not the zero")
+    else:
+        require(low <= a < b <= high, "a place outside the leaf of the zero")
+        require(_changes_sign(factor, a, b), "a place without the zero")
+    first, second, last = entries
+    where = claim["s"]
+    if where == START:
+        require(_sign(first, a, b) != 0 and _vanishes(second, factor, a, b), "the parameter is not the start")
+        return 1
+    if where == END:
+        require(_sign(last, a, b) != 0 and _vanishes(first, factor, a, b), "the parameter is not the end")
+        return 1
+    require(where in (INSIDE, OUTSIDE), "an unknown place")
+    product = _sign(first, a, b) * _sign(second, a, b)
+    require(product == (1 if where == INSIDE else -1), "the signs do not prove where the parameter is")
+    return int(where == INSIDE)
+
+
+def _sign(form: Polynomial, a: Fraction, b: Fraction) -> int:
+    """The sign of a form on [a, b] if all its Bernstein coefficients there have one, else 0."""
+    values = restricted(form, a, b)[:1] if a == b else restricted(form, a, b)
+    return 1 if all(x > 0 for x in values) else -1 if all(x < 0 for x in values) else 0
+
+
+def _changes_sign(form: Polynomial, a: Fraction, b: Fraction) -> bool:
+    values = restricted(form, a, b)
+    return values[0] * values[-1] < 0
+
+
+def _vanishes(form: Polynomial, factor: Polynomial, a: Fraction, b: Fraction) -> bool:
+    """Whether a form is zero at the only zero of the factor in [a, b]."""
+    if a == b:
+        return restricted(form, a, b)[0] == 0
+    common = _gcd(_trimmed(form), _trimmed(factor))
+    return len(common) > 1 and _changes_sign(common, a, b)
+
+
+def _trimmed(p: Polynomial) -> Polynomial:
+    while p and not p[-1]:
+        p = p[:-1]
+    return p
+
+
+def _gcd(p: Polynomial, q: Polynomial) -> Polynomial:
+    while q:
+        rest = list(p)
+        while len(rest) >= len(q):
+            top, shift = rest[-1], len(rest) - len(q)
+            rest = [x * q[-1] for x in rest]
+            for i, x in enumerate(q):
+                rest[shift + i] -= top * x
+            rest = _trimmed(rest[:-1])
+        size = gcd(*rest) or 1
+        p, q = q, [x // size for x in rest]
+    return p

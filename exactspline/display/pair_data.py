@@ -1,0 +1,92 @@
+"""What two curves have in common, as data and as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from exactspline.display.intersection_data import Data, intersections_data, real_data
+from exactspline.display.sheet import Sheet
+from exactspline.geometry.curve_pair import CurvePair
+from exactspline.geometry.distance import Distance
+from exactspline.geometry.intersections import Intersections
+from exactspline.geometry.registry import REGISTRY
+from exactspline.numbers.exact import text
+from exactspline.questions.entry import Of
+
+
+def pair_data(pair: CurvePair, digits: int) -> Data:
+    """All answers about two curves, each under the name of its question.
+
+    >>> from exactspline import Nurbs, example
+    >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))
+    >>> pair_data(pair, 5)["intersections"]["points"][0]["second"]
+    {'exact': '1/2', 'interval': ['1/2', '1/2'], 'decimal': '0.5'}
+    """
+    answers = {name: entry.answer(pair) for name, entry in REGISTRY[Of.TWO_CURVES].items()}
+    return {name: _answer_data(answer, digits) for name, answer in answers.items()}
+
+
+def _answer_data(answer: object, digits: int) -> Data:
+    if isinstance(answer, Intersections):
+        return intersections_data(answer, digits)
+    assert isinstance(answer, Distance), "the registry has no other answers about two curves"
+    pairs = [{"first": real_data(p.first, digits), "second": real_data(p.second, digits)} for p in answer.pairs]
+    value = {"squared": real_data(answer.squared, digits), "value": real_data(answer.value, digits)}
+    lower = None if answer.lower is None else text(answer.lower)
+    return {"points": pairs, "lower": lower, "left_out": list(answer.left_out)} | value
+
+
+def pair_sheet(data: Data, title: str) -> Sheet:
+    """The points, arcs and nearest pairs, one per row."""
+    made = Sheet("what", "s", "t", "point", "remark", title=title, prose=["remark"])
+    for point in data["intersections"]["points"]:
+        at = ", ".join(x["exact"] or x["decimal"] for x in point["point"])
+        made.add_row(point["kind"], _shown(point["first"]), _shown(point["second"]), f"({at})", _remark(point))
+    for arc in data["intersections"]["everywhere"]:
+        s, t = (f"[{', '.join(map(_shown, arc[name]))}]" for name in ("first", "second"))
+        made.add_row("common arc", s, t, "", _map_of(arc))
+    if not made.row_count:
+        distance = data["distance"]
+        for pair in distance["points"]:
+            value = f"distance {_shown(distance['value'])}"
+            made.add_row("nearest", _shown(pair["first"]), _shown(pair["second"]), "", value)
+    return made
+
+
+def _shown(x: Data) -> str:
+    exact: str | None = x["exact"]
+    return exact or str(x["decimal"])
+
+
+def _remark(point: Data) -> str:
+    times = point["multiplicity"]
+    knots = [name for name, here in zip("st", point["at_knot"], strict=True) if here]
+    parts = [
+        f"multiplicity {times}" if times and times > 1 else "",
+        f"{' and '.join(knots)} at a knot" if knots else "",
+    ]
+    return ", ".join(filter(None, parts))
+
+
+def _map_of(arc: Data) -> str:
+    if arc["numerator"] is None:
+        return ""
+    value, variable = ("t", "s") if arc["of_second"] else ("s", "t")
+    top, bottom = (_polynomial([int(x) for x in arc[name]], variable) for name in ("numerator", "denominator"))
+    return f"{value} = {top}" if bottom == "1" else f"{value} = ({top})/({bottom})"
+
+
+def _polynomial(coefficients: list[int], variable: str) -> str:
+    """A polynomial as text.
+
+    >>> _polynomial([1, -1, 0, 2], "t")
+    '2 t^3 - t + 1'
+    """
+    power: Callable[[int], str] = lambda k: "" if k == 0 else variable if k == 1 else f"{variable}^{k}"  # noqa: E731
+    terms = []
+    for k, c in reversed(list(enumerate(coefficients))):
+        if c:
+            size = "" if abs(c) == 1 and k else str(abs(c))
+            terms.append((c < 0, f"{size} {power(k)}".strip()))
+    first = ("-" if terms[0][0] else "") + terms[0][1] if terms else "0"
+    return first + "".join(f" {'-' if negative else '+'} {term}" for negative, term in terms[1:])

@@ -1,0 +1,192 @@
+"""A section of a source passage by passage: its words, what is decided of them, formula, proof and degree, with the
+verdict in the margin.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from html import escape
+from itertools import chain, groupby, repeat
+
+from exactspline.display.evidence import worded
+from exactspline.display.quotations import quoted
+from exactspline.display.tables import breakable
+from exactspline.display.theorem import begun, in_mathematics, method
+from exactspline.errors import ClaimError, counted, nearest
+from exactspline.hooks import Displayed
+from exactspline.papers import Paper, default_papers
+from exactspline.papers.passages import Passage, passages, sections_of
+from exactspline.verification.claims import claims_of
+from exactspline.verification.divisors import divisors
+from exactspline.verification.errata import numbered, true_relation
+from exactspline.verification.rows import Counts, count_statements
+from exactspline.verification.statement import Statement, statement
+from exactspline.verification.verdict import PROVED
+from exactspline.verification.vocabulary import Status
+
+#: A sign that the text of a source lost.
+LOST = "\ufffd"
+#: What claims are that a source does not print.
+STATUS = {Status.MEANT: "as it must read", Status.OURS: "beyond the source"}
+STYLE = """<style>
+.along .passage{display:grid;grid-template-columns:8.5em minmax(0,1fr);gap:0 1em;margin:.35em 0}
+.along .margin{text-align:right;border:0 solid transparent;border-right-width:4px;padding-right:.6em;
+font-size:.9em;line-height:1.35}
+.along .said{border-top:1px solid #8886;margin-top:1em;padding-top:.6em;font-style:italic}
+.along .PROVED{border-color:#00855c}.along .VERIFIED{border-color:#1b7fc4}.along .REFUTED{border-color:#cc5200}
+.along .UNDECIDED{border-color:#888}.along p{margin:.15em 0}.along details{margin:.15em 0 .4em}
+.along .formula{margin:.3em 0;overflow-wrap:anywhere}.along .degree{margin-left:1.5em;font-size:.9em;white-space:nowrap}
+@media(max-width:700px){.along .passage{grid-template-columns:minmax(0,1fr)}
+.along .margin{text-align:left;border-width:0 0 0 4px;padding:0 0 0 .6em}}
+</style>"""
+
+
+@dataclass(frozen=True)
+class ReadingAlong(Displayed):
+    """A section of a source: its number and title, its passages, and its claims, decided, by their keys."""
+
+    source: Paper
+    section: str
+    title: str
+    passages: tuple[Passage, ...]
+    decided: dict[str, Statement]
+
+    def __repr__(self) -> str:
+        return f"<Reading along §{self.section}: {self.head}>"
+
+    @property
+    def counts(self) -> dict[Status, Counts]:
+        """Its statements by status, how many hold, and how many are refuted."""
+        return count_statements((each.claim, each.finding.verdict) for each in self.decided.values())
+
+    @property
+    def head(self) -> str:
+        """How many of its statements are decided, and how."""
+        printed = self.counts[Status.PRINTED]
+        said = f"{printed.hold + printed.refuted} of {counted(printed.statements, 'printed statement')} decided"
+        refuted = (
+            f"{printed.refuted} refuted ({counted(printed.errors, 'error')})" if printed.refuted else "none refuted"
+        )
+        others = ", ".join(
+            f"{self.counts[status].statements} {name}"
+            for status, name in STATUS.items()
+            if self.counts[status].statements
+        )
+        return f"{said}: {printed.hold} hold, {refuted}" + (f"; {others}" if others else "")
+
+    @property
+    def as_recorded(self) -> bool:
+        """Whether every verdict is the recorded one."""
+        return all(each.as_recorded for each in self.decided.values())
+
+    @property
+    def left_out(self) -> str:
+        """The passages that decide nothing, by what they are."""
+        words = Counter(each.read["nothing"] for each in self.passages if "nothing" in each.read)
+        return ", ".join(f"{word} {n}" for word, n in words.most_common())
+
+
+def reading_along(section: str, source: Paper | None = None) -> ReadingAlong:
+    """Read a section of a source, every passage with what is decided of it. Claims are read with the first passage that
+    makes them.
+
+    >>> reading_along("5.2")
+    <Reading along §5.2: 9 of 9 printed statements decided: 8 hold, 1 refuted (1 error); 1 as it must read>
+
+    Raises `ClaimError` for a section that the source does not have.
+    """
+    own = default_papers()[0] if source is None else source
+    sections, number = sections_of(own), str(section).lstrip("§ ")
+    if number not in sections:
+        remedy = nearest(number, list(sections)) or f"name one of {', '.join(sections)}"
+        raise ClaimError(f"{own.title!r} has no section {section!r}", where="section", remedy=remedy)
+    first: dict[str, str] = {}
+    for each in passages(own):
+        for key in each.claims:
+            first.setdefault(key, each.section)
+    chosen = [claim for claim in claims_of(own) if first.get(claim.key) == number]
+    inside = tuple(each for each in passages(own) if each.section == number)
+    return ReadingAlong(own, number, sections[number], inside, {each.key: statement(each) for each in chosen})
+
+
+def along_html(read: ReadingAlong) -> str:
+    """The section as a fragment of HTML, with formulas between dollar signs."""
+    shown: set[str] = set()
+    body = "".join(part for each in read.passages for part in _passage(each, read, shown))
+    nothing = f"<p>Passages that decide nothing: {escape(read.left_out)}.</p>" if read.left_out else ""
+    return f'{STYLE}<div class="along"><p><b>{escape(read.head)}.</b></p>{body}{nothing}</div>'
+
+
+def _passage(one: Passage, read: ReadingAlong, shown: set[str]) -> Iterator[str]:
+    """One passage: its first words, what it is besides claims, and its claims; none that decides nothing."""
+    if set(one.read) <= {"nothing", "reason"}:
+        return
+    new = [read.decided[key] for key in one.claims if key in read.decided and key not in shown]
+    again = [key for key in one.claims if key not in read.decided or key in shown]
+    shown.update(each.claim.key for each in new)
+    yield _row("said", f"p. {one.page}", f"“{escape(one.begins.replace(LOST, '□'))}”")
+    for name in ("definition", "citation", "slip", "open"):
+        if name in one.read:
+            yield _row("", name, f"<p>{escape(str(one.read[name]))}</p>")
+    for words, group in groupby(new, key=lambda each: each.claim.words):
+        for each, said in zip(group, chain([words], repeat("")), strict=False):
+            yield _claim(each, said)
+    if again:
+        ids = dict.fromkeys(claim.id for claim in claims_of(read.source) if claim.key in again)
+        yield _row("", "see", f"<p>{escape(', '.join(ids))}</p>")
+
+
+def _row(kind: str, margin: str, body: str, key: str = "") -> str:
+    place = f' id="{escape(key)}"' if key else ""
+    grid = f"passage {kind}" if kind == "said" else "passage"
+    edge = "margin" if kind == "said" else f"margin {kind}".strip()
+    return f'<div class="{grid}"{place}><div class="{edge}">{margin}</div><div>{body}</div></div>'
+
+
+def _claim(s: Statement, words: str) -> str:
+    """A claim with its verdict in the margin; how it is proved, and what else is known of it, unfolds."""
+    c, verdict = s.claim, s.finding.verdict
+    status = f"<br>{STATUS[c.status]}" if c.status in STATUS else ""
+    said = f"<p>“{escape(quoted(words))}”</p>" if words else ""
+    stated = f"<p>{escape(begun(numbered(c)))}.</p>"
+    formulas = "".join(_formula(*each) for each in _formulas(s))
+    more = "".join(f"<p>{line}</p>" for line in _proof(s))
+    body = f"{said}{stated}{formulas}<details><summary>Proof</summary>{more}</details>"
+    return _row(str(verdict), f"<b>{verdict}</b><br>{escape(c.id)}{status}", body, c.key)
+
+
+def _formulas(s: Statement) -> Iterator[tuple[str, str]]:
+    """The statement as a formula, where it says more than a symbol twice, and the formulas in it with their degrees."""
+    left, _, right = s.latex.partition(" = ")
+    if left != right:
+        yield s.latex, ""
+    for side in s.sides:
+        yield side.latex, f"degree {side.degrees}" if side.degrees != "–" else ""
+
+
+def _formula(tex: str, remark: str) -> str:
+    shown = f' <span class="degree">{escape(remark)}</span>' if remark else ""
+    return f'<div class="formula">${escape(in_mathematics(tex))}${shown}</div>'
+
+
+def _proof(s: Statement) -> Iterator[str]:
+    """How it was decided, and with what; as lines of HTML."""
+    c, f = s.claim, s.finding
+    if f.verdict == PROVED:
+        yield escape(method(s))
+    yield from _facts(
+        ("Found", worded(true_relation(c, f) or f.computed)),
+        ("Factor", worded(f.factor)),
+        ("Witness", worded(f.witness)),
+        ("Assumed", c.assumed),
+        ("Divides by", ", ".join(divisors(c))),
+        ("Uses", ", ".join(f.assumptions)),
+        ("Note", c.note),
+    )
+    yield f"Again: <code>exactspline show {escape(c.key)}</code>, reading <i>{escape(str(s.reading))}</i>"
+
+
+def _facts(*pairs: tuple[str, str]) -> Iterable[str]:
+    return (f"{name}: {breakable(text)}" for name, text in pairs if text)

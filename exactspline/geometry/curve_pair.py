@@ -1,0 +1,36 @@
+"""What is asked of two curves: entries of the registry of questions."""
+
+from __future__ import annotations
+
+from exactspline.geometry.distance import Distance, distance
+from exactspline.geometry.intersections import Intersections, intersections
+from exactspline.hooks import Displayed
+from exactspline.questions.entry import Answered, Inspected, Of, question
+from exactspline.splines.nurbs import Nurbs
+
+
+class CurvePair(Inspected, Displayed):
+    """Two curves of one dimension, in the plane or in space.
+
+    >>> from exactspline import Nurbs, example
+    >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))
+    >>> pair.intersections, pair.distance.value
+    ([<crossing at 0 and 1/2>], <Real 0>)
+    """
+
+    def __init__(self, first: Nurbs, second: Nurbs) -> None:
+        super().__init__(first, second)
+        self.curves = first, second
+
+    def __repr__(self) -> str:
+        return f"<CurvePair of {self.curves[0]!r} and {self.curves[1]!r}>"
+
+    @question(Of.TWO_CURVES, answered=Answered.PAIRS)
+    def intersections(self) -> Intersections:
+        """The points that two curves have in common, and the arcs."""
+        return intersections(*self.curves)
+
+    @question(Of.TWO_CURVES, answered=Answered.PAIRS)
+    def distance(self) -> Distance:
+        """The pairs of points of two curves at the least distance."""
+        return distance(*self.curves)

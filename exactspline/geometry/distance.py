@@ -1,0 +1,293 @@
+"""The distance of two curves: the pairs of nearest points, each certified.
+
+A pair at the least distance is a common point, or has an end or a knot of one of the curves, or is a common zero of the
+two derivatives of the squared distance. These are isolated by boxes (`exactspline.polynomials.common_zeros`), where the
+distance is not above that of a pair already known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import partial, reduce
+from operator import add
+
+from flint import arb, fmpz_mpoly, fmpz_poly
+
+from exactspline.errors import ShapeError
+from exactspline.geometry.box_tree import IntegerBox, box_of, shift_for
+from exactspline.geometry.intersections import intersections
+from exactspline.geometry.nearest import nearest
+from exactspline.hooks import Displayed
+from exactspline.numbers.exact import from_flint, mpq, to_fmpq, to_fmpz
+from exactspline.numbers.intervals import Box, Interval, ball_around
+from exactspline.polynomials.bernstein import quotient_slope
+from exactspline.polynomials.common_zeros import Zero, isolate
+from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.isolation import isolate as isolate_zeros
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import at, enclosed, lifted, rows_of
+from exactspline.polynomials.zero_places import places
+from exactspline.reals.ball import InBalls
+from exactspline.reals.real import Real, square_root
+from exactspline.roots.local_parameters import SegmentForms, segment_forms
+from exactspline.splines.expected import curve_of
+from exactspline.splines.nurbs import Nurbs
+
+#: How near a lower bound is brought to a bound: by a factor of 1 − 2^−k with k below this.
+NARROW = 40
+#: The digits to which squared distances are compared before pairs count as equally near.
+TIED = 60
+#: The digits of the bound by which pairs are excluded.
+BOUND = 12
+#: The bits after which a parameter is suspected to be that of an end.
+END_BITS = 100
+
+
+@dataclass(frozen=True)
+class ClosestPair:
+    """A parameter of each curve, at the least distance."""
+
+    first: Real
+    second: Real
+    squared: Real = field(compare=False)
+
+    def __repr__(self) -> str:
+        return f"<closest at {self.first.shortly()} and {self.second.shortly()}>"
+
+
+@dataclass(frozen=True, repr=False)
+class Distance(Displayed):
+    """The least distance of two curves, and the pairs of points at it; several are equally near to `TIED` digits.
+
+    `left_out` names what could not be decided: pairs of segments near each other along arcs, say. Then the square of
+    the distance is at least `lower`, a rational number; otherwise `lower` is None.
+    """
+
+    pairs: tuple[ClosestPair, ...]
+    lower: mpq | None = None
+    left_out: tuple[str, ...] = ()
+
+    @property
+    def squared(self) -> Real:
+        """The square of the distance of the pairs."""
+        return self.pairs[0].squared
+
+    @property
+    def value(self) -> Real:
+        """The distance of the pairs."""
+        return square_root(self.squared)
+
+    def __repr__(self) -> str:
+        doubt = f", undecided: {'; '.join(self.left_out)}" if self.left_out else ""
+        return f"<Distance {self.value.shortly()} between {list(self.pairs)}{doubt}>"
+
+
+def distance(first: Nurbs, second: Nurbs) -> Distance:
+    """The distance of two curves in the plane or in space, and the pairs of parameters at which they are nearest.
+
+    >>> from exactspline import Nurbs
+    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1), (0, -1), (1, 1)])  # y = x²
+    >>> line = Nurbs(1, [0, 0, 1, 1], [(-1, -2), (1, 0)])  # y = x − 1
+    >>> found = distance(parabola, line)
+    >>> found
+    <Distance 3√2/8 between [<closest at 3/4 and 15/16>]>
+
+    Raises `ShapeError` for curves of different dimensions.
+    """
+    if curve_of(first).dimension != curve_of(second).dimension:
+        raise ShapeError(
+            f"a curve in R{first.dimension} and one in R{second.dimension}", remedy="give curves of one dimension"
+        )
+    meeting = intersections(first, second)
+    zero = Real(0)
+    if meeting.points or meeting.everywhere:
+        pairs = [ClosestPair(p.first, p.second, zero) for p in meeting]
+        pairs += [
+            ClosestPair(s, t, zero) for arc in meeting.everywhere for s, t in zip(arc.first, arc.second, strict=True)
+        ]
+        return Distance(tuple(pairs))
+    return _Search(first, second, meeting.left_out).answer()
+
+
+class _Search:
+    """The pairs of nearest points of curves that do not meet."""
+
+    def __init__(self, first: Nurbs, second: Nurbs, left_out: tuple[str, ...]) -> None:
+        self.curves, self.left_out = (first, second), list(left_out)
+        self.lower: mpq | None = mpq(0) if left_out else None
+        self.segments = [[segment_forms(curve, i) for i in range(curve.segments)] for curve in self.curves]
+        self.found = [pair for k in (0, 1) for pair in self._at_knots(k)]
+        self.bound = min(pair.squared.enclosure(BOUND).high for pair in self.found)
+        for i, j in self._near_pairs():
+            self._inside(i, j)
+
+    def _at_knots(self, k: int) -> Iterator[ClosestPair]:
+        """The points of curve k nearest to the ends and knots of the other one."""
+        for t in self.curves[1 - k].breakpoints:
+            for point in nearest(self.curves[k], self.curves[1 - k](t)):
+                pair = (Real(t), point.parameter)
+                yield ClosestPair(pair[1 - k], pair[k], point.squared)
+
+    def _near_pairs(self) -> Iterator[tuple[int, int]]:
+        """The pairs of segments that may be nearer than the bound."""
+        shift = shift_for([segment for segments in self.segments for segment in segments])
+        boxes = [[box_of(segment, shift) for segment in segments] for segments in self.segments]
+        limit = self.bound * (1 << 2 * shift)
+        for i, one in enumerate(boxes[0]):
+            for j, other in enumerate(boxes[1]):
+                moving = self.segments[0][i][0] > 0 and self.segments[1][j][0] > 0
+                if moving and _squared_gap(one, other) <= limit:
+                    yield i, j
+
+    def _inside(self, i: int, j: int) -> None:
+        """The critical pairs inside two segments at which the distance is not above the bound."""
+        first, second = (Interval(*c.breakpoints[k : k + 2]) for c, k in zip(self.curves, (i, j), strict=True))
+        forms = _Forms(self.segments[0][i], self.segments[1][j])
+        zeros = isolate(*forms.slopes, not_positive=[forms.excess(self.bound)])
+        for zero in zeros.zeros:
+            if all(forms.is_inside(zero, k) for k in (0, 1)):
+                self.found.append(_pair(zero, first, second, forms))
+        if zeros.undecided:
+            self.left_out.append(f"the points inside the segments over {first.shortly} and {second.shortly}")
+            least = min(forms.least(box, self.bound) for box in zeros.undecided)
+            self.lower = least if self.lower is None else min(self.lower, least)
+
+    def answer(self) -> Distance:
+        """The nearest of the pairs."""
+        digits, found = BOUND, self.found
+        while len(found) > 1 and digits <= TIED:
+            bounds = [pair.squared.enclosure(digits) for pair in found]
+            limit = min(high for _, high in bounds)
+            found = [pair for pair, (low, _) in zip(found, bounds, strict=True) if low <= limit]
+            digits *= 2
+        each: list[ClosestPair] = []
+        for pair in found:
+            if not any(_same(pair, other) for other in each):
+                each.append(pair)
+        if self.lower is not None and each[0].squared < self.lower:
+            return Distance(tuple(each))
+        return Distance(tuple(each), self.lower, tuple(self.left_out))
+
+
+def _same(one: ClosestPair, other: ClosestPair) -> bool:
+    """Whether both are one pair, to `TIED` digits."""
+    ends = (one.first, other.first), (one.second, other.second)
+    return all(a.enclosure(TIED).meets(b.enclosure(TIED)) for a, b in ends)
+
+
+def _squared_gap(one: IntegerBox, other: IntegerBox) -> int:
+    """A lower bound of the squared distance of what is in two boxes."""
+    if one is None or other is None:
+        return 0
+    return sum(max(c - b, a - d, 0) ** 2 for (a, b), (c, d) in zip(one, other, strict=True))
+
+
+class _Forms:
+    """The squared distance of two segments and its derivatives, as forms on the square of their local parameters; here
+    s and t are those of ``z = v/u`` of each segment.
+    """
+
+    def __init__(self, first: SegmentForms, second: SegmentForms) -> None:
+        (m, (*p, w)), (n, (*q, v)) = first, second
+        self.degrees = m, n
+        chord = [lifted(x, 0) * lifted(v, 1) - lifted(w, 0) * lifted(y, 1) for x, y in zip(p, q, strict=True)]
+        self.squared, self.weight = _total([e * e for e in chord]), lifted(w * w, 0) * lifted(v * v, 1)
+        self.sums = (
+            _total([e * lifted(quotient_slope(x, w), 0) for e, x in zip(chord, p, strict=True)]),
+            _total([e * lifted(quotient_slope(y, v), 1) for e, y in zip(chord, q, strict=True)]),
+        )
+
+    @property
+    def slopes(self) -> tuple[PatchForm, PatchForm]:
+        """The derivatives of the squared distance, up to positive factors, as forms of one degree."""
+        m, n = self.degrees
+        first, second = _form(self.sums[0], 3 * m - 2, n), _form(self.sums[1], m, 3 * n - 2)
+        degree = max(3 * m - 2, m), max(3 * n - 2, n)
+        return first.elevated(degree), second.elevated(degree)
+
+    def excess(self, bound: mpq) -> PatchForm:
+        """Positive where the squared distance is above a bound."""
+        top, bottom = to_fmpz(bound.numerator), to_fmpz(bound.denominator)
+        m, n = self.degrees
+        return _form(self.squared * bottom - self.weight * top, 2 * m, 2 * n)
+
+    def least(self, box: Box, bound: mpq) -> mpq:
+        """A lower bound of the squared distance on a box, near to a bound if that is possible."""
+        least = mpq(0)
+        for k in range(1, NARROW):
+            closer = bound * (1 - mpq(1, 1 << k))
+            if self.excess(closer).part(box).sign != 1:
+                break
+            least = closer
+        return least
+
+    def is_inside(self, zero: Zero, k: int) -> bool:
+        """Whether a coordinate of a critical pair is between 0 and 1: pairs with an end are found otherwise."""
+        bits = 8
+        while True:
+            low, high = zero.refine(bits)[k]
+            if low > 0 and high < 1:
+                return True
+            if high <= 0 or low >= 1 or (bits > END_BITS and self._is_at_end(zero, k, low < 0)):
+                return False
+            bits *= 2
+
+    def _is_at_end(self, zero: Zero, k: int, start: bool) -> bool:
+        """Whether a critical pair has the start, or the end, of a segment: then the derivatives have a common zero on
+        this edge, inside the region that has no other common zero.
+        """
+        m, n = self.degrees
+        sizes = ((3 * m - 2, n), (m, 3 * n - 2))
+        edges = [_edge(p, k, 0 if start else size[k]) for p, size in zip(self.sums, sizes, strict=True)]
+        common = greatest_common_divisor([p for p in edges if p])
+        side = zero.region[1 - k]
+        for place in places(isolate_zeros(common, common.degree())):
+            bits = 8
+            while (t := place.refine(bits)).meets(side):
+                if side.contains(t):
+                    return True
+                bits *= 2
+        return False
+
+    def value(self, s: mpq, t: mpq) -> mpq:
+        """The squared distance at rational parameters inside the segments."""
+        z = s / (1 - s), t / (1 - t)
+        top, bottom = (from_flint(at(p, 0, z[0])(to_fmpq(z[1]))) for p in (self.squared, self.weight))
+        return top / bottom
+
+    def near(self, box: Box) -> arb:
+        """A ball around the squared distance on a box; FLINT's precision is the caller's."""
+        s, t = (ball_around(low / (1 - low), high / (1 - high)) for low, high in box)
+        return enclosed(self.squared, s, t) / enclosed(self.weight, s, t)
+
+
+def _edge(p: fmpz_mpoly, k: int, power: int) -> fmpz_poly:
+    """The coefficient of a power of one parameter, a polynomial in the other."""
+    found = {int(e[1 - k]): x for e, x in p.terms() if int(e[k]) == power}
+    return fmpz_poly([found.get(i, 0) for i in range(max(found, default=-1) + 1)])
+
+
+def _total(terms: list[fmpz_mpoly]) -> fmpz_mpoly:
+    return reduce(add, terms)
+
+
+def _form(p: fmpz_mpoly, m: int, n: int) -> PatchForm:
+    rows = rows_of(p)
+    return PatchForm.of_rows([*rows, *[fmpz_poly([])] * (n + 1 - len(rows))], m)
+
+
+def _pair(zero: Zero, first: Interval, second: Interval, forms: _Forms) -> ClosestPair:
+    """A critical pair: numbers known by their enclosures."""
+    if (exact := zero.exact) is not None:
+        return ClosestPair(Real(first.at(exact[0])), Real(second.at(exact[1])), Real(forms.value(*exact)))
+    parameters = [InBalls(partial(_enclosing, zero, k, side)) for k, side in enumerate((first, second))]
+    return ClosestPair(parameters[0], parameters[1], InBalls(partial(_squared, zero, forms)))
+
+
+def _enclosing(zero: Zero, k: int, side: Interval, bits: int) -> arb:
+    return ball_around(*side.part(zero.refine(bits)[k]))
+
+
+def _squared(zero: Zero, forms: _Forms, bits: int) -> arb:
+    return forms.near(zero.refine(bits))

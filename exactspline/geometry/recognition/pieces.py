@@ -1,0 +1,242 @@
+"""The pieces of a curve that are lines, circles or conics, exactly or within a proved distance: which shape a run of
+segments may lie on is guessed from points of it, and then proved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+from exactspline.errors import ShapeError
+from exactspline.geometry.recognition.candidates import candidates
+from exactspline.geometry.recognition.shapes import Circle, Conic, Point, Shape, upper_square_root
+from exactspline.numbers.exact import Number, mpq, rational, sign
+from exactspline.numbers.intervals import Interval
+from exactspline.questions.answers import CurvePiece
+from exactspline.roots.values import sign_at
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
+from exactspline.splines.nurbs import Nurbs
+
+#: Where in a segment points are taken to guess a shape.
+PLACES = tuple(mpq(i, 6) for i in range(1, 6))
+#: Factors by which the bound that is proved may exceed the distance found at these points.
+FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64))
+
+
+@dataclass(frozen=True)
+class RecognizedPiece:
+    """A piece of a curve and the shape that it is, or lies near to.
+
+    Every point of the piece is at most `within` away from the shape, every point of the arc between its ends is at most
+    as far from the piece, and the curve runs over the arc once, without turning back. `within` is 0 where the piece
+    lies on the shape exactly. `whole`: the piece runs around the whole circle or ellipse.
+    """
+
+    piece: CurvePiece
+    shape: Shape
+    within: mpq
+    whole: bool
+
+    @property
+    def exact(self) -> bool:
+        """Whether the piece lies on the shape exactly."""
+        return not self.within
+
+
+class _Run:
+    """Consecutive segments of a curve without a gap between them, as a curve of their own, and points of it."""
+
+    def __init__(self, curve: Nurbs, first: int, last: int, points: Sequence[Sequence[Point]]) -> None:
+        self.first, self.last, self._of = first, last, curve
+        self.points = [point for segment in points[first : last + 1] for point in segment]
+
+    @cached_property
+    def curve(self) -> Nurbs:
+        """The segments alone."""
+        breaks = self._of.breakpoints
+        return self._of.restrict(breaks[self.first], breaks[self.last + 1])
+
+    @property
+    def closed(self) -> bool:
+        """Whether it returns to where it begins."""
+        return self.points[0] == self.points[-1]
+
+
+def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedPiece, ...]:
+    """The pieces of a curve that run along a line, a circle or (in the plane) a conic, within the distance epsilon;
+    without it, within 10⁻⁹ of the curve's size. Pieces begin and end at knots; of several shapes that fit, the
+    simplest is given. A single segment of degree 2, which is always a conic, is left out where the curve has more.
+
+    >>> from exactspline import Nurbs, example
+    >>> (found,) = recognized(example("circle"))
+    >>> print(found.shape, found.exact, found.whole)
+    circle: centre (0, 0), radius 1 True True
+    >>> rounded = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], [1, "0.7071", 1])
+    >>> (found,) = recognized(rounded, "1e-4")
+    >>> found.shape.kind.value, found.exact, found.within < mpq(1, 10**5)
+    ('circle', False, True)
+    >>> recognized(rounded, "1e-9")[0].shape.kind.value
+    'ellipse'
+
+    Raises `ShapeError` for a curve that is neither in the plane nor in space and for an epsilon that is not positive.
+    Theory: docs/as-meant.md.
+    """
+    given = curve_of(curve)
+    if given.dimension not in (2, 3):
+        raise ShapeError(f"shapes in R{given.dimension}", remedy="this needs a curve in the plane or in space")
+    points = [
+        [given(a), *[given(a + (b - a) * t) for t in PLACES], given(b, "left")] for a, b in pairwise(given.breakpoints)
+    ]
+    limit = _size(points) / 10**9 if epsilon is None else rational(epsilon)
+    if limit <= 0 and epsilon is not None:
+        raise ShapeError(f"the distance {epsilon}", remedy="give a number above 0")
+    return tuple(_pieces(given, points, limit))
+
+
+def _size(points: Sequence[Sequence[Point]]) -> mpq:
+    """The longest side of the box around the points."""
+    columns = list(zip(*[point for segment in points for point in segment], strict=True))
+    sides: list[mpq] = [max(column) - min(column) for column in columns]
+    return max(sides)
+
+
+def _pieces(curve: Nurbs, points: Sequence[Sequence[Point]], limit: mpq) -> Iterator[RecognizedPiece]:
+    """The longest pieces from the start of the curve on."""
+    i, n = 0, len(points)
+    while i < n:
+        end = next((k for k in range(i, n - 1) if points[k][-1] != points[k + 1][0]), n - 1)
+        found = _longest(curve, points, i, end, limit)
+        if found is None:
+            i += 1
+            continue
+        last, piece = found
+        if n == 1 or last > i or curve.degree > 2 or not isinstance(piece.shape, Conic):
+            yield piece
+        i = last + 1
+
+
+def _longest(
+    curve: Nurbs, points: Sequence[Sequence[Point]], first: int, end: int, limit: mpq
+) -> tuple[int, RecognizedPiece] | None:
+    """The longest run from a segment on that is proved to be near a shape, with its last segment."""
+
+    def may_fit(last: int) -> bool:
+        return any(True for _ in candidates(_Run(curve, first, last, points).points, limit))
+
+    last = _last_that(may_fit, first, end)
+    while last >= first:
+        run = _Run(curve, first, last, points)
+        for shape in candidates(run.points, limit):
+            if (found := _proved(run, shape, limit)) is not None:
+                return last, found
+        last = first + (last - first) // 2 if last > first else first - 1
+    return None
+
+
+def _last_that(holds: Callable[[int], bool], first: int, end: int) -> int:
+    """The last number up to which a property seems to hold, by steps that double; first − 1 for none."""
+    good, step = first - 1, 1
+    while step:
+        tried = min(good + step, end)
+        if tried > good and holds(tried):
+            good, step = tried, step * 2
+        else:
+            step //= 2
+    return good
+
+
+def _proved(run: _Run, shape: Shape, limit: mpq) -> RecognizedPiece | None:
+    """The run near this shape, with a distance that is proved, or None."""
+    if not _runs_once(run, shape):
+        return None
+    within = mpq(0) if shape.holds(run.curve) else _least(run, shape, limit)
+    if within is None:
+        return None
+    piece = CurvePiece((run.curve.domain,))
+    return RecognizedPiece(piece, shape, within, shape.closes and run.closed)
+
+
+def _least(run: _Run, shape: Shape, limit: mpq) -> mpq | None:
+    """The least distance that is proved, of a few above the one found at points of the run."""
+    found = upper_square_root(max(map(shape.estimate, run.points)))
+    for factor in FACTORS:
+        within = rounded_up(found * factor)
+        if not within or within > limit or (shape.most is not None and within > shape.most):
+            return None
+        if all(signs(f) <= {0, 1} for f in shape.margins(run.curve, within)):
+            return within
+    return None
+
+
+def _runs_once(run: _Run, shape: Shape) -> bool:
+    """Whether the curve goes on along the shape without turning back, and over no part of it twice."""
+    if signs(shape.advance(run.curve)) not in ({1}, {-1}):
+        return False
+    return not shape.closes or not _passes_its_start(run.curve, shape)
+
+
+def _passes_its_start(curve: Nurbs, shape: Shape) -> bool:
+    """Whether a curve around a centre meets the ray from there to its start again, before its end."""
+    a, b = curve.domain
+    centre = shape.centre  # type: ignore[attr-defined]  # a shape that closes has a centre
+    start = [x - c for x, c in zip(curve(a), centre, strict=True)]
+    ahead = _linear(curve, centre, start)
+    across = _across(curve, centre, start, shape)
+    return any(root > a and root < b and sign_at(ahead, root) > 0 for root in zeros(across))
+
+
+def _linear(curve: Nurbs, centre: Point, direction: Sequence[mpq]) -> BSpline:
+    """w times the scalar product of a vector with the vector from a point to the curve."""
+    terms = [(x - curve.w * c) * u for x, c, u in zip(curve.p, centre, direction, strict=True)]
+    return sum(terms[1:], start=terms[0])
+
+
+def _across(curve: Nurbs, centre: Point, start: Sequence[mpq], shape: Shape) -> BSpline:
+    """A function that vanishes where the curve, seen from a centre, is in the direction of its start or opposite."""
+    if isinstance(shape, Circle) and shape.normal:
+        n = shape.normal
+        turned = [n[i - 2] * start[i - 1] - n[i - 1] * start[i - 2] for i in range(3)]
+    else:
+        turned = [-start[1], start[0]]
+    return _linear(curve, centre, turned)
+
+
+def signs(f: BSpline) -> set[int]:
+    """The signs that a function has on whole intervals: 0 where it vanishes on a segment.
+
+    >>> t = BSpline.identity(-1, 1)
+    >>> signs(t * t + 1), signs(t * t), signs(-t * t), sorted(signs(t)), signs(t - t)
+    ({1}, {1}, {-1}, [-1, 1], {0})
+    """
+    found, hard = set[int](), set[Interval]()
+    for ends, points in zip(pairwise(f.breakpoints), f.segments, strict=True):
+        of_points = {sign(x) for x in points}
+        if len(of_points) > 1:
+            of_points -= {0}
+        ends_of_points = {sign(points[0]), sign(points[-1])} - {0}
+        if len(of_points) == 1 or len(ends_of_points) == 2:
+            found |= of_points
+        else:
+            hard.add(Interval(*ends))
+    if hard:
+        roots = [root for root in zeros(f) if root.segment in hard]
+        found |= {side for root in roots for side in root.signs if side}
+        found |= {sign(f(segment.middle)) for segment in hard - {root.segment for root in roots}}
+    return found
+
+
+def rounded_up(x: mpq) -> mpq:
+    """The least decimal with four digits that is not below a positive number.
+
+    >>> rounded_up(mpq(1, 3)), rounded_up(mpq(0))
+    (mpq(1667,5000), mpq(0,1))
+    """
+    if not x:
+        return x
+    exponent = len(str(x.numerator // x.denominator)) if x >= 1 else 1 - len(str(x.denominator // x.numerator))
+    unit = mpq(10) ** (exponent - 4)
+    return -(-x // unit) * unit

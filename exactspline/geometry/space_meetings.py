@@ -1,0 +1,103 @@
+"""The common points of two segments in space: those of their projections to a plane at which the third coordinates
+agree, too.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from flint import fmpz_poly
+
+from exactspline.errors import ReachError
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT
+from exactspline.polynomials.bernstein import ONE, substituted, value
+from exactspline.polynomials.bezout import PlaneForms
+from exactspline.polynomials.common_arcs import Arc, Image, Local, Meeting, Meetings, RationalMap
+from exactspline.polynomials.cost import REMEDY
+from exactspline.polynomials.plane_pairs import meetings
+from exactspline.polynomials.zero_places import Place
+from exactspline.roots.local_parameters import parameter
+from exactspline.roots.values import value_at
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
+
+#: Projections that are tried in turn: the first plane coordinate is ``x + a z``, the second ``y + b z``.
+SHEARS = ((0, 0), (1, -1), (2, 3), (-3, 5), (7, -4))
+NAUGHT = fmpz_poly([])
+
+
+class SpaceForms(NamedTuple):
+    """A space curve on one segment: the integers of the four forms ``x, y, z, w`` of one degree."""
+
+    degree: int
+    x: fmpz_poly
+    y: fmpz_poly
+    z: fmpz_poly
+    w: fmpz_poly
+
+    def sheared(self, a: int, b: int) -> PlaneForms:
+        """The projection along ``(−a, −b, 1)``."""
+        return PlaneForms(self.degree, self.x + self.z * a, self.y + self.z * b, self.w)
+
+
+def space_meetings(first: SpaceForms, second: SpaceForms) -> Meetings:
+    """All common points and arcs of two segments in space; the multiplicities are left open.
+
+    >>> x, one = fmpz_poly([0, 1]), fmpz_poly([1, 1])
+    >>> axis = SpaceForms(1, x, NAUGHT, NAUGHT, one)
+    >>> [len(space_meetings(axis, SpaceForms(1, NAUGHT, x, z, one)).points) for z in (NAUGHT, one)]
+    [1, 0]
+
+    Raises `ReachError` for what would take too long.
+    """
+    for shear in SHEARS:
+        found = meetings(first.sheared(*shear), second.sheared(*shear))
+        if not found.arcs and not found.rests:
+            points = [p for p in found.points if _agrees(p, first, second)]
+            return Meetings([Meeting(p.first, p.second, None) for p in points])
+    if found.rests or not all(_agrees_along(arc, first, second) for arc in found.arcs):
+        raise ReachError(
+            "two curves in space with one projection, of which one stands still or turns back", remedy=REMEDY
+        )
+    points = [p for p in found.points if _agrees(p, first, second)]
+    return Meetings([Meeting(p.first, p.second, None) for p in points], found.arcs)
+
+
+def _agrees(point: Meeting, first: SpaceForms, second: SpaceForms) -> bool:
+    """Whether the third coordinates of a common point of the projections are equal."""
+    if isinstance(point.second, Image):
+        return _agrees(point.exchanged(), second, first)
+    s, t = point.first, point.second
+    if isinstance(s, Image):
+        return s.place.sign(*_difference(s.map, first, second)) == 0
+    if s.exact is not None and t.exact is not None:
+        return _third(first, s) == _third(second, t)
+    return _real_third(first, s) == _real_third(second, t)
+
+
+def _difference(carried: RationalMap, first: SpaceForms, second: SpaceForms) -> tuple[fmpz_poly, int]:
+    """The difference of the third coordinates, times the weights, as a form in the parameter of the second."""
+    z, w = (substituted(form, first.degree, carried.bottom, carried.top) for form in (first.z, first.w))
+    return z * second.w - w * second.z, first.degree * carried.degree + second.degree
+
+
+def _third(curve: SpaceForms, place: Place) -> mpq:
+    t = place.exact
+    assert t is not None, "the caller has asked"
+    z, w = (value((form, ONE), curve.degree, t) for form in (curve.z, curve.w))
+    return z / w
+
+
+def _real_third(curve: SpaceForms, place: Local) -> object:
+    mesh = Mesh(UNIT.first)
+    z, w = (BSpline.from_forms(curve.degree, mesh, (), [(form, ONE)]) for form in (curve.z, curve.w))
+    return value_at(z, w, parameter(place, UNIT.first, UNIT.first))
+
+
+def _agrees_along(arc: Arc, first: SpaceForms, second: SpaceForms) -> bool:
+    """Whether the third coordinates are equal along an arc of the projections."""
+    if arc.map is None:
+        return False
+    one, other = (second, first) if arc.exchanged else (first, second)
+    return not _difference(arc.map, one, other)[0]

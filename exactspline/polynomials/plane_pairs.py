@@ -1,0 +1,395 @@
+"""The common points of two plane curves on one segment each, and of a curve and itself: all of them, exactly.
+
+The determinant F of Bézout's matrix of the first curve and a point on the second vanishes at the parameters t of the
+second curve that lie on the first. Where the matrix has corank one, its adjugate shows the parameter s of the first;
+the rest, multiple points of the first curve, is decided in the field of t. If F is zero, the curves are arcs of one
+algebraic curve, and ``s = A₀₁/A₀₀`` in lowest terms is the map from one to the other.
+
+Segments are those of `exactspline.polynomials.bernstein`: parameters are local, from 0 to 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from enum import Enum
+from functools import cached_property
+
+from flint import arb, arb_mat, arb_poly, ctx, fmpz_poly
+
+from exactspline.errors import ReachError
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials import bezout
+from exactspline.polynomials.bezout import Matrix, PlaneForms, across, along
+from exactspline.polynomials.collinear_arcs import collinear_arcs
+from exactspline.polynomials.common_arcs import (
+    Image,
+    Local,
+    Meeting,
+    Meetings,
+    RationalMap,
+    Rest,
+    common_arcs,
+    lowest_terms,
+)
+from exactspline.polynomials.cost import REMEDY
+from exactspline.polynomials.factors import certainly_coprime, greatest_common_divisor
+from exactspline.polynomials.fibres import Fibre, local_multiplicity
+from exactspline.polynomials.isolation import Isolation, isolate
+from exactspline.polynomials.zero_places import FIRST, SUSPICIOUS, Place, at, places
+
+#: From this size of a matrix, its minors are polynomials only where balls do not decide their signs.
+BY_BALLS = 4
+#: ``z ↦ z``.
+IDENTITY = RationalMap(1, fmpz_poly([0, 1]), fmpz_poly([1]))
+
+
+class Several(Enum):
+    """The answer that there is not exactly one parameter."""
+
+    SEVERAL = 0
+
+
+SEVERAL = Several.SEVERAL
+
+
+class Elimination:
+    """A matrix of forms in t that is singular where a point of the second curve lies on the first, with the vectors of
+    the parameters s of the first in its kernel.
+    """
+
+    def __init__(self, matrix: Matrix, degree: int) -> None:
+        self.matrix, self.size, self.degree = matrix, len(matrix), degree
+
+    @cached_property
+    def determinant(self) -> fmpz_poly:
+        """F, a form of degree ``size · degree``."""
+        if self.size == 3:
+            # its cofactors are needed, too
+            self.first, self.second, third = bezout.first_cofactors(self.matrix)
+            a, b, c = self.matrix[0]
+            return a * self.first + b * self.second + c * third
+        return bezout.determinant(self.matrix, self.degree)
+
+    @property
+    def isolation(self) -> Isolation:
+        """The zeros of F, which must not be the zero form."""
+        return isolate(self.determinant, self.size * self.degree)
+
+    def cofactor(self, i: int, j: int) -> fmpz_poly:
+        """An entry of the adjugate, a form of degree ``(size − 1) · degree``."""
+        minor = bezout.determinant(bezout.without(self.matrix, i, j), self.degree)
+        return -minor if (i + j) % 2 else minor
+
+    @cached_property
+    def first(self) -> fmpz_poly:
+        """``A₀₀``: not zero where there is one parameter s/u, and it is finite."""
+        return self.cofactor(0, 0)
+
+    @cached_property
+    def second(self) -> fmpz_poly:
+        """``A₀₁``, then ``A₀₀ s/u``."""
+        return self.cofactor(0, 1)
+
+    @cached_property
+    def last(self) -> fmpz_poly:
+        """The last diagonal entry: not zero where there is one parameter, and it is not 0."""
+        return self.cofactor(self.size - 1, self.size - 1)
+
+    @property
+    def last_entry(self) -> fmpz_poly:
+        """A form of the degree of the map that is not zero where the parameter is that of the end of the segment."""
+        return self.last
+
+    @cached_property
+    def map(self) -> RationalMap:
+        """The parameter of the first curve as a function of that of the second, where it is a zero of F."""
+        return RationalMap((self.size - 1) * self.degree, self.second, self.first)
+
+    def sign(self, i: int, j: int, place: Place) -> int:
+        """The sign of an entry of the adjugate at a place."""
+        if self.size >= BY_BALLS and (sign := self._by_balls(i, j, place)):
+            return sign
+        entry = {(0, 0): "first", (0, 1): "second"}.get((i, j), "last")
+        return place.sign(getattr(self, entry), (self.size - 1) * self.degree)
+
+    def _by_balls(self, i: int, j: int, place: Place) -> int:
+        """The sign, if balls decide it, else 0."""
+        bits = FIRST
+        while bits <= SUSPICIOUS and place.exact is None:
+            with ctx.workprec(4 * bits):
+                value = self._entry(i, j, place.z(bits))
+                if not value.contains(0):
+                    return 1 if value > 0 else -1
+            bits *= 2
+        return 0
+
+    def _entry(self, i: int, j: int, z: arb) -> arb:
+        """A ball around an entry of the adjugate."""
+        minor = arb_mat([[arb_poly(x)(z) for x in row] for row in bezout.without(self.matrix, i, j)]).det()
+        return -minor if (i + j) % 2 else minor
+
+    def near(self, place: Place, bits: int) -> arb | None:
+        """A ball around ``s/u`` at a place below 1; None if it is not known to be finite."""
+        z = place.z(bits)
+        if self.size < BY_BALLS:
+            value = arb_poly(self.second)(z) / arb_poly(self.first)(z)
+        else:
+            value = self._entry(0, 1, z) / self._entry(0, 0, z)
+        return value if value.is_finite() else None
+
+    def is_simple(self, place: Place) -> bool:
+        """Whether there is exactly one parameter s at a zero of F, on the segment or not."""
+        return bool(self.sign(0, 0, place) or self.sign(self.size - 1, self.size - 1, place))
+
+    def partner(self, place: Place) -> Local | Several | None:
+        """The parameter s of a zero of F on the segment; None if it is outside the segment, and `SEVERAL` if there
+        is not exactly one.
+        """
+        bottom = self.sign(0, 0, place)
+        if bottom:
+            top = self.sign(0, 1, place) * bottom
+            return None if top < 0 else at(mpq(0), 0) if top == 0 else Image(place, self)
+        return at(mpq(1), 0) if self.sign(self.size - 1, self.size - 1, place) else SEVERAL
+
+
+class LineElimination(Elimination):
+    """The same for a first curve of degree 1, whose matrix is its line: ``s/u = −det(p₀, Q, e)/det(p₁, Q, e)`` for a
+    point e that is not on the line.
+    """
+
+    def __init__(self, line: PlaneForms, other: PlaneForms) -> None:
+        super().__init__(bezout.bezout_matrix(line, other), other.degree)
+        start, end = line.coefficient(0), line.coefficient(1)
+        normal = across(start, end)
+        # the line itself, as a point, is not on it
+        self._forms = along(across(start, normal), other), along(across(normal, end), other)
+
+    @property
+    def last_entry(self) -> fmpz_poly:
+        """The numerator of the map."""
+        return self.map.top
+
+    @cached_property
+    def map(self) -> RationalMap:
+        """The parameter on the line."""
+        return RationalMap(self.degree, *self._forms)
+
+    def near(self, place: Place, bits: int) -> arb | None:
+        """A ball around the parameter."""
+        return self.map.near(place, bits)
+
+    def is_simple(self, place: Place) -> bool:
+        """A line passes once through each of its points."""
+        return True
+
+    def partner(self, place: Place) -> Local | Several | None:
+        """The parameter on the line; None if it is outside the segment."""
+        top, bottom = (place.sign(form, self.degree) for form in self._forms)
+        if top * bottom < 0:
+            return None
+        return at(mpq(0), 0) if top == 0 else at(mpq(1), 0) if bottom == 0 else Image(place, self)
+
+
+def elimination(first: PlaneForms, second: PlaneForms) -> Elimination:
+    """The elimination of the parameter of the first curve."""
+    if first.degree == 1:
+        return LineElimination(first, second)
+    return Elimination(bezout.bezout_matrix(first, second), second.degree)
+
+
+def meetings(first: PlaneForms, second: PlaneForms) -> Meetings:
+    """All common points and arcs of two segments.
+
+    >>> parabola = PlaneForms(2, fmpz_poly([0, 1, 1]), fmpz_poly([0, 0, 1]), fmpz_poly([1, 2, 1]))
+    >>> line = PlaneForms(1, fmpz_poly([0, 1]), fmpz_poly([0, 1]), fmpz_poly([1, 1]))
+    >>> found = meetings(line, parabola)  # y = x
+    >>> [(point.first.exact, point.second.exact, point.multiplicity) for point in found.points]
+    [(mpq(0,1), mpq(0,1), 1), (mpq(1,1), mpq(1,1), 1)]
+
+    Raises `ReachError` for what would take too long.
+    """
+    if first.degree > second.degree:
+        return _meetings(second, first).exchanged()
+    return _meetings(first, second)
+
+
+def _meetings(first: PlaneForms, second: PlaneForms) -> Meetings:
+    if first.degree == 0:
+        return _of_point(first, second)
+    eliminated = elimination(first, second)
+    if not eliminated.determinant:
+        return _degenerate(first, second)
+    found = Meetings()
+    for place in places(eliminated.isolation):
+        partner = eliminated.partner(place)
+        if partner is SEVERAL:
+            if first.is_straight:
+                return _with_straight(first, second)
+            found.points += _found_at(first, second, place)
+        elif partner is not None:
+            found.points.append(Meeting(partner, place, place.multiplicity))
+    return found
+
+
+def _with_straight(first: PlaneForms, second: PlaneForms) -> Meetings:
+    """The common points of a straight curve of higher degree and another one, not on the same line."""
+    line = bezout.straight_line(second)
+    if line is None:
+        return _meetings(second, first).exchanged()
+    own = bezout.straight_line(first)
+    assert own is not None, "the first curve is straight"
+    ours, theirs = (
+        places(isolate(form, n))
+        for form, n in ((along(line, first), first.degree), (along(own, second), second.degree))
+    )
+    return Meetings([Meeting(s, t, s.multiplicity * t.multiplicity) for t in theirs for s in ours])
+
+
+def _of_point(point: PlaneForms, curve: PlaneForms) -> Meetings:
+    """The parameters at which a curve passes through a point."""
+    forms = [form for form in bezout.minors(point, curve) if form]
+    if not forms:
+        return Meetings(rests=[Rest(None)])
+    common = greatest_common_divisor(forms)
+    at_end = curve.degree - max(form.degree() for form in forms)
+    return Meetings(rests=[Rest(place) for place in places(isolate(common, common.degree() + at_end))])
+
+
+def _found_at(first: PlaneForms, second: PlaneForms, place: Place) -> list[Meeting]:
+    """The common points at a place of the second curve where the first has several parameters."""
+    backward = elimination(second, first)
+    fibre = Fibre(first, second, place)
+    found = []
+    for candidate in places(backward.isolation):
+        if fibre.contains(candidate):
+            if fibre.size == 1:
+                multiplicity = place.multiplicity
+            elif backward.is_simple(candidate):
+                multiplicity = candidate.multiplicity
+            else:
+                multiplicity = local_multiplicity(first, second, candidate, place)
+            found.append(Meeting(candidate, place, multiplicity))
+    return found
+
+
+# ---- where the determinant is the zero form
+
+
+def without_common_factor(curve: PlaneForms) -> PlaneForms:
+    """The curve without a common factor of its three forms: of the degree of the curve itself.
+
+    >>> line = fmpz_poly([0, 1]), fmpz_poly([1]), fmpz_poly([1, 1])
+    >>> raised = PlaneForms(2, *[f * fmpz_poly([1, 1]) for f in line])
+    >>> without_common_factor(raised)
+    PlaneForms(degree=1, x=x, y=1, w=x + 1)
+    """
+    if any(f and certainly_coprime(curve.w, f) for f in (curve.x, curve.y)):
+        return curve
+    common = greatest_common_divisor([curve.w, curve.x, curve.y])
+    if common.degree() < 1:
+        return curve
+    return PlaneForms(curve.degree - common.degree(), *[f // common for f in curve.forms])
+
+
+def _degenerate(first: PlaneForms, second: PlaneForms) -> Meetings:
+    """The common points of curves whose determinant vanishes: common factors are removed first; if it still vanishes,
+    they are arcs of one curve.
+    """
+    lower, other = without_common_factor(first), without_common_factor(second)
+    if lower.degree < first.degree or other.degree < second.degree:
+        return meetings(lower, other)
+    if second.degree == 0:
+        return _of_point(second, first).exchanged()
+    forward = elimination(first, second)
+    if first.degree == 1 or forward.first:
+        return _of_one_curve(first, second, forward)
+    backward = elimination(second, first)
+    if second.degree == 1 or backward.first:
+        return _of_one_curve(second, first, backward).exchanged()
+    if first.is_straight:
+        return collinear_arcs(first, second)
+    raise ReachError("the common arcs of two curves that both run over one arc several times", remedy=REMEDY)
+
+
+def _of_one_curve(first: PlaneForms, second: PlaneForms, forward: Elimination) -> Meetings:
+    """The common arcs and points of two arcs of one curve; the second is the first after the map of `forward`."""
+    carried = lowest_terms(forward.map)
+    found = common_arcs(carried)
+    if first.degree > 2:
+        found.points += _crossings(first, second, carried)
+    return found
+
+
+def _crossings(first: PlaneForms, second: PlaneForms, carried: RationalMap) -> Iterator[Meeting]:
+    """The points where other branches of the first curve pass through a point of the second."""
+    degree = (first.degree - 2) * carried.degree
+    crossed = Elimination(
+        bezout.substitute(bezout.self_matrix(first), first.degree - 2, carried.bottom, carried.top), degree
+    )
+    for place in places(crossed.isolation):
+        partner = crossed.partner(place)
+        if partner is SEVERAL:
+            yield from _crossings_at(first, second, carried, place)
+        elif partner is not None and not _is_value(partner, carried, place):
+            yield Meeting(partner, place, place.multiplicity)
+
+
+def _crossings_at(first: PlaneForms, second: PlaneForms, carried: RationalMap, place: Place) -> Iterator[Meeting]:
+    """The same at a place where several other branches pass through the point."""
+    fibre = Fibre(first, second, place, carried)
+    for candidate in places(Elimination(bezout.self_matrix(first), first.degree - 2).isolation):
+        if fibre.contains(candidate):
+            yield Meeting(candidate, place, local_multiplicity(first, second, candidate, place, carried))
+
+
+def _is_value(partner: Local, carried: RationalMap, place: Place) -> bool:
+    """Whether a parameter of the first curve is the value of a map."""
+    if isinstance(partner, Place):
+        form = carried.top if partner.exact == 0 else carried.bottom
+        return place.sign(form, carried.degree) == 0
+    own = partner.map
+    difference = own.top * carried.bottom - own.bottom * carried.top
+    return place.sign(difference, own.degree + carried.degree) == 0
+
+
+# ---- a curve and itself
+
+
+def self_meetings(curve: PlaneForms) -> Meetings:
+    """The pairs of parameters s < t of one segment that have the same point, and the arcs that it runs over again.
+
+    >>> loop = PlaneForms(3, fmpz_poly([0, 9, -6, 1]), fmpz_poly([0, 9, 9]), fmpz_poly([1, 3, 3, 1]))
+    >>> (point,) = self_meetings(loop).points
+    >>> [float(x) for x in point.second.refine(40)], point.multiplicity
+    ([0.9330127018..., 0.9330127018...], 1)
+
+    Raises `ReachError` for what would take too long.
+    """
+    curve = without_common_factor(curve)
+    if curve.degree < 2:
+        return Meetings()
+    if curve.is_straight:
+        return collinear_arcs(curve)
+    crossed = Elimination(bezout.self_matrix(curve), curve.degree - 2)
+    if crossed.determinant:
+        return Meetings(list(_own_crossings(curve, crossed)))
+    if not crossed.first:
+        raise ReachError("the arcs that a curve runs over more than twice", remedy=REMEDY)
+    return common_arcs(lowest_terms(crossed.map), below=True)
+
+
+def _own_crossings(curve: PlaneForms, crossed: Elimination) -> Iterator[Meeting]:
+    every = places(crossed.isolation)
+    for i, place in enumerate(every):
+        partner = crossed.partner(place)
+        if partner is SEVERAL:
+            fibre = Fibre(curve, curve, place, IDENTITY)
+            for s in every[:i]:
+                if fibre.contains(s):
+                    yield Meeting(s, place, local_multiplicity(curve, curve, s, place, IDENTITY))
+        elif isinstance(partner, Image):
+            excess = (crossed.second - crossed.first.left_shift(1)) * crossed.first
+            if place.sign(excess, 2 * crossed.map.degree + 1) < 0:
+                yield Meeting(partner, place, place.multiplicity)
+        elif isinstance(partner, Place) and partner.exact == 0 != place.exact:
+            yield Meeting(partner, place, place.multiplicity)

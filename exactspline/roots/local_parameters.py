@@ -1,0 +1,168 @@
+"""Segments of curves as forms for `exactspline.polynomials.plane_pairs`, and its local parameters as real numbers."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from flint import ctx, fmpz, fmpz_poly
+
+from exactspline.numbers.exact import lcm, mpq
+from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import Interval, ball_ends
+from exactspline.polynomials.bernstein import ONE, over_common_denominator, raiser, value
+from exactspline.polynomials.bezout import PlaneForms
+from exactspline.polynomials.common_arcs import Image, Local, RationalMap
+from exactspline.polynomials.zero_places import Place
+from exactspline.reals.real import RationalNumber, Real
+from exactspline.roots.root import Root
+from exactspline.roots.values import ValueAt
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
+from exactspline.splines.nurbs import Nurbs
+
+#: Guard bits of a value.
+GUARD = 16
+U_PLUS_V = fmpz_poly([1, 1])
+
+
+#: The degree of a segment, and the integers of the forms of its homogeneous coordinates.
+SegmentForms = tuple[int, list[fmpz_poly]]
+
+
+def segment_forms(curve: Nurbs, i: int) -> SegmentForms:
+    """The degree of a segment, and the integers of the forms of its homogeneous coordinates over one denominator.
+
+    >>> segment_forms(Nurbs(1, [0, 0, 1, 1], [(0, "1/2"), (1, 2)]).elevate_degree(), 0)
+    (1, [2*x, 4*x + 1, 2*x + 2])
+    """
+    splines = (*curve.p, curve.w)
+    n = max(f.degree for f in splines)
+    forms = [
+        (f._polynomials[i] * raiser(n - f.degree) if f.degree < n else f._polynomials[i], f.denominators[i])
+        for f in splines
+    ]
+    whole, _ = over_common_denominator(forms)
+    while n > 0 and all(c(-1) == 0 for c in whole):
+        n, whole = n - 1, [c // U_PLUS_V for c in whole]
+    return n, whole
+
+
+def plane_forms(curve: Nurbs, i: int) -> PlaneForms:
+    """A segment of a plane curve."""
+    n, (x, y, w) = segment_forms(curve, i)
+    return PlaneForms(n, x, y, w)
+
+
+class ImageValue(ValueAt):
+    """The value of a map between segments at an irrational parameter. The numerator and the denominator are computed
+    only for what enclosures do not decide.
+
+    >>> from exactspline.polynomials.isolation import isolate
+    >>> place = Place(isolate(fmpz_poly([1, 0, -2]), 2).inner[0])  # z = √(1/2)
+    >>> doubled = Image(place, RationalMap(1, fmpz_poly([0, 2]), fmpz_poly([1])))
+    >>> x = ImageValue(doubled, Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1)))
+    >>> x, x.minimal_polynomial()  # z/(1 + z) at z = √2
+    (<Real 0.58578644…>, [2, -4, 1])
+    """
+
+    __slots__ = ("_image", "_place", "_sides", "_splines")
+    _image: Image
+    _sides: tuple[Interval, Interval]
+    _splines: tuple[BSpline, BSpline] | None
+    _place: Real | None
+
+    def __init__(self, image: Image, side: Interval, other: Interval) -> None:
+        fill(
+            self,
+            _image=image,
+            _sides=(side, other),
+            _splines=None,
+            _place=None,
+            _exact=None,
+            _isolating=None,
+            _minimal=None,
+        )
+
+    @property
+    def place(self) -> Real:  # type: ignore[override]  # computed when it is needed
+        """The parameter on the other curve."""
+        if self._place is None:
+            fill(self, _place=root_at(self._image.place, self._sides[1]))
+        return cast(Real, self._place)
+
+    def _quotient(self) -> tuple[BSpline, BSpline]:
+        if self._splines is None:
+            fill(self, _splines=image_splines(self._image.map, *self._sides))
+        return cast("tuple[BSpline, BSpline]", self._splines)
+
+    @property
+    def top(self) -> BSpline:  # type: ignore[override]  # computed when it is needed
+        """The numerator."""
+        return self._quotient()[0]
+
+    @property
+    def bottom(self) -> BSpline:  # type: ignore[override]  # computed when it is needed
+        """The denominator."""
+        return self._quotient()[1]
+
+    def _enclosed(self, digits: int) -> Interval:
+        """By balls around the entries of the adjugate."""
+        low, high = self._sides[0]
+        bits = max(digits, 0) * 10 // 3 + GUARD
+        limit = mpq(1, 10 ** max(digits, 0))
+        while True:
+            with ctx.workprec(3 * bits):
+                z = self._image.z(bits)
+                if z is not None:
+                    local = z / (1 + z)
+                    if local.is_finite():
+                        start, end = ball_ends(local)
+                        enclosure = Interval(low + (high - low) * start, low + (high - low) * end)
+                        if enclosure.width <= limit:
+                            return enclosure
+            bits *= 2
+
+
+def parameter(local: Local, side: Interval, other: Interval) -> Real:
+    """A local parameter of a segment over `side` as a real number; the place of an image is on a segment over `other`.
+
+    >>> from exactspline.polynomials.zero_places import at
+    >>> parameter(at(mpq(1, 2), 1), Interval(mpq(1), mpq(2)), Interval(mpq(0), mpq(1)))
+    <Real 3/2>
+    """
+    if isinstance(local, Place):
+        return root_at(local, side)
+    if (t := local.place.exact) is not None:
+        return RationalNumber(side.at(image_of(local.map, t)))
+    return ImageValue(local, side, other)
+
+
+def root_at(place: Place, side: Interval) -> Real:
+    """A place on a segment over an interval."""
+    if (t := place.exact) is not None:
+        return RationalNumber(side.at(t))
+    zero = place.zero
+    times = (zero.multiplicity, zero.multiplicity)
+    root = Root(side.at(zero.low), side.at(zero.high), times, zero.signs, zero, side)
+    low, high = place.interval
+    root._keep(side.at(low), side.at(high))
+    return root
+
+
+def image_of(carried: RationalMap, t: mpq) -> mpq:
+    """The value of a map at a rational parameter."""
+    u, v = (value((form, ONE), carried.degree, t) for form in (carried.bottom, carried.top))
+    return v / (u + v)
+
+
+def image_splines(carried: RationalMap, side: Interval, other: Interval) -> tuple[BSpline, BSpline]:
+    """Numerator and denominator of a map between segments over intervals, in the parameters of the curves."""
+    scale = fmpz(int(lcm(side.low.denominator, side.high.denominator)))
+    low, high = (fmpz(int(end * int(scale))) for end in side)
+    mesh = Mesh(other)
+    top, bottom = carried.bottom * low + carried.top * high, (carried.bottom + carried.top) * scale
+
+    def spline(c: fmpz_poly) -> BSpline:
+        return BSpline.from_forms(carried.degree, mesh, (), [(c, ONE)])
+
+    return spline(top), spline(bottom)

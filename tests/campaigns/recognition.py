@@ -1,0 +1,255 @@
+"""Arcs of lines, circles and conics, rounded and disturbed, against distances computed without the library:
+``python -m tests.campaigns.recognition 1000``.
+
+Every curve is drawn from a family by a seed. Of everything that is recognized, the distance is measured at many points
+of the piece, and the other way at many points of the arc; that the bound is not far too large is measured, too. Arcs
+that were moved by a tenth of epsilon must be recognized; arcs that no shape of their kind fits within epsilon, by a
+search of its own, must not. The exit status is 1 where anything is different. The result of the last whole run stands
+in `docs/as-meant.md`.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from itertools import pairwise
+from math import hypot
+from random import Random
+
+from gmpy2 import mpq
+from mpmath import mp, mpf
+
+from exactspline import Nurbs
+from exactspline.geometry.recognition.pieces import recognized
+from exactspline.geometry.recognition.shapes import Circle, Line
+
+SEED = 2031
+#: Points of a piece at which distances are measured.
+POINTS = 40
+#: Distances are measured on one arc of this many.
+EVERY = 10
+EPSILON = mpq(1, 10**6)
+
+
+def rounded(x: mpq, digits: int) -> mpq:
+    """A number with a number of decimals."""
+    unit = mpq(1, 10**digits)
+    return (x / unit + mpq(1, 2)) // 1 * unit
+
+
+def placed(random: Random, rows: list[list[mpq]]) -> list[list[mpq]]:
+    """Homogeneous points of the plane turned, scaled and moved by rational numbers."""
+    m, n = random.randint(1, 9), random.randint(1, 9)
+    c, s = mpq(m * m - n * n, m * m + n * n), mpq(2 * m * n, m * m + n * n)
+    scale, dx, dy = mpq(random.randint(1, 40), 8), mpq(random.randint(-40, 40), 7), mpq(random.randint(-40, 40), 9)
+    return [[scale * (c * x - s * y) + dx * w, scale * (s * x + c * y) + dy * w, w] for x, y, w in rows]
+
+
+def circle_rows(random: Random) -> list[list[mpq]]:
+    """An arc of the unit circle of degree 2: (1 − t², 2t, 1 + t²) on a random interval."""
+    a = mpq(random.randint(-12, 8), 8)
+    b = a + mpq(random.randint(2, 10), 8)
+    return [[1 - a * a, 2 * a, 1 + a * a], [1 - a * b, a + b, 1 + a * b], [1 - b * b, 2 * b, 1 + b * b]]
+
+
+def ellipse_rows(random: Random) -> list[list[mpq]]:
+    """An arc of an ellipse that is no circle."""
+    stretch = mpq(random.randint(9, 24), 8)
+    return [[x * stretch, y, w] for x, y, w in circle_rows(random)]
+
+
+def hyperbola_rows(random: Random) -> list[list[mpq]]:
+    """An arc of x y = 1, at t from a to b: (t², 1, t)."""
+    a = mpq(random.randint(2, 12), 8)
+    b = a + mpq(random.randint(2, 8), 8)
+    return [[a * a, mpq(1), a], [a * b, mpq(1), (a + b) / 2], [b * b, mpq(1), b]]
+
+
+def parabola_rows(random: Random) -> list[list[mpq]]:
+    """An arc of y = x²."""
+    a = mpq(random.randint(-12, 8), 8)
+    b = a + mpq(random.randint(2, 8), 8)
+    return [[a, a * a, mpq(1)], [(a + b) / 2, a * b, mpq(1)], [b, b * b, mpq(1)]]
+
+
+def line_rows(random: Random) -> list[list[mpq]]:
+    """A segment of the x axis, at a speed that varies."""
+    return [[mpq(-1), mpq(0), mpq(1)], [mpq(random.randint(-3, 3), 8), mpq(0), mpq(1)], [mpq(1), mpq(0), mpq(1)]]
+
+
+FAMILIES = {
+    "line": line_rows,
+    "circle": circle_rows,
+    "ellipse": ellipse_rows,
+    "parabola": parabola_rows,
+    "hyperbola": hyperbola_rows,
+}
+
+
+def arc(family: str, random: Random) -> Nurbs:
+    """An exact arc of degree 2 or 3, in one to three segments."""
+    rows = placed(random, FAMILIES[family](random))
+    curve = Nurbs.from_homogeneous(2, [0, 0, 0, 1, 1, 1], rows)
+    if random.random() < 0.5:
+        curve = curve.elevate_degree()
+    for _ in range(random.randint(0, 2)):
+        curve = curve.insert_knot(mpq(random.randint(1, 15), 16))
+    return curve
+
+
+def moved(curve: Nurbs, by: mpq, random: Random) -> Nurbs:
+    """The curve with every coordinate changed by at most a number."""
+    points = [tuple(x + by * mpq(random.randint(-1000, 1000), 1000) for x in p) for p in curve.control_points]
+    return Nurbs(curve.degree, curve.knots, points, curve.weights)
+
+
+def as_written(curve: Nurbs, digits: int) -> Nurbs:
+    """The curve with coordinates and weights of a number of decimals."""
+    points = [tuple(rounded(x, digits) for x in p) for p in curve.control_points]
+    return Nurbs(curve.degree, curve.knots, points, [rounded(w, digits) for w in curve.weights])
+
+
+# ---- distances, without the library
+
+
+def number(x: object) -> mpf:
+    """An exact number, or one that prints itself, in the working precision."""
+    if hasattr(x, "numerator"):
+        return mpf(int(x.numerator)) / mpf(int(x.denominator))
+    return mpf(str(x.decimal(40)))
+
+
+def distance(shape: object, point: tuple[mpf, ...]) -> mpf:
+    """From a point to a line, a circle in the plane, or a conic (by Newton's method on the nearest point)."""
+    x, y = point
+    if isinstance(shape, Line):
+        (a, b), (u, v) = (tuple(map(number, pair)) for pair in (shape.point, shape.direction))
+        return abs((x - a) * v - (y - b) * u) / mp.hypot(u, v)
+    if isinstance(shape, Circle):
+        a, b = map(number, shape.centre)
+        return abs(mp.hypot(x - a, y - b) - mp.sqrt(number(shape.radius_squared)))
+    largest = max(abs(k) for row in shape.matrix for k in row)
+    (a, b, d), (_, c, e), (_, _, f) = [[number(k / largest) for k in row] for row in shape.matrix]
+    u, v, k = x, y, mpf(0)
+    for _ in range(60):
+        g, h = 2 * (a * u + b * v + d), 2 * (b * u + c * v + e)
+        value = a * u * u + 2 * b * u * v + c * v * v + 2 * d * u + 2 * e * v + f
+        system = mp.matrix([[1 + 2 * k * a, 2 * k * b, g], [2 * k * b, 1 + 2 * k * c, h], [g, h, 0]])
+        step = mp.lu_solve(system, -mp.matrix([u - x + k * g, v - y + k * h, value]))
+        u, v, k = u + step[0], v + step[1], k + step[2]
+        if max(map(abs, step)) < mpf(10) ** -45:
+            break
+    return mp.hypot(u - x, v - y)
+
+
+def points_of(curve: Nurbs, a: mpq, b: mpq, count: int = POINTS) -> list[tuple[mpf, ...]]:
+    """Points of a piece, by de Boor's algorithm on homogeneous points."""
+    return [tuple(map(number, curve(a + (b - a) * mpq(i, count)))) for i in range(count + 1)]
+
+
+def wrong(curve: Nurbs, epsilon: mpq) -> str:
+    """What is wrong with anything that is recognized of a curve, "" for nothing."""
+    for found in recognized(curve, epsilon):
+        ((a, b),) = found.piece.parts
+        within = number(found.within)
+        far = max(distance(found.shape, p) for p in points_of(curve, a, b))
+        if found.within > epsilon:
+            return f"a bound above epsilon: {found.within}"
+        if far > within + mpf(10) ** -35:
+            return f"{far} away from {found.shape}, not {within}"
+        if far * 5 < within:
+            return f"{within} proved where {far} was measured"
+        if not goes_on(found.shape, points_of(curve, a, b)):
+            return f"it turns back along {found.shape}, or runs over a part of it twice"
+    return ""
+
+
+def goes_on(shape: object, points: list[tuple[mpf, ...]]) -> bool:
+    """Whether points come one after the other along a line, or around the centre, in one turn at most."""
+    if isinstance(shape, Line):
+        u, v = map(number, shape.direction)
+        along = [x * u + y * v for x, y in points]
+    elif shape.centre is None:
+        return True
+    else:
+        a, b = map(number, shape.centre)
+        angles = [mp.atan2(y - b, x - a) for x, y in points]
+        turns = [(after - before + mp.pi) % (2 * mp.pi) - mp.pi for before, after in pairwise(angles)]
+        along = [mp.fsum(turns[:k]) for k in range(len(points))]
+    ordered = along in (sorted(along), sorted(along, reverse=True))
+    return ordered and (isinstance(shape, Line) or abs(along[-1]) < 2 * mp.pi + mpf(10) ** -20)
+
+
+def fits(curve: Nurbs, epsilon: mpq) -> bool:
+    """Whether a circle or a line comes within twice epsilon of points of a curve: in doubles, whose errors are far
+    smaller. The centre is sought on a shrinking grid around that of the circle through three points.
+    """
+    points = [tuple(map(float, point)) for point in points_of(curve, *curve.domain, 24)]
+    limit = 2 * float(epsilon)
+    (x1, y1), (x2, y2), (x3, y3) = points[0], points[12], points[24]
+    chord = hypot(x3 - x1, y3 - y1)
+    if max(abs((x - x1) * (y3 - y1) - (y - y1) * (x3 - x1)) for x, y in points) < 2 * limit * chord:
+        return True
+    straight = 2 * ((x2 - x1) * (y3 - y1) - (y2 - y1) * (x3 - x1))
+    if not straight:
+        return False
+    s2, s3 = (x2 - x1) ** 2 + (y2 - y1) ** 2, (x3 - x1) ** 2 + (y3 - y1) ** 2
+    a, b = x1 + ((y3 - y1) * s2 - (y2 - y1) * s3) / straight, y1 + ((x2 - x1) * s3 - (x3 - x1) * s2) / straight
+
+    def spread(u: float, v: float) -> float:
+        radii = [hypot(x - u, y - v) for x, y in points]
+        return (max(radii) - min(radii)) / 2
+
+    best, step = spread(a, b), hypot(a - x1, b - y1) / 8
+    for _ in range(300):
+        around = [(a + step * i, b + step * j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+        value, place = min((spread(*p), p) for p in around)
+        a, b, best, step = (*place, value, step) if value < best else (a, b, best, step / 2)
+    return best < limit
+
+
+def campaign(count: int, seed: int = SEED) -> Counter[str]:
+    """A number of curves of each kind; what was found, by kind, and what is wrong."""
+    random, found = Random(seed), Counter[str]()
+    mp.dps = 50
+    for i in range(count):
+        family = list(FAMILIES)[i % len(FAMILIES)]
+        exact = arc(family, random)
+        pieces = recognized(exact, EPSILON)
+        found["exact arcs"] += 1
+        if len(pieces) != 1 or not pieces[0].exact or pieces[0].shape.kind != family:
+            found[f"WRONG: an exact {family} is {pieces}"] += 1
+        near = moved(exact, EPSILON / 10 / 2, random)
+        pieces = recognized(near, EPSILON)
+        found["arcs moved by a tenth of epsilon"] += 1
+        if len(pieces) != 1:
+            found[f"WRONG: a moved {family} is {pieces}"] += 1
+        for curve in (near, as_written(exact, 12), moved(exact, 10 * EPSILON, random)) if i % EVERY == 0 else ():
+            found["curves measured"] += 1
+            if what := wrong(curve, EPSILON):
+                found[f"WRONG: {what}"] += 1
+        far = moved(exact, 20 * EPSILON, random)
+        shapes = {piece.shape.kind.value for piece in recognized(far, EPSILON) if piece.piece.parts[0] == far.domain}
+        if shapes & {"line", "circle"} and not fits(far, EPSILON):
+            found[f"WRONG: {shapes} fits although none does"] += 1
+        found["arcs moved by 20 epsilon"] += 1
+        found["of these recognized"] += bool(shapes)
+        for _ in range(10):
+            degree = random.randint(3, 5)
+            net = [(mpq(random.randint(-99, 99), 8), mpq(random.randint(-99, 99), 8)) for _ in range(degree + 1)]
+            found["random curves"] += 1
+            pieces = recognized(Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), net), EPSILON)
+            found["WRONG: a random curve is a shape"] += bool(pieces)
+    return found
+
+
+def main() -> int:
+    """Run the campaign and print what was found."""
+    found = campaign(int(sys.argv[1]) if len(sys.argv) > 1 else 200)
+    for what, count in sorted(found.items()):
+        print(f"{count:8} {what}")
+    return any(count for what, count in found.items() if what.startswith("WRONG"))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

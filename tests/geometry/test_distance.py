@@ -1,0 +1,69 @@
+"""The distance of two curves: against dense samples, at ends, knots and inside, in space, and where it is not
+decided.
+"""
+
+from random import Random
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import Nurbs, distance, example
+from exactspline.errors import ShapeError
+
+
+def bezier(*points):
+    n = len(points) - 1
+    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_no_pair_of_samples_is_nearer(seed):
+    random = Random(seed)
+    first, second = (
+        bezier(*[(random.randint(0, 9) + shift, random.randint(0, 9)) for _ in range(random.randint(2, 4))])
+        for shift in (0, random.choice([6, 12]))
+    )
+    found = distance(first, second)
+    assert not found.left_out
+    samples = [[c(mpq(k, 40)) for k in range(41)] for c in (first, second)]
+    least = min(sum((x - y) ** 2 for x, y in zip(p, q, strict=True)) for p in samples[0] for q in samples[1])
+    assert found.squared <= least
+    assert float(found.value) > float(least) ** 0.5 - 1
+
+
+def test_two_pairs_at_one_distance_are_both_found():
+    parabola, below = (
+        bezier((-1, 1), (0, -1), (1, 1)),
+        bezier((-1, -1), (0, 1), (1, -1)).transform([[1, 0, 0], [0, 1, -3]]),
+    )
+    found = distance(parabola, below)
+    assert [(p.first, p.second) for p in found.pairs] == [(mpq(1, 2), mpq(1, 2))]
+    wide = bezier((-3, 1), (0, -5), (3, 1))
+    assert len(distance(wide, bezier((-3, 3), (0, -3), (3, 3))).pairs) == 2
+
+
+def test_curves_that_meet_have_the_distance_0():
+    found = distance(example("circle"), bezier((0, 0), (2, 0)))
+    assert (found.value, found.pairs[0].first, found.pairs[0].second) == (0, 0, mpq(1, 2))
+
+
+def test_an_end_against_an_inner_point_and_a_seam():
+    found = distance(example("circle"), bezier((2, 0), (3, 5)))
+    assert found.value == 1
+    assert {str(p.second) for p in found.pairs} == {"0"}
+
+
+def test_in_space():
+    assert distance(bezier((0, 0, 0), (2, 2, 0)), bezier((0, 2, 3), (2, 0, 3))).squared == 9
+
+
+def test_parallel_segments_are_named_and_bounded():
+    found = distance(bezier((0, 0), (1, 0)), bezier((0, 1), (1, 1)))
+    assert found.squared == 1
+    assert found.left_out
+    assert mpq(99, 100) < found.lower <= 1
+
+
+def test_dimensions_must_agree():
+    with pytest.raises(ShapeError, match="R3"):
+        distance(example("circle"), example("twisted_cubic"))

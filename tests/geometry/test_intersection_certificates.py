@@ -1,0 +1,139 @@
+"""Certificates of intersections: those of the library are accepted by the standard-library checker, corrupted ones are
+not, and false ones made on purpose are not either.
+"""
+
+import copy
+import json
+from fractions import Fraction
+from random import Random
+
+import pytest
+
+from exactspline import Nurbs, check_certificate, example, intersections, self_intersections
+from exactspline.errors import ReachError, ShapeError
+from exactspline.geometry.intersection_certificate import intersection_certificate
+from tests.campaigns.intersections import FAMILIES, curve
+
+#: Every corrupted certificate states something else, or has a flaw.
+CORRUPTED = 1000
+
+
+def bezier(*points, weights=None):
+    n = len(points) - 1
+    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points, weights)
+
+
+def certified(seed):
+    """A pair with a certificate, of any family without common arcs."""
+    random = Random(seed)
+    while True:
+        family = random.choice([f for name, f in FAMILIES.items() if name not in ("overlapping", "elevated")])
+        first, second = (curve(rows) for rows in family(random)[:2])
+        found = intersections(first, second)
+        try:
+            return found, found.certificate()
+        except (ReachError, ShapeError):
+            continue
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_the_checker_counts_the_same_points(seed):
+    found, certificate = certified(seed)
+    again = json.loads(json.dumps(certificate))
+    closed = [c.closed for c in found.curves]
+    if not any(closed):
+        assert check_certificate(again) == {"points": len(found)}
+    else:
+        assert check_certificate(again)["points"] >= len(found)
+
+
+def places(data, path=()):
+    """The paths to all texts, numbers and truth values."""
+    if isinstance(data, dict):
+        return [p for key, x in data.items() for p in places(x, (*path, key))]
+    if isinstance(data, list):
+        return [p for i, x in enumerate(data) for p in places(x, (*path, i))]
+    return [path]
+
+
+def changed(value, random):
+    """Another value of the same type."""
+    if isinstance(value, bool):
+        return not value
+    if isinstance(value, int):
+        return value + random.choice([-1, 1])
+    if value in ("inside", "outside", "start", "end"):
+        return random.choice([x for x in ("inside", "outside", "start", "end") if x != value])
+    number = Fraction(value) if value.replace("/", "").replace("-", "").isdigit() else None
+    return value + "x" if number is None else str(number + random.choice([-1, 1, Fraction(1, 3)]))
+
+
+def test_corrupted_certificates_are_rejected_or_state_something_true():
+    """A change of a control point is another statement. Any other must be found, unless what it proves is still so: by
+    another place around the same zero, or with the curves exchanged, where both have their zeros at the same places.
+    """
+    random, rejected, harmless = Random(1), 0, 0
+    pool = [certified(seed) for seed in range(100, 130)]
+    pool = [certificate for _, certificate in pool if certificate["pairs"][0].get("zeros")]
+    while rejected < CORRUPTED:
+        certificate = random.choice(pool)
+        path = random.choice([p for p in places(certificate) if p[0] not in ("first", "second")])
+        forged = copy.deepcopy(certificate)
+        at = forged
+        for key in path[:-1]:
+            at = at[key]
+        at[path[-1]] = changed(at[path[-1]], random)
+        try:
+            claimed = check_certificate(forged)
+        except ValueError:
+            rejected += 1
+            continue
+        harmless += 1
+        assert claimed == check_certificate(certificate), path
+    assert harmless < rejected / 10
+
+
+def forged(change):
+    """The certificate of a parabola and a line with two points, changed."""
+    parabola, line = bezier((-1, 1), (0, -1), (1, 1)), bezier((-2, "1/3"), (2, "1/2"))
+    certificate = json.loads(json.dumps(intersection_certificate(line, parabola)))
+    assert check_certificate(certificate) == {"points": 2}
+    change(certificate)
+    return certificate
+
+
+@pytest.mark.parametrize(
+    ("change", "flaw"),
+    [
+        (lambda c: c["pairs"][0]["zeros"].pop(), "another number claimed"),
+        (lambda c: c["pairs"].pop(), "not every pair"),
+        (lambda c: c["pairs"].append(c["pairs"][0]), "not every pair"),
+        (lambda c: c["pairs"][0]["zeros"][0].update(s="outside"), "signs do not prove"),
+        (lambda c: c["pairs"][0]["zeros"][0].update(s="start"), "not the start"),
+        (lambda c: c["pairs"][0]["zeros"][0].update(s="somewhere"), "unknown place"),
+        (lambda c: c["pairs"][0]["zeros"][0].update(low="0", high="1"), "outside the leaf"),
+        (lambda c: c["pairs"][0].update(apart={"axis": 1, "at": "0"}), "not apart"),
+        (lambda c: c["pairs"][0].update(exchanged=1), "neither true nor false"),
+        (lambda c: c["first"][0]["w"].__setitem__(0, "-1"), "not positive"),
+        (lambda c: c["first"][0]["w"].pop(), "different degrees"),
+        (lambda c: c["pairs"][0]["elimination"].update(leaves=[["0", "1", 0]]), "sign changes"),
+    ],
+)
+def test_a_false_certificate_is_rejected_with_its_flaw(change, flaw):
+    with pytest.raises(ValueError, match=flaw):
+        check_certificate(forged(change))
+
+
+def test_a_certificate_of_splines_names_pairs_that_are_apart():
+    certificate = intersections(example("circle"), example("ellipse_skew")).certificate()
+    assert check_certificate(certificate)["points"] == len(intersections(example("circle"), example("ellipse_skew")))
+
+
+def test_what_has_no_certificate_says_so():
+    loop = bezier((0, 0), (3, 3), (-2, 3), (1, 0))
+    with pytest.raises(ReachError, match="arcs in common"):
+        intersections(loop, loop).certificate()
+    with pytest.raises(ShapeError, match="space"):
+        intersections(example("twisted_cubic"), example("helix_like")).certificate()
+    with pytest.raises(ShapeError, match="itself"):
+        self_intersections(loop).certificate()

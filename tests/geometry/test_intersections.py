@@ -1,0 +1,362 @@
+"""Intersections of curves: a sample of the campaign, cases of public issues, knots and ends, arcs in common, space, and
+curves of many segments.
+"""
+
+import pickle
+from fractions import Fraction
+from random import Random
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import Nurbs, example, intersections, self_intersections
+from exactspline.errors import ShapeError
+from exactspline.numbers.exact import rational
+from tests.campaigns.intersections import FAMILIES, bezier_rows, campaign, curve, multiplied
+from tests.support.elimination_oracle import common_points
+
+
+def bezier(*points, weights=None):
+    n = len(points) - 1
+    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points, weights)
+
+
+def kinds(found):
+    return [str(p.kind) for p in found]
+
+
+def pairs(found):
+    return [(round(float(p.first), 9), round(float(p.second), 9)) for p in found]
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_a_sample_of_the_campaign(family):
+    found = campaign(60, 31, family)
+    assert found["differences"] == []
+    assert found["families"] == {family: 60}
+
+
+def test_two_crossings_near_each_other_that_a_kernel_merges():
+    """Open CASCADE 8 reports one point for the two crossings 0.012 apart."""
+    found = intersections(bezier((2, 8), (2, 3), (3, 0), (2, 5)), bezier((2, 2), (8, 8), (5, 8), (10, 8)))
+    assert sorted(p.first.decimal(6) for p in found) == ["0.612913", "0.671842"]
+    assert kinds(found) == ["crossing", "crossing"]
+
+
+@pytest.mark.parametrize("k", range(1, 7))
+def test_orders_of_contact(k):
+    """y = (t − 1/2)ᵏ⁺¹ and the axis touch to order k at one half."""
+    power = [Fraction(1)]
+    for _ in range(k + 1):
+        power = multiplied(power, [Fraction(-1, 2), Fraction(1)])
+    (found,) = intersections(curve(bezier_rows([[0, 1], power, [1]])), bezier((0, 0), (1, 0)))
+    assert (found.contact, found.multiplicity, str(found.kind)) == (k, k + 1, "crossing" if k % 2 == 0 else "touching")
+    assert found.first == found.second == mpq(1, 2)
+    assert found.point == (mpq(1, 2), mpq(0))
+
+
+@pytest.mark.parametrize("power", [20, 60, 90, 300])
+@pytest.mark.parametrize("side", [1, -1])
+def test_nearly_touching(power, side):
+    parabola = bezier((0, 0), ("1/2", 0), (1, 1))
+    shift = mpq(side, 1 << power)
+    line = bezier((0, -mpq(1, 4) + shift), (1, mpq(3, 4) + shift))  # y = x − 1/4 touches at 1/2
+    found = intersections(parabola, line)
+    assert len(found) == (2 if side > 0 else 0)
+    if found:
+        assert abs(found[0].first - found[1].first) == abs(found[1].second - found[0].second)
+
+
+def test_answers_are_exact_numbers():
+    parabola, line = bezier((0, 0), ("1/2", 0), (1, 1)), bezier((0, "1/2"), (1, "1/2"))
+    (found,) = intersections(parabola, line)
+    assert found.first.minimal_polynomial() == found.second.minimal_polynomial() == [-1, 0, 2]
+    assert found.first == found.second
+    x, y = found.point
+    assert (x * x, y) == (mpq(1, 2), mpq(1, 2))
+
+
+def test_the_same_in_both_orders_and_after_refinement():
+    random = Random(5)
+    for _ in range(20):
+        one, other = (
+            bezier(*[(random.randint(-9, 9), random.randint(-9, 9)) for _ in range(random.randint(2, 5))])
+            for _ in range(2)
+        )
+        found = intersections(one, other)
+        back = intersections(other, one)
+        assert sorted(pairs(found)) == sorted((s, t) for t, s in pairs(back))
+        parts = intersections(one.insert_knot("1/3").elevate_degree(), other.insert_knot("3/7"))
+        assert [(p.first, p.second) for p in parts] == [(p.first, p.second) for p in found]
+        assert [p.multiplicity for p in parts] == [p.multiplicity for p in found]
+
+
+def test_through_knots_ends_and_the_seam():
+    circle = example("circle")
+    assert kinds(intersections(circle, bezier((-2, 0), (2, 0)))) == ["crossing", "crossing"]
+    assert kinds(intersections(circle, bezier((0, 0), (2, 0)))) == ["crossing"]
+    assert kinds(intersections(circle, bezier((1, 0), (2, 0)))) == ["end"]
+    assert kinds(intersections(circle, bezier((-2, 1), (2, 1)))) == ["touching"]
+    (at_seam,) = intersections(circle, bezier((1, -1), (1, 1)))
+    assert (at_seam.first, at_seam.at_knot, str(at_seam.kind)) == (0, (True, False), "touching")
+
+
+def test_at_two_knots_the_tangents_decide():
+    roof = Nurbs(1, [0, 0, 1, 2, 2], [(-1, -1), (0, 0), (1, -1)])
+    valley = Nurbs(1, [0, 0, 1, 2, 2], [(-1, 1), (0, 0), (1, 1)])
+    zigzag = Nurbs(1, [0, 0, 1, 2, 2], [(0, -1), (0, 0), (0, 1)])
+    assert kinds(intersections(roof, valley)) == ["touching"]
+    assert kinds(intersections(roof, zigzag)) == ["crossing"]
+    along = Nurbs(1, [0, 0, 1, 2, 2], [(-1, -1), (0, 0), (0, 1)])
+    assert not intersections(roof, along).points
+    assert len(intersections(roof, along).everywhere) == 1
+
+
+def test_a_knot_against_an_inner_point():
+    roof = Nurbs(1, [0, 0, 1, 2, 2], [(-1, -1), (0, 0), (1, -1)])
+    assert kinds(intersections(roof, bezier((-1, 0), (1, 0)))) == ["touching"]
+    assert kinds(intersections(bezier((0, -2), (0, 3)), roof)) == ["crossing"]
+
+
+# ---- arcs in common
+
+
+def test_a_part_of_a_curve_backwards_and_by_another_speed():
+    cubic = bezier((0, 0), (3, 3), (-2, 3), (1, 0))
+    part = cubic.restrict("1/4", "1/2").reverse()
+    (arc,) = intersections(cubic, part).everywhere
+    assert [float(x) for x in (*arc.first, *arc.second)] == [0.5, 0.25, 0.25, 0.5]
+    assert arc.reversed
+    n, d = ([rational(c) for c in each] for each in (arc.numerator, arc.denominator))
+    t = mpq(1, 3)
+    s = sum(c * t**k for k, c in enumerate(n)) / sum(c * t**k for k, c in enumerate(d))
+    assert cubic(s) == part(t)
+
+
+def test_a_circle_by_two_parametrizations():
+    """The arcs of one circle that begin at other points: every pair of arcs that overlap, with its Möbius map."""
+    circle = example("circle")
+    turned = circle.transform([["3/5", "-4/5"], ["4/5", "3/5"]])
+    found = intersections(circle, turned)
+    assert not found.points
+    assert len(found.everywhere) == 8
+    for arc in found.everywhere:
+        n, d = arc.numerator, arc.denominator
+        t = (arc.second[0] + arc.second[1]) / 2
+        assert t.exact is None or circle(_at(n, t.exact) / _at(d, t.exact)) == turned(t.exact)
+    total = sum(float(arc.second[1] - arc.second[0]) for arc in found.everywhere)
+    assert total == pytest.approx(4)
+
+
+def _at(coefficients, t):
+    return sum(mpq(c) * t**k for k, c in enumerate(coefficients))
+
+
+def test_a_loop_and_its_part_cross_beside_their_arc():
+    loop = bezier((0, 0), (3, 3), (-2, 3), (1, 0))
+    found = intersections(loop, loop)
+    assert len(found.everywhere) == 1
+    assert [(float(p.first), p.multiplicity) for p in found] == [
+        (pytest.approx(0.0669873), 1),
+        (pytest.approx(0.9330127), 1),
+    ]
+
+
+def test_collinear_segments():
+    one, other = bezier((0, 0), (2, 2)), bezier((3, 3), (1, 1))
+    (arc,) = intersections(one, other).everywhere
+    assert [str(x) for x in (*arc.first, *arc.second)] == ["1", "1/2", "1/2", "1"]
+    assert intersections(one, bezier((2, 2), (3, 3))).points[0].multiplicity is None
+    assert not intersections(one, bezier((3, 3), (4, 4)))
+    there_and_back = bezier((0, 0), (4, 4), (0, 0))
+    assert len(intersections(there_and_back, one).everywhere) == 2
+
+
+def test_a_curve_that_stands_still():
+    still, line = bezier((1, 1), (1, 1)), bezier((0, 0), (2, 2))
+    (rest,) = intersections(still, line).everywhere
+    assert [str(x) for x in (*rest.first, *rest.second)] == ["0", "1", "1/2", "1/2"]
+    assert not intersections(still, bezier((0, 0), (2, 1)))
+
+
+def test_what_is_out_of_reach_is_named():
+    there_and_back = bezier((0, 0), (1, 0), (1, 2), (1, 0), (0, 0))
+    found = intersections(there_and_back, there_and_back)
+    assert found
+    assert not found.points
+    assert "run over one arc several times" in found.left_out[0]
+
+
+# ---- a curve and itself
+
+
+def test_nodes_cusps_and_corners():
+    assert len(self_intersections(bezier((0, 0), (3, 3), (-2, 3), (1, 0)))) == 1
+    assert not self_intersections(bezier((0, 0), (1, 1), (0, 1), (1, 0)))  # a cusp
+    assert not self_intersections(example("circle"))
+    eight = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 2), (2, 0), (0, 2), (0, 0)])
+    (node,) = self_intersections(eight)
+    assert (node.first, node.second) == (mpq(1, 2), mpq(5, 2))
+
+
+def test_a_curve_through_its_own_knot():
+    bow = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 2), (1, 0), (1, -1)])
+    (found,) = self_intersections(bow)
+    assert (found.first, found.second, str(found.kind)) == (mpq(1, 2), 3, "crossing")
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_self_intersections_against_elimination(seed):
+    """The oracle meets the curve with itself: the component s = t is divided out, cusps and order aside."""
+    random = Random(seed)
+    rows = [(random.randint(-5, 5), random.randint(-5, 5), 1) for _ in range(random.choice([4, 4, 5]))]
+    expected, shared = common_points(rows, rows)
+    assert shared
+    found = self_intersections(curve(rows))
+    assert pairs(found) == [(round(s, 9), round(t, 9)) for s, t, *_ in expected if s < t]
+
+
+def test_a_closed_curve_that_touches_its_seam():
+    """The point of the seam, met again by an inner point, is one pair."""
+    curve = Nurbs(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [(0, 0), (2, 2), (2, -2), (0, 0), (-2, -2), (-2, 2), (0, 0)])
+    (found,) = self_intersections(curve)
+    assert (found.first, found.second) == (0, 3)
+
+
+# ---- space
+
+
+def test_curves_in_space_meet_where_all_coordinates_agree():
+    twisted = bezier((0, 0, 0), ("1/3", 0, 0), ("2/3", "1/3", 0), (1, 1, 1))
+    through = bezier((0, 0, 0), (1, "1/2", "1/4"))  # meets at t = 1/2 as (1/2, 1/4, 1/8)
+    found = intersections(twisted, through)
+    assert [(p.first, p.second) for p in found] == [(0, 0), (mpq(1, 2), mpq(1, 2))]
+    assert not intersections(twisted, bezier((0, 0, 1), (1, "1/2", "5/4")))
+
+
+def test_crossing_shadows_are_not_points():
+    above, below = bezier((0, 0, 1), (1, 1, 1)), bezier((0, 1, 0), (1, 0, 0))
+    assert not intersections(above, below)
+    assert len(intersections(above, bezier((0, 1, 1), (1, 0, 1)))) == 1
+
+
+def test_arcs_in_space():
+    helix = bezier((0, 0, 0), ("1/3", 0, 0), ("2/3", "1/3", 0), (1, 1, 1))
+    (arc,) = intersections(helix, helix.restrict("1/4", "3/4")).everywhere
+    assert [str(x) for x in arc.first] == ["1/4", "3/4"]
+
+
+def test_lines_in_space_with_one_shadow():
+    one, other = bezier((0, 0, 0), (2, 0, 2)), bezier((0, 0, 2), (2, 0, 0))
+    (found,) = intersections(one, other)
+    assert (found.first, found.second) == (mpq(1, 2), mpq(1, 2))
+
+
+def test_irrational_points_in_space_are_compared_exactly():
+    """A plane curve lifted to two graphs that agree at an irrational crossing."""
+    parabola = bezier((0, 0, 0), ("1/2", 0, 0), (1, 1, 1))  # (t, t², t²)
+    level = bezier((0, "1/2", "1/2"), (1, "1/2", "1/2"))
+    (found,) = intersections(parabola, level)
+    assert found.first.minimal_polynomial() == [-1, 0, 2]
+    near = mpq(1, 2) + mpq(1, 1 << 200)
+    assert not intersections(parabola, bezier((0, "1/2", near), (1, "1/2", near)))
+
+
+# ---- many segments
+
+
+def wave(count, phase, degree=1):
+    points = [(k, (k * (k + phase)) % 7) for k in range(count + 1)]
+    return Nurbs(degree, [0, *range(count + 1), count], points)
+
+
+def test_many_segments_meet_in_linear_time():
+    """Only pairs whose boxes meet are decided: as many as there are segments, not their square."""
+    from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet
+    from exactspline.roots.local_parameters import segment_forms
+
+    first, second = wave(2000, 1), wave(2000, 3)
+    trees = [BoxTree([segment_forms(c, i) for i in range(c.segments)], 4) for c in (first, second)]
+    assert len(list(pairs_that_may_meet(*trees))) < 3 * 2000
+
+
+def test_polygons_against_all_pairs_of_edges():
+    first, second = wave(30, 1), wave(30, 3)
+    found = {(p.first, p.second) for p in intersections(first, second)}
+    expected = set()
+    for i in range(30):
+        for j in range(max(0, i - 1), min(30, i + 2)):
+            (a, b), (c, d) = (
+                [[mpq(x) for x in p] for p in curve.control_points[k : k + 2]] for curve, k in ((first, i), (second, j))
+            )
+            turn = (b[0] - a[0]) * (d[1] - c[1]) - (b[1] - a[1]) * (d[0] - c[0])
+            if turn:
+                s = ((c[0] - a[0]) * (d[1] - c[1]) - (c[1] - a[1]) * (d[0] - c[0])) / turn
+                t = ((c[0] - a[0]) * (b[1] - a[1]) - (c[1] - a[1]) * (b[0] - a[0])) / turn
+                if 0 <= s <= 1 and 0 <= t <= 1:
+                    expected.add((i + s, j + t))
+    ends = {
+        (x, y) for arc in intersections(first, second).everywhere for x, y in zip(arc.first, arc.second, strict=True)
+    }
+    assert found == expected - ends
+
+
+# ---- the rest
+
+
+def test_dimensions_must_agree():
+    with pytest.raises(ShapeError, match="R3"):
+        intersections(example("circle"), example("twisted_cubic"))
+    with pytest.raises(ShapeError, match="R3"):
+        self_intersections(example("twisted_cubic"))
+
+
+def test_answers_are_values():
+    found = intersections(example("ellipse"), bezier((-4, 1), (4, "1/3")))
+    again = pickle.loads(pickle.dumps([(p.first, p.second) for p in found]))
+    assert again == [(p.first, p.second) for p in found]
+    assert not intersections(bezier((0, 0), (1, 0)), bezier((0, 1), (1, 1)))
+    assert repr(intersections(bezier((0, 0), (1, 0)), bezier((0, 1), (1, 1)))) == "nowhere"
+
+
+def test_at_two_knots_with_one_tangent_the_curvatures_decide():
+    """Both have a knot at the origin and the tangent of x; each side is compared by its power series."""
+
+    def bent(left, right):
+        """y = left x² before the origin, right x² behind it."""
+        return Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(-1, left), ("-1/2", 0), (0, 0), ("1/2", 0), (1, right)])
+
+    for (a, b), (c, d), expected in (
+        ((1, 1), (2, 2), "touching"),
+        ((1, 1), (2, "1/2"), "crossing"),
+        ((-1, 1), (1, 2), "touching"),
+        ((1, 1), (-1, 3), "crossing"),
+    ):
+        (found,) = intersections(bent(a, b), bent(c, d))
+        assert (str(found.kind), found.multiplicity, found.at_knot) == (expected, 2, (True, True))
+
+
+def test_a_segment_that_turns_back_meets_a_loop_twice_in_a_point():
+    """Passed before: a division by zero, where two parameters were compared whose polynomial has multiple factors."""
+    loop = bezier(("67/4", "-3/8"), ("-53/4", "15/8"), ("55/4", "69/8"), ("-41/4", "-57/8"))
+    found = intersections(loop, bezier(("5/2", "7/4"), ("-1/2", "17/4"), ("5/2", "7/4")))
+    once, again, turn = found
+    assert once.first == again.first
+    assert once.second + again.second == 1
+    assert (turn.first, turn.second, turn.multiplicity) == (mpq(1, 2), mpq(1, 2), 4)
+
+
+def test_straight_curves_that_turn_back_at_irrational_parameters():
+    """Each arc has one point at both of its ends, and the two parameters are told apart from all others exactly."""
+    zigzag = bezier((0, 0), (5, 5), (-3, -3), (1, 1))
+    arcs = self_intersections(zigzag).everywhere
+    assert len(arcs) == 3
+    for arc in arcs:
+        for s, t in zip(arc.first, arc.second, strict=True):
+            low, high = (zigzag.p[0](x.enclosure(30).middle) for x in (s, t))
+            assert abs(low - high) < mpq(1, 10**25)
+    turn = arcs[0].second[0]
+    assert turn == arcs[0].first[0]
+    assert turn.minimal_polynomial() == [5, -26, 25]
+    other = zigzag.restrict("1/4", 1).reverse()
+    assert len(intersections(zigzag, other).everywhere) == 8
