@@ -111,6 +111,10 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     _pack(source / "_extra" / "source" / "exactspline.tar.gz")
     for page in source.glob("*.md"):
         page.write_text(_linked(page.read_text(encoding="utf-8")), encoding="utf-8")
+    for book in source.glob("notebooks/*.ipynb"):
+        # pages lie beside the folder of notebooks here, and anchors are in small letters
+        text = book.read_text(encoding="utf-8").replace("](../docs/", "](../")
+        book.write_text(re.sub(r"\]\(#[\w-]+\)", lambda m: m[0].lower(), text), encoding="utf-8")
     for section in HERE.glob("sections/*.md"):
         _add_contents(source / section.name)
     names = [*SECTIONS, "reference"]

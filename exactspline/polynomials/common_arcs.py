@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 from flint import arb, arb_poly, fmpz_poly
 
-from exactspline.errors import ReachError
-from exactspline.numbers.exact import mpq, to_fmpz
-from exactspline.polynomials.bernstein import ONE, quotient_slope, value
-from exactspline.polynomials.bezout import PlaneForms
-from exactspline.polynomials.cost import REMEDY
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.bernstein import quotient_slope
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.refinement import sign_at
-from exactspline.polynomials.zero_places import FIRST, Place, at, places
+from exactspline.polynomials.zero_places import FIRST, Place, at
 
 
 @dataclass(frozen=True)
@@ -168,7 +165,7 @@ def common_arcs(carried: RationalMap, *, below: bool = False) -> Meetings:
     excess = (carried.top - carried.bottom.left_shift(1)) * carried.bottom if below else fmpz_poly([-1])
     every = isolate(inside * carried.slope * excess, 4 * carried.degree - 2 + (2 * carried.degree + 1) * below)
     marks = [at(mpq(0), 0), *(Place(zero) for zero in every.inner), at(mpq(1), 0)]
-    on = [sign_at(inside, t) > 0 > sign_at(excess, t) for t in (_between(a, b) for a, b in pairwise(marks))]
+    on = [sign_at(inside, t) > 0 > sign_at(excess, t) for t in (between(a, b) for a, b in pairwise(marks))]
     found = Meetings()
     for place, before, behind in zip(marks, [False, *on], [*on, False], strict=True):
         single = not before and not behind and place.sign(inside, 2 * carried.degree) == 0
@@ -180,105 +177,9 @@ def common_arcs(carried: RationalMap, *, below: bool = False) -> Meetings:
     return found
 
 
-def _between(a: Place, b: Place) -> mpq:
+def between(a: Place, b: Place) -> mpq:
     """A rational parameter between two isolated zeros of one polynomial."""
     bits = FIRST
     while not (low := a.refine(bits).high) < (high := b.refine(bits).low):
         bits *= 2
     return (low + high) / 2
-
-
-# ---- two curves on one line, both of higher degree
-
-
-def collinear_arcs(first: PlaneForms, second: PlaneForms | None = None) -> Meetings:
-    """The common arcs of two straight curves on one line, and their common ends that are on none; without a second
-    curve those of different parts of the first, the earlier part first.
-
-    Raises `ReachError` if one of them turns back at an irrational parameter.
-
-    >>> there, back = fmpz_poly([0, 2, 2]), fmpz_poly([0, 4])
-    >>> w, zero = fmpz_poly([1, 2, 1]), fmpz_poly([])
-    >>> found = collinear_arcs(PlaneForms(2, there, zero, w), PlaneForms(2, back, zero, w))
-    >>> [[x.exact for x in (*arc.first, *arc.second)] for arc in found.arcs][0]
-    [mpq(0,1), mpq(1,2), mpq(0,1), mpq(1,2)]
-    """
-    axis = next(k for k in (0, 1) if RationalMap(first.degree, first.forms[k], first.w).slope)
-    found = Meetings()
-    runs = [_runs(RationalMap(curve.degree, curve.forms[axis], curve.w)) for curve in (first, second or first)]
-    for i, ours in enumerate(runs[0]):
-        for theirs in runs[1][0 if second else i + 1 :]:
-            low, high = max(ours.low, theirs.low), min(ours.high, theirs.high)
-            if low < high:
-                start, end = (low, high) if theirs.rises else (high, low)
-                s, t = ((run.parameter(start), run.parameter(end)) for run in (ours, theirs))
-                found.arcs.append(Arc(s, t, None))
-            elif low == high and (second or ours.end < theirs.start):
-                found.points.append(Meeting(ours.parameter(low), theirs.parameter(low), None))
-    at_arcs = {tuple(map(_exact, pair)) for arc in found.arcs for pair in zip(arc.first, arc.second, strict=True)}
-    single = {(_exact(p.first), _exact(p.second)): p for p in found.points}
-    found.points = [p for key, p in single.items() if key not in at_arcs]
-    return found
-
-
-def _exact(local: Local) -> mpq | None:
-    return local.exact if isinstance(local, Place) else None
-
-
-class _Run(NamedTuple):
-    """A part of a straight curve on which its coordinate is monotone."""
-
-    coordinate: RationalMap
-    start: mpq
-    end: mpq
-
-    @property
-    def ends(self) -> tuple[mpq, mpq]:
-        """The coordinate at both ends."""
-        return _quotient(self.coordinate, self.start), _quotient(self.coordinate, self.end)
-
-    @property
-    def low(self) -> mpq:
-        """Its least coordinate."""
-        return min(self.ends)
-
-    @property
-    def high(self) -> mpq:
-        """Its greatest coordinate."""
-        return max(self.ends)
-
-    @property
-    def rises(self) -> bool:
-        """Whether the coordinate increases with the parameter."""
-        return self.ends[0] < self.ends[1]
-
-    def parameter(self, v: mpq) -> Place:
-        """The parameter with a coordinate that it takes."""
-        if v in self.ends:
-            return at(self.start if v == self.ends[0] else self.end, 0)
-        form = self.coordinate.top * to_fmpz(v.denominator) - self.coordinate.bottom * to_fmpz(v.numerator)
-        for place in places(isolate(form, self.coordinate.degree)):
-            bits = FIRST
-            while True:
-                low, high = place.refine(bits)
-                if self.start < low and high < self.end:
-                    return place
-                if high < self.start or self.end < low or low == high:
-                    break
-                bits *= 2
-        raise ArithmeticError("a monotone function takes all values between those at its ends")
-
-
-def _quotient(f: RationalMap, t: mpq) -> mpq:
-    return value((f.top, ONE), f.degree, t) / value((f.bottom, ONE), f.degree, t)
-
-
-def _runs(coordinate: RationalMap) -> list[_Run]:
-    turns = [Place(zero) for zero in isolate(coordinate.slope, 2 * coordinate.degree - 2).inner if sum(zero.signs) == 0]
-    exact = [place.rational for place in turns]
-    if None in exact:
-        raise ReachError(
-            "the common arcs of two straight curves that turn back at irrational parameters", remedy=REMEDY
-        )
-    ends = [mpq(0), *(t for t in exact if t is not None), mpq(1)]
-    return [_Run(coordinate, a, b) for a, b in pairwise(ends)]

@@ -20,6 +20,7 @@ from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials import bezout
 from exactspline.polynomials.bezout import Matrix, PlaneForms, across, along
+from exactspline.polynomials.collinear_arcs import collinear_arcs
 from exactspline.polynomials.common_arcs import (
     Image,
     Local,
@@ -27,7 +28,6 @@ from exactspline.polynomials.common_arcs import (
     Meetings,
     RationalMap,
     Rest,
-    collinear_arcs,
     common_arcs,
     lowest_terms,
 )

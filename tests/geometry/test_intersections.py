@@ -344,3 +344,19 @@ def test_a_segment_that_turns_back_meets_a_loop_twice_in_a_point():
     assert once.first == again.first
     assert once.second + again.second == 1
     assert (turn.first, turn.second, turn.multiplicity) == (mpq(1, 2), mpq(1, 2), 4)
+
+
+def test_straight_curves_that_turn_back_at_irrational_parameters():
+    """Each arc has one point at both of its ends, and the two parameters are told apart from all others exactly."""
+    zigzag = bezier((0, 0), (5, 5), (-3, -3), (1, 1))
+    arcs = self_intersections(zigzag).everywhere
+    assert len(arcs) == 3
+    for arc in arcs:
+        for s, t in zip(arc.first, arc.second, strict=True):
+            low, high = (zigzag.p[0](x.enclosure(30).middle) for x in (s, t))
+            assert abs(low - high) < mpq(1, 10**25)
+    turn = arcs[0].second[0]
+    assert turn == arcs[0].first[0]
+    assert turn.minimal_polynomial() == [5, -26, 25]
+    other = zigzag.restrict("1/4", 1).reverse()
+    assert len(intersections(zigzag, other).everywhere) == 8

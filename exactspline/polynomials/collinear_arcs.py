@@ -1,0 +1,184 @@
+"""The common arcs of two straight curves of higher degree on one line, and of such a curve and itself: they may turn
+back, at rational or irrational parameters.
+"""
+
+from __future__ import annotations
+
+from functools import cmp_to_key
+from itertools import pairwise
+from typing import NamedTuple
+
+from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_poly
+
+from exactspline.numbers.exact import mpq, to_fmpq, to_fmpz
+from exactspline.polynomials.annihilating import linear, quotient_at
+from exactspline.polynomials.bernstein import ONE, value
+from exactspline.polynomials.bezout import PlaneForms
+from exactspline.polynomials.common_arcs import Arc, Meeting, Meetings, RationalMap, between
+from exactspline.polynomials.elimination import resultant
+from exactspline.polynomials.factors import factorize
+from exactspline.polynomials.isolation import Isolation, isolate
+from exactspline.polynomials.refinement import sign_at
+from exactspline.polynomials.zero_places import FIRST, SUSPICIOUS, Place, at, places
+
+
+def collinear_arcs(first: PlaneForms, second: PlaneForms | None = None) -> Meetings:
+    """The common arcs of two straight curves on one line, and their common ends that are on none; without a second
+    curve those of different parts of the first, the earlier part first.
+
+    >>> there, back = fmpz_poly([0, 2, 2]), fmpz_poly([0, 4])
+    >>> w, zero = fmpz_poly([1, 2, 1]), fmpz_poly([])
+    >>> found = collinear_arcs(PlaneForms(2, there, zero, w), PlaneForms(2, back, zero, w))
+    >>> [[x.exact for x in (*arc.first, *arc.second)] for arc in found.arcs][0]
+    [mpq(0,1), mpq(1,2), mpq(0,1), mpq(1,2)]
+    """
+    axis = next(k for k in (0, 1) if RationalMap(first.degree, first.forms[k], first.w).slope)
+    found, ends = Meetings(), []
+    runs = [_runs(RationalMap(curve.degree, curve.forms[axis], curve.w)) for curve in (first, second or first)]
+    for i, ours in enumerate(runs[0]):
+        for j, theirs in enumerate(runs[1]):
+            if second is None and j <= i:
+                continue
+            low, high = max(ours.low, theirs.low, key=IN_ORDER), min(ours.high, theirs.high, key=IN_ORDER)
+            order = compared(low, high)
+            if order < 0:
+                values = (low, high) if theirs.rises else (high, low)
+                s, t = ((run.parameter(values[0]), run.parameter(values[1])) for run in (ours, theirs))
+                found.arcs.append(Arc(s, t, None))
+            elif order == 0 and (second or j > i + 1):
+                ends.append(Meeting(ours.parameter(low), theirs.parameter(low), None))
+    for point in ends:
+        known = [*((p.first, p.second) for p in found.points)]
+        known += [pair for arc in found.arcs for pair in zip(arc.first, arc.second, strict=True)]
+        if not any(_is_one(point.first, s) and _is_one(point.second, t) for s, t in known):
+            found.points.append(point)
+    return found
+
+
+def _is_one(place: object, other: object) -> bool:
+    """Whether two ends of runs are one: the same object, or the same rational number."""
+    if place is other:
+        return True
+    exact = [p.exact for p in (place, other) if isinstance(p, Place)]
+    return exact[0] is not None and exact[0] == exact[1]
+
+
+class Coordinate(NamedTuple):
+    """The coordinate of a straight curve at a place."""
+
+    function: RationalMap
+    place: Place
+
+    @property
+    def exact(self) -> mpq | None:
+        """The value at a rational parameter."""
+        t, f = self.place.exact, self.function
+        return None if t is None else value((f.top, ONE), f.degree, t) / value((f.bottom, ONE), f.degree, t)
+
+    def near(self, bits: int) -> arb:
+        """A ball around the value; FLINT's precision is the caller's."""
+        if (exact := self.exact) is not None:
+            return arb(to_fmpq(exact))
+        z = self.place.z(bits)
+        return arb_poly(self.function.top)(z) / arb_poly(self.function.bottom)(z)
+
+    def minimal_polynomial(self) -> fmpz_poly:
+        """The irreducible polynomial with this zero."""
+        if (exact := self.exact) is not None:
+            return linear(exact)
+        top, bottom = fmpq_poly(self.function.top), fmpq_poly(self.function.bottom)
+        candidates, bits = factorize(quotient_at(self.place.irreducible, top, bottom)).bases, FIRST
+        while len(candidates) > 1:
+            with ctx.workprec(4 * bits):
+                ball = self.near(bits)
+                candidates = [p for p in candidates if arb_poly(p)(ball).contains(0)]
+            bits *= 2
+        return candidates[0]
+
+
+def compared(one: Coordinate, other: Coordinate) -> int:
+    """The order of two coordinates, exactly.
+
+    >>> square = RationalMap(2, fmpz_poly([0, 0, 1]), fmpz_poly([1]))
+    >>> (root,) = isolate(fmpz_poly([-2, 0, 1]), 2).inner
+    >>> [compared(Coordinate(square, Place(root)), Coordinate(square, at(t, 0))) for t in (mpq(1, 2), mpq(2, 3))]
+    [1, -1]
+    >>> compared(Coordinate(square, Place(root)), Coordinate(square, Place(root)))
+    0
+    """
+    if one.exact is not None and other.exact is not None:
+        return (one.exact > other.exact) - (one.exact < other.exact)
+    bits, shared = FIRST, None
+    while True:
+        with ctx.workprec(4 * bits):
+            a, b = one.near(bits), other.near(bits)
+            if a.is_finite() and b.is_finite() and not a.overlaps(b):
+                return 1 if a > b else -1
+            if shared is not None and not arb_poly(shared.derivative())(a.union(b)).contains(0):
+                return 0  # a polynomial has at most one zero where it is monotone
+        if shared is None and bits >= SUSPICIOUS:
+            p, q = one.minimal_polynomial(), other.minimal_polynomial()
+            shared = p if p in (q, -q) else None
+        bits *= 2
+
+
+IN_ORDER = cmp_to_key(compared)
+
+
+class _Run(NamedTuple):
+    """A part of a straight curve on which its coordinate is monotone."""
+
+    start: Coordinate
+    end: Coordinate
+    rises: bool
+
+    @property
+    def low(self) -> Coordinate:
+        """Its least coordinate."""
+        return self.start if self.rises else self.end
+
+    @property
+    def high(self) -> Coordinate:
+        """Its greatest coordinate."""
+        return self.end if self.rises else self.start
+
+    def parameter(self, at_value: Coordinate) -> Place:
+        """The parameter with a coordinate that it takes."""
+        for end in (self.start, self.end):
+            if end is at_value or compared(end, at_value) == 0:
+                return end.place
+        f, exact = self.start.function, at_value.exact
+        for place in places(_preimages(f, at_value)):
+            same = exact is not None or compared(Coordinate(f, place), at_value) == 0
+            if same and _is_before(self.start.place, place) and _is_before(place, self.end.place):
+                return place
+        raise ArithmeticError("a monotone function takes all values between those at its ends")
+
+
+def _preimages(f: RationalMap, at_value: Coordinate) -> Isolation:
+    """The zeros of a form among which are all parameters with a value."""
+    if (exact := at_value.exact) is not None:
+        return isolate(f.top * to_fmpz(exact.denominator) - f.bottom * to_fmpz(exact.numerator), f.degree)
+    g, modulus = at_value.function, at_value.place.irreducible
+    count = max(g.top.degree(), g.bottom.degree()) + 1
+    rows = [f.top * g.bottom[k] - f.bottom * g.top[k] for k in range(count)]
+    eliminant = resultant([fmpz_poly([c]) for c in modulus.coeffs()], rows)
+    return isolate(eliminant, f.degree * modulus.degree())
+
+
+def _is_before(one: Place, other: Place) -> bool:
+    """Whether a place is before another one, from which it differs."""
+    bits = FIRST
+    while True:
+        (a, b), (c, d) = one.refine(bits), other.refine(bits)
+        if b < c or d < a or (b <= c and (a < b or c < d)) or (d <= a and (a < b or c < d)):
+            return b <= c
+        bits *= 2
+
+
+def _runs(coordinate: RationalMap) -> list[_Run]:
+    turns = [Place(zero) for zero in isolate(coordinate.slope, 2 * coordinate.degree - 2).inner if sum(zero.signs) == 0]
+    for place in turns:
+        _ = place.rational  # then it is known where it is rational
+    ends = [Coordinate(coordinate, place) for place in (at(mpq(0), 0), *turns, at(mpq(1), 0))]
+    return [_Run(a, b, sign_at(coordinate.slope, between(a.place, b.place)) > 0) for a, b in pairwise(ends)]
