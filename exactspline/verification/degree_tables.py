@@ -364,7 +364,11 @@ def _degrees_of(formula: Formula, polynomial: bool, parameter: Parameter) -> For
 
 def _formula_row(formula: Formula, curve: Nurbs) -> DegreeRow:
     start = perf_counter()
-    m = measure(formula, curve)
+    try:
+        m = measure(formula, curve)
+    except ReachError as error:  # the other formulas are not affected
+        nominal = str(DegreeReading().count(formula, curve.dimension, polynomial=curve.polynomial))
+        return DegreeRow(formula.name, "as written", nominal, None, None, None, "–", str(error))
     seconds = perf_counter() - start
     text = print_text(trace(formula, curve.dimension))
     return DegreeRow(

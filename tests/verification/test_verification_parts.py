@@ -415,3 +415,13 @@ def test_sympy_is_asked_about_polynomial_curves_where_the_claim_is():
     assert judges.argument_for(weighted, dimension, True).polynomial
     assert not judges.argument_for(weighted, dimension, False).polynomial
     assert judges.argument_for(replace(framed, factor="1"), dimension, False).polynomial
+
+
+def test_a_formula_that_is_out_of_reach_ends_no_table_of_degrees():
+    """One error instead of 415 rows, where a single greatest common divisor is too expensive."""
+    far, near = find("petrunin_zamora_barrera:sphere_radius_squared"), find("f2")
+    curves = example("rational_space_cubic"), example("rational_cubic")
+    (row,), (other,) = ([call() for call in formula_table(c, [f])] for c, f in zip(curves, (far, near), strict=True))
+    assert (row.nominal, row.represented, row.true) == ("692d", None, None)
+    assert "out of reach" in row.text
+    assert other.true == 6

@@ -185,9 +185,18 @@ def _in_the_plane(ax: Axes, inspection: SurfaceInspection, samples: Samples, lin
         draw(ax, run, color=BLACK, linewidth=1.6, zorder=3)
     _dots(ax, list(umbilic_spots(inspection)), VERMILLION, "o")
     for place, umbilic in zip(umbilic_spots(inspection), inspection.umbilics, strict=True):
-        near = {"xytext": (5, 5), "textcoords": "offset points", "zorder": 5, "fontsize": "small"}
         halo = [library("matplotlib.patheffects").withStroke(linewidth=2, foreground="white")]
-        ax.annotate(umbilic.kind.value, tuple(map(float, place)), path_effects=halo, annotation_clip=True, **near)
+        u, v = map(float, place)
+        ax.annotate(
+            umbilic.kind.value,
+            (u, v),
+            xytext=(5, 5),
+            textcoords="offset points",
+            fontsize="small",
+            annotation_clip=True,
+            zorder=5,
+            path_effects=halo,
+        )
     _dots(ax, list(singular_spots(inspection)), GREEN, "s")
     (a, b), (c, d) = inspection.surface.domain
     ax.set_xlim(float(a), float(b))
