@@ -10,9 +10,8 @@ from exactspline.errors import ExactSplineError, FormulaError, as_texts, nearest
 from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
-from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.numbers.exact import mpq, mpz
-from exactspline.questions.answers import CurvePiece, Places
+from exactspline.questions.answers import CurvePiece, Described, Places
 from exactspline.questions.entry import Answered, Entry, Of
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
     from exactspline.geometry.many_roots import LateRoot, Point, Settled
 
 #: The types of answers of the questions that sweeps ask.
-LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES, Answered.SHAPES)
+LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES, Answered.DESCRIBED)
 #: The control points of a cubic of each kind, with which arguments are tried.
 TRIED: dict[Of, list[tuple[int, ...]]] = {
     Of.PLANE_CURVE: [(0, 0), (1, 0), (1, 1), (2, 1)],
@@ -130,9 +129,9 @@ def _listed(answer: Any, digits: int) -> Iterator[Found]:
             yield _piece(piece, EVERYWHERE)
 
 
-def _found(each: Point | Feature | Joint | CurvePiece | RecognizedPiece, digits: int) -> Found:
-    if isinstance(each, RecognizedPiece):
-        return _piece(each.piece, str(each.shape.kind))
+def _found(each: Point | Feature | Joint | CurvePiece | Described, digits: int) -> Found:
+    if isinstance(each, Described):
+        return _piece(each.piece, str(each.kind))
     if isinstance(each, CurvePiece):
         return _piece(each, "piece across the seam" if each.across_seam else "piece")
     if isinstance(each, Joint):

@@ -25,12 +25,11 @@ from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature, JointKind
 from exactspline.geometry.planarity import Plane
-from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.geometry.values_along import point_at, unit
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, text
-from exactspline.questions.answers import CurvePiece, Places
+from exactspline.questions.answers import CurvePiece, Described, Places
 from exactspline.questions.entry import Entry
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import exact_place
@@ -267,17 +266,15 @@ def _items(curve: Nurbs, answer: Any) -> Iterator[Item]:
             yield _piece(EVERYWHERE, piece)
 
 
-def _item(
-    curve: Nurbs, each: Feature | Joint | CurvePiece | RecognizedPiece | Plane | tuple[CurvePiece, Plane]
-) -> Item:
+def _item(curve: Nurbs, each: Feature | Joint | CurvePiece | Described | Plane | tuple[CurvePiece, Plane]) -> Item:
     if isinstance(each, Feature):
         return _point(curve, each)
     if isinstance(each, Joint):
         return _joint(each)
     if isinstance(each, CurvePiece):
         return _piece("piece", each)
-    if isinstance(each, RecognizedPiece):
-        return _shape(each)
+    if isinstance(each, Described):
+        return _described(each)
     piece, plane = each if isinstance(each, tuple) else (None, each)
     ends = {} if piece is None else _piece("", piece).values
     return Item("planar piece" if piece else "plane", ends, {"plane": str(plane)})
@@ -304,14 +301,13 @@ def _point(curve: Nurbs, feature: Feature) -> Item:
     return Item(str(feature.kind), values, facts)
 
 
-def _shape(found: RecognizedPiece) -> Item:
-    ends = {**_piece("", found.piece).values, "within": real(found.within)}
+def _described(each: Described) -> Item:
     numbers = {
         name if len(values) == 1 else f"{name} {i + 1}": value
-        for name, values in found.shape.numbers.items()
+        for name, values in each.values.items()
         for i, value in enumerate(values)
     }
-    return Item(str(found.shape.kind), ends | numbers, {"whole": found.whole})
+    return Item(str(each.kind), {**_piece("", each.piece).values, **numbers}, each.facts)
 
 
 def _piece(what: str, piece: CurvePiece) -> Item:

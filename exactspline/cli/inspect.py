@@ -10,6 +10,7 @@ from exactspline.cli.common import CURVE_HELP, Read, also_in_their_planes, disti
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import ticking
+from exactspline.numbers.exact import mpq, rational
 from exactspline.words import choice
 
 #: The word for all approaches, side by side.
@@ -42,6 +43,15 @@ def inspect(
             "--approach",
             metavar="NAME",
             help="Of curves: squaring, direct, reduced, lifted, minimal (without it), or all side by side.",
+        ),
+    ] = "",
+    epsilon: Annotated[
+        str,
+        Option(
+            "--epsilon",
+            metavar="E",
+            help="Of plane curves: also what all curves have whose control points and weights differ by at most E, and "
+            "what some of them may have; and shapes within E.",
         ),
     ] = "",
     plot: Annotated[
@@ -96,6 +106,7 @@ def inspect(
         given_options = {
             "--approach": approach,
             "--coordinates": coordinates,
+            "--epsilon": epsilon,
             "--certificate": certificate,
             "--emit-coq": emit_coq,
         }
@@ -110,12 +121,14 @@ def inspect(
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
     if emit_coq:
         _see_that_coq_can_name(emit_coq)
+    if epsilon:
+        _distance(epsilon)
     found, good = read_curves(curve, standard)
     given = [read.curve for read in found]
     if emit_coq and given:
         _emit(given[0], emit_coq)
     inspected = [
-        _inspected(replace(read, curve=c), approach, digits, coordinates)
+        _inspected(replace(read, curve=c), approach, digits, coordinates, epsilon)
         for read in found
         for c in also_in_their_planes([read.curve])
     ]
@@ -133,6 +146,19 @@ def inspect(
     )
     if not good:
         raise Exit(2)
+
+
+def _distance(epsilon: str) -> mpq:
+    """The number of the option."""
+    from exactspline.errors import NumberError
+
+    try:
+        within = rational(epsilon)
+    except NumberError as error:
+        raise error.at("--epsilon") from None
+    if within <= 0:
+        raise OptionsError(f"--epsilon {epsilon}", remedy="give a number above 0, such as 1e-9")
+    return within
 
 
 def _see_that_coq_can_name(path: str) -> None:
@@ -175,9 +201,12 @@ def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) ->
         console.legend(console.console(), ["κ", *["τ"] * in_space, *["exactly"] * bool(words), *words])
 
 
-def _inspected(read: Read, approach: str, digits: int, coordinates: bool) -> tuple[Any, Any, dict[str, Any]]:
+def _inspected(
+    read: Read, approach: str, digits: int, coordinates: bool, epsilon: str
+) -> tuple[Any, Any, dict[str, Any]]:
     """A curve, its inspection, and all of it as data."""
-    from exactspline.display.serialize import coordinate_extrema_data, inspection_data
+    from exactspline.display.serialize import answer_data, coordinate_extrema_data, inspection_data
+    from exactspline.geometry.analysis import analyse
     from exactspline.geometry.inspection import compare_approaches, inspect_curve
     from exactspline.questions.answers import Places
 
@@ -187,6 +216,11 @@ def _inspected(read: Read, approach: str, digits: int, coordinates: bool) -> tup
         "refining", sum(len(answer) for answer in found.answers.values() if isinstance(answer, Places))
     ) as tick:
         data = {"key": f"{c.name} in R{c.dimension}"} | read.data() | inspection_data(c, found.approach, digits, tick)
+    if epsilon:
+        within = _distance(epsilon)
+        data |= {"shapes": answer_data(c, analyse(c).shapes_within(within), digits), "epsilon": epsilon}
+        if c.dimension == 2:
+            data["nearby"] = answer_data(c, analyse(c).features_within(within), digits)
     if coordinates:
         data["coordinate_extrema"] = coordinate_extrema_data(c, digits)
     if approach == ALL:

@@ -86,8 +86,8 @@ def _form(entry: Entry) -> dict[str, object]:
         fields = {part: {"type": "array"} for part in parts}
         return {"type": "object", "required": parts, "additionalProperties": False, "properties": fields}
     if entry.about.answered is Answered.PAIRS:
-        parts = {part: {"type": "array"} for part in ("points", "left_out")}
-        return {"type": "object", "required": [*parts], "properties": parts}
+        parts = ["points", "left_out"]
+        return {"type": "object", "required": parts, "properties": {part: {"type": "array"} for part in parts}}
     return {
         "type": {Answered.PLANE: ["null", "string"], Answered.VALUE: "string", Answered.POINT: ["null", "array"]}.get(
             entry.about.answered, "array"

@@ -12,7 +12,7 @@ from exactspline.display.described import described
 from exactspline.display.numbers import decimal
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis import QUESTIONS, questions_about
-from exactspline.geometry.kinds import JointKind
+from exactspline.geometry.kinds import FeatureKind, JointKind
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.numbers.exact import rational
 from exactspline.questions.entry import Answered
@@ -38,7 +38,7 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
     in_space = c.dimension == 3
     for group in _asked(c, Answered.PLACES):
         for f in data[group]["points"]:
-            kind = f["kind"] + (" of κ" if f["kind"] in ("maximum", "minimum") else "")
+            kind = _kind(f["kind"])
             absolute = f"{f['of_absolute']} of |κ|" if f["of_absolute"] and not in_space else ""
             at_knot = "at a knot, by a jump" if f["by_jump"] else "at a knot" if f["at_knot"] else ""
             remark = " ".join(filter(None, (absolute, at_knot, _turn(f["angle"]))))
@@ -70,12 +70,17 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
             made.add_row(QUESTIONS[name].about.of_piece, _intervals(piece), _intervals(piece), "", *empty, "")
     for found in data["shapes"]:
         # exact lines are among the straight pieces
-        if found["shape"] != ShapeKind.LINE or found["within"] != "0":
+        if found["kind"] != ShapeKind.LINE or found["numbers"]["within"] != ["0"]:
             interval = _intervals(found["intervals"])
-            made.add_row(found["shape"], interval, interval, "", *empty, _shape(found))
+            made.add_row(found["kind"], interval, interval, "", *empty, _shape(found))
     for piece in data.get("planar_pieces", []):
         interval, lies_in = _intervals(piece["intervals"]), f"in the plane {piece['plane']}"
         made.add_row(QUESTIONS["planar_pieces"].about.of_piece, interval, interval, "", *empty, lies_in)
+
+
+def _kind(kind: str) -> str:
+    """The kind of a feature, and of what it is an extremum."""
+    return f"{kind} of κ" if kind in (FeatureKind.MAXIMUM, FeatureKind.MINIMUM) else kind
 
 
 def _decimals(ends: list[dict[str, str]]) -> str:
@@ -108,6 +113,9 @@ def _print_rest(out: Console, c: Nurbs, data: Mapping[str, Any]) -> None:
     if data.get("plane"):
         reason = "it has no torsion, no focal curve and no osculating spheres"
         console.lines(out, f"{c.name} lies in the plane {data['plane']}: {reason}")
+    if "nearby" in data:
+        out.print()
+        out.print(nearby_sheet(c, data))
     if "approaches" in data:
         out.print()
         out.print(_approaches(data["approaches"]))
@@ -145,12 +153,28 @@ def _remark(joint: dict[str, Any]) -> str:
 
 def _shape(found: dict[str, Any]) -> str:
     """What describes a shape, and how near the curve is to it, as text."""
-    numbers = {name: [_number(x) for x in values] for name, values in found["numbers"].items()}
-    words = [
-        f"{name} {values[0] if len(values) == 1 else '(' + ', '.join(values) + ')'}" for name, values in numbers.items()
-    ]
-    near = "exactly" if found["within"] == "0" else f"within {decimal(rational(found['within']), 4)}"
+    (within,), *_ = found["numbers"].values()
+    words = []
+    for name, values in list(found["numbers"].items())[1:]:
+        numbers = [_number(x) for x in values]
+        words.append(f"{name} {numbers[0] if len(numbers) == 1 else '(' + ', '.join(numbers) + ')'}")
+    near = "exactly" if within == "0" else f"within {decimal(rational(within), 4)}"
     return ", ".join([*words, near]).replace("-", "−").replace("e−", "e-")
+
+
+def nearby_sheet(c: Nurbs, data: Mapping[str, Any]) -> Sheet:
+    """What all curves near a curve have, and what some of them may have."""
+    made = Sheet("what", "curves", "between", "and", title=f"All curves within {data['epsilon']} of {c.name}", heads=2)
+    for found in data["nearby"]:
+        ((low, high),) = found["intervals"]
+        curves = ("all: one" if found["single"] else "all") if found["certain"] else "perhaps some"
+        made.add_row(_kind(found["kind"]), curves, _end(low), _end(high))
+    return made
+
+
+def _end(t: str) -> str:
+    """An end of an interval, to as many digits as are read at a glance."""
+    return t if len(t) <= DIGITS else decimal(rational(t), DIGITS)
 
 
 def _number(text: str) -> str:

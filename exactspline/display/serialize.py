@@ -16,12 +16,11 @@ from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
 from exactspline.geometry.planarity import Plane
-from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
-from exactspline.questions.answers import CurvePiece, Places
+from exactspline.questions.answers import CurvePiece, Described, Places
 from exactspline.reals.real import Real
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline
@@ -157,28 +156,23 @@ def _text(answer: object) -> str | None:
     return None if answer is None else str(answer)
 
 
-def shape_data(found: RecognizedPiece) -> dict[str, object]:
-    """A piece with its shape: numbers exactly where they are known in closed form, and how near the piece is proved to
-    be.
-    """
+def described_data(found: Described) -> dict[str, object]:
+    """A piece with what is said of it: numbers exactly where they are known in closed form."""
     return {
+        "kind": str(found.kind),
         "intervals": intervals_data(found.piece),
-        "shape": str(found.shape.kind),
-        "numbers": {name: [str(x) for x in values] for name, values in found.shape.numbers.items()},
-        "within": str(found.within),
-        "whole": found.whole,
+        "numbers": {name: [str(x) for x in values] for name, values in found.values.items()},
+        **found.facts,
     }
 
 
-def _element_data(
-    curve: Nurbs, each: Joint | CurvePiece | RecognizedPiece | tuple[CurvePiece, Plane], digits: int
-) -> object:
+def _element_data(curve: Nurbs, each: Joint | CurvePiece | Described | tuple[CurvePiece, Plane], digits: int) -> object:
     if isinstance(each, Joint):
         return joint_data(curve, each, digits)
     if isinstance(each, CurvePiece):
         return intervals_data(each)
-    if isinstance(each, RecognizedPiece):
-        return shape_data(each)
+    if isinstance(each, Described):
+        return described_data(each)
     piece, lies_in = each
     return {"intervals": intervals_data(piece), "plane": str(lies_in)}
 

@@ -16,6 +16,7 @@ from exactspline.geometry.facts import ZeroForm
 from exactspline.geometry.intersections import Intersections, self_intersections
 from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.kinds import Feature, FeatureKind
+from exactspline.geometry.nearby import NearbyFeature, features_nearby
 from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
 from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized
 from exactspline.geometry.space_features import SpaceFacts
@@ -195,7 +196,7 @@ class Analysis(SpaceFacts, Displayed):
         """The plane of a space curve that has one."""
         return plane_of(self.curve) if self.in_space and not any(self._twist.polynomials) else None
 
-    @question(*CURVES, answered=Answered.SHAPES)
+    @question(*CURVES, answered=Answered.DESCRIBED)
     def shapes(self) -> tuple[RecognizedPiece, ...]:
         """The pieces that are lines, circles or conics, exactly or within 10⁻⁹ of the curve's size.
 
@@ -207,7 +208,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return recognized(self.curve)
 
-    @question_with("1/1000000", *CURVES, answered=Answered.SHAPES)
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED)
     def shapes_within(self, epsilon: Number) -> tuple[RecognizedPiece, ...]:
         """The pieces that are lines, circles or conics within this distance.
 
@@ -219,6 +220,21 @@ class Analysis(SpaceFacts, Displayed):
         Raises `ShapeError` for a distance that is not positive.
         """
         return recognized(self.curve, rational(epsilon))
+
+    @question_with("1/1000000", Of.PLANE_CURVE, answered=Answered.DESCRIBED)
+    def features_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
+        """What all curves have whose control points and weights differ by at most this, and what some of them may have.
+
+        See `exactspline.geometry.nearby.features_nearby`.
+
+        >>> from exactspline import example
+        >>> found = analyse(example("cubic_s")).features_within("1e-9")
+        >>> [(feature.kind.value, feature.certain, feature.single) for feature in found]
+        [('minimum', True, True), ('inflection', True, True), ('maximum', True, True)]
+
+        Raises `ShapeError` for a curve that is not in the plane, and for a distance that is not positive.
+        """
+        return features_nearby(self.curve, epsilon)
 
     @question_with("0", *CURVES, proof=lambda facts, axis: slope_zeros(facts.curve, axis))
     def turning_points(self, axis: int | str) -> Places[Feature]:

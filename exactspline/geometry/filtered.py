@@ -6,14 +6,12 @@ Derivation: docs/certified-filter.md.
 
 from __future__ import annotations
 
-from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
 from exactspline.errors import FormulaError
-from exactspline.formulas.lifted import PLANE_FORMS
-from exactspline.language.kinds import PLANE
+from exactspline.geometry.plane_programs import programs
 from exactspline.polynomials.doubles import (
     Bounded,
     Flags,
@@ -25,8 +23,7 @@ from exactspline.polynomials.doubles import (
     without_zeros,
 )
 from exactspline.programs.doubles import in_doubles
-from exactspline.programs.program import Program, program_of
-from exactspline.programs.reading import Signature
+from exactspline.programs.program import Program
 
 #: How many segments are computed together, so that their numbers fit into the cache.
 AT_ONCE = 4096
@@ -47,27 +44,6 @@ class Filtered(NamedTuple):
     curvature: Form
     critical: Form
     open: Flags
-
-
-class Programs(NamedTuple):
-    """The programs of one degree: κ, κ′ and ‖γ′‖² up to positive factors."""
-
-    curvature: Program
-    critical: Program
-    speed: Program
-
-
-def _signature(degree: int, rational: bool) -> Signature:
-    """The signature of the programs for segments of width 1 over common denominators, at their true degrees."""
-    count = 3 if rational else 2
-    return Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, unit_widths=True, true_degree=True)
-
-
-@cache
-def programs(degree: int, rational: bool) -> Programs:
-    """The programs of one degree."""
-    signature = _signature(degree, rational)
-    return Programs(*[program_of(form, signature) for form in PLANE_FORMS])
 
 
 def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Filtered | None:

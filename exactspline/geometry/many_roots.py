@@ -17,9 +17,9 @@ from typing import NamedTuple
 import numpy as np
 from flint import fmpz_poly
 
-from exactspline.geometry.filtered import programs
 from exactspline.geometry.many_curves import KINDS
 from exactspline.geometry.many_splines import Jumps, Segments, components, of_few_segments, rounded, whole
+from exactspline.geometry.plane_programs import programs
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from enum import StrEnum
 from typing import Generic, Self, TypeVar, overload
 
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box, Interval
+from exactspline.reals.real import Real
 
 T_co = TypeVar("T_co", covariant=True)
 W = TypeVar("W")
@@ -63,6 +65,23 @@ class SurfacePart:
     def __str__(self) -> str:
         box = " × ".join(f"[{text(a)}, {text(b)}]" for a, b in self.sides)
         return f"a curve in {box}" if self.along_curve else box
+
+
+class Described:
+    """One of the things of which an answer consists, on a piece of a curve: its kind, and what is to be said of it."""
+
+    kind: StrEnum
+    piece: CurvePiece
+
+    @property
+    def values(self) -> dict[str, tuple[Real, ...]]:
+        """Numbers, points and vectors that describe it, by name."""
+        return {}
+
+    @property
+    def facts(self) -> dict[str, bool]:
+        """What is true of it, by name."""
+        return {}
 
 
 @dataclass(frozen=True, repr=False)

@@ -87,8 +87,8 @@ class Answered(StrEnum):
     #: Pieces of it, each with its plane; or one plane.
     PLANAR_PIECES = "planar pieces"
     PLANE = "plane"
-    #: Pieces of it, each with the shape that it is or lies near to.
-    SHAPES = "shapes"
+    #: Pieces of it, each with what is said of it (`exactspline.questions.answers.Described`).
+    DESCRIBED = "described pieces"
     #: The patches of a surface, each with what holds of it.
     PATCHES = "patches"
     #: Curves on a surface, whole.

@@ -16,11 +16,13 @@ from exactspline.language.kinds import PLANE
 from exactspline.papers import find
 from exactspline.programs.program import program_of
 from exactspline.programs.reading import Signature
+from tests.support.sampled import sample
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry.filtered import filtered, programs  # noqa: E402  # needs numpy
+from exactspline.geometry.filtered import filtered  # noqa: E402  # needs numpy
 from exactspline.geometry.many_curves import features_in_parts, features_of_many, scaled_operands  # noqa: E402
+from exactspline.geometry.plane_programs import programs  # noqa: E402
 from exactspline.polynomials.doubles import Bounded, isolated, ordinates, values_at  # noqa: E402
 from exactspline.programs.doubles import in_doubles  # noqa: E402
 
@@ -122,9 +124,12 @@ def signature(degree, rational):
     return Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, True)
 
 
+CURVES = [(3, False), (2, True), (3, True)]
+FORMS = [(name, *each) for name in ("f2", "g2", "vertices_lifted", "D1_squared") for each in CURVES]
+
+
 @pytest.mark.parametrize("mode", [*MODES, *FLUSHED])
-@pytest.mark.parametrize("name", ["f2", "g2", "vertices_lifted", "D1_squared"])
-@pytest.mark.parametrize(("degree", "rational"), [(3, False), (2, True), (3, True)])
+@pytest.mark.parametrize(("name", "degree", "rational"), sample(FORMS, 6))
 def test_no_number_is_farther_from_the_exact_one_than_its_bound(name, degree, rational, mode):
     program = program_of(find(name), signature(degree, rational))
     points, weights = hostile(degree, rational)

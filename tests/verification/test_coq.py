@@ -11,7 +11,6 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -30,6 +29,7 @@ from exactspline.verification.coq.answers import answers, theorem_of
 from exactspline.verification.coq.emission import BY_HAND, ROOT, library
 from exactspline.verification.coq.formulas import Formulas
 from exactspline.verification.vocabulary import Verdict
+from tests.support.command import run
 from workshop.mutation import kernel
 
 
@@ -233,12 +233,6 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     refused = run("inspect", "cubic_s", "circle", "--emit-coq", file)
     assert refused.returncode == 2
     assert "one file per curve" in refused.stderr
-
-
-def run(*arguments: object) -> subprocess.CompletedProcess[str]:
-    """The command in a process of its own."""
-    command = [sys.executable, "-m", "exactspline", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
 def test_formulas_that_lean_on_each_other_keep_their_names() -> None:

@@ -50,7 +50,7 @@ def test_no_changed_claim_of_the_paper_is_proved(kind):
     makers = {"identity": of_identity, "degree": of_degree}
     false = [each for claim in TRUE if claim.kind == kind for each in makers[kind](claim)]
     assert len(false) > 100
-    fooled = [each for each in sample(false, 150) if proved(each).verdict in (PROVED, VERIFIED)]
+    fooled = [each for each in sample(false, 70) if proved(each).verdict in (PROVED, VERIFIED)]
     assert fooled == []
 
 

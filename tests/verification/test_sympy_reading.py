@@ -14,7 +14,7 @@ from exactspline.papers import find
 from exactspline.readings.sympy_expression import FIRST, SympyReading, vanishes
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.judges import Sympy, second_opinions
-from tests.support.sampled import FULL
+from tests.support.sampled import FULL, sample
 
 #: Developable surfaces whose sides take sympy longer than all other identities together.
 SLOW = {"C54a-rectifying_development", "C54a-darboux_development", "C56a-focal_development"}
@@ -23,11 +23,14 @@ x, y, w = (sympy.Function(name)(FIRST) for name in "xyw")
 
 
 def test_every_identity_of_the_ledger_is_decided_alike():
-    claims = [claim for claim in all_claims() if FULL or claim.key not in SLOW]
+    """A part of them, by a seed; with EXACTSPLINE_FULL every one."""
+    kinds = {"identity", "vanishing", "same surface", "iso-curve"}
+    equalities = [claim for claim in all_claims() if claim.kind in kinds and (FULL or claim.key not in SLOW)]
+    claims = sample(equalities, 70)
     rows = [task() for task in second_opinions(Sympy(), claims)]
     assert [(r.id, r.statement, r.verdict) for r in rows if not r.as_recorded] == []
-    kinds = {"identity", "vanishing", "same surface", "iso-curve"}
-    assert len(rows) == sum(c.kind in kinds for c in claims) > 90
+    assert len(rows) == len(claims)
+    assert {c.kind for c in claims} == kinds
     assert {r.verdict for r in rows} == {"PROVED", "REFUTED"}
 
 

@@ -11,10 +11,11 @@ from itertools import pairwise
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.candidates import candidates
-from exactspline.geometry.recognition.shapes import Circle, Conic, Point, Shape, upper_square_root
+from exactspline.geometry.recognition.shapes import Circle, Conic, Point, Shape, ShapeKind, upper_square_root
 from exactspline.numbers.exact import Number, mpq, rational, sign
 from exactspline.numbers.intervals import Interval
-from exactspline.questions.answers import CurvePiece
+from exactspline.questions.answers import CurvePiece, Described
+from exactspline.reals.real import Real, real
 from exactspline.roots.values import sign_at
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
@@ -28,7 +29,7 @@ FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64))
 
 
 @dataclass(frozen=True)
-class RecognizedPiece:
+class RecognizedPiece(Described):
     """A piece of a curve and the shape that it is, or lies near to.
 
     Every point of the piece is at most `within` away from the shape, every point of the arc between its ends is at most
@@ -40,6 +41,21 @@ class RecognizedPiece:
     shape: Shape
     within: mpq
     whole: bool
+
+    @property
+    def kind(self) -> ShapeKind:  # type: ignore[override]  # by its shape
+        """The kind of the shape."""
+        return self.shape.kind
+
+    @property
+    def values(self) -> dict[str, tuple[Real, ...]]:
+        """The distance, and the numbers of the shape."""
+        return {"within": (real(self.within),), **self.shape.numbers}
+
+    @property
+    def facts(self) -> dict[str, bool]:
+        """Whether it is the whole of a closed shape."""
+        return {"whole": self.whole}
 
     @property
     def exact(self) -> bool:

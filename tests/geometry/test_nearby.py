@@ -1,0 +1,60 @@
+"""What all curves near a curve have in common."""
+
+import pytest
+from gmpy2 import mpq
+
+import exactspline as xs
+from exactspline.errors import ShapeError
+from exactspline.geometry.kinds import FeatureKind
+from exactspline.geometry.nearby import features_nearby
+from tests.campaigns import nearby as campaign
+
+
+def test_curves_near_a_curve_have_what_is_certain_and_no_more_than_is_possible():
+    """Signs taken at the middles of balls, or a form that is not cut off at its degree, would pass at epsilon 10⁻¹⁴."""
+    found = campaign.campaign(25, seed=3)
+    assert not [what for what in found if what.startswith("WRONG")]
+    assert found["certain features"] > 50
+    assert found["possible features"] > 5
+
+
+def test_an_inflection_that_may_vanish_is_not_certain():
+    """y = x³ + c x has its inflection always; y = x⁴ + c x² has two or none, by the sign of c."""
+    always = xs.Nurbs(3, [0] * 4 + [1] * 4, [(0, -1), (mpq(1, 3), 1), (mpq(2, 3), -1), (1, 1)])
+    (inflection,) = [f for f in features_nearby(always, "1e-3") if f.kind is FeatureKind.INFLECTION]
+    assert inflection.certain
+    assert inflection.single
+    touching = xs.Nurbs(4, [0] * 5 + [1] * 5, [(mpq(k, 4), y) for k, y in enumerate((1, -1, 1, -1, 1))])
+    found = [f for f in features_nearby(touching, "1e-6") if f.kind is FeatureKind.INFLECTION]
+    assert not any(f.certain for f in found)
+    assert any(mpq(1, 2) in f.piece for f in found)
+
+
+def test_corners_by_the_multiplicity_of_knots():
+    """A smooth joint of a curve with a knot of multiplicity 3 is smooth in this curve alone."""
+    points = [(0, 0), (1, 0), (2, 0), (3, 0), (4, 0), (5, 1), (6, 3)]
+    loose = xs.Nurbs(3, [0] * 4 + [1] * 3 + [2] * 4, points)
+    (corner,) = [f for f in features_nearby(loose, "1e-9") if f.kind is FeatureKind.CORNER]
+    assert not corner.certain
+    bent = xs.Nurbs(3, [0] * 4 + [1] * 3 + [2] * 4, [*points[:4], (3, 1), *points[5:]])
+    (corner,) = [f for f in features_nearby(bent, "1e-9") if f.kind is FeatureKind.CORNER]
+    assert corner.certain
+    smooth = xs.example("six_segment_cubic")
+    assert not [f for f in features_nearby(smooth, "1e-2") if f.kind is FeatureKind.CORNER]
+
+
+def test_a_cusp_is_possible_only():
+    found = features_nearby(xs.example("cusp"), "1e-9")
+    assert [f.certain for f in found if f.kind is FeatureKind.STOP] == [False]
+    assert not any(f.certain for f in found if mpq(1, 2) in f.piece)
+
+
+def test_questions_and_errors():
+    curve = xs.example("cubic_s")
+    assert xs.analyse(curve).features_within("1/1000") == features_nearby(curve, "1/1000")
+    with pytest.raises(ShapeError, match="above 0"):
+        features_nearby(curve, 0)
+    with pytest.raises(ShapeError, match="plane curve"):
+        features_nearby(xs.example("twisted_cubic"), 1)
+    with pytest.raises(ShapeError, match="smaller epsilon"):
+        features_nearby(xs.example("rational_cubic"), 10)
