@@ -128,7 +128,7 @@ def digest_of(data: Mapping[str, object]) -> str:
 DATA = tuple(each.name for each in fields(Line) if each.name != "way")
 
 
-def line_schema() -> dict[str, Any]:
+def line_schema() -> dict[str, object]:
     """The JSON Schema of a line.
 
     >>> line_schema()["title"]

@@ -108,7 +108,7 @@ class Parquet(Results):
 
 def _schema(pa: Any, find: list[str]) -> pyarrow.Schema:
     """The columns: the fields of a line, and in place of what was found one column per question."""
-    fields = line_schema()["properties"]
+    fields: Any = line_schema()["properties"]
     found = fields["found"]["additionalProperties"]
     columns: dict[str, Any] = {}
     for name, form in fields.items():

@@ -22,8 +22,12 @@ Polynomial = list[int]
 INSIDE, OUTSIDE, START, END = "inside", "outside", "start", "end"
 
 
-def check_intersections(certificate: Mapping[str, Any]) -> dict[str, int]:
+def check_intersections(certificate: Mapping[str, object]) -> dict[str, int]:
     """The number of common points that a certificate proves, one for each pair of segments that has it."""
+    return _of_all_pairs(certificate)
+
+
+def _of_all_pairs(certificate: Mapping[str, Any]) -> dict[str, int]:
     curves = [[_segment(given) for given in certificate[name]] for name in ("first", "second")]
     claimed = {(count(pair["segments"][0]), count(pair["segments"][1])): pair for pair in certificate["pairs"]}
     every = {(i, j) for i in range(len(curves[0])) for j in range(len(curves[1]))}

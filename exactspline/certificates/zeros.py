@@ -10,6 +10,9 @@ from typing import Any
 
 from exactspline.certificates.numbers import count, fraction, integer, require
 
+#: A zero: bounds, a polynomial that has it, its multiplicity, and the signs on both sides.
+Zero = tuple[Fraction, Fraction, list[int], int, tuple[int, int]]
+
 
 def check_zeros(certificate: Mapping[str, object], sturm: bool = True) -> dict[str, int]:
     """The numbers of roots, jumps and intervals that a certificate proves (see `exactspline.roots.zero_set`).
@@ -138,7 +141,7 @@ def product_of(p: list[int], q: list[int]) -> list[int]:
     ]
 
 
-def isolated_zeros(c: list[int], proof: Mapping[str, Any]) -> list[Any]:
+def isolated_zeros(c: list[int], proof: Mapping[str, object]) -> list[Zero]:
     """The zeros on [0, 1] of a form that is not zero, in ascending order, as `proof` shows (by `factors`, `points` and
     `leaves` as in the certificate of a spline): low, high, a polynomial that has the zero, multiplicity, signs.
     """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from exactspline.cli.common import CURVE_HELP, check_output, load_curve
 from exactspline.cli.output import Output, printing
@@ -29,7 +29,7 @@ def between(
     check_output(plot, curve, other)
     first, second = load_curve(curve), load_curve(other)
     pair = CurvePair(first, second)
-    data = pair_data(pair, digits)
+    data: Any = pair_data(pair, digits)
     if plot:
         from exactspline.display.plot.canvas import save
         from exactspline.display.plot.curve_pairs import pair_figure

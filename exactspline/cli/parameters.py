@@ -37,10 +37,10 @@ class Option:
 class Integer(click.IntRange):
     """An integer in a range; the error for other text says what is expected."""
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> int:
         """The integer that the text means."""
         with suppress(ValueError):
-            number = int(value)
+            number = int(str(value))
             if (self.min is None or number >= self.min) and (self.max is None or number <= self.max):
                 return number
         name = param.opts[-1] if param else ""

@@ -162,10 +162,11 @@ def _shape(found: dict[str, Any]) -> str:
     return ", ".join([*words, near]).replace("-", "−").replace("e−", "e-")
 
 
-def nearby_sheet(c: Nurbs, data: Mapping[str, Any]) -> Sheet:
+def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """What all curves near a curve have, and what some of them may have."""
     made = Sheet("what", "curves", "between", "and", title=f"All curves within {data['epsilon']} of {c.name}", heads=2)
-    for found in data["nearby"]:
+    rows: Any = data["nearby"]
+    for found in rows:
         ((low, high),) = found["intervals"]
         curves = ("all: one" if found["single"] else "all") if found["certain"] else "perhaps some"
         made.add_row(_kind(found["kind"]), curves, _end(low), _end(high))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import Any
 
 from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.intersections import Intersection, Intersections, Overlap
@@ -11,7 +10,7 @@ from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import rounded_outwards
 from exactspline.reals.real import Real, real
 
-Data = dict[str, Any]
+Data = dict[str, object]
 
 
 def intersections_data(found: Intersections, digits: int) -> Data:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from exactspline.display.intersection_data import Data, intersections_data, real_data
 from exactspline.display.sheet import Sheet
@@ -33,11 +34,15 @@ def _answer_data(answer: object, digits: int) -> Data:
     pairs = [{"first": real_data(p.first, digits), "second": real_data(p.second, digits)} for p in answer.pairs]
     value = {"squared": real_data(answer.squared, digits), "value": real_data(answer.value, digits)}
     lower = None if answer.lower is None else text(answer.lower)
-    return {"points": pairs, "lower": lower, "left_out": list(answer.left_out)} | value
+    return {"points": pairs, "lower": lower, "left_out": list(answer.left_out), **value}
 
 
 def pair_sheet(data: Data, title: str) -> Sheet:
     """The points, arcs and nearest pairs, one per row."""
+    return _sheet(data, title)
+
+
+def _sheet(data: dict[str, Any], title: str) -> Sheet:
     made = Sheet("what", "s", "t", "point", "remark", title=title, prose=["remark"])
     for point in data["intersections"]["points"]:
         at = ", ".join(x["exact"] or x["decimal"] for x in point["point"])
@@ -53,12 +58,12 @@ def pair_sheet(data: Data, title: str) -> Sheet:
     return made
 
 
-def _shown(x: Data) -> str:
+def _shown(x: dict[str, Any]) -> str:
     exact: str | None = x["exact"]
     return exact or str(x["decimal"])
 
 
-def _remark(point: Data) -> str:
+def _remark(point: dict[str, Any]) -> str:
     times = point["multiplicity"]
     knots = [name for name, here in zip("st", point["at_knot"], strict=True) if here]
     parts = [
@@ -68,7 +73,7 @@ def _remark(point: Data) -> str:
     return ", ".join(filter(None, parts))
 
 
-def _map_of(arc: Data) -> str:
+def _map_of(arc: dict[str, Any]) -> str:
     if arc["numerator"] is None:
         return ""
     value, variable = ("t", "s") if arc["of_second"] else ("s", "t")

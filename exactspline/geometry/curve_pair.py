@@ -27,10 +27,22 @@ class CurvePair(Inspected, Displayed):
 
     @question(Of.TWO_CURVES, answered=Answered.PAIRS)
     def intersections(self) -> Intersections:
-        """The points that two curves have in common, and the arcs."""
+        """The points that two curves have in common, and the arcs.
+
+        >>> from exactspline import Nurbs, example
+        >>> from exactspline.geometry.curve_pair import CurvePair
+        >>> CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)])).intersections
+        [<crossing at 0 and 1/2>]
+        """
         return intersections(*self.curves)
 
     @question(Of.TWO_CURVES, answered=Answered.PAIRS)
     def distance(self) -> Distance:
-        """The pairs of points of two curves at the least distance."""
+        """The pairs of points of two curves at the least distance.
+
+        >>> from exactspline import Nurbs, example
+        >>> from exactspline.geometry.curve_pair import CurvePair
+        >>> CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(2, 0), (3, 0)])).distance.value
+        <Real 1>
+        """
         return distance(*self.curves)

@@ -40,10 +40,13 @@ class NearestPoint:
     curve: Nurbs
     _found: _Candidate = field(repr=False, compare=False)
 
-    @property
+    @cached_property
     def squared(self) -> Real:
         """The square of the distance, exactly."""
         return self._found.squared
+
+    def __getstate__(self) -> dict[str, object]:
+        return {"parameter": self.parameter, "curve": self.curve, "squared": self.squared}
 
     @property
     def distance(self) -> Real:

@@ -21,6 +21,7 @@ from exactspline.readings.taylor import Series
 from exactspline.readings.tree import Node
 
 PLANE_CURVE, SPLINE, CUSP = xs.example("ellipse_skew"), xs.example("rational_cubic_spline"), xs.example("cusp")
+STRAIGHT = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)])
 SPACE, RATIONAL = xs.example("twisted_cubic"), xs.example("rational_space_cubic")
 SURFACE = xs.example("torus")
 LINE = xs.Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
@@ -107,6 +108,11 @@ RETURNED = {
     "ruled_surface": lambda: xs.ruled_surface("tangent_developable", RATIONAL),
     "series_curve": lambda: xs.readings.series_curve(SPLINE, "1/2", 3),
     "statements": lambda: list(xs.statements("C4.1a")),
+    "intersections": lambda: xs.intersections(xs.example("circle"), STRAIGHT),
+    "self_intersections": lambda: xs.self_intersections(xs.example("cubic_s")),
+    "nearest": lambda: xs.nearest(xs.example("circle"), (2, 0)),
+    "distance": lambda: xs.distance(xs.example("circle"), STRAIGHT),
+    "reading_along": lambda: xs.tables.reading_along("4.3"),
     "surface_pair": lambda: xs.surface_pair(SPACE, RATIONAL),
     "sweep": lambda: list(xs.sweep([PLANE_CURVE])),
     "table_1_degrees": xs.tables.table_1_degrees,
@@ -134,7 +140,7 @@ COVERED = {
     *("from_splinepy", "to_splinepy", "to_sympy", "to_mpmath", "to_arrays", "points_at", "Limits", "NamedCurve"),
     *("Reading", "Skipped"),
     *("load_paper", "measurable", "mathematics", "measured", "printed_numbers", "reduction_table"),
-    *("symbolic_table", "verdicts"),
+    *("symbolic_table", "verdicts", "winding_number", "contains"),
 }
 
 
