@@ -79,7 +79,6 @@ def test_equation_12():
     assert set(verdict_for_all("E12")) == {"PROVED"}
     assert set(verdict_for_all("C4.3a")) == {"PROVED"}
     assert verdict_for_all("C4.3c") == ["REFUTED", "PROVED"]
-    assert str(establish("C4.3c")[0].computed) == "w¹²·f2⁴·(‖D1‖²)⁻⁶"
 
 
 def centre_of_contact(x, y):

@@ -21,7 +21,7 @@ def pair_data(pair: CurvePair, digits: int) -> Data:
     >>> from exactspline import Nurbs, example
     >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))
     >>> pair_data(pair, 5)["intersections"]["points"][0]["second"]
-    {'exact': '1/2', 'interval': ['1/2', '1/2'], 'decimal': '0.5'}
+    {'exact': '1/2', 'interval': ['1/2', '1/2'], 'decimal': '0.50000'}
     """
     answers = {name: entry.answer(pair) for name, entry in REGISTRY[Of.TWO_CURVES].items()}
     return {name: _answer_data(answer, digits) for name, answer in answers.items()}

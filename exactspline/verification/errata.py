@@ -83,7 +83,7 @@ def remarks(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
     """Misreadings in the same form: statements that fail too, although no paper makes them.
 
     >>> [each.error for each in remarks()]
-    ['replacement', 'second-parameter']
+    ['replacement', 'second-parameter', 'tilted-plane']
     """
     return _joined(Status.OURS, sources)
 

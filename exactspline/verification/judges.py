@@ -119,7 +119,7 @@ def second_opinions(judge: Judge, claims: Iterable[Claim], first: Judge | None =
 
     >>> from exactspline.verification.claims import select
     >>> [(str(task().factor), str(task().verdict)) for task in second_opinions(Sympy(), select(["C4.1a"]))]
-    [('w', 'PROVED'), ('w^-3', 'PROVED')]
+    [('w', 'PROVED'), ('w⁻³', 'PROVED')]
     """
     compared = Jets() if first is None else first
     return [partial(judged, judge, claim, compared) for claim in claims if claim.equality is not None]

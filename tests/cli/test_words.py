@@ -54,6 +54,7 @@ def whole_ledger():
 
 
 DOCUMENTS = {
+    "between": ["between", "circle", "ellipse", "--json"],
     "prove": ["prove", "--claim", "C4.1", "--json"],
     "show": ["show", "C4.2b", "--json"],
     "claims": ["show", "--json"],
@@ -222,7 +223,7 @@ def test_quiet_leaves_the_legend_out():
 
 def test_an_equation_is_found_by_its_number():
     told = run("show", "eq. (12)").stdout
-    assert "1/κ = ‖γ′‖³ / [γ′ γ″]" in told
+    assert "1/κ, with its sign, is ‖γ′‖³ / [γ′ γ″]" in told
     assert "REFUTED" in told
     assert "(8)" not in told
 

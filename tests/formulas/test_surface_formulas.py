@@ -316,7 +316,7 @@ def test_derive_writes_the_value_on_a_surface():
         ["derive", "surfaces:jacobian", "sphere"],
         ["derive", "surfaces:gaussian_curvature", "ellipse"],
         ["formula", "degrees", "--patch", "3,3"],
-        ["formula", "degrees", "--paper", "surfaces"],
+        ["formula", "degrees", "--paper", "surfaces", "--curve", "ellipse"],
         ["formula", "degrees", "--paper", "surfaces", "--patch", "3"],
         ["formula", "degrees", "--paper", "surfaces", "--patch", "0,2", "parabolic"],
     ],

@@ -294,7 +294,6 @@ def asking(modules: dict[str, ast.Module]) -> Iterator[str]:
 #: What asks for the type of a value to show it, to prove something of it or to see what can be done: no formulas.
 ALLOWED = {
     "display.plot.functions:plot_function": "a spline or a quotient is drawn",
-    "display.plot.meshes:tensor_mesh": "a mesh over the patches of a surface",
     "interchange.bridges.sympy:to_sympy": "a spline or a curve is written for another library",
     "programs.given:operands_of": "whether there is a program",
     "readings.bernstein_term:every_coefficient": "a proof about values of its own reading",

@@ -40,7 +40,8 @@ def of_identity(claim):
 def of_degree(claim):
     """One more as a lower bound; the degree in one parameter told in terms of the other one."""
     yield replace(claim, claimed=str(parse_degree(claim.claimed) * Degree.number(1)), relation="≥")
-    letter = {"u": "v", "v": "u"}[claim.parameter.value]
+    if (letter := {"u": "v", "v": "u"}.get(claim.parameter.value)) is None:
+        return
     turned = claim.claimed.replace(f"d_{claim.parameter.value}", f"d_{letter}")
     yield replace(claim, claimed=turned)
 

@@ -98,8 +98,8 @@ def figure_1() -> Drawn:
             f"a jump, {extrema_at_ends(curve)} extrema at the ends of one segment."
         ),
         (
-            f"(b) the numerator of (κ²)′, {cost(squared)}; {counted(len(squared_zeros), 'root')}, {len(extra)} of them "
-            "extra ones where κ = 0."
+            f"(b) the numerator of (κ²)′, {cost(squared)}; {counted(len(squared_zeros), 'root')}, the "
+            f"{counted(len(extra), 'root')} of f0 (κ = 0) among them, which are extra."
         ),
         f"(c) g0, {cost(direct)}; {counted(len(direct_zeros), 'root')}.",
         f"Graphs scaled by {powers[0]} and {powers[1]} and trimmed.",
