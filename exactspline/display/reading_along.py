@@ -14,7 +14,7 @@ from exactspline.display.evidence import worded
 from exactspline.display.quotations import quoted
 from exactspline.display.tables import breakable
 from exactspline.display.theorem import begun, in_mathematics, method
-from exactspline.errors import ClaimError, counted, nearest
+from exactspline.errors import ClaimError, as_instance, counted, nearest
 from exactspline.hooks import Displayed
 from exactspline.papers import Paper, default_papers
 from exactspline.papers.passages import Passage, passages, sections_of
@@ -97,7 +97,7 @@ def reading_along(section: str, source: Paper | None = None) -> ReadingAlong:
 
     Raises `ClaimError` for a section that the source does not have.
     """
-    own = default_papers()[0] if source is None else source
+    own = default_papers()[0] if source is None else as_instance(source, Paper, "a paper", 'give paper("lifted")')
     sections, number = sections_of(own), str(section).lstrip("§ ")
     if number not in sections:
         remedy = nearest(number, list(sections)) or f"name one of {', '.join(sections)}"

@@ -13,7 +13,7 @@ from exactspline.display.numbers import Numbers as Written
 from exactspline.display.numbers import decimal_milliseconds
 from exactspline.display.quotations import quoted
 from exactspline.display.sheet import Sheet
-from exactspline.errors import as_flag, as_items, as_texts, counted
+from exactspline.errors import as_flag, as_items, as_text, as_texts, counted
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.hooks import Displayed
 from exactspline.papers import find
@@ -61,7 +61,7 @@ class Grid(Sheet, Displayed):
 
     def __init__(self, columns: Sequence[str], rows: Iterable[Sequence[object]], title: str = "") -> None:
         cells = (list(as_items(row, "cells")) for row in as_items(rows, "rows"))
-        super().__init__(*as_items(columns, "columns"), rows=cells, title=title)
+        super().__init__(*as_texts(columns, "columns", "a heading"), rows=cells, title=as_text(title, "a title"))
 
     def __len__(self) -> int:
         return len(self.rows)

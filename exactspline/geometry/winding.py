@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.errors import DomainError, ShapeError
+from exactspline.errors import DomainError, ShapeError, as_items
 from exactspline.geometry.nearest import exact_point
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Interval
@@ -90,9 +90,9 @@ def contains(
 
 def _position(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> int | tuple[Nurbs, Real]:
     """The winding number, or the curve that the point is on, and the parameter."""
-    point = tuple(point)
+    point = tuple(as_items(point, "a point"))
     total = 0
-    for curve in [curves] if isinstance(curves, Nurbs) else curves:
+    for curve in [curves] if isinstance(curves, Nurbs) else as_items(curves, "curves"):
         delta = exact_point(_closed_plane(curve), point)
         segments = [segment_forms(curve, i) for i in range(curve.segments)]
         check_connected(segments)

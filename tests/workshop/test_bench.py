@@ -200,7 +200,7 @@ def test_versions_are_those_of_the_packages():
 
 def test_every_section_is_on_record_and_on_the_page(tmp_path):
     assert [each["section"] for each in benchmarks.recorded()] == list(table.SECTIONS)
-    benchmarks.write_page(tmp_path / "page.md")
+    benchmarks.write_page(tmp_path / "page.md", tmp_path / "pictures")
     page = (tmp_path / "page.md").read_text(encoding="utf-8")
     for record in benchmarks.recorded():
         assert f"## {record['section'].capitalize()}\n" in page

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ShapeError, a_kind
 from exactspline.interchange.bridges.values import doubles, exact, exact_rows
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -16,8 +17,10 @@ def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
     """The curve defined by exactly the numbers that splinepy stores, for any of its four spline classes; the domain of
     a Bézier curve is [0, 1].
 
-    Raises `ShapeError` for a surface or a volume.
+    Raises `ShapeError` for a surface or a volume, and for what is not a spline of splinepy.
     """
+    if not isinstance(getattr(curve, "para_dim", None), int):
+        raise ShapeError(f"{a_kind(curve)}, where a spline of splinepy is expected", remedy="give a splinepy.BSpline")
     if curve.para_dim != 1:
         raise ShapeError(f"a spline in {curve.para_dim} parameters", remedy="a curve has one")
     degree = int(curve.degrees[0])
@@ -31,6 +34,7 @@ def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
 
 def to_splinepy(curve: Nurbs) -> splinepy.spline.Spline:
     """A splinepy ``BSpline`` or ``NURBS`` with the correctly rounded knots, points and weights."""
+    curve = curve_of(curve)
     import splinepy
 
     points = [doubles(point) for point in curve.control_points]
