@@ -13,7 +13,7 @@ from exactspline.numbers.exact import from_flint, mpq, over_one_denominator, to_
 #: The points from which a shape is guessed, at most.
 MOST_POINTS = 24
 #: A shape through few of the points may come this much less close to the others than the best one.
-WORSE = 64
+WORSE = 1024
 #: Coordinates are rounded to this fraction of the size of the points for sums of squares, parameters of the shape to
 #: `FINE` times the distance that the guess leaves.
 ROUND = mpq(1, 2**64)

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
+from itertools import chain, count, pairwise
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.candidates import candidates
@@ -24,8 +24,8 @@ from exactspline.splines.nurbs import Nurbs
 
 #: Where in a segment points are taken to guess a shape.
 PLACES = tuple(mpq(i, 6) for i in range(1, 6))
-#: Factors by which the bound that is proved may exceed the distance found at these points.
-FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64))
+#: Factors, at first, by which the bound that is proved may exceed the distance found at these points.
+FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32))
 
 
 @dataclass(frozen=True)
@@ -177,9 +177,11 @@ def _proved(run: _Run, shape: Shape, limit: mpq) -> RecognizedPiece | None:
 
 
 def _least(run: _Run, shape: Shape, limit: mpq) -> mpq | None:
-    """The least distance that is proved, of a few above the one found at points of the run."""
+    """The least distance that is proved, of a few above the one found at points of the run; then of larger ones, as
+    the curve may be farther away between these points.
+    """
     found = upper_square_root(max(map(shape.estimate, run.points)))
-    for factor in FACTORS:
+    for factor in chain(FACTORS, (mpq(2) ** k for k in count(2))):
         within = rounded_up(found * factor)
         if not within or within > limit or (shape.most is not None and within > shape.most):
             return None
