@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from shutil import copyfile
 
 import exactspline as xs
 from docs.site.pages import plain
@@ -27,7 +28,7 @@ NOTEBOOKS = {
 }
 #: Figures of the paper and pictures of other pages, by section: files beside the pages, and what is to be seen.
 PICTURES = {
-    "1": [("pictures/approximated.png", "Evolutes of a circle and of an ellipse, and those of their approximations")],
+    "1": [("gallery/approximated.png", "Evolutes of a circle and of an ellipse, and those of their approximations")],
     "4.2": [("gallery/figure1.svg", "Figure 1, drawn again"), ("gallery/figure2.svg", "Figure 2, drawn again")],
     "4.3": [("gallery/figure3.svg", "Figure 3, drawn again")],
     "6.2": [(f"gallery/figure{n}.svg", f"Figure {n}, drawn again") for n in (4, 5, 6)],
@@ -53,6 +54,7 @@ def write_reading(folder: Path, drawn: Path) -> list[str]:
     """One page per section, and one that lists them; `drawn` is the folder of pictures."""
     folder.mkdir(parents=True, exist_ok=True)
     drawn.mkdir(parents=True, exist_ok=True)
+    copyfile(Path(__file__).parents[1] / "pictures" / "approximated.png", drawn / "approximated.png")
     for section, (formula, curve, _) in DRAWN.items():
         xs.plot(xs.find(formula)(xs.example(curve))).figure.savefig(drawn / f"{_name(section)}.svg")
     own = [xs.Nurbs(1, [-2, -2, 2, 2], ends) for ends in (((-2, 0, -1), (2, 0, -1)), ((0, -2, 1), (0, 2, 1)))]

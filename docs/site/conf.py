@@ -29,7 +29,12 @@ mathjax4_config = {
         "displayAlign": "left",
         "fontPath": "[mathjax]/font",
     },
-    "tex": {"inlineMath": [["$", "$"], ["\\(", "\\)"]], "displayMath": [["$$", "$$"], ["\\[", "\\]"]]},
+    # the fonts have ⊥, but not the sign that \\perp would be
+    "tex": {
+        "macros": {"perp": "\\bot"},
+        "inlineMath": [["$", "$"], ["\\(", "\\)"]],
+        "displayMath": [["$$", "$$"], ["\\[", "\\]"]],
+    },
     "options": {
         # dollars are formulas in the outputs of notebooks, where they are printed as such, and nowhere else
         "ignoreHtmlClass": "page|document",
