@@ -29,7 +29,7 @@ mathjax4_config = {
         "displayAlign": "left",
         "fontPath": "[mathjax]/font",
     },
-    # the fonts have ⊥, but not the sign that \\perp would be
+    # the fonts have the sign of \bot, but not that of \perp
     "tex": {
         "macros": {"perp": "\\bot"},
         "inlineMath": [["$", "$"], ["\\(", "\\)"]],
