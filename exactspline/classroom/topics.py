@@ -29,7 +29,8 @@ TOPICS: dict[str, Topic] = {
 #: How to begin, without a number of the answer.
 HINTS = {
     "evaluation": "The control points of the segment that contains t begin the triangle. In step k neighbours "
-    "are combined with the weights (b − t)/(b − a) and (t − a)/(b − a), where [a, b] spans degree + 1 − k knot intervals.",
+    "are combined with the weights (b − t)/(b − a) and (t − a)/(b − a), where [a, b] consists of degree + 1 − k "
+    "intervals between neighbouring knots.",
     "derivative": "The derivative has the degree one lower, and its control points are the differences of neighbours "
     "times the degree, divided by the difference of the knots; then de Boor's triangle.",
     "insertion": "The control points far from t stay. Each new one lies between two old neighbours: it is the first "
