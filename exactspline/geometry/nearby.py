@@ -102,21 +102,24 @@ class _Nearby:
     def __init__(self, curve: Nurbs, within: mpq) -> None:
         self.curve, self.rational = curve, not curve.polynomial
         self.mesh = list(pairwise(curve.breakpoints))
-        self.segments = [self._segment(i, within) for i in range(len(self.mesh))]
+        radii = self._radii(within)
+        splines = (*curve.p, curve.w) if self.rational else tuple(curve.p)
+        #: The Bézier ordinates of the homogeneous coordinates, segment by segment, as balls.
+        self.segments = [
+            [[_ball(x, radius) for x in row] for row, radius in zip(rows, radii, strict=True)]
+            for rows in zip(*[f.segments for f in splines], strict=True)
+        ]
         if self.rational and not all(x > 0 for _, _, w in self.segments for x in w):
             raise ShapeError(f"curves within {within}", remedy="weights that stay positive: a smaller epsilon")
 
-    def _segment(self, i: int, within: mpq) -> list[list[arb]]:
-        """The Bézier ordinates of the homogeneous coordinates on a segment, as balls."""
-        splines = (*self.curve.p, self.curve.w) if self.rational else tuple(self.curve.p)
-        rows = [f.segments[i] for f in splines]
-        radii = [within] * len(rows)
-        if self.rational:
-            # a weight w and a coordinate x that differ by at most E change w x by at most (|w| + |x|) E + E²
-            weight = max(abs(w) for w in self.curve.weights)
-            largest = [max(abs(x) for x in column) for column in zip(*self.curve.control_points, strict=True)]
-            radii = [(weight + x) * within + within * within for x in largest] + [within]
-        return [[_ball(x, radius) for x in row] for row, radius in zip(rows, radii, strict=True)]
+    def _radii(self, within: mpq) -> list[mpq]:
+        """By how much the homogeneous coordinates of control points differ at most."""
+        if not self.rational:
+            return [within, within]
+        # a weight w and a coordinate x that differ by at most E change w x by at most (|w| + |x|) E + E²
+        weight = max(abs(w) for w in self.curve.weights)
+        largest = [max(abs(x) for x in column) for column in zip(*self.curve.control_points, strict=True)]
+        return [(weight + x) * within + within * within for x in largest] + [within]
 
     def ordinates(self, program: Program, i: int) -> list[arb]:
         """A form on a segment in the Bernstein basis."""
