@@ -14,7 +14,7 @@ from typing import Any
 
 from sphinx.cmd.build import build_main
 
-from docs.site import along, benchmarks, executed, page_data, pages
+from docs.site import along, benchmarks, executed, navigation, page_data, pages
 from docs.site.vendor import lay_out_mathjax, vendor
 from exactspline.verification.combined import computed_once
 
@@ -37,8 +37,6 @@ SOURCE = (
     ),
     *("exactspline", "docs", "notebooks", "proofs", "reading", "stubs", "tests", "workshop"),
 )
-#: The sections of the side bar, in order.
-SECTIONS = ("learn", "papers", "compute", "mathematics", "house")
 
 
 def main() -> int:
@@ -54,6 +52,7 @@ def main() -> int:
     with _step("the library for the browser (downloads once)"):
         vendor(PROJECT / ".site-cache", play / "vendor", PROJECT)
         lay_out_mathjax(play / "vendor", source / "_static" / "mathjax")
+    shutil.copytree(HERE / "templates", source / "_templates")
     for name in ("pages.css", "pages.js"):
         shutil.copy(HERE / name, source / "_static")
     with computed_once():
@@ -61,6 +60,8 @@ def main() -> int:
             claims = page_data.claims()
             page_data.write(play / "data", claims)
         _lay_out(source, claims)
+    for page in play.glob("*.html"):
+        navigation.fill(page, source)
     with _step("pages"):
         status = build_main(
             ["-b", "html", "-W", "--keep-going", "-q", "-d", str(BUILD / "doctrees"), str(source), str(target)]
@@ -117,8 +118,7 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
         book.write_text(re.sub(r"\]\(#[\w-]+\)", lambda m: m[0].lower(), text), encoding="utf-8")
     for section in HERE.glob("sections/*.md"):
         _add_contents(source / section.name)
-    names = [*SECTIONS, "reference"]
-    _append_contents(source / "index.md", names, hidden=True)
+    _append_contents(source / "index.md", list(navigation.SECTIONS), hidden=True)
 
 
 def _collect(page: Path, title: str, names: list[str]) -> None:
