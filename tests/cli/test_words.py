@@ -114,7 +114,7 @@ def test_every_schema_is_published():
     listed = json.loads(run("schema").stdout)["schemas"]
     assert set(DOCUMENTS) | {"figures", "convert"} == set(schemas())
     assert set(schemas()) | {"sweep_line"} == set(listed)
-    assert json.loads(run("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 2"
+    assert json.loads(run("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 3"
     assert json.loads(run("schema", "prove").stdout)["title"] == "exactspline/prove, version 2"
 
 
