@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from exactspline.errors import FormulaError
-from exactspline.geometry.plane_programs import programs
+from exactspline.geometry.plane_programs import plane_program
 from exactspline.polynomials.doubles import (
     Bounded,
     Flags,
@@ -23,7 +23,6 @@ from exactspline.polynomials.doubles import (
     without_zeros,
 )
 from exactspline.programs.doubles import in_doubles
-from exactspline.programs.program import Program
 
 #: How many segments are computed together, so that their numbers fit into the cache.
 AT_ONCE = 4096
@@ -59,26 +58,20 @@ def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Fil
     if len(operands) == 3:
         undecided |= ~(operands[2] > 0).all(axis=1)
     try:
-        curvature_form, critical_form, speed = programs(degree, len(operands) == 3)
-        undecided |= ~without_zeros(_rows(speed, operands))
-        solved = [_solved(program, operands, undecided) for program in (curvature_form, critical_form)]
+        forms = in_doubles(plane_program(degree, len(operands) == 3), operands, roundings=2)
     except FormulaError:
         return None
+    *rows, speed = (ordinates(*form) for form in forms)
+    undecided |= ~without_zeros(speed)
+    solved = [_solved(form, undecided) for form in rows]
     curvature, critical = (Form(rows, zeros.where(~undecided[zeros.row])) for rows, zeros in solved)
     if narrow:
         curvature, critical = (Form(rows, narrowed(rows, zeros)) for rows, zeros in (curvature, critical))
     return Filtered(curvature, critical, undecided)
 
 
-def _solved(program: Program, operands: list[Floats], undecided: Flags) -> Form:
+def _solved(rows: Bounded, undecided: Flags) -> Form:
     """The zeros of a form; segments on which they are not certified are added to the undecided ones."""
-    rows = _rows(program, operands)
     zeros, open_ = isolated(rows)
     undecided |= open_
     return Form(rows, zeros)
-
-
-def _rows(program: Program, operands: list[Floats]) -> Bounded:
-    """The ordinates of a form."""
-    (form,) = in_doubles(program, operands, roundings=2)
-    return ordinates(*form)

@@ -19,21 +19,13 @@ from flint import fmpz_poly
 
 from exactspline.geometry.many_curves import KINDS
 from exactspline.geometry.many_splines import Jumps, Segments, components, of_few_segments, rounded, whole
-from exactspline.geometry.plane_programs import programs
+from exactspline.geometry.plane_programs import plane_program
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import ONE
-from exactspline.polynomials.doubles import (
-    ROUNDING,
-    UNDERFLOW,
-    Bounded,
-    Flags,
-    Isolated,
-    narrowed,
-    ordinates,
-    without_rational_zero,
-)
+from exactspline.polynomials.doubles import Bounded, Flags, Isolated, narrowed, ordinates, without_rational_zero
+from exactspline.polynomials.roundings import ROUNDING, UNDERFLOW
 from exactspline.programs.program import Program
 from exactspline.reals.real import Real
 from exactspline.roots.root import Root, knot_root
@@ -140,8 +132,8 @@ def _settled(curves: Sequence[Nurbs]) -> list[Settled | None]:
         return [None] * len(curves)
     at_knots = segments.jumps(done, undecided)
     settled_curves: list[Settled | None] = [None if open_ else Settled([], []) for open_ in undecided.tolist()]
-    curvature, critical, _ = programs(curves[0].degree, not curves[0].polynomial)
-    for which, (form, program) in enumerate(((done.curvature, curvature), (done.critical, critical))):
+    program = plane_program(curves[0].degree, not curves[0].polynomial)
+    for which, form in enumerate((done.curvature, done.critical)):
         for i, point in (
             *_inside(segments, form.zeros, which, program, undecided),
             *_at_knots(segments, at_knots[which]),
@@ -164,7 +156,7 @@ def _inside(
     rows, first, place = np.unique(isolated.row, return_index=True, return_inverse=True)
     owner = segments.owner[rows].tolist()
     where = [(segments.curves[i], r - segments.first[i]) for r, i in zip(rows.tolist(), owner, strict=True)]
-    degree, forms = program.terms[0].degree, _exactly(program, where)
+    degree, forms = program.terms[which].degree, _exactly(program, which, where)
     on = [
         OnSegment(degree, c, Interval(*curve.breakpoints[k : k + 2]))
         for c, (curve, k) in zip(forms, where, strict=True)
@@ -179,14 +171,14 @@ def _inside(
         yield owner[j], Point(kind, one.irrational(number, a, b) if proved else one.roots[number])
 
 
-def _exactly(program: Program, where: Sequence[tuple[Nurbs, int]]) -> list[fmpz_poly]:
-    """The integers of the output of a program on segments of curves, over some denominators."""
+def _exactly(program: Program, which: int, where: Sequence[tuple[Nurbs, int]]) -> list[fmpz_poly]:
+    """The integers of an output of a program on segments of curves, over some denominators."""
     splines = [components(curve) for curve, _ in where]
     operands = [
         [own[k]._polynomials[j] for own, (_, j) in zip(splines, where, strict=True)] for k in range(len(splines[0]))
     ]
     below = [own[0].denominators[j] for own, (_, j) in zip(splines, where, strict=True)]
-    return [fmpz_poly(row[0]) for row in program.run(operands, [below], [(ONE, ONE)] * len(where))]
+    return [fmpz_poly(row[which]) for row in program.run(operands, [below], [(ONE, ONE)] * len(where))]
 
 
 def _in_doubles(forms: Sequence[list[int]]) -> Bounded:

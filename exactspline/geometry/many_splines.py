@@ -20,7 +20,8 @@ from exactspline.errors import ExactSplineError, ShapeError, as_items
 from exactspline.geometry.filtered import AT_ONCE, Filtered, Form, filtered
 from exactspline.geometry.many_curves import KINDS, Found, ManyFeatures, exactly, in_order, joined, outside
 from exactspline.numbers.exact import mpq
-from exactspline.polynomials.doubles import ROUNDING, Bounded, Flags, Integers
+from exactspline.polynomials.doubles import Bounded, Flags, Integers
+from exactspline.polynomials.roundings import ROUNDING
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs

@@ -23,9 +23,9 @@ P = ParamSpec("P")
 class Remembers:
     """An object that keeps what was computed of it once, also where several threads ask for it."""
 
-    def __init__(self) -> None:
-        self._known: dict[Any, Any] = {}
-        self._lock = RLock()
+    def __init__(self, shared: Remembers | None = None) -> None:
+        self._known: dict[Any, Any] = {} if shared is None else shared._known
+        self._lock = RLock() if shared is None else shared._lock
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
         """The value kept under a key, computed at the first request."""
