@@ -186,7 +186,7 @@ class Analysis(SpaceFacts, Displayed):
             raise ShapeError("the torsion of a curve in R2", remedy="this needs a curve in space")
         return Places(tuple(space_features.torsion_zeros(self)), tuple(piece for piece, _ in self.planar_pieces))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda _: (), of_piece="straight")
+    @question(*CURVES, answered=Answered.PIECES, known=lambda known: known.straight, of_piece="straight")
     def straight_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve is straight.
 
@@ -199,7 +199,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return tuple(self.pieces_where_zero(self.flatness))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda _: (), of_piece="κ′ ≡ 0")
+    @question(*CURVES, answered=Answered.PIECES, known=lambda known: known.straight, of_piece="κ′ ≡ 0")
     def constant_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curvature is constant.
 

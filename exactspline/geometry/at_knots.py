@@ -7,7 +7,7 @@ Derivation: docs/certified-filter.md.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from typing import NamedTuple
 
 from flint import fmpz_poly
@@ -16,7 +16,6 @@ from exactspline.geometry.facts import Facts
 from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, SPEED
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import raiser
-from exactspline.splines.nurbs import Nurbs
 
 #: Forms and weights below this are not used: products of their powers could underflow.
 SMALL = 2**-60
@@ -50,20 +49,15 @@ def is_straight(operands: Sequence[fmpz_poly], degree: int) -> bool:
 
 
 def jumps(
-    curve: Nurbs,
-    ends: Sequence[Sequence[float]],
-    weights: Sequence[Sequence[float]],
-    straight: Container[int],
-    facts: Callable[[], Facts],
+    facts: Facts, ends: Sequence[Sequence[float]], weights: Sequence[Sequence[float]], straight: Container[int]
 ) -> Iterator[Jump]:
     """The changes of sign of κ and κ′ by a jump at the knots of a plane curve with γ′ ≠ 0.
 
     `ends`: for every segment and output the ordinates at both ends, each followed by a bound of its error; these signs
-    are certain, except on `straight` segments. `weights`: the weight function at both ends. `facts` are those of the
-    curve, for what is decided exactly.
+    are certain, except on `straight` segments. `weights`: the weight function at both ends.
     """
-    continuity = curve.p[0].continuity
-    for i in range(0 if curve.closed else 1, len(ends)):
+    continuity = facts.curve.p[0].continuity
+    for i in range(0 if facts.closed else 1, len(ends)):
         if straight and (i in straight or (i - 1) % len(ends) in straight):
             # a zero at an end of a straight piece belongs to the piece
             continue
@@ -72,12 +66,12 @@ def jumps(
         if not bends and not turns:
             continue
         smooth = continuity[i - 1] if i else 0
-        if smooth < 1 and not facts().tangent_continuous(i):
+        if smooth < 1 and not facts.tangent_continuous(i):
             continue
         if bends:
             # κ jumps from one sign to the other, so that it has no extremum there
             yield Jump(CURVATURE, i, 1 if left[4 * CURVATURE + 2] > 0 else -1)
-        elif smooth >= 2 or (not _differ(left, right, weights[i - 1][1], weights[i][0]) and facts().same_curvature(i)):
+        elif smooth >= 2 or (not _differ(left, right, weights[i - 1][1], weights[i][0]) and facts.same_curvature(i)):
             yield Jump(CRITICAL, i, 1 if left[4 * CRITICAL + 2] > 0 else -1)
 
 

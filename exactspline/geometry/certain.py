@@ -156,7 +156,7 @@ def certain(facts: Facts) -> Certain | None:
     for zero in found.zeros:
         if zero.segment not in straight:
             zeros[zero.output].append(zero)
-    at_knots = list(jumps(curve, found.ends, found.weights, straight, lambda: facts))
+    at_knots = list(jumps(facts, found.ends, found.weights, straight))
     if at_knots:
         for jump in at_knots:
             zeros[jump.output].append(jump)

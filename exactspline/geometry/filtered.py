@@ -36,13 +36,15 @@ class Form(NamedTuple):
 
 
 class Filtered(NamedTuple):
-    """κ and κ′ up to positive factors on many segments, and the segments on which something is not certified: a sign
-    that decides a zero, or that γ′ has no zero.
+    """κ and κ′ up to positive factors on many segments, and ‖γ′‖²; the segments on which something is not certified:
+    `open` of these, a sign that decides a zero, or `slow`, that γ′ has no zero and all weights are positive.
     """
 
     curvature: Form
     critical: Form
+    speed: Bounded
     open: Flags
+    slow: Flags
 
 
 def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Filtered | None:
@@ -54,20 +56,21 @@ def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Fil
     >>> done.curvature.zeros.row.tolist(), done.open.tolist()
     ([0], [False])
     """
-    undecided = np.zeros(len(operands[0]), dtype=bool)
+    slow, undecided = np.zeros((2, len(operands[0])), dtype=bool)
     if len(operands) == 3:
-        undecided |= ~(operands[2] > 0).all(axis=1)
+        slow |= ~(operands[2] > 0).all(axis=1)
     try:
         forms = in_doubles(plane_program(degree, len(operands) == 3), operands, roundings=2)
     except FormulaError:
         return None
     *rows, speed = (ordinates(*form) for form in forms)
-    undecided |= ~without_zeros(speed)
+    slow |= ~without_zeros(speed)
     solved = [_solved(form, undecided) for form in rows]
-    curvature, critical = (Form(rows, zeros.where(~undecided[zeros.row])) for rows, zeros in solved)
+    left = undecided | slow
+    curvature, critical = (Form(rows, zeros.where(~left[zeros.row])) for rows, zeros in solved)
     if narrow:
         curvature, critical = (Form(rows, narrowed(rows, zeros)) for rows, zeros in (curvature, critical))
-    return Filtered(curvature, critical, undecided)
+    return Filtered(curvature, critical, speed, undecided, slow)
 
 
 def _solved(rows: Bounded, undecided: Flags) -> Form:
