@@ -20,6 +20,7 @@ from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Box, Interval, hull
+from exactspline.polynomials.cost import check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot, by_powers
@@ -29,6 +30,9 @@ from exactspline.roots.root import Root
 
 #: The number of resultants whose common roots are taken, for more than two polynomials.
 ELIMINANTS = 2
+#: Nanoseconds, per square of the degree and per bit, to isolate roots on an interval as small as boxes are (measured up
+#: to 11).
+SUBDIVISION = 12
 #: The first precision (decimal digits) at which a sign is tried.
 DIGITS = 15
 
@@ -175,6 +179,8 @@ def _lines(polynomials: Sequence[fmpz_mpoly], sides: Sequence[Interval]) -> Iter
     whole = Interval(min(side.low for side in sides), max(side.high for side in sides))
 
     def roots(p: fmpz_poly) -> list[Parameter]:
+        cost = SUBDIVISION * p.degree() ** 2 * p.height_bits()
+        check_reach(cost, lambda: f"the roots of an eliminant of degree {p.degree()} on a small interval")
         return [exactly(s) for s in roots_in(p, *whole, whole=True) if any(low <= s <= high for low, high in sides)]
 
     for part, _ in factorize_square_free(_eliminant(polynomials)).powers:

@@ -13,6 +13,7 @@ from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.places import Place
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.common_zeros import Zero
+from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import over
 from exactspline.roots.common_zeros import CommonZero, common_zeros
@@ -34,7 +35,8 @@ def remaining_zeros(
     if not boxes:
         return Remaining([], [])
     try:
-        found = common_zeros([over(f, sides) for f in forms], sides, [sides.part(box) for box in boxes])
+        with drawing_on(Budget()):
+            found = common_zeros([over(f, sides) for f in forms], sides, [sides.part(box) for box in boxes])
     except ReachError:
         return Remaining([], list(boxes))
     inside = [zero for zero in found if all(a < t < b for t, (a, b) in zip(zero.place, sides, strict=True))]
