@@ -14,7 +14,6 @@ from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.values_along import curvature
-from exactspline.geometry.zero_forms import zero_form
 from exactspline.interchange.examples import example, example_names
 from tests.geometry.test_shared_curves import FILES, read_curve
 
@@ -54,8 +53,8 @@ def test_the_six_segment_cubic_has_what_figure_1_says():
     assert [f.kind for f in analyse(curve).inflections] == ["inflection"] * 2
     by_name = {row.name: row for row in compare_approaches(curve)}
     assert by_name["squaring"].extraneous == 2
-    squared = zero_form(curve, "critical_curvature", "squaring")[1]
-    direct = zero_form(curve, "critical_curvature", "direct")[1]
+    squared = analyse(curve).zero_form("critical_curvature", "squaring").zeros
+    direct = analyse(curve).zero_form("critical_curvature", "direct").zeros
     assert [root for root in squared if root not in list(direct)] == [f.root for f in analyse(curve).inflections]
 
 
@@ -106,8 +105,10 @@ def check_agreement(curve):
     assert not any(row.missing for row in rows.values())
     assert not any(rows[name].extraneous for name in ("direct", "reduced"))
     extra = {f.root for f in (*analyse(curve).inflections, *analyse(curve).singular_points)}
-    true = list(zero_form(curve, "critical_curvature")[1])
-    assert {root for root in zero_form(curve, "critical_curvature", "squaring")[1] if root not in true} <= extra
+    true = list(analyse(curve).zero_form("critical_curvature").zeros)
+    assert {
+        root for root in analyse(curve).zero_form("critical_curvature", "squaring").zeros if root not in true
+    } <= extra
     kinds = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical_points] for approach in Approach]
     assert all(found == kinds[0] for found in kinds)
 
@@ -184,7 +185,7 @@ def test_a_thousand_digits_enclose_the_root(monkeypatch):
     data = json.loads(run("inspect", "rational_cubic", "--digits", 1000, "--json").output)["rows"][0]
     low, high = (mpq(x) for x in data["critical_points"]["points"][0]["interval"])
     assert 0 < high - low <= mpq(1, 10**1000)
-    f, _ = zero_form(example("rational_cubic"), "critical_curvature", "paper")
+    f = analyse(example("rational_cubic")).zero_form("critical_curvature", "paper").form
     assert f(low) * f(high) < 0
 
 
