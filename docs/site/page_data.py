@@ -10,7 +10,7 @@ from typing import Any
 
 import exactspline as xs
 from docs.play.python import page
-from exactspline.display.figures import FIGURES
+from docs.site.pages import figure
 from exactspline.display.plot.canvas import Run, sampled
 from exactspline.display.plot.html import Scene, scenes_data
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
@@ -113,7 +113,7 @@ def surfaces() -> list[dict[str, Any]]:
     figures = {4: "Point and helix-like curve: two bisectors", 6: "Point and ellipse: bisectors, and that in the plane"}
     made = []
     for number, title in figures.items():
-        drawn = FIGURES[number]()
+        drawn = figure(number)
         made.append(_turned(f"figure-{number}", title, drawn.caption, drawn.scenes))
     cubic, rational = xs.example("twisted_cubic"), xs.example("rational_space_cubic")
     tangents = ruled_mesh(xs.find("tangent_developable_reduced")(rational), (0, "1/4"))

@@ -35,6 +35,7 @@ def settings(sources: Sequence[Source], work: Work) -> dict[str, object]:
         "find": list(work.find),
         "claims": [list(claim) for claim in work.claims],
         "digits": work.digits,
+        "values": work.values,
     }
 
 

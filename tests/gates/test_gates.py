@@ -153,7 +153,6 @@ WAYS = {
     "classroom/shapes.py: curvature": "an exercise",
     "display/plot/curvature_lines.py: lines_of_curvature": "curves on a surface",
     "geometry/curvature.py: curvature_function": "curvature as a function",
-    "geometry/derived.py: torsion_function": "torsion as a function",
     "geometry/joints.py: Joint.same_curvature": "a comparison",
     "geometry/joints.py: curvature_of": "curvature of one side of a knot, from its derivatives",
     "geometry/space_features.py: SpaceFacts.reduced_torsion": "what torsion(curve, t) evaluates",
@@ -369,6 +368,8 @@ BY_NAME = {
     "testing": "imported by those who test programs",
     "testing.families": "the same",
     "testing.reported": "the same",
+    "testing.fixtures": "a plugin of pytest",
+    "testing.strategies": "imported by those who test programs",
 }
 
 

@@ -247,7 +247,7 @@ def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
     if claim.measure == Measure.NOMINAL:
         return held_against(claim, DegreeFound(_nominal(claim, dimension, polynomial), as_written=zero))
     if zero:
-        return vacuous(Fact.VANISHES)
+        return vacuous(Fact.ZERO)
     if claim.parameter == Parameter.SECOND:
         formula = transposed(formula)
     if claim.measure == Measure.TRUE:
