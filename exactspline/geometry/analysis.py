@@ -1,6 +1,7 @@
 """One curve, one analysis: everything known of a curve is read from one lazy object that belongs to it. `analyse` makes
 it at the first call and keeps it with the curve. Each fact is computed when it is first needed and then kept; several
-threads may share it. An analysis is not part of the curve's value: it is not copied, pickled or compared.
+threads may share it. An analysis is not part of the curve's value: it is not compared, and a copied or pickled curve
+has none; a pickled analysis is that of its curve, computed anew.
 """
 
 from __future__ import annotations
@@ -54,6 +55,10 @@ class Analysis(SpaceFacts, Displayed):
 
     def __repr__(self) -> str:
         return f"<Analysis of {self.curve!r}>"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """It is computed anew from the curve: what is known of it is not part of the value of a curve."""
+        return analyse, (self.curve,)
 
     @property
     def in_space(self) -> bool:
