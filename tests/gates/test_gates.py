@@ -340,8 +340,8 @@ def test_every_costly_call_goes_through_a_bounded_door():
 # ---- no error is hidden
 
 CAUGHT = {
-    "batch/asked.py: Asked.of": "one curve does not end a batch: the type of the error is its answer",
-    "batch/asked.py: _ask": "a filter that fails is counted, and the curves are asked exactly",
+    "batch/work.py: Asked.of": "one curve does not end a batch: the type of the error is its answer",
+    "batch/work.py: _ask": "a filter that fails is counted, and the curves are asked exactly",
     "batch/work.py: Work._line": "one curve does not end a batch: the type of the error is its answer",
     "interchange/formats/fonts.py: _add": "fontTools raises any error for a damaged glyph: it is skipped by name",
     "interchange/formats/fonts.py: _opened": "the same for a damaged font",
