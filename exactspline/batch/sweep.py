@@ -26,13 +26,15 @@ def sweep(
     find: Iterable[str] | None = None,
     claims: Iterable[str] = (),
     digits: int = DIGITS,
+    values: bool = False,
     jobs: int = 1,
     backend: str = "processes",
     scheduler: str = "",
 ) -> Iterator[Line]:
     """The features of each of many curves, one line per curve, in order, one at a time. A source is a curve, the name
     of a file, a folder, a font or an example, or a `Family` of random curves. `find` names the questions to ask
-    (`asked_by_sweeps`), `claims` the claims to check, by id; `backend` is one of `BACKENDS`. A curve that cannot be
+    (`asked_by_sweeps`), `claims` the claims to check, by id; with `values` every point that is found has its
+    coordinates and the curvature, as correctly rounded doubles; `backend` is one of `BACKENDS`. A curve that cannot be
     read or handled yields a line with its error.
 
     Plane curves are read and computed in groups, the first of 16, later ones of up to 512: the generator computes ahead
@@ -46,7 +48,7 @@ def sweep(
     Raises `FormulaError`, `ClaimError` or `BackendError` for unknown names, before anything is computed.
     """
     jobs, scheduler = as_integer(jobs, "a number of processes", 1), as_text(scheduler, "the address of a scheduler")
-    work = Work.of(find, claims, digits)
+    work = Work.of(find, claims, digits, values)
     check_backend(backend)
     given = [curves] if isinstance(curves, (Nurbs, str)) or not isinstance(curves, Iterable) else curves
     return mapped(work.lines, items(given), backend, jobs, scheduler, work.weight)
@@ -70,6 +72,7 @@ def settings(sources: Sequence[Source], work: Work) -> dict[str, object]:
         "find": list(work.find),
         "claims": [list(claim) for claim in work.claims],
         "digits": work.digits,
+        "values": work.values,
     }
 
 

@@ -130,7 +130,7 @@ FILTERED_DIGITS = 12
 @dataclass(frozen=True)
 class Work:
     """The features to search for on each curve, by the names of questions; the claims that are checked on it, by
-    paper and key; and the digits of irrational parameters.
+    paper and key; the digits of irrational parameters; and whether points get their coordinates and curvature.
 
     >>> from exactspline.batch.corpus import items
     >>> line = Work.of().line(next(items(["six_segment_cubic"])))
@@ -141,9 +141,12 @@ class Work:
     find: tuple[str, ...]
     claims: tuple[tuple[str, str], ...]
     digits: int
+    values: bool = False
 
     @classmethod
-    def of(cls, find: Iterable[str] | None = None, claims: Iterable[str] = (), digits: int = DIGITS) -> Work:
+    def of(
+        cls, find: Iterable[str] | None = None, claims: Iterable[str] = (), digits: int = DIGITS, values: bool = False
+    ) -> Work:
         """The work that the arguments describe: names of questions (by default `USUAL`, or none where claims are given)
         and ids of claims.
 
@@ -152,7 +155,7 @@ class Work:
         digits = as_integer(digits, "a number of digits", 0, MOST_DIGITS)
         located = _located(as_texts(claims, "ids of claims", "the id of a claim"))
         usual = () if located else USUAL
-        return cls(checked_names(usual if find is None else find), located, digits)
+        return cls(checked_names(usual if find is None else find), located, digits, bool(values))
 
     def line(self, item: Item) -> Line:
         """The line of one curve, in exact arithmetic. An error is recorded in the line, so that other curves are not
@@ -194,7 +197,7 @@ class Work:
         found: dict[str, tuple[Found, ...]] = {}
         judged: tuple[Judged, ...] = ()
         try:
-            found = inspected(curve, self.find, self.digits, made.settled)
+            found = inspected(curve, self.find, self.digits, made.settled, self.values)
             judged = self._judged(curve)
         # one curve must not end a sweep of a million: an unexpected exception is recorded by its type
         except Exception as failure:

@@ -368,6 +368,8 @@ BY_NAME = {
     "testing": "imported by those who test programs",
     "testing.families": "the same",
     "testing.reported": "the same",
+    "testing.fixtures": "a plugin of pytest",
+    "testing.strategies": "imported by those who test programs",
 }
 
 
