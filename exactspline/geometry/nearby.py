@@ -20,10 +20,9 @@ from flint import arb, arb_poly, ctx, fmpz
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.kinds import FeatureKind
-from exactspline.geometry.plane_programs import programs
+from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, SPEED, plane_program
 from exactspline.numbers.exact import Number, mpq, rational, to_fmpq
 from exactspline.numbers.intervals import Interval, ball_ends
-from exactspline.programs.program import Program
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
@@ -111,6 +110,9 @@ class _Nearby:
         ]
         if self.rational and not all(x > 0 for _, _, w in self.segments for x in w):
             raise ShapeError(f"curves within {within}", remedy="weights that stay positive: a smaller epsilon")
+        self._program = plane_program(curve.degree, self.rational)
+        #: All forms on every segment.
+        self._forms = [self._on_segment(i) for i in range(len(self.mesh))]
 
     def _radii(self, within: mpq) -> list[mpq]:
         """By how much the homogeneous coordinates of control points differ at most."""
@@ -121,27 +123,30 @@ class _Nearby:
         largest = [max(abs(x) for x in column) for column in zip(*self.curve.control_points, strict=True)]
         return [(weight + x) * within + within * within for x in largest] + [within]
 
-    def ordinates(self, program: Program, i: int) -> list[arb]:
+    def ordinates(self, which: int, i: int) -> list[arb]:
         """A form on a segment in the Bernstein basis."""
-        scaled = [arb_poly([x * comb(len(row) - 1, k) for k, x in enumerate(row)]) for row in self.segments[i]]
-        below = [[fmpz(1)]] * len(program.groups)
-        run: Any = program.run  # it computes with whatever polynomials it is given
-        form = run([[x] for x in scaled], below, [(fmpz(1), fmpz(1))])[0][0]
-        n = program.terms[0].degrees[0]
+        form, n = self._forms[i][which], self._program.terms[which].degrees[0]
         return [form[k] / comb(n, k) for k in range(n + 1)]
+
+    def _on_segment(self, i: int) -> tuple[Any, ...]:
+        """All forms on a segment."""
+        scaled = [arb_poly([x * comb(len(row) - 1, k) for k, x in enumerate(row)]) for row in self.segments[i]]
+        below = [[fmpz(1)]] * len(self._program.groups)
+        run: Any = self._program.run  # it computes with whatever polynomials it is given
+        forms: tuple[Any, ...] = run([[x] for x in scaled], below, [(fmpz(1), fmpz(1))])[0]
+        return forms
 
     def features(self) -> Iterator[NearbyFeature]:
         """Of each kind."""
-        curvature, critical, speed = programs(self.curve.degree, self.rational)
-        slow = [Interval(part.low, part.high) for part in self._parts(speed) if part.sign <= 0]
+        slow = [Interval(part.low, part.high) for part in self._parts(SPEED) if part.sign <= 0]
         yield from (_feature(FeatureKind.STOP, place, certain=False) for place in slow)
         n = self.curve.degree
         inflections = dict.fromkeys((1, -1), FeatureKind.INFLECTION)
         extrema = {1: FeatureKind.MAXIMUM, -1: FeatureKind.MINIMUM}
-        for program, kinds, least in ((curvature, inflections, n), (critical, extrema, n - 1)):
+        for which, kinds, least in ((CURVATURE, inflections, n), (CRITICAL, extrema, n - 1)):
             # at a knot of this multiplicity the tangent (the curvature) may jump, so that a sign may change without one
             open_places = [*slow, *map(Interval.point, self._knots(least))]
-            for feature in self._zeros(program, kinds):
+            for feature in self._zeros(which, kinds):
                 doubtful = any(feature.place.meets(place) for place in open_places)
                 yield replace(feature, certain=False, single=False) if doubtful else feature
         yield from self._corners()
@@ -150,16 +155,14 @@ class _Nearby:
         """The inner knots of at least this multiplicity."""
         return [t for t in self.curve.breakpoints[1:-1] if self.curve.knots.multiplicity(t) >= least]
 
-    def _parts(self, program: Program) -> list[_Part]:
+    def _parts(self, which: int) -> list[_Part]:
         """The parts of the domain with one sign each, neighbours with the same sign joined."""
-        found = [
-            part for i, ends in enumerate(self.mesh) for part in _signs(self.ordinates(program, i), Interval(*ends))
-        ]
+        found = [part for i, ends in enumerate(self.mesh) for part in _signs(self.ordinates(which, i), Interval(*ends))]
         return [_joined(group) for _, group in groupby(found, key=lambda part: part.sign)]
 
-    def _zeros(self, program: Program, kinds: dict[int, FeatureKind]) -> Iterator[NearbyFeature]:
+    def _zeros(self, which: int, kinds: dict[int, FeatureKind]) -> Iterator[NearbyFeature]:
         """The kinds by the sign before the zero."""
-        parts = self._parts(program)
+        parts = self._parts(which)
         for before, part, behind in zip([None, *parts], parts, [*parts[1:], None], strict=False):
             if part.sign == 0:
                 place = Interval(part.low, part.high)

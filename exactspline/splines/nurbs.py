@@ -144,7 +144,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
     note: str
     p: Vector[BSpline]
     w: BSpline
-    #: The analysis by `exactspline.analyse`: set once, neither pickled nor compared.
+    #: What `exactspline.analyse` keeps of it: set once, neither pickled nor compared.
     _analysis: object = None
 
     def __init__(
