@@ -82,10 +82,6 @@ class Analysis(SpaceFacts, Displayed):
     def __repr__(self) -> str:
         return f"<Analysis of {self.curve!r}>"
 
-    def __reduce__(self) -> tuple[object, ...]:
-        """It is computed anew from the curve: what is known of it is not part of the value of a curve."""
-        return analyse, (self.curve,)
-
     @property
     def in_space(self) -> bool:
         """Whether it is a space curve; raises `ShapeError` when it is neither in the plane nor in space."""
