@@ -92,6 +92,8 @@ NAMES_TAKEN_APART: dict[str, str] = {}
 UNREGISTERED = {
     "geometry/analysis.py: Analysis.critical_points_by": "the question critical_points by another approach, compared",
     "geometry/analysis.py: Analysis.critical_points_by.compute": "the same",
+    "geometry/certain.py: Certain.critical_points": "the answer of the question critical_points, where it is certain",
+    "geometry/certain.py: Certain.inflections": "the answer of the question inflections, where it is certain",
     "geometry/extent.py: turning_points": "the answer of the question turning_points, beside what it shares with boxes",
     "geometry/inspection.py: Inspection.critical_points": "the question critical_points by the approach of a command",
 }
