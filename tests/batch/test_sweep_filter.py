@@ -18,9 +18,9 @@ from exactspline.batch import asked, backends, inspections
 from exactspline.batch.corpus import items
 from exactspline.batch.families import Family
 from exactspline.batch.lines import Way
-from exactspline.batch.recorded import Where, recorded
 from exactspline.batch.results import JsonLines
 from exactspline.batch.summary import Summary
+from exactspline.batch.sweep import Where, recorded
 from exactspline.batch.work import FILTERED_DIGITS, Work
 from exactspline.numbers.exact import mpq
 

@@ -155,7 +155,6 @@ WAYS = {
     "classroom/shapes.py: curvature": "an exercise",
     "display/plot/curvature_lines.py: lines_of_curvature": "curves on a surface",
     "geometry/curvature.py: curvature_function": "curvature as a function",
-    "geometry/derived.py: torsion_function": "torsion as a function",
     "geometry/joints.py: Joint.same_curvature": "a comparison",
     "geometry/joints.py: curvature_of": "curvature of one side of a knot, from its derivatives",
     "geometry/space_features.py: SpaceFacts.reduced_torsion": "what torsion(curve, t) evaluates",
@@ -343,8 +342,8 @@ def test_every_costly_call_goes_through_a_bounded_door():
 # ---- no error is hidden
 
 CAUGHT = {
-    "batch/asked.py: Asked.of": "one curve does not end a batch: the type of the error is its answer",
-    "batch/asked.py: _ask": "a filter that fails is counted, and the curves are asked exactly",
+    "batch/work.py: Asked.of": "one curve does not end a batch: the type of the error is its answer",
+    "batch/work.py: _ask": "a filter that fails is counted, and the curves are asked exactly",
     "batch/work.py: Work._line": "one curve does not end a batch: the type of the error is its answer",
     "interchange/formats/fonts.py: _add": "fontTools raises any error for a damaged glyph: it is skipped by name",
     "interchange/formats/fonts.py: _opened": "the same for a damaged font",
@@ -371,6 +370,8 @@ BY_NAME = {
     "testing": "imported by those who test programs",
     "testing.families": "the same",
     "testing.reported": "the same",
+    "testing.fixtures": "a plugin of pytest",
+    "testing.strategies": "imported by those who test programs",
 }
 
 
