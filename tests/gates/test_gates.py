@@ -155,6 +155,7 @@ WAYS = {
     "classroom/shapes.py: curvature": "an exercise",
     "display/plot/curvature_lines.py: lines_of_curvature": "curves on a surface",
     "geometry/curvature.py: curvature_function": "curvature as a function",
+    "geometry/facts.py: Facts.same_curvature": "a comparison",
     "geometry/joints.py: Joint.same_curvature": "a comparison",
     "geometry/joints.py: curvature_of": "curvature of one side of a knot, from its derivatives",
     "geometry/space_features.py: SpaceFacts.reduced_torsion": "what torsion(curve, t) evaluates",
@@ -195,6 +196,7 @@ def test_there_is_one_way_to_a_curvature():
 # ---- law 6: none, all of these, or these
 
 BARE_LISTS = {
+    "geometry/at_knots.py: on_runs": "what belongs to some segments, joined with the points of the others",
     "geometry/bisector/correspondence.py: border_pairs": "places of pairs on a border, steps of an answer",
     "geometry/bisector/correspondence.py: nodes": "the same",
     "geometry/bisector/components.py: LinePiece.poles": "its denominator does not vanish throughout",
@@ -256,11 +258,12 @@ ROUNDED = {
     "geometry/many_curves.py: exactly": "the certified filter, which counts what has no double",
     "geometry/many_curves.py: outside": "the certified filter",
     "geometry/many_curves.py: scaled_operands": "the certified filter",
-    "geometry/many_splines.py: Segments.__init__": "the certified filter",
+    "geometry/many_splines.py: Segments.at_knots": "the certified filter",
     "interchange/bridges/numpy.py: points_at": "rounds to doubles, on request",
     "interchange/formats/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
     "interchange/rhino_process.py: _hex": "doubles of a file, bit by bit",
-    "programs/doubles.py: bounded_by": "the certified filter",
+    "programs/accelerator.py: signs": "the certified filter",
+    "programs/masses.py: factors": "the certified filter",
     "programs/doubles.py: _carried_out": "the certified filter",
     "polynomials/doubles.py: ordinates": "a guess, certified afterwards",
     "polynomials/doubles.py: _monomials": "integers below 2⁵³",
