@@ -166,7 +166,7 @@ class Analysis(SpaceFacts, Displayed):
 
         Raises `ShapeError` for a curve that is neither in the plane nor in space.
         """
-        if self._certain is not None:
+        if self._certain is not None and self._certain.only_extrema:
             return self.critical_points
         return self.critical_points.where(lambda f: f.kind is not FeatureKind.STATIONARY)
 

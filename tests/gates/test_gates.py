@@ -196,6 +196,7 @@ def test_there_is_one_way_to_a_curvature():
 # ---- law 6: none, all of these, or these
 
 BARE_LISTS = {
+    "geometry/at_knots.py: on_runs": "what belongs to some segments, joined with the points of the others",
     "geometry/bisector/correspondence.py: border_pairs": "places of pairs on a border, steps of an answer",
     "geometry/bisector/correspondence.py: nodes": "the same",
     "geometry/bisector/components.py: LinePiece.poles": "its denominator does not vanish throughout",
