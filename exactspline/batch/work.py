@@ -16,7 +16,7 @@ from exactspline.batch.backends import ALONE
 from exactspline.batch.corpus import Item, Member, Problem
 from exactspline.batch.inspections import USUAL, checked_names, entry_of, inspected
 from exactspline.batch.lines import Found, Judged, Line, Way
-from exactspline.errors import as_integer, as_texts
+from exactspline.errors import as_flag, as_integer, as_texts
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -155,7 +155,12 @@ class Work:
         digits = as_integer(digits, "a number of digits", 0, MOST_DIGITS)
         located = _located(as_texts(claims, "ids of claims", "the id of a claim"))
         usual = () if located else USUAL
-        return cls(checked_names(usual if find is None else find), located, digits, bool(values))
+        return cls(
+            checked_names(usual if find is None else find),
+            located,
+            digits,
+            as_flag(values, "whether points get their values"),
+        )
 
     def line(self, item: Item) -> Line:
         """The line of one curve, in exact arithmetic. An error is recorded in the line, so that other curves are not
