@@ -6,7 +6,7 @@ r"""A claim as a theorem of LaTeX with its proof: what is stated, with the formu
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from exactspline.display.evidence import worded
 from exactspline.splines.control_points import Point
@@ -187,7 +187,11 @@ def _example(s: Statement) -> Iterator[str]:
     if not isinstance(w, OnExample) or w.surface:
         return
     curve = s.claim.curve_named(w.name)
-    lists = {"Knots": curve.knots, "Control points": map(_point, curve.control_points), "Weights": curve.weights}
+    lists: dict[str, Iterable[object]] = {
+        "Knots": curve.knots,
+        "Control points": map(_point, curve.control_points),
+        "Weights": curve.weights,
+    }
     parts = [f"{what}: ${', '.join(map(str, values))}$" for what, values in lists.items()]
     yield f"The curve {prose(w.name)} has degree {curve.degree}. {'; '.join(parts)}."
 
