@@ -9,6 +9,7 @@ two certain signs that differ every one of the curves has a zero; between two th
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
@@ -92,12 +93,12 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
     if within <= 0:
         raise ShapeError(f"the distance {epsilon}", remedy="give a number above 0")
     with ctx.workprec(PRECISION):
-        found = list(_Nearby(given, within).features())
+        found = list(CurvesNear(given, within).features())
     return tuple(sorted(found, key=lambda feature: (feature.place, feature.kind)))
 
 
-class _Nearby:
-    """The forms of the curves near a curve, segment by segment."""
+class CurvesNear:
+    """The forms of the curves near a curve, segment by segment; for the distance 0 those of the curve itself."""
 
     def __init__(self, curve: Nurbs, within: mpq) -> None:
         self.curve, self.rational = curve, not curve.polynomial
@@ -140,15 +141,17 @@ class _Nearby:
         extrema = {1: FeatureKind.MAXIMUM, -1: FeatureKind.MINIMUM}
         for program, kinds, least in ((curvature, inflections, n), (critical, extrema, n - 1)):
             # at a knot of this multiplicity the tangent (the curvature) may jump, so that a sign may change without one
-            open_places = [*slow, *map(Interval.point, self._knots(least))]
+            open_places = sorted([*slow, *(Interval.point(t) for _, t in self._knots(least))])
             for feature in self._zeros(program, kinds):
-                doubtful = any(feature.place.meets(place) for place in open_places)
+                doubtful = _meets_one(feature.place, open_places)
                 yield replace(feature, certain=False, single=False) if doubtful else feature
         yield from self._corners()
 
-    def _knots(self, least: int) -> list[mpq]:
-        """The inner knots of at least this multiplicity."""
-        return [t for t in self.curve.breakpoints[1:-1] if self.curve.knots.multiplicity(t) >= least]
+    def _knots(self, least: int) -> list[tuple[int, mpq]]:
+        """The inner knots of at least this multiplicity, with the segments that end there."""
+        knots = self.curve.knots
+        times = dict(zip(knots.breakpoints, knots.multiplicities, strict=True))
+        return [(i, t) for i, t in enumerate(self.curve.breakpoints[1:-1]) if times[t] >= least]
 
     def _parts(self, program: Program) -> list[_Part]:
         """The parts of the domain with one sign each, neighbours with the same sign joined."""
@@ -173,8 +176,7 @@ class _Nearby:
 
     def _corners(self) -> Iterator[NearbyFeature]:
         """Knots at which the tangents of both sides are independent control points."""
-        for t in self._knots(self.curve.degree):
-            i = self.curve.breakpoints.index(t) - 1
+        for i, t in self._knots(self.curve.degree):
             left, right = self._direction(i, -1), self._direction(i + 1, 0)
             turn, ahead = left[0] * right[1] - left[1] * right[0], left[0] * right[0] + left[1] * right[1]
             certain = turn > 0 or turn < 0 or ahead < 0
@@ -187,6 +189,12 @@ class _Nearby:
         x, y, *rest = self.segments[i]
         w = rest[0] if rest else [arb(1)] * (n + 1)
         return x[b] * w[a] - x[a] * w[b], y[b] * w[a] - y[a] * w[b]
+
+
+def _meets_one(place: Interval, sorted_places: Sequence[Interval]) -> bool:
+    """Whether an interval meets one of others that have at most end points in common."""
+    first = bisect_left(sorted_places, place.low, key=lambda other: other.high)
+    return first < len(sorted_places) and sorted_places[first].low <= place.high
 
 
 def _feature(kind: FeatureKind, place: Interval, certain: bool, single: bool = False) -> NearbyFeature:
@@ -224,7 +232,7 @@ def _narrowed(ordinates: Sequence[arb], ends: Interval) -> Iterator[_Part]:
         slope = reduce(arb.union, slopes) * len(slopes) / arb(to_fmpq(place.width))
         if slope.contains(0):
             break
-        step = ball_ends(_value(ordinates, place.middle) / slope)
+        step = ball_ends(value_at(ordinates, place.middle) / slope)
         low, high = max(place.low, place.middle - step.high), min(place.high, place.middle - step.low)
         if (high - low) * 2 > place.width:
             break
@@ -237,7 +245,8 @@ def _narrowed(ordinates: Sequence[arb], ends: Interval) -> Iterator[_Part]:
         yield _Part(inside.high, ends.high, -sign)
 
 
-def _value(ordinates: Sequence[arb], t: mpq) -> arb:
+def value_at(ordinates: Sequence[arb], t: mpq) -> arb:
+    """The value of a form at a local parameter."""
     return _split(ordinates, t)[1][0]
 
 

@@ -1,0 +1,269 @@
+"""How far a plane curve may be changed until a feature vanishes or merges with another: a distance for which it is proved
+that no such change does it, and a curve, at a distance not much larger, without the feature.
+
+The distance is the largest of a list for which `exactspline.geometry.nearby` finds the feature once in all curves that
+near. The other curve moves each control point by the same amount, in the direction in which the form of the feature
+grows fastest where it is hardest to lift over zero; that it lacks a feature is decided in exact arithmetic.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from flint import arb, ctx
+
+from exactspline.errors import ShapeError
+from exactspline.geometry.constructions import Variant
+from exactspline.geometry.facts import Facts
+from exactspline.geometry.kinds import FeatureKind
+from exactspline.geometry.nearby import PRECISION, CurvesNear, NearbyFeature, features_nearby, value_at
+from exactspline.geometry.plane_features import critical_points, flat_points
+from exactspline.geometry.plane_programs import Programs, programs
+from exactspline.geometry.recognition.pieces import rounded_up
+from exactspline.numbers.exact import mpq, sign, to_fmpq
+from exactspline.numbers.intervals import ball_ends
+from exactspline.programs.program import Program
+from exactspline.questions.answers import CurvePiece, Described
+from exactspline.reals.real import Real, real
+from exactspline.splines.expected import curve_of
+from exactspline.splines.nurbs import Nurbs
+
+#: Kinds of features, with the constructions of which they are zeros, and their programs.
+FORMS: dict[FeatureKind, tuple[str, Callable[[Programs], Program]]] = {
+    FeatureKind.INFLECTION: ("zero_curvature", lambda made: made.curvature),
+    FeatureKind.MAXIMUM: ("critical_curvature", lambda made: made.critical),
+    FeatureKind.MINIMUM: ("critical_curvature", lambda made: made.critical),
+}
+#: The distances that are tried, in units of the size of the curve.
+DISTANCES = tuple(mpq(m, 8) * mpq(2) ** e for e in range(-60, 0) for m in range(8, 16))
+#: Where, between two zeros of a form, it may be hardest to lift over zero.
+PLACES = tuple(mpq(k, 12) for k in range(1, 12))
+#: Multiples of the distance that the linear part of the form asks for.
+FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64, 96, 128))
+#: The step of a difference quotient, far below the precision that its use asks for.
+STEP = mpq(1, 2**80)
+
+
+@dataclass(frozen=True)
+class StableFeature(Described):
+    """A feature of a plane curve, and how far the curve may be changed: `radius` is a number such that every curve whose
+    control points and weights differ by at most that has this feature exactly once near this place, 0 where nothing
+    like that is proved; `witness` is a curve with fewer features of this kind, None where none was found, and `gone` a
+    bound on how far its numbers differ.
+    """
+
+    kind: FeatureKind
+    place: Real
+    radius: mpq
+    witness: Nurbs | None = field(default=None, repr=False)
+    gone: mpq | None = None
+
+    @property
+    def piece(self) -> CurvePiece:  # type: ignore[override]  # an enclosure of the parameter
+        """The parameter, enclosed to twenty digits."""
+        return CurvePiece((self.place.enclosure(20),))
+
+    @property
+    def values(self) -> dict[str, tuple[Real, ...]]:
+        """The two distances."""
+        found = {"radius": (real(self.radius),)}
+        return found if self.gone is None else found | {"gone": (real(self.gone),)}
+
+
+def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
+    """Inflections, extrema of the curvature and corners of a plane curve, and how far its control points and weights may
+    be changed (each coordinate and each weight for itself) without one of them vanishing or merging with another.
+
+    >>> from exactspline import example
+    >>> for found in stability(example("cubic_s")):
+    ...     print(found.kind, f"{float(found.radius):.3f} {float(found.gone):.3f}")
+    minimum 0.109 0.133
+    inflection 0.109 0.250
+    maximum 0.109 0.133
+
+    Raises `ShapeError` for a curve that is not in the plane.
+    """
+    given = curve_of(curve)
+    if given.dimension != 2:
+        raise ShapeError(f"the stability of a curve in R{given.dimension}", remedy="this needs a plane curve")
+    facts, radii = Facts(given), _Radii(given)
+    with ctx.workprec(PRECISION):
+        return tuple(_stable(facts, kind, place, radii) for kind, place in _features(facts))
+
+
+def _features(facts: Facts) -> list[tuple[FeatureKind, Real]]:
+    """The features with their parameters, in order."""
+    points = [*flat_points(facts), *critical_points(facts, Variant.MINIMAL)]
+    found: list[tuple[FeatureKind, Real]] = [(point.kind, point.root) for point in points if point.kind in FORMS]
+    found += [(FeatureKind.CORNER, real(joint.parameter)) for joint in facts.corners]
+    return sorted(found, key=lambda each: each[1])
+
+
+def _stable(facts: Facts, kind: FeatureKind, place: Real, radii: _Radii) -> StableFeature:
+    radius = radii.of(kind, place)
+    curve = facts.curve
+    moved = _straightened(curve, place) if kind is FeatureKind.CORNER else _flattened(facts, kind, place)
+    before = _count(curve, kind)
+    witness = next((each for each in moved if _count(each, kind) < before), None)
+    return StableFeature(kind, place, radius, witness, witness and _difference(curve, witness))
+
+
+class _Radii:
+    """The largest distances for which features are certain, found by halving; what is computed serves all features."""
+
+    def __init__(self, curve: Nurbs) -> None:
+        self.curve, self._found = curve, dict[int, tuple[NearbyFeature, ...]]()
+        columns = list(zip(*curve.control_points, strict=True))
+        self.size = max(max(column) - min(column) for column in columns) or mpq(1)
+
+    def of(self, kind: FeatureKind, place: Real) -> mpq:
+        """The largest distance that is tried for a feature, 0 for none."""
+        low, high = -1, len(DISTANCES)
+        while high - low > 1:
+            tried = (low + high) // 2
+            if any(_is_here(near, kind, place) for near in self._nearby(tried)):
+                low = tried
+            else:
+                high = tried
+        return DISTANCES[low] * self.size if low >= 0 else mpq(0)
+
+    def _nearby(self, index: int) -> tuple[NearbyFeature, ...]:
+        if index not in self._found:
+            try:
+                self._found[index] = features_nearby(self.curve, DISTANCES[index] * self.size)
+            except ShapeError:  # a weight function may vanish at this distance
+                self._found[index] = ()
+        return self._found[index]
+
+
+def _is_here(near: NearbyFeature, kind: FeatureKind, place: Real) -> bool:
+    """Whether it is this feature, and all curves have it once."""
+    return near.single and near.kind is kind and near.place.low <= place <= near.place.high
+
+
+def _count(curve: Nurbs, kind: FeatureKind) -> int:
+    """The number of features of a kind, by exact arithmetic."""
+    return sum(found is kind for found, _ in _features(Facts(curve)))
+
+
+def _difference(a: Nurbs, b: Nurbs) -> mpq:
+    """The largest difference of coordinates of control points and of weights."""
+    rows = zip((*a.control_points, a.weights), (*b.control_points, b.weights), strict=True)
+    return max(abs(x - y) for row, other in rows for x, y in zip(row, other, strict=True))
+
+
+def _straightened(curve: Nurbs, place: Real) -> Iterator[Nurbs]:
+    """The curve without a corner: its control point there moved half the way to the segment between its neighbours,
+    and they half the way to it.
+    """
+    t, points = place.exact, list(curve.control_points)
+    first = next(i for i, knot in enumerate(curve.knots) if knot == t)
+    before, at, behind = points[first - 2 : first + 1]
+    if curve.knots.multiplicity(t) != curve.degree:
+        return
+    along = [b - a for a, b in zip(before, behind, strict=True)]
+    square = sum(x * x for x in along)
+    if not square:
+        return
+    share = sum((x - a) * u for x, a, u in zip(at, before, along, strict=True)) / square
+    share = min(max(share, mpq(1, 16)), mpq(15, 16))
+    half = [(a + share * u - x) / 2 for x, a, u in zip(at, before, along, strict=True)]
+    for i, sign in ((first - 2, -1), (first - 1, 1), (first, -1)):
+        points[i] = tuple(x + sign * h for x, h in zip(points[i], half, strict=True))
+    yield Nurbs(curve.degree, curve.knots, points, curve.weights)
+
+
+def _flattened(facts: Facts, kind: FeatureKind, place: Real) -> Iterator[Nurbs]:
+    """Curves near a curve, the nearest first, whose form is lifted over zero between this zero and a neighbour of it, or
+    an end of the domain.
+    """
+    curve = facts.curve
+    name, choose = FORMS[kind]
+    zeros = list(facts.zero_form(name).zeros)
+    k = zeros.index(place)
+    start, end = map(real, curve.domain)
+    gaps = [(zeros[k - 1] if k else start, place), (place, zeros[k + 1] if k + 1 < len(zeros) else end)]
+    gradients = _Gradients(curve, choose)
+    hardest = [max((gradients.lift(t) for t in _samples(*gap, curve)), key=lambda lift: lift.distance) for gap in gaps]
+    tried = [(lift.distance * factor, lift) for lift in hardest for factor in FACTORS]
+    for distance, lift in sorted(tried, key=lambda each: each[0]):
+        if distance:
+            yield lift.applied(curve, rounded_up(distance))
+
+
+def _samples(low: Real, high: Real, curve: Nurbs) -> list[mpq]:
+    """Places between two zeros, with those of them that are ends of the domain."""
+    a, b = low.enclosure(20).middle, high.enclosure(20).middle
+    return [a + (b - a) * share for share in PLACES] + [t for t in (a, b) if t in curve.domain]
+
+
+@dataclass(frozen=True)
+class _Lift:
+    """By how much each control point must be moved, at first order, so that the form vanishes at a place: `signs` of the
+    coordinates and the weight of the control points from `first` on.
+    """
+
+    distance: mpq
+    first: int
+    signs: tuple[tuple[int, ...], ...]
+
+    def applied(self, curve: Nurbs, distance: mpq) -> Nurbs:
+        """The curve with its control points moved by this distance."""
+        return _moved(curve, {self.first + i: [s * distance for s in row] for i, row in enumerate(self.signs)})
+
+
+def _moved(curve: Nurbs, steps: dict[int, Sequence[mpq]]) -> Nurbs:
+    """The curve with control points moved by these steps, each for both coordinates and, perhaps, the weight."""
+    points, weights = list(curve.control_points), list(curve.weights)
+    for i, (x, y, *w) in steps.items():
+        points[i] = (points[i][0] + x, points[i][1] + y)
+        weights[i] += w[0] if w else 0
+    return Nurbs(curve.degree, curve.knots, points, weights)
+
+
+class _Gradients:
+    """A form of a curve, and how it changes with the control points, segment by segment."""
+
+    def __init__(self, curve: Nurbs, choose: Callable[[Programs], Program]) -> None:
+        self.curve, self.program = curve, choose(programs(curve.degree, not curve.polynomial))
+        self._known: dict[int, tuple[int, list[arb], list[list[list[arb]]]]] = {}
+
+    def lift(self, t: mpq) -> _Lift:
+        """What lifts the form to zero at a parameter."""
+        i = self.curve.mesh.locate(t)
+        if i not in self._known:
+            self._known[i] = self._of_segment(i)
+        first, form, rows = self._known[i]
+        local = self.curve.mesh.local(i, t)
+        value = _middle(value_at(form, local))
+        slopes = [[_middle(value_at(row, local)) for row in point] for point in rows]
+        norm = sum(abs(x) for row in slopes for x in row)
+        direction = -sign(value)
+        signs = tuple(tuple(direction * sign(x) for x in row) for row in slopes)
+        return _Lift(abs(value) / norm if norm else mpq(0), first, signs)
+
+    def _of_segment(self, i: int) -> tuple[int, list[arb], list[list[list[arb]]]]:
+        """The first control point, the form, and its derivatives by the coordinates of control points."""
+        curve, n = self.curve, self.curve.degree
+        j = bisect_right(curve.knots, curve.breakpoints[i]) - 1
+        points, weights = curve.control_points[j - n : j + 1], curve.weights[j - n : j + 1]
+        alone = Nurbs(n, list(curve.knots)[j - n : j + n + 2], points, weights)
+        units = [(STEP, 0), (0, STEP)] if curve.polynomial else [(STEP, 0, 0), (0, STEP, 0), (0, 0, STEP)]
+        form, step = self._form(alone), arb(to_fmpq(STEP))
+        rows = [
+            [
+                [(b - a) / step for a, b in zip(form, self._form(_moved(alone, {k: unit})), strict=True)]
+                for unit in units
+            ]
+            for k in range(n + 1)
+        ]
+        return j - n, form, rows
+
+    def _form(self, curve: Nurbs) -> list[arb]:
+        return CurvesNear(curve, mpq(0)).ordinates(self.program, 0)
+
+
+def _middle(x: arb) -> mpq:
+    return ball_ends(x).middle
