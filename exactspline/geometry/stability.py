@@ -1,5 +1,5 @@
-"""How far a plane curve may be changed until a feature vanishes or merges with another: a distance for which it is proved
-that no such change does it, and a curve, at a distance not much larger, without the feature.
+"""How far a plane curve may be changed until a feature vanishes or merges with another: a distance for which it is
+proved that no such change does it, and a curve, at a distance not much larger, without the feature.
 
 The distance is the largest of a list for which `exactspline.geometry.nearby` finds the feature once in all curves that
 near. The other curve moves each control point by the same amount, in the direction in which the form of the feature
@@ -8,21 +8,22 @@ grows fastest where it is hardest to lift over zero; that it lacks a feature is 
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 from flint import arb, ctx
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ShapeError, WeightError
 from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Facts
 from exactspline.geometry.kinds import FeatureKind
-from exactspline.geometry.nearby import PRECISION, CurvesNear, NearbyFeature, features_nearby, value_at
+from exactspline.geometry.nearby import NearbyFeature, features_nearby
+from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family
 from exactspline.geometry.plane_features import critical_points, flat_points
 from exactspline.geometry.plane_programs import Programs, programs
 from exactspline.geometry.recognition.pieces import rounded_up
-from exactspline.numbers.exact import mpq, sign, to_fmpq
+from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import ball_ends
 from exactspline.programs.program import Program
 from exactspline.questions.answers import CurvePiece, Described
@@ -42,16 +43,15 @@ DISTANCES = tuple(mpq(m, 8) * mpq(2) ** e for e in range(-60, 0) for m in range(
 PLACES = tuple(mpq(k, 12) for k in range(1, 12))
 #: Multiples of the distance that the linear part of the form asks for.
 FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64, 96, 128))
-#: The step of a difference quotient, far below the precision that its use asks for.
-STEP = mpq(1, 2**80)
 
 
 @dataclass(frozen=True)
 class StableFeature(Described):
-    """A feature of a plane curve, and how far the curve may be changed: `radius` is a number such that every curve whose
-    control points and weights differ by at most that has this feature exactly once near this place, 0 where nothing
-    like that is proved; `witness` is a curve with fewer features of this kind, None where none was found, and `gone` a
-    bound on how far its numbers differ.
+    """A feature of a plane curve, and how far the curve may be changed.
+
+    Every curve whose control points and weights differ by at most `radius` has this feature exactly once near this
+    place; 0 where nothing like that is proved. `witness` is a curve with fewer features of this kind, whose numbers
+    differ by at most `gone`; None where none was found.
     """
 
     kind: FeatureKind
@@ -73,8 +73,8 @@ class StableFeature(Described):
 
 
 def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
-    """Inflections, extrema of the curvature and corners of a plane curve, and how far its control points and weights may
-    be changed (each coordinate and each weight for itself) without one of them vanishing or merging with another.
+    """Inflections, extrema of the curvature and corners of a plane curve, and how far its control points and weights
+    may be changed (each coordinate and each weight for itself) without one of them vanishing or merging with another.
 
     >>> from exactspline import example
     >>> for found in stability(example("cubic_s")):
@@ -170,14 +170,14 @@ def _straightened(curve: Nurbs, place: Real) -> Iterator[Nurbs]:
     share = sum((x - a) * u for x, a, u in zip(at, before, along, strict=True)) / square
     share = min(max(share, mpq(1, 16)), mpq(15, 16))
     half = [(a + share * u - x) / 2 for x, a, u in zip(at, before, along, strict=True)]
-    for i, sign in ((first - 2, -1), (first - 1, 1), (first, -1)):
-        points[i] = tuple(x + sign * h for x, h in zip(points[i], half, strict=True))
+    for i, ahead in ((first - 2, -1), (first - 1, 1), (first, -1)):
+        points[i] = tuple(x + ahead * h for x, h in zip(points[i], half, strict=True))
     yield Nurbs(curve.degree, curve.knots, points, curve.weights)
 
 
 def _flattened(facts: Facts, kind: FeatureKind, place: Real) -> Iterator[Nurbs]:
-    """Curves near a curve, the nearest first, whose form is lifted over zero between this zero and a neighbour of it, or
-    an end of the domain.
+    """Curves near a curve, the nearest first, whose form is lifted over zero between this zero and a neighbour of it,
+    or an end of the domain.
     """
     curve = facts.curve
     name, choose = FORMS[kind]
@@ -190,7 +190,8 @@ def _flattened(facts: Facts, kind: FeatureKind, place: Real) -> Iterator[Nurbs]:
     tried = [(lift.distance * factor, lift) for lift in hardest for factor in FACTORS]
     for distance, lift in sorted(tried, key=lambda each: each[0]):
         if distance:
-            yield lift.applied(curve, rounded_up(distance))
+            with suppress(WeightError):
+                yield lift.applied(curve, rounded_up(distance))
 
 
 def _samples(low: Real, high: Real, curve: Nurbs) -> list[mpq]:
@@ -201,8 +202,8 @@ def _samples(low: Real, high: Real, curve: Nurbs) -> list[mpq]:
 
 @dataclass(frozen=True)
 class _Lift:
-    """By how much each control point must be moved, at first order, so that the form vanishes at a place: `signs` of the
-    coordinates and the weight of the control points from `first` on.
+    """By how much each control point must be moved, at first order, so that the form vanishes at a place: `signs` of
+    the coordinates and the weight of the control points from `first` on.
     """
 
     distance: mpq
@@ -228,41 +229,18 @@ class _Gradients:
 
     def __init__(self, curve: Nurbs, choose: Callable[[Programs], Program]) -> None:
         self.curve, self.program = curve, choose(programs(curve.degree, not curve.polynomial))
-        self._known: dict[int, tuple[int, list[arb], list[list[list[arb]]]]] = {}
+        self.forms, self._known = CurvesNear(curve, mpq(0)), dict[int, Family]()
 
     def lift(self, t: mpq) -> _Lift:
         """What lifts the form to zero at a parameter."""
         i = self.curve.mesh.locate(t)
         if i not in self._known:
-            self._known[i] = self._of_segment(i)
-        first, form, rows = self._known[i]
-        local = self.curve.mesh.local(i, t)
-        value = _middle(value_at(form, local))
-        slopes = [[_middle(value_at(row, local)) for row in point] for point in rows]
-        norm = sum(abs(x) for row in slopes for x in row)
-        direction = -sign(value)
-        signs = tuple(tuple(direction * sign(x) for x in row) for row in slopes)
-        return _Lift(abs(value) / norm if norm else mpq(0), first, signs)
-
-    def _of_segment(self, i: int) -> tuple[int, list[arb], list[list[list[arb]]]]:
-        """The first control point, the form, and its derivatives by the coordinates of control points."""
-        curve, n = self.curve, self.curve.degree
-        j = bisect_right(curve.knots, curve.breakpoints[i]) - 1
-        points, weights = curve.control_points[j - n : j + 1], curve.weights[j - n : j + 1]
-        alone = Nurbs(n, list(curve.knots)[j - n : j + n + 2], points, weights)
-        units = [(STEP, 0), (0, STEP)] if curve.polynomial else [(STEP, 0, 0), (0, STEP, 0), (0, 0, STEP)]
-        form, step = self._form(alone), arb(to_fmpq(STEP))
-        rows = [
-            [
-                [(b - a) / step for a, b in zip(form, self._form(_moved(alone, {k: unit})), strict=True)]
-                for unit in units
-            ]
-            for k in range(n + 1)
-        ]
-        return j - n, form, rows
-
-    def _form(self, curve: Nurbs) -> list[arb]:
-        return CurvesNear(curve, mpq(0)).ordinates(self.program, 0)
+            self._known[i] = self.forms.form(self.program, i)
+        value, *slopes, _ = map(_middle, self._known[i].values(self.curve.mesh.local(i, t)))
+        norm, direction, width = sum(map(abs, slopes)), -sign(value), self.forms.per_point
+        signs = [direction * sign(x) for x in slopes]
+        rows = tuple(tuple(signs[k : k + width]) for k in range(0, len(signs), width))
+        return _Lift(abs(value) / norm if norm else mpq(0), self.forms.basis(i)[0], rows)
 
 
 def _middle(x: arb) -> mpq:
