@@ -29,7 +29,7 @@ from exactspline.splines.nurbs import Nurbs
 #: The narrowest part of a segment that is looked at, in bits.
 NARROWEST = 40
 #: The same for parts on which no sign is in sight.
-SHALLOW = 5
+SHALLOW = 3
 
 
 @dataclass(frozen=True)
@@ -170,26 +170,26 @@ def _signs(form: Family, ends: Interval, depth: int = 0) -> Iterator[_Part]:
     """The signs of a form on a segment, from left to right."""
     if form.sign:
         yield _Part(ends.low, ends.high, form.sign)
-    elif form.slope and form.ordinates[0] * form.ordinates[-1] < 0:
+    elif form.slope:
         yield from _narrowed(form, ends)
-    elif depth == NARROWEST or (all(x.contains(0) for x in form.ordinates) and (form.slope or depth >= SHALLOW)):
-        yield _Part(ends.low, ends.high, 0, form.slope)
+    elif depth == NARROWEST or (depth >= SHALLOW and form.uncertain):
+        yield _Part(ends.low, ends.high, 0)
     else:
         for half, part in zip(form.halves(), ends.halves, strict=True):
             yield from _signs(half, part, depth + 1)
 
 
 def _narrowed(form: Family, ends: Interval) -> Iterator[_Part]:
-    """The single zero of a monotonic form: where it is, to within a quarter of what the signs allow to say."""
-    before = -1 if form.ordinates[0] < 0 else 1
-    zero = form.zero_of_curve()
-    low, high = _certain(form, zero, mpq(0), before), _certain(form, zero, mpq(1), -before)
+    """The signs of a monotonic form, with the interval that has the single zero of each curve that has one."""
+    slope, zero = form.slope, form.zero_of_curve()
+    low = _certain(form, zero, mpq(0), -slope) if form.ordinates[0] * slope < 0 else mpq(0)
+    high = _certain(form, zero, mpq(1), slope) if form.ordinates[-1] * slope > 0 else mpq(1)
     inside = ends.part(Interval(low, high))
     if ends.low < inside.low:
-        yield _Part(ends.low, inside.low, before)
-    yield _Part(inside.low, inside.high, 0, form.slope)
+        yield _Part(ends.low, inside.low, -slope)
+    yield _Part(inside.low, inside.high, 0, slope)
     if inside.high < ends.high:
-        yield _Part(inside.high, ends.high, -before)
+        yield _Part(inside.high, ends.high, slope)
 
 
 def _certain(form: Family, zero: mpq, end: mpq, sign: int) -> mpq:

@@ -27,6 +27,8 @@ from exactspline.splines.nurbs import Nurbs
 #: Bits of the balls.
 PRECISION = 192
 NOTHING = arb_poly()
+#: By how much a form has to change at least, compared with its values for other curves, for a part to be halved.
+FLAT = 8
 
 
 class _Affine:
@@ -111,15 +113,28 @@ class Family:
         """The differences of neighbouring ordinates, likewise."""
         return _enclosed(self.rows * _difference_matrix(self.degree)) if self.degree else []
 
+    @cached_property
+    def of_curve(self) -> list[arb]:
+        """The ordinates of the form of the curve itself."""
+        return [self.rows[0, k] for k in range(self.degree + 1)]
+
+    @property
+    def uncertain(self) -> bool:
+        """Whether zero is among the values of some of the curves everywhere, or the curves differ by far more than the
+        form of one changes, so that on smaller parts, too, little more will be certain.
+        """
+        change = max(self.of_curve) - min(self.of_curve)
+        return all(x.contains(0) for x in self.ordinates) or all(change * FLAT < x.rad() for x in self.ordinates)
+
     @property
     def sign(self) -> int:
         """The sign that all values of all curves have, 0 where the ordinates do not show one."""
-        return _common_sign(self.ordinates)
+        return _common_sign(self.ordinates) if _common_sign(self.of_curve) else 0
 
-    @property
+    @cached_property
     def slope(self) -> int:
         """The sign of the derivative of the forms of all curves, 0 where the ordinates do not show it."""
-        return _common_sign(self.differences) if self.degree else 0
+        return _common_sign(self.differences) if _common_sign([b - a for a, b in pairwise(self.of_curve)]) else 0
 
     def halves(self) -> tuple[Family, Family]:
         """The two halves."""
@@ -131,10 +146,11 @@ class Family:
         return _enclosed(self.rows * _bernstein(self.degree, t))[0]
 
     def zero_of_curve(self) -> mpq:
-        """About where the form of the curve itself, whose ends have opposite signs, is zero."""
-        own = [self.rows[0, k] for k in range(self.degree + 1)]
-        largest = max(own, key=abs)
-        ordinates = [float(x / largest) for x in own]
+        """About where the form of the curve itself, which is monotonic, is zero, or nearest to zero."""
+        largest = max(self.of_curve, key=abs)
+        ordinates = [float(x / largest) for x in self.of_curve]
+        if ordinates[0] * ordinates[-1] >= 0:
+            return mpq(int(abs(ordinates[0]) > abs(ordinates[-1])))
         low, high = 0.0, 1.0
         while low < (t := (low + high) / 2) < high and high - low > 2**-48:
             row = ordinates
@@ -194,7 +210,9 @@ class CurvesNear:
         """A program on a segment, as of width 1."""
         run: Any = program.run  # it computes with whatever polynomials it is given
         given = [[x] for x in self._homogeneous(i)]
-        return run(given, [[fmpz(1)]] * len(program.groups), [(fmpz(1), fmpz(1))])[0][0]
+        found = run(given, [[fmpz(1)]] * len(program.groups), [(fmpz(1), fmpz(1))])[0][0]
+        # a form that vanishes for all curves, as the curvature of a line, is computed without them
+        return found if isinstance(found, _Affine) else _Affine(arb_poly(found), {}, NOTHING)
 
     def _homogeneous(self, i: int) -> list[_Affine]:
         """The homogeneous coordinates of a segment."""
@@ -220,7 +238,8 @@ class CurvesNear:
 
 
 def _common_sign(balls: Sequence[arb]) -> int:
-    return 1 if all(x > 0 for x in balls) else -1 if all(x < 0 for x in balls) else 0
+    """The sign that all numbers have, 0 for none and for no numbers."""
+    return 1 if balls and all(x > 0 for x in balls) else -1 if balls and all(x < 0 for x in balls) else 0
 
 
 def _enclosed(rows: arb_mat) -> list[arb]:

@@ -38,11 +38,11 @@ FORMS: dict[FeatureKind, tuple[str, Callable[[Programs], Program]]] = {
     FeatureKind.MINIMUM: ("critical_curvature", lambda made: made.critical),
 }
 #: The distances that are tried, in units of the size of the curve.
-DISTANCES = tuple(mpq(m, 8) * mpq(2) ** e for e in range(-60, 0) for m in range(8, 16))
+DISTANCES = tuple(mpq(m, 2) * mpq(2) ** e for e in range(-60, 0) for m in (2, 3))
 #: Where, between two zeros of a form, it may be hardest to lift over zero.
 PLACES = tuple(mpq(k, 12) for k in range(1, 12))
 #: Multiples of the distance that the linear part of the form asks for.
-FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64, 96, 128))
+FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64, 96, 128, 256))
 
 
 @dataclass(frozen=True)
@@ -79,9 +79,9 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
     >>> from exactspline import example
     >>> for found in stability(example("cubic_s")):
     ...     print(found.kind, f"{float(found.radius):.3f} {float(found.gone):.3f}")
-    minimum 0.109 0.133
-    inflection 0.109 0.250
-    maximum 0.109 0.133
+    minimum 0.031 1.616
+    inflection 0.125 0.757
+    maximum 0.031 1.616
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
@@ -145,7 +145,11 @@ def _is_here(near: NearbyFeature, kind: FeatureKind, place: Real) -> bool:
 
 def _count(curve: Nurbs, kind: FeatureKind) -> int:
     """The number of features of a kind, by exact arithmetic."""
-    return sum(found is kind for found, _ in _features(Facts(curve)))
+    facts = Facts(curve)
+    if kind is FeatureKind.CORNER:
+        return len(facts.corners)
+    points = flat_points(facts) if kind is FeatureKind.INFLECTION else critical_points(facts, Variant.MINIMAL)
+    return sum(point.kind is kind for point in points)
 
 
 def _difference(a: Nurbs, b: Nurbs) -> mpq:
@@ -159,10 +163,10 @@ def _straightened(curve: Nurbs, place: Real) -> Iterator[Nurbs]:
     and they half the way to it.
     """
     t, points = place.exact, list(curve.control_points)
+    if t in curve.domain or curve.knots.multiplicity(t) != curve.degree:  # a seam, or two control points at the corner
+        return
     first = next(i for i, knot in enumerate(curve.knots) if knot == t)
     before, at, behind = points[first - 2 : first + 1]
-    if curve.knots.multiplicity(t) != curve.degree:
-        return
     along = [b - a for a, b in zip(before, behind, strict=True)]
     square = sum(x * x for x in along)
     if not square:
@@ -179,12 +183,11 @@ def _flattened(facts: Facts, kind: FeatureKind, place: Real) -> Iterator[Nurbs]:
     """Curves near a curve, the nearest first, whose form is lifted over zero between this zero and a neighbour of it,
     or an end of the domain.
     """
-    curve = facts.curve
-    name, choose = FORMS[kind]
-    zeros = list(facts.zero_form(name).zeros)
-    k = zeros.index(place)
+    curve, (name, choose) = facts.curve, FORMS[kind]
     start, end = map(real, curve.domain)
-    gaps = [(zeros[k - 1] if k else start, place), (place, zeros[k + 1] if k + 1 < len(zeros) else end)]
+    zeros = list(facts.zero_form(name).zeros)
+    before, behind = [x for x in zeros if x < place], [x for x in zeros if x > place]
+    gaps = [(before[-1] if before else start, place), (place, behind[0] if behind else end)]
     gradients = _Gradients(curve, choose)
     hardest = [max((gradients.lift(t) for t in _samples(*gap, curve)), key=lambda lift: lift.distance) for gap in gaps]
     tried = [(lift.distance * factor, lift) for lift in hardest for factor in FACTORS]
