@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 #: From the name of a format (``html``, ``latex``, ``short``, ``words``) and an object to a text, None where there is
 #: none.
@@ -53,9 +53,15 @@ class Displayed:
 
 
 class Worded:
-    """What a sentence is made of: `str` puts it into words, as `display` writes them."""
+    """What a sentence is made of: `str` puts it into words, as `display` writes them: those given with a class, with
+    fields between braces, where ``{name?yes|no}`` is one of two texts, as the field is true.
+    """
 
     __slots__ = ()
+    template: ClassVar[str] = ""
+
+    def __init_subclass__(cls, words: str = "") -> None:
+        cls.template = words
 
     def __str__(self) -> str:
         return _printers[0]("words", self) or repr(self)

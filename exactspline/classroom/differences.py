@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum, auto
+from enum import Enum
 
 from exactspline.classroom.parts import Point
 from exactspline.hooks import Worded
@@ -21,17 +21,17 @@ class Difference(Worded):
 class Entries(Enum):
     """What an answer is a list of."""
 
-    NUMBERS = auto()
-    POINTS = auto()
-    POLYNOMIALS = auto()
+    NUMBERS = "number"
+    POINTS = "point"
+    POLYNOMIALS = "polynomial"
 
 
 class Shape(Difference, Enum):
     """What is wrong with an answer that is not a number."""
 
-    CIRCLE = auto()
-    NOT_A_CIRCLE = auto()
-    REVERSED = auto()
+    CIRCLE = "it is a circle"
+    NOT_A_CIRCLE = "it is not a circle"
+    REVERSED = "it is reversed"
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class OtherCount(Difference):
 
 
 @dataclass(frozen=True)
-class OtherNumber(Difference):
+class OtherNumber(Difference, words="{name} is {right}, not {given}"):
     """A named number is wrong."""
 
     name: Name
@@ -53,7 +53,7 @@ class OtherNumber(Difference):
 
 
 @dataclass(frozen=True)
-class OtherPoint(Difference):
+class OtherPoint(Difference, words="control point {index} is {right}, not {given}"):
     """The control point of an index, from 0, is wrong."""
 
     index: int
@@ -62,7 +62,7 @@ class OtherPoint(Difference):
 
 
 @dataclass(frozen=True)
-class OtherCoefficient(Difference):
+class OtherCoefficient(Difference, words="{name}: the coefficient of t^{power} is {right}, not {given}"):
     """The coefficient of a power of t in a named polynomial is wrong."""
 
     name: Name
@@ -72,7 +72,7 @@ class OtherCoefficient(Difference):
 
 
 @dataclass(frozen=True)
-class OtherValue(Difference):
+class OtherValue(Difference, words="{name}{name?: }at t = {at} it gives {given} instead of {right}"):
     """At a parameter the value (of a polynomial that has a name) is wrong."""
 
     at: mpq
@@ -82,14 +82,14 @@ class OtherValue(Difference):
 
 
 @dataclass(frozen=True)
-class Missing(Difference):
+class Missing(Difference, words="t = {parameter} is missing"):
     """A parameter is missing."""
 
     parameter: mpq
 
 
 @dataclass(frozen=True)
-class Invented(Difference):
+class Invented(Difference, words="t = {parameter} is not one of them"):
     """A parameter is not one of those asked for."""
 
     parameter: mpq
@@ -103,7 +103,7 @@ class OtherCoordinates(Difference):
 
 
 @dataclass(frozen=True)
-class OtherDimension(Difference):
+class OtherDimension(Difference, words="it is in R{given}, not in R{right}"):
     """The curve is in a space of another dimension."""
 
     right: int
@@ -119,7 +119,7 @@ class OtherDomain(Difference):
 
 
 @dataclass(frozen=True)
-class NotProved(Difference):
+class NotProved(Difference, words="{proof}"):
     """The formula is not the reference."""
 
     proof: Proof

@@ -39,7 +39,7 @@ def derive(
 ) -> None:
     """Write a derived curve or function as exact control points (JSON)."""
     from exactspline.display.serialize import derived_data
-    from exactspline.display.surface_values import surface_value_data
+    from exactspline.display.surface_data import surface_value_data
     from exactspline.geometry.derived import derive as derived
     from exactspline.interchange.curve_files import write_json
     from exactspline.interchange.examples import load_surface

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
-from exactspline.display.intersection_data import Data, intersections_data, real_data
+from exactspline.display.data import Data
 from exactspline.display.sheet import Sheet
+from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.curve_pair import CurvePair
 from exactspline.geometry.distance import Distance
-from exactspline.geometry.intersections import Intersections
+from exactspline.geometry.intersections import Intersection, Intersections, Overlap
 from exactspline.geometry.registry import REGISTRY
-from exactspline.numbers.exact import text
+from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.intervals import rounded_outwards
 from exactspline.questions.entry import Of
+from exactspline.reals.real import Real, real
 
 
 def pair_data(pair: CurvePair, digits: int) -> Data:
@@ -37,21 +41,60 @@ def _answer_data(answer: object, digits: int) -> Data:
     return {"points": pairs, "lower": lower, "left_out": list(answer.left_out), **value}
 
 
+def intersections_data(found: Intersections, digits: int) -> Data:
+    """The points and arcs that two curves have in common."""
+    return {
+        "points": [_point_data(point, digits) for point in found],
+        "everywhere": [_overlap_data(arc, digits) for arc in found.everywhere],
+        "left_out": list(found.left_out),
+    }
+
+
+def _point_data(point: Intersection, digits: int) -> Data:
+    return {
+        "kind": str(point.kind),
+        "first": real_data(point.first, digits),
+        "second": real_data(point.second, digits),
+        "multiplicity": point.multiplicity,
+        "at_knot": list(point.at_knot),
+        "point": [real_data(x, digits) for x in point.point],
+    }
+
+
+def _overlap_data(arc: Overlap, digits: int) -> Data:
+    return {
+        "first": [real_data(x, digits) for x in arc.first],
+        "second": [real_data(x, digits) for x in arc.second],
+        "reversed": arc.reversed,
+        "of_second": arc.of_second,
+        "numerator": None if arc.numerator is None else [str(x) for x in arc.numerator],
+        "denominator": None if arc.denominator is None else [str(x) for x in arc.denominator],
+    }
+
+
+def real_data(x: Real | mpq, digits: int) -> Data:
+    """A number: exactly where it has a short form, in a certified interval, and to a given number of digits."""
+    number = real(x)
+    with suppress(ReachError, OpenError):
+        _ = number.exact  # then its closed form is known
+    low, high = number.enclosure(digits)
+    if low != high:
+        low, high = rounded_outwards(number.enclosure(digits), digits + 1)
+    return {"exact": number.closed_form, "interval": [text(low), text(high)], "decimal": number.decimal(digits)}
+
+
 def pair_sheet(data: Data, title: str) -> Sheet:
     """The points, arcs and nearest pairs, one per row."""
-    return _sheet(data, title)
-
-
-def _sheet(data: dict[str, Any], title: str) -> Sheet:
+    common: Any = data["intersections"]
     made = Sheet("what", "s", "t", "point", "remark", title=title, prose=["remark"])
-    for point in data["intersections"]["points"]:
+    for point in common["points"]:
         at = ", ".join(x["exact"] or x["decimal"] for x in point["point"])
         made.add_row(point["kind"], _shown(point["first"]), _shown(point["second"]), f"({at})", _remark(point))
-    for arc in data["intersections"]["everywhere"]:
+    for arc in common["everywhere"]:
         s, t = (f"[{', '.join(map(_shown, arc[name]))}]" for name in ("first", "second"))
         made.add_row("common arc", s, t, "", _map_of(arc))
     if not made.row_count:
-        distance = data["distance"]
+        distance: Any = data["distance"]
         for pair in distance["points"]:
             value = f"distance {_shown(distance['value'])}"
             made.add_row("nearest", _shown(pair["first"]), _shown(pair["second"]), "", value)

@@ -6,29 +6,35 @@ from collections.abc import Iterator, Sequence
 from enum import StrEnum
 from functools import singledispatch
 from math import prod
-from typing import cast
+from typing import Any, cast
 
+from exactspline.display.bisector_data import control_net
 from exactspline.display.data import Data, picked, plain
 from exactspline.display.described import described_surface
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
-from exactspline.errors import counted
+from exactspline.errors import FormulaError, counted
 from exactspline.geometry.surface.chains import ParabolicCurve, Piece
 from exactspline.geometry.surface.degenerate import Gap, Pole
-from exactspline.geometry.surface.forms import Patch
+from exactspline.geometry.surface.forms import Patch, lowest
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.parabolic_lines import ParabolicLine
 from exactspline.geometry.surface.places import Parameter, Place, enclosing
 from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
+from exactspline.language.formula import Formula
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box, Interval, hull, joined
 from exactspline.polynomials.patch_forms import clusters
 from exactspline.questions.answers import SurfacePlaces
 from exactspline.questions.entry import questions_of
 from exactspline.roots.root import Root
-from exactspline.splines.surface import Along
+from exactspline.splines.surface import Along, NurbsSurface
+from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.tensor_lowest_terms import in_lowest_terms
 
 #: The common properties of poles along one line.
 _PoleKey = tuple[Along, mpq, tuple[mpq, ...] | None, Gap]
@@ -206,6 +212,39 @@ def _extent(piece: Piece) -> Box:
     return piece.sides.part(hull(Box.point(x, y) for x, y in points))
 
 
+# ---- the value of a formula
+
+
+def surface_value_data(formula: Formula, surface: NurbsSurface, name: str) -> Data:
+    """The value of a formula on a surface, exactly: a quotient in lowest terms by homogeneous control points ``(w f,
+    w)``, a polynomial by its control points.
+
+    >>> from exactspline import example
+    >>> from exactspline.papers import find
+    >>> data = surface_value_data(find("surfaces:gaussian_curvature"), example("sphere"), "sphere")
+    >>> data["degree"], data["homogeneous_control_net"][0][0]
+    ([0, 0], ['1', '1'])
+
+    Raises `FormulaError` for a formula that is not about such a surface.
+    """
+    if surface.dimension not in formula.kind.dimensions or formula.kind.name not in ("surface", "planar map"):
+        raise FormulaError(
+            f"{formula.name} of a surface in R{surface.dimension}",
+            remedy=f"it is defined for a {formula.kind.name} in R{formula.kind.dimensions[0]}",
+        )
+    value = surface.remembering().calls(formula)
+    if isinstance(value, Rational):
+        reduced = in_lowest_terms(value)
+        top, bottom = reduced.numerator, reduced.denominator
+        splines: list[TensorSpline] = [*(top if isinstance(top, Vector) else [top]), bottom]
+        layout = "quotient"
+    else:
+        parts: list[Any] = list(value) if isinstance(value, Vector) else [value]
+        splines = [lowest(f) for f in parts]
+        layout = "polynomial"
+    return {"name": formula.name, "surface": name, "layout": layout} | control_net(splines)
+
+
 # ---- a table
 
 
@@ -216,7 +255,7 @@ def surface_sheet(inspection: SurfaceInspection, digits: int) -> Sheet:
     title = f"{surface.name}: {described_surface(surface)}{closed}{'' if inspection.complete else INCOMPLETE}"
     made = Sheet("what", "u", "v", "remark", title=title, name=surface.name, prose=["remark"], heads=1)
     for kind, box, remark in _regions(inspection):
-        made.add_row(kind, *(_side(side) for side in box), remark)
+        made.add_row(kind, *(str(side) for side in box), remark)
     for line in inspection.parabolic_lines:
         note = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
         made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), note)
@@ -331,11 +370,7 @@ def _parameters(place: Place, digits: int) -> Iterator[str]:
 
 def _line(along: Along, value: Parameter, interval: Interval, digits: int = 0) -> tuple[str, str]:
     at = shown(*enclosing(value, digits + 2), digits) if isinstance(value, Root) else text(value)
-    return (_side(interval), at) if along is Along.U else (at, _side(interval))
-
-
-def _side(side: Interval) -> str:
-    return str(side)
+    return (str(interval), at) if along is Along.U else (at, str(interval))
 
 
 def _near(side: Interval, digits: int = 4) -> str:
@@ -364,7 +399,7 @@ def map_sheet(inspection: MapInspection) -> Sheet:
     surface = inspection.surface
     title = f"{surface.name}: {described_surface(surface)}{'' if inspection.complete else INCOMPLETE}"
     made = Sheet("what", "u", "v", "remark", title=title, name=surface.name, prose=["remark"], heads=1)
-    made.add_row("map", *(_side(side) for side in surface.domain), inspection.kind.value)
+    made.add_row("map", *(str(side) for side in surface.domain), inspection.kind.value)
     for place, remark in ((inspection.positive, "det > 0"), (inspection.negative, "det < 0")):
         if place and not inspection.regular:
             made.add_row("point", *(text(x) for x in place), remark)
@@ -384,6 +419,3 @@ def map_sheet(inspection: MapInspection) -> Sheet:
 
 def _patches(patches: Sequence[Patch]) -> str:
     return ("patch " if len(patches) == 1 else "patches ") + " and ".join(f"{i}, {j}" for i, j in patches)
-
-
-__all__ = ["map_data", "map_sheet", "shown", "surface_inspection_data", "surface_sheet"]

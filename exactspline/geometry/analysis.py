@@ -1,15 +1,19 @@
 """One curve, one analysis: everything known of a curve is read from one lazy object that belongs to it. `analyse` makes
 it at the first call and keeps it with the curve. Each fact is computed when it is first needed and then kept; several
-threads may share it. An analysis is not part of the curve's value: it is not copied, pickled or compared.
+threads may share it. An analysis is not part of the curve's value: it is not compared, and a copied or pickled curve
+has none; a pickled analysis is that of its curve, computed anew.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from threading import Lock
 from typing import TYPE_CHECKING, overload
+from weakref import ref
 
 from exactspline.errors import ShapeError
 from exactspline.geometry import plane_features, space_features
+from exactspline.geometry.certain import Certain, certain
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.extent import slope_zeros, turning_points
 from exactspline.geometry.facts import ZeroForm
@@ -26,7 +30,17 @@ from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
 from exactspline.questions.answers import CurvePiece, Places
-from exactspline.questions.entry import CURVES, Answered, Entry, Of, question, question_with, questions_of
+from exactspline.questions.entry import (
+    CURVES,
+    Answered,
+    Entry,
+    Fact,
+    Of,
+    Remembers,
+    question,
+    question_with,
+    questions_of,
+)
 from exactspline.roots.root import knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
@@ -38,6 +52,16 @@ if TYPE_CHECKING:
     from exactspline.geometry.surface.planar_maps import MapInspection
 
 _LOCK = Lock()
+
+
+class Kept(Remembers):
+    """What a curve keeps of its analysis: all that was computed, and a weak reference to the analysis itself. (With a
+    strong one neither would be freed before the garbage collector runs.)
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.analysis: Callable[[], Analysis | None] = lambda: None
 
 
 class Analysis(SpaceFacts, Displayed):
@@ -52,6 +76,9 @@ class Analysis(SpaceFacts, Displayed):
     >>> [f.kind.value for f in found.curvature_extrema], found.inflections, found.corners
     (['maximum', 'minimum', 'maximum', 'minimum'], nowhere, ())
     """
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return analyse, (self.curve,)
 
     def __repr__(self) -> str:
         return f"<Analysis of {self.curve!r}>"
@@ -86,8 +113,15 @@ class Analysis(SpaceFacts, Displayed):
 
         Raises `ShapeError` for a curve that is neither in the plane nor in space.
         """
+        if self._certain is not None:
+            return self._certain.inflections
         module = space_features if self.in_space else plane_features
         return Places(tuple(module.flat_points(self)), self.straight_pieces)
+
+    @Fact
+    def _certain(self) -> Certain | None:
+        """What is certain without exact arithmetic."""
+        return None if self.in_space else certain(self)
 
     @question(
         *CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros, known=lambda known: known.critical
@@ -101,7 +135,7 @@ class Analysis(SpaceFacts, Displayed):
         >>> len(analyse(example("ellipse")).critical_points), analyse(example("circle")).critical_points
         (4, everywhere on [0, 4])
         """
-        return self.critical_points_by(Variant.MINIMAL)
+        return self.critical_points_by(Variant.MINIMAL) if self._certain is None else self._certain.critical_points
 
     def critical_points_by(self, variant: Variant | str) -> Places[Feature]:
         """The same from the form of a variant."""
@@ -133,6 +167,8 @@ class Analysis(SpaceFacts, Displayed):
 
         Raises `ShapeError` for a curve that is neither in the plane nor in space.
         """
+        if self._certain is not None and self._certain.only_extrema:
+            return self.critical_points
         return self.critical_points.where(lambda f: f.kind is not FeatureKind.STATIONARY)
 
     @question(Of.SPACE_CURVE, proof=lambda facts: facts.zero_form("zero_torsion", Variant.PAPER).zeros)
@@ -152,7 +188,7 @@ class Analysis(SpaceFacts, Displayed):
             raise ShapeError("the torsion of a curve in R2", remedy="this needs a curve in space")
         return Places(tuple(space_features.torsion_zeros(self)), tuple(piece for piece, _ in self.planar_pieces))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda _: (), of_piece="straight")
+    @question(*CURVES, answered=Answered.PIECES, known=lambda known: known.straight, of_piece="straight")
     def straight_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve is straight.
 
@@ -165,7 +201,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return tuple(self.pieces_where_zero(self.flatness))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda _: (), of_piece="κ′ ≡ 0")
+    @question(*CURVES, answered=Answered.PIECES, known=lambda known: known.straight, of_piece="κ′ ≡ 0")
     def constant_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curvature is constant.
 
@@ -371,10 +407,15 @@ def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapIn
         return MapInspection(given) if given.dimension == 2 else SurfaceInspection(given)
     curve = curve_of(given)
     with _LOCK:
-        if curve._analysis is None:
-            object.__setattr__(curve, "_analysis", Analysis(curve))
-        analysis = curve._analysis
-    assert isinstance(analysis, Analysis)
+        kept = curve._analysis
+        if kept is None:
+            kept = Kept()
+            curve._analysis = kept
+        assert isinstance(kept, Kept)
+        analysis = kept.analysis()
+        if analysis is None:
+            analysis = Analysis(curve, kept)
+            kept.analysis = ref(analysis)
     return analysis
 
 

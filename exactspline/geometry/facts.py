@@ -8,7 +8,7 @@ depend on the parameter of a form: it uses the zero sets.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass
 from time import perf_counter
 
@@ -138,17 +138,32 @@ def among(roots: Sequence[Root], others: Sequence[Root]) -> list[bool]:
 
 
 class Facts(Remembers):
-    """The facts of one curve from which its features are read."""
+    """The facts of one curve from which its features are read. What was computed is kept in `known`, which refers
+    neither to the curve nor to this object: both are freed when nothing else refers to them.
+    """
 
-    def __init__(self, curve: Nurbs) -> None:
-        super().__init__()
+    def __init__(self, curve: Nurbs, known: Remembers | None = None) -> None:
+        super().__init__(known)
         self.curve = curve
-        negative = curve.w.polynomials[0][0] < 0
-        #: The curve as operands of formulas, with a positive weight function: forms of odd degree in (p, w) would
-        #: change their sign with it.
-        self.operands: Curve[BSpline] = Curve(-curve.p, -curve.w, polynomial=curve.polynomial) if negative else curve
-        self.closed: bool = curve.closed
-        self.breaks: tuple[mpq, ...] = curve.breakpoints
+
+    @Fact
+    def operands(self) -> Curve[BSpline]:
+        """The curve as operands of formulas, with a positive weight function: forms of odd degree in (p, w) would
+        change their sign with it.
+        """
+        curve = self.curve
+        negative = curve.w._polynomials[0][0] < 0
+        return Curve(-curve.p if negative else curve.p, -curve.w if negative else curve.w, polynomial=curve.polynomial)
+
+    @Fact
+    def closed(self) -> bool:
+        """Whether its ends agree."""
+        return self.curve.closed
+
+    @property
+    def breaks(self) -> tuple[mpq, ...]:
+        """The distinct knots of the domain, ends included."""
+        return self.curve.breakpoints
 
     # ---- forms
 
@@ -294,6 +309,16 @@ class Facts(Remembers):
             return Joint(t, JointKind.CORNER, 0, seam, turned(left[1], right[1]))
         curvatures = (curvature_of(left), curvature_of(right)) if order == 1 else None
         return Joint(t, self._smooth_kind(t, left, right, order), order, seam, curvatures=curvatures)
+
+    def tangent_continuous(self, i: int) -> bool:
+        """Whether the tangent is continuous at the i-th breakpoint (0: the seam), γ′ ≠ 0 on both sides."""
+        if (self.curve.p[0].continuity[i - 1] if i else 0) == 0:
+            return self._tangents(i - 1, i) is None
+        return self._joint(i).tangent_continuous
+
+    def same_curvature(self, i: int) -> bool:
+        """Whether tangent and curvature are continuous at the i-th breakpoint (0: the seam)."""
+        return self._joint(i).same_curvature
 
     def _tangents(self, before: int, behind: int) -> tuple[tuple[fmpz, ...], tuple[fmpz, ...]] | None:
         """The directions of two segments that certainly meet, where these differ and γ′ ≠ 0 on both sides; None proves
@@ -445,6 +470,15 @@ class Facts(Remembers):
             return self._tangents(i - 1, i) is None and self._joint(i).same_curvature
 
         return self._pieces(holds, [joined(i) for i in range(len(holds))])
+
+    def straight_runs(self, straight: Set[int]) -> tuple[CurvePiece, ...]:
+        """The straight pieces of a curve of which these segments are straight, γ′ ≠ 0 on them."""
+        holds = [i in straight for i in range(len(self.breaks) - 1)]
+
+        def joined(i: int) -> bool:
+            return holds[i - 1] and holds[i] and (i > 0 or self.closed) and self.tangent_continuous(i)
+
+        return tuple(self._pieces(holds, [joined(i) for i in range(len(holds))]))
 
     def _pieces(self, holds: Sequence[bool], joined: Sequence[bool]) -> list[CurvePiece]:
         """The maximal pieces made of segments on which something holds (see `runs`)."""

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from exactspline.errors import FormulaError
-from exactspline.geometry.plane_programs import programs
+from exactspline.geometry.plane_programs import plane_program
 from exactspline.polynomials.doubles import (
     Bounded,
     Flags,
@@ -23,7 +23,6 @@ from exactspline.polynomials.doubles import (
     without_zeros,
 )
 from exactspline.programs.doubles import in_doubles
-from exactspline.programs.program import Program
 
 #: How many segments are computed together, so that their numbers fit into the cache.
 AT_ONCE = 4096
@@ -37,13 +36,15 @@ class Form(NamedTuple):
 
 
 class Filtered(NamedTuple):
-    """κ and κ′ up to positive factors on many segments, and the segments on which something is not certified: a sign
-    that decides a zero, or that γ′ has no zero.
+    """κ and κ′ up to positive factors on many segments, and ‖γ′‖²; the segments on which something is not certified:
+    `open` of these, a sign that decides a zero, or `slow`, that γ′ has no zero and all weights are positive.
     """
 
     curvature: Form
     critical: Form
+    speed: Bounded
     open: Flags
+    slow: Flags
 
 
 def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Filtered | None:
@@ -55,30 +56,25 @@ def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Fil
     >>> done.curvature.zeros.row.tolist(), done.open.tolist()
     ([0], [False])
     """
-    undecided = np.zeros(len(operands[0]), dtype=bool)
+    slow, undecided = np.zeros((2, len(operands[0])), dtype=bool)
     if len(operands) == 3:
-        undecided |= ~(operands[2] > 0).all(axis=1)
+        slow |= ~(operands[2] > 0).all(axis=1)
     try:
-        curvature_form, critical_form, speed = programs(degree, len(operands) == 3)
-        undecided |= ~without_zeros(_rows(speed, operands))
-        solved = [_solved(program, operands, undecided) for program in (curvature_form, critical_form)]
+        forms = in_doubles(plane_program(degree, len(operands) == 3), operands, roundings=2)
     except FormulaError:
         return None
-    curvature, critical = (Form(rows, zeros.where(~undecided[zeros.row])) for rows, zeros in solved)
+    *rows, speed = (ordinates(*form) for form in forms)
+    slow |= ~without_zeros(speed)
+    solved = [_solved(form, undecided) for form in rows]
+    left = undecided | slow
+    curvature, critical = (Form(rows, zeros.where(~left[zeros.row])) for rows, zeros in solved)
     if narrow:
         curvature, critical = (Form(rows, narrowed(rows, zeros)) for rows, zeros in (curvature, critical))
-    return Filtered(curvature, critical, undecided)
+    return Filtered(curvature, critical, speed, undecided, slow)
 
 
-def _solved(program: Program, operands: list[Floats], undecided: Flags) -> Form:
+def _solved(rows: Bounded, undecided: Flags) -> Form:
     """The zeros of a form; segments on which they are not certified are added to the undecided ones."""
-    rows = _rows(program, operands)
     zeros, open_ = isolated(rows)
     undecided |= open_
     return Form(rows, zeros)
-
-
-def _rows(program: Program, operands: list[Floats]) -> Bounded:
-    """The ordinates of a form."""
-    (form,) = in_doubles(program, operands, roundings=2)
-    return ordinates(*form)

@@ -178,7 +178,7 @@ def _features(p: Floats, w: Floats | None, wrong: dict[int, ExactSplineError]) -
     if done is None:
         undecided[:] = True
     else:
-        undecided |= done.open
+        undecided |= done.open | done.slow
         for which, form in enumerate((done.curvature, done.critical)):
             zeros = form.zeros.where(~undecided[form.zeros.row])
             kinds = np.where(zeros.before > 0, *KINDS[1:]) if which else np.full(len(zeros.row), KINDS[0])

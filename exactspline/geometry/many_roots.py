@@ -19,22 +19,15 @@ from flint import fmpz_poly
 
 from exactspline.geometry.many_curves import KINDS
 from exactspline.geometry.many_splines import Jumps, Segments, components, of_few_segments, rounded, whole
-from exactspline.geometry.plane_programs import programs
+from exactspline.geometry.plane_programs import plane_program
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import ONE
-from exactspline.polynomials.doubles import (
-    ROUNDING,
-    UNDERFLOW,
-    Bounded,
-    Flags,
-    Isolated,
-    narrowed,
-    ordinates,
-    without_rational_zero,
-)
+from exactspline.polynomials.doubles import Bounded, Flags, Isolated, narrowed, ordinates, without_rational_zero
+from exactspline.polynomials.roundings import ROUNDING, UNDERFLOW
 from exactspline.programs.program import Program
+from exactspline.questions.answers import CurvePiece, Places
 from exactspline.reals.real import Real
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import zeros
@@ -106,13 +99,13 @@ class Point(NamedTuple):
 
 
 class Settled(NamedTuple):
-    """The zeros of κ and of κ′ of a curve for which everything is certified, in the order of the parameter. It
-    has no other zeros of κ and κ′ and no singular points, and is neither straight nor an arc of a circle on any
-    segment.
+    """The zeros of κ and of κ′ of a curve for which everything is certified, in the order of the parameter, and its
+    straight pieces. It has no other zeros of κ and κ′, no singular points and no arcs of circles.
     """
 
-    curvature: list[Point]
-    critical: list[Point]
+    curvature: Places[Point]
+    critical: Places[Point]
+    straight: tuple[CurvePiece, ...]
 
 
 def settled(curves: Sequence[Nurbs]) -> Iterator[tuple[list[int], list[Settled | None]]]:
@@ -139,19 +132,22 @@ def _settled(curves: Sequence[Nurbs]) -> list[Settled | None]:
     if done is None:
         return [None] * len(curves)
     at_knots = segments.jumps(done, undecided)
-    settled_curves: list[Settled | None] = [None if open_ else Settled([], []) for open_ in undecided.tolist()]
-    curvature, critical, _ = programs(curves[0].degree, not curves[0].polynomial)
-    for which, (form, program) in enumerate(((done.curvature, curvature), (done.critical, critical))):
+    points: list[tuple[list[Point], list[Point]] | None] = [None if left else ([], []) for left in undecided.tolist()]
+    program = plane_program(curves[0].degree, not curves[0].polynomial)
+    for which, form in enumerate((done.curvature, done.critical)):
         for i, point in (
             *_inside(segments, form.zeros, which, program, undecided),
             *_at_knots(segments, at_knots[which]),
         ):
-            if (points_of_forms := settled_curves[i]) is not None:
-                points_of_forms[which].append(point)
-    for each in settled_curves:
-        for points in each or ():
-            points.sort(key=lambda point: point.order)
-    return settled_curves
+            if (own := points[i]) is not None:
+                own[which].append(point)
+    return [None if own is None else _known(*own, segments.straight.get(i, ())) for i, own in enumerate(points)]
+
+
+def _known(curvature: list[Point], critical: list[Point], straight: tuple[CurvePiece, ...]) -> Settled:
+    """The points of a curve in order, and its straight pieces."""
+    first, second = (tuple(sorted(points, key=lambda point: point.order)) for points in (curvature, critical))
+    return Settled(Places(first, straight), Places(second, straight), straight)
 
 
 def _inside(
@@ -164,7 +160,7 @@ def _inside(
     rows, first, place = np.unique(isolated.row, return_index=True, return_inverse=True)
     owner = segments.owner[rows].tolist()
     where = [(segments.curves[i], r - segments.first[i]) for r, i in zip(rows.tolist(), owner, strict=True)]
-    degree, forms = program.terms[0].degree, _exactly(program, where)
+    degree, forms = program.terms[which].degree, _exactly(program, which, where)
     on = [
         OnSegment(degree, c, Interval(*curve.breakpoints[k : k + 2]))
         for c, (curve, k) in zip(forms, where, strict=True)
@@ -179,14 +175,14 @@ def _inside(
         yield owner[j], Point(kind, one.irrational(number, a, b) if proved else one.roots[number])
 
 
-def _exactly(program: Program, where: Sequence[tuple[Nurbs, int]]) -> list[fmpz_poly]:
-    """The integers of the output of a program on segments of curves, over some denominators."""
+def _exactly(program: Program, which: int, where: Sequence[tuple[Nurbs, int]]) -> list[fmpz_poly]:
+    """The integers of an output of a program on segments of curves, over some denominators."""
     splines = [components(curve) for curve, _ in where]
     operands = [
         [own[k]._polynomials[j] for own, (_, j) in zip(splines, where, strict=True)] for k in range(len(splines[0]))
     ]
     below = [own[0].denominators[j] for own, (_, j) in zip(splines, where, strict=True)]
-    return [fmpz_poly(row[0]) for row in program.run(operands, [below], [(ONE, ONE)] * len(where))]
+    return [fmpz_poly(row[which]) for row in program.run(operands, [below], [(ONE, ONE)] * len(where))]
 
 
 def _in_doubles(forms: Sequence[list[int]]) -> Bounded:
@@ -197,7 +193,5 @@ def _in_doubles(forms: Sequence[list[int]]) -> Bounded:
 
 def _at_knots(segments: Segments, jumps: Jumps) -> Iterator[tuple[int, Point]]:
     """The changes of sign by a jump, each with the index of its curve."""
-    rows = segments.behind[jumps.knot].tolist()
-    for row, kind in zip(rows, jumps.kind.tolist(), strict=True):
-        i = int(segments.owner[row])
-        yield i, Point(kind, knot_root(segments.curves[i].breakpoints[row - segments.first[i]]))
+    for i, k, kind in zip(jumps.curve.tolist(), jumps.knot.tolist(), jumps.kind.tolist(), strict=True):
+        yield i, Point(kind, knot_root(segments.curves[i].breakpoints[k]))

@@ -2,8 +2,8 @@
 certified filter.
 
 All segments of one degree are filtered together (`exactspline.geometry.filtered`). A curve is decided when all of its
-segments and all of its knots are: where a form has the same certified sign on both sides, the knot has no feature;
-otherwise its continuity decides. The other curves are decided in exact arithmetic. This module loads numpy.
+segments are, or are straight; what happens at its knots is decided by `exactspline.geometry.at_knots`. The other curves
+are decided in exact arithmetic. This module loads numpy.
 """
 
 from __future__ import annotations
@@ -17,47 +17,45 @@ from flint import fmpz_poly
 from numpy.typing import NDArray
 
 from exactspline.errors import ExactSplineError, ShapeError, as_items
+from exactspline.geometry.at_knots import Jump, is_straight, jumps
+from exactspline.geometry.facts import Facts
 from exactspline.geometry.filtered import AT_ONCE, Filtered, Form, filtered
 from exactspline.geometry.many_curves import KINDS, Found, ManyFeatures, exactly, in_order, joined, outside
+from exactspline.geometry.plane_programs import CRITICAL, CURVATURE
 from exactspline.numbers.exact import mpq
-from exactspline.polynomials.doubles import ROUNDING, Bounded, Flags, Integers
+from exactspline.polynomials.doubles import Flags, Integers
+from exactspline.polynomials.roundings import ROUNDING
+from exactspline.questions.answers import CurvePiece
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 #: The relative error (with respect to the ends of its segment) of a parameter inside.
 WIDER = 16 * ROUNDING
-#: Widths of segments with a larger relative error than this are not used.
-LITTLE = 1 / 1024
-#: Cubes of quotients of widths below this are not used: a product with a larger one loses at most `UNDERFLOW`, and the
-#: bounds of both forms are larger than that.
-FLAT = 1 / 2**300
 #: Breakpoints other than 0 whose sizes are outside this range are handled in exact arithmetic: the width of a segment
 #: could overflow, and numbers below `UNDERFLOW` differ from the nearest double by more than a rounding.
 SIZES = mpq(1, 2**900), mpq(2**1000)
-#: Continuity at the seam of a closed curve: that of its points.
-SEAM = 0
 
 
 class Jumps(NamedTuple):
-    """The indices of knots where a form changes its sign by a jump, the kind of each, and which form it is."""
+    """Knots where a form changes its sign by a jump: the curve, the index of the breakpoint, and the kind of each; and
+    which form it is.
+    """
 
+    curve: Integers
     knot: Integers
     kind: NDArray[np.str_]
     which: int
 
 
 class Segments:
-    """The segments of curves of one degree, all polynomial or all rational, and the knots between them, seams
-    included.
-    """
+    """The segments of curves of one degree, all polynomial or all rational."""
 
     def __init__(self, curves: Sequence[Nurbs]) -> None:
         self.curves = curves
         rows: list[list[list[float]]] = [[] for _ in range(2 if curves[0].polynomial else 3)]
         owner: list[int] = []
         ends: list[tuple[float, float]] = []
-        knots: list[tuple[int, int, int, float, float]] = []
         #: Curves whose breakpoints are too large or too small.
         self.unfit = np.zeros(len(curves), dtype=bool)
         #: The first segment of each curve.
@@ -72,26 +70,27 @@ class Segments:
                 rows[k] += own
             owner += [i] * count
             ends += [(a, b) for (a, _), (_, b) in pairwise(places)]
-            smooth = curve.p[0].continuity
-            knots += [(first + k - 1, first + k, smooth[k - 1], *places[k]) for k in range(1, count)]
-            if curve.closed:
-                knots.append((first + count - 1, first, SEAM, *places[0]))
         #: The scaled coefficients of every segment, and the curve it belongs to.
         self.operands = [np.array(row) for row in rows]
         self.owner = np.array(owner)
         self._ends = np.array(ends)
-        numbers = np.array(knots, dtype=float).reshape(-1, 5)
-        #: The segments before and behind each knot.
-        self.before, self.behind, self._smooth = (numbers[:, k].astype(int) for k in range(3))
-        self._low, self._high = numbers[:, 3], numbers[:, 4]
+        #: The straight pieces of a curve that has some.
+        self.straight: dict[int, tuple[CurvePiece, ...]] = {}
 
     def filtered(self, *, narrow: bool = True) -> tuple[Filtered | None, Flags]:
-        """What is certified for the segments, and the curves for which something is not."""
+        """What is certified for the segments, and the curves for which something is not. Straight segments are
+        recognized exactly and have no zeros.
+        """
         done = filtered(self.curves[0].degree, self.operands, narrow=narrow)
         if done is None:
             return None, np.ones(len(self.curves), dtype=bool)
         undecided = self.unfit.copy()
-        undecided[self.owner[done.open]] = True
+        undecided[self.owner[done.slow]] = True
+        for row in np.flatnonzero(done.open & ~undecided[self.owner]).tolist():
+            i = int(self.owner[row])
+            polynomials = [x._polynomials[row - self.first[i]] for x in components(self.curves[i])]
+            if not is_straight(polynomials, self.curves[i].degree):
+                undecided[i] = True
         return done, undecided
 
     def inside(self, form: Form, which: int) -> Found:
@@ -106,46 +105,37 @@ class Segments:
         return self.owner[row], kinds, low, high, np.full(len(row), which)
 
     def jumps(self, done: Filtered, undecided: Flags) -> tuple[Jumps, Jumps]:
-        """The changes of sign of κ and κ′ by a jump; where it is not certain that there is one, or of which kind, the
-        curve is added to the undecided ones.
-        """
-        bends, turns = (self._differ(form) for form in (done.curvature, done.critical))
-        smooth, jumps = self._smooth, self._jumps(done.curvature.rows)
-        inflection, extremum = bends & (smooth == 1), turns & (smooth >= 2)
-        # with one tangent and a curvature that jumps κ′ has no extremum there
-        nothing = turns & (smooth == 1) & jumps
-        open_ = (bends & ~inflection) | (turns & ~extremum & ~nothing)
-        undecided[self.owner[self.before[open_]]] = True
-        bent, turned = np.flatnonzero(inflection), np.flatnonzero(extremum)
-        kinds = np.where(done.critical.rows.values[self.before[turned], -1] > 0, *KINDS[1:])
-        return Jumps(bent, np.full(len(bent), KINDS[0]), 0), Jumps(turned, kinds, 1)
+        """The changes of sign of κ and κ′ by a jump on decided curves."""
+        rows = done.curvature.rows, done.critical.rows, done.speed
+        ends = np.concatenate([np.stack([r.values[:, k], r.errors[:, k]], 1) for r in rows for k in (0, -1)], axis=1)
+        weights = self.operands[2][:, [0, -1]] if len(self.operands) > 2 else np.ones((len(self.owner), 2))
+        found: list[tuple[int, Jump]] = []
+        for i in np.flatnonzero(~undecided).tolist():
+            curve, first = self.curves[i], self.first[i]
+            if curve.segments > 1 or curve.closed:
+                own = slice(first, first + curve.segments)
+                straight = set(np.flatnonzero(done.open[own]).tolist())
+                facts = Facts(curve)
+                own_ends, own_weights = ends[own].tolist(), weights[own].tolist()
+                found += [(i, jump) for jump in jumps(facts, own_ends, own_weights, straight)]
+                if straight:
+                    self.straight[i] = facts.straight_runs(straight)
+            elif done.open[first]:
+                self.straight[i] = Facts(curve).straight_runs({0})
+        return self._jumps(CURVATURE, found), self._jumps(CRITICAL, found)
+
+    def _jumps(self, which: int, found: Sequence[tuple[int, Jump]]) -> Jumps:
+        own = [(i, jump) for i, jump in found if jump.output == which]
+        kinds = [str(KINDS[0] if which == CURVATURE else KINDS[1 if jump.before > 0 else 2]) for _, jump in own]
+        curve, knot = (np.array(column, dtype=int) for column in ([i for i, _ in own], [j.knot for _, j in own]))
+        return Jumps(curve, knot, np.array(kinds, dtype=str), which)
 
     def at_knots(self, jumps: Jumps) -> Found:
         """Changes of sign by a jump, by the parameter of their curve."""
-        here = jumps.knot
-        owner = self.owner[self.before[here]]
-        return owner, jumps.kind, self._low[here], self._high[here], np.full(len(owner), jumps.which)
-
-    def _differ(self, form: Form) -> Flags:
-        """Where a form has different signs before and after a knot; they are certain on segments that are decided."""
-        values = form.rows.values
-        differ: Flags = (values[self.before, -1] > 0) != (values[self.behind, 0] > 0)
-        return differ
-
-    def _jumps(self, rows: Bounded) -> Flags:
-        """Where the curvature of two sides with the same first derivatives certainly differs: the form of κ in local
-        parameters is κ‖γ′‖³ times the cube of the width of a segment, up to what both sides have in common.
-        """
-        with np.errstate(all="ignore"):
-            width = self._ends[:, 1] - self._ends[:, 0]
-            error = WIDER * (np.abs(self._ends).sum(axis=1)) / width
-            ratio = (width[self.behind] / width[self.before]) ** 3
-            unsure = 4 * (error[self.behind] + error[self.before]) + 8 * ROUNDING
-            left, right = rows.values[self.before, -1] * ratio, rows.values[self.behind, 0]
-            bound = rows.errors[self.before, -1] * ratio * 2 + rows.errors[self.behind, 0] * 2
-            bound += 2 * np.abs(left) * unsure + 4 * ROUNDING * np.abs(right)
-            jumps: Flags = (unsure < LITTLE) & (ratio > FLAT) & (np.abs(left - right) > bound)
-        return jumps
+        curves = zip(jumps.curve.tolist(), jumps.knot.tolist(), strict=True)
+        places = [outside(t, t) for t in (self.curves[i].breakpoints[k] for i, k in curves)]
+        low, high = (np.array([ends[k] for ends in places], dtype=float) for k in (0, 1))
+        return jumps.curve, jumps.kind, low, high, np.full(len(places), jumps.which)
 
 
 def _places(breaks: Sequence[mpq]) -> list[tuple[float, float]] | None:

@@ -18,10 +18,9 @@ from flint import arb, ctx
 from exactspline.errors import ShapeError
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family
-from exactspline.geometry.plane_programs import programs
+from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, SPEED
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.intervals import Interval, ball_ends
-from exactspline.programs.program import Program
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
@@ -78,9 +77,9 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
     >>> from exactspline import example
     >>> for found in features_nearby(example("cubic_s"), "1/1000"):
     ...     print(found.kind, found.certain, found.single, *(round(float(t), 2) for t in found.place))
-    minimum True False 0.18 0.2
+    minimum True True 0.19 0.19
     inflection True True 0.5 0.5
-    maximum True False 0.64 0.88
+    maximum True True 0.81 0.81
 
     Raises `ShapeError` for a curve that is not in the plane, for an epsilon that is not positive, and where it lets a
     weight function vanish.
@@ -100,16 +99,15 @@ class _Features(CurvesNear):
 
     def features(self) -> Iterator[NearbyFeature]:
         """Of each kind."""
-        curvature, critical, speed = programs(self.curve.degree, self.rational)
-        slow = [Interval(part.low, part.high) for part in self._parts(speed) if part.sign <= 0]
+        slow = [Interval(part.low, part.high) for part in self._parts(SPEED) if part.sign <= 0]
         yield from (_feature(FeatureKind.STOP, place, certain=False) for place in slow)
         n = self.curve.degree
         inflections = dict.fromkeys((1, -1), FeatureKind.INFLECTION)
         extrema = {1: FeatureKind.MAXIMUM, -1: FeatureKind.MINIMUM}
-        for program, kinds, least in ((curvature, inflections, n), (critical, extrema, n - 1)):
+        for which, kinds, least in ((CURVATURE, inflections, n), (CRITICAL, extrema, n - 1)):
             # at a knot of this multiplicity the tangent (the curvature) may jump, so that a sign may change without one
             open_places = sorted([*slow, *(Interval.point(t) for _, t in self._knots(least))])
-            for feature in self._zeros(program, kinds):
+            for feature in self._zeros(which, kinds):
                 doubtful = _meets_one(feature.place, open_places)
                 yield replace(feature, certain=False, single=False) if doubtful else feature
         yield from self._corners()
@@ -120,15 +118,15 @@ class _Features(CurvesNear):
         times = dict(zip(knots.breakpoints, knots.multiplicities, strict=True))
         return [(i, t) for i, t in enumerate(self.curve.breakpoints[1:-1]) if times[t] >= least]
 
-    def _parts(self, program: Program) -> list[_Part]:
+    def _parts(self, which: int) -> list[_Part]:
         """The parts of the domain with one sign each, neighbours with the same sign joined."""
         mesh = pairwise(self.curve.breakpoints)
-        found = [part for i, ends in enumerate(mesh) for part in _signs(self.form(program, i), Interval(*ends))]
+        found = [part for i, ends in enumerate(mesh) for part in _signs(self.form(which, i), Interval(*ends))]
         return [_joined(group) for _, group in groupby(found, key=lambda part: part.sign)]
 
-    def _zeros(self, program: Program, kinds: dict[int, FeatureKind]) -> Iterator[NearbyFeature]:
+    def _zeros(self, which: int, kinds: dict[int, FeatureKind]) -> Iterator[NearbyFeature]:
         """The kinds by the sign before the zero."""
-        parts = self._parts(program)
+        parts = self._parts(which)
         for before, part, behind in zip([None, *parts], parts, [*parts[1:], None], strict=False):
             if part.sign == 0:
                 place = Interval(part.low, part.high)

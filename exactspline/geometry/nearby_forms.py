@@ -19,14 +19,16 @@ from typing import Any
 from flint import arb, arb_mat, arb_poly, fmpz
 
 from exactspline.errors import ShapeError
+from exactspline.geometry.plane_programs import plane_program
 from exactspline.numbers.exact import mpq, to_fmpq
-from exactspline.programs.program import Program
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
 #: Bits of the balls.
 PRECISION = 192
 NOTHING = arb_poly()
+#: Bits to which the zero of the form of the curve itself is sought.
+CLOSE = 48
 #: By how much a form has to change at least, compared with its values for other curves, for a part to be halved.
 FLAT = 8
 
@@ -147,17 +149,17 @@ class Family:
 
     def zero_of_curve(self) -> mpq:
         """About where the form of the curve itself, which is monotonic, is zero, or nearest to zero."""
-        largest = max(self.of_curve, key=abs)
-        ordinates = [float(x / largest) for x in self.of_curve]
-        if ordinates[0] * ordinates[-1] >= 0:
-            return mpq(int(abs(ordinates[0]) > abs(ordinates[-1])))
-        low, high = 0.0, 1.0
-        while low < (t := (low + high) / 2) < high and high - low > 2**-48:
-            row = ordinates
+        first, last = self.of_curve[0], self.of_curve[-1]
+        if not first * last < 0:
+            return mpq(int(abs(last) < abs(first)))
+        low, high = mpq(0), mpq(1)
+        for _ in range(CLOSE):
+            middle = (low + high) / 2
+            t, row = arb(to_fmpq(middle)), self.of_curve
             while len(row) > 1:
                 row = [a + (b - a) * t for a, b in pairwise(row)]
-            low, high = (t, high) if row[0] * ordinates[0] > 0 else (low, t)
-        return mpq(low)
+            low, high = (middle, high) if row[0] * first > 0 else (low, middle)
+        return low
 
     def values(self, t: mpq) -> list[arb]:
         """The value of the form of the curve at a local parameter, and what a change of each coordinate by E adds."""
@@ -173,6 +175,8 @@ class CurvesNear:
     def __init__(self, curve: Nurbs, within: mpq) -> None:
         self.curve, self.within, self.rational = curve, within, not curve.polynomial
         self.per_point = 3 if self.rational else 2
+        self._program = plane_program(curve.degree, self.rational)
+        self._known = dict[int, tuple[Any, ...]]()
         ball = arb(0, arb(to_fmpq(within)).upper())
         self._points = [[arb(to_fmpq(x)) for x in point] for point in curve.control_points]
         self._weights = [arb(to_fmpq(w)) for w in curve.weights]
@@ -193,26 +197,28 @@ class CurvesNear:
         start, width = knots[j], knots[j + 1] - knots[j]
         return j - n, _basis(n, tuple((knots[k] - start) / width for k in range(j - n, j + n + 2)))
 
-    def form(self, program: Program, i: int) -> Family:
+    def form(self, which: int, i: int) -> Family:
         """A form on a segment; for the distance 0 to first order, with what a change of a coordinate by 1 adds."""
-        found = self._run(program, i)
-        m, count = program.terms[0].degrees[0], (self.curve.degree + 1) * self.per_point
+        found = self._forms(i)[which]
+        # a form that vanishes for all curves, as the curvature of a line, is computed without them
+        form = found if isinstance(found, _Affine) else _Affine(arb_poly(found), {}, NOTHING)
+        m, count = self._program.terms[which].degrees[0], (self.curve.degree + 1) * self.per_point
         rows = [
-            found.value,
-            *[found.slopes.get(k, NOTHING) for k in range(count)],
-            NOTHING if found.remainder is None else found.remainder,
+            form.value,
+            *[form.slopes.get(k, NOTHING) for k in range(count)],
+            NOTHING if form.remainder is None else form.remainder,
         ]
         binomials = [arb(comb(m, k)) for k in range(m + 1)]
         entries = [row[k] / binomials[k] for row in rows for k in range(m + 1)]
         return Family(arb_mat(len(rows), m + 1, entries))
 
-    def _run(self, program: Program, i: int) -> _Affine:
-        """A program on a segment, as of width 1."""
-        run: Any = program.run  # it computes with whatever polynomials it is given
-        given = [[x] for x in self._homogeneous(i)]
-        found = run(given, [[fmpz(1)]] * len(program.groups), [(fmpz(1), fmpz(1))])[0][0]
-        # a form that vanishes for all curves, as the curvature of a line, is computed without them
-        return found if isinstance(found, _Affine) else _Affine(arb_poly(found), {}, NOTHING)
+    def _forms(self, i: int) -> tuple[Any, ...]:
+        """All forms on a segment, as of width 1."""
+        if i not in self._known:
+            run: Any = self._program.run  # it computes with whatever polynomials it is given
+            given = [[x] for x in self._homogeneous(i)]
+            self._known[i] = run(given, [[fmpz(1)]] * len(self._program.groups), [(fmpz(1), fmpz(1))])[0]
+        return self._known[i]
 
     def _homogeneous(self, i: int) -> list[_Affine]:
         """The homogeneous coordinates of a segment."""

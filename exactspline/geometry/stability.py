@@ -8,7 +8,7 @@ grows fastest where it is hardest to lift over zero; that it lacks a feature is 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 
@@ -21,21 +21,20 @@ from exactspline.geometry.kinds import FeatureKind
 from exactspline.geometry.nearby import NearbyFeature, features_nearby
 from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family
 from exactspline.geometry.plane_features import critical_points, flat_points
-from exactspline.geometry.plane_programs import Programs, programs
+from exactspline.geometry.plane_programs import CRITICAL, CURVATURE
 from exactspline.geometry.recognition.pieces import rounded_up
 from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import ball_ends
-from exactspline.programs.program import Program
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.reals.real import Real, real
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
-#: Kinds of features, with the constructions of which they are zeros, and their programs.
-FORMS: dict[FeatureKind, tuple[str, Callable[[Programs], Program]]] = {
-    FeatureKind.INFLECTION: ("zero_curvature", lambda made: made.curvature),
-    FeatureKind.MAXIMUM: ("critical_curvature", lambda made: made.critical),
-    FeatureKind.MINIMUM: ("critical_curvature", lambda made: made.critical),
+#: Kinds of features, with the constructions of which they are zeros, and their forms.
+FORMS: dict[FeatureKind, tuple[str, int]] = {
+    FeatureKind.INFLECTION: ("zero_curvature", CURVATURE),
+    FeatureKind.MAXIMUM: ("critical_curvature", CRITICAL),
+    FeatureKind.MINIMUM: ("critical_curvature", CRITICAL),
 }
 #: The distances that are tried, in units of the size of the curve.
 DISTANCES = tuple(mpq(m, 2) * mpq(2) ** e for e in range(-60, 0) for m in (2, 3))
@@ -68,8 +67,8 @@ class StableFeature(Described):
     @property
     def values(self) -> dict[str, tuple[Real, ...]]:
         """The two distances."""
-        found = {"radius": (real(self.radius),)}
-        return found if self.gone is None else found | {"gone": (real(self.gone),)}
+        known = {"radius": self.radius, "gone": self.gone}
+        return {name: (real(value),) for name, value in known.items() if value is not None}
 
 
 def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
@@ -80,7 +79,7 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
     >>> for found in stability(example("cubic_s")):
     ...     print(found.kind, f"{float(found.radius):.3f} {float(found.gone):.3f}")
     minimum 0.031 1.616
-    inflection 0.125 0.757
+    inflection 0.188 0.756
     maximum 0.031 1.616
 
     Raises `ShapeError` for a curve that is not in the plane.
@@ -107,7 +106,7 @@ def _stable(facts: Facts, kind: FeatureKind, place: Real, radii: _Radii) -> Stab
     moved = _straightened(curve, place) if kind is FeatureKind.CORNER else _flattened(facts, kind, place)
     before = _count(curve, kind)
     witness = next((each for each in moved if _count(each, kind) < before), None)
-    return StableFeature(kind, place, radius, witness, witness and _difference(curve, witness))
+    return StableFeature(kind, place, radius, witness, None if witness is None else _difference(curve, witness))
 
 
 class _Radii:
@@ -163,7 +162,8 @@ def _straightened(curve: Nurbs, place: Real) -> Iterator[Nurbs]:
     and they half the way to it.
     """
     t, points = place.exact, list(curve.control_points)
-    if t in curve.domain or curve.knots.multiplicity(t) != curve.degree:  # a seam, or two control points at the corner
+    # a seam, or two control points at the corner
+    if t is None or t in curve.domain or curve.knots.multiplicity(t) != curve.degree:
         return
     first = next(i for i, knot in enumerate(curve.knots) if knot == t)
     before, at, behind = points[first - 2 : first + 1]
@@ -183,12 +183,12 @@ def _flattened(facts: Facts, kind: FeatureKind, place: Real) -> Iterator[Nurbs]:
     """Curves near a curve, the nearest first, whose form is lifted over zero between this zero and a neighbour of it,
     or an end of the domain.
     """
-    curve, (name, choose) = facts.curve, FORMS[kind]
+    curve, (name, which) = facts.curve, FORMS[kind]
     start, end = map(real, curve.domain)
     zeros = list(facts.zero_form(name).zeros)
     before, behind = [x for x in zeros if x < place], [x for x in zeros if x > place]
     gaps = [(before[-1] if before else start, place), (place, behind[0] if behind else end)]
-    gradients = _Gradients(curve, choose)
+    gradients = _Gradients(curve, which)
     hardest = [max((gradients.lift(t) for t in _samples(*gap, curve)), key=lambda lift: lift.distance) for gap in gaps]
     tried = [(lift.distance * factor, lift) for lift in hardest for factor in FACTORS]
     for distance, lift in sorted(tried, key=lambda each: each[0]):
@@ -230,15 +230,15 @@ def _moved(curve: Nurbs, steps: dict[int, Sequence[mpq]]) -> Nurbs:
 class _Gradients:
     """A form of a curve, and how it changes with the control points, segment by segment."""
 
-    def __init__(self, curve: Nurbs, choose: Callable[[Programs], Program]) -> None:
-        self.curve, self.program = curve, choose(programs(curve.degree, not curve.polynomial))
+    def __init__(self, curve: Nurbs, which: int) -> None:
+        self.curve, self.which = curve, which
         self.forms, self._known = CurvesNear(curve, mpq(0)), dict[int, Family]()
 
     def lift(self, t: mpq) -> _Lift:
         """What lifts the form to zero at a parameter."""
         i = self.curve.mesh.locate(t)
         if i not in self._known:
-            self._known[i] = self.forms.form(self.program, i)
+            self._known[i] = self.forms.form(self.which, i)
         value, *slopes, _ = map(_middle, self._known[i].values(self.curve.mesh.local(i, t)))
         norm, direction, width = sum(map(abs, slopes)), -sign(value), self.forms.per_point
         signs = [direction * sign(x) for x in slopes]

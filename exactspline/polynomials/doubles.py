@@ -22,14 +22,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from exactspline.polynomials.roundings import ROUNDING, UNDERFLOW
+
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
-#: The relative error of one operation is below this in every rounding mode.
-ROUNDING = 2.0**-52
-#: The largest loss by underflow in one operation, even where subnormal numbers are flushed to zero.
-UNDERFLOW = 2.0**-1022
 #: The parameter at which pieces are split: not the midpoint, where symmetric curves have zeros. Splitting ten times is
 #: exact in doubles.
 SPLIT, DEPTH = 15 / 32, 9

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import zip_longest
-from math import gcd, lcm
+from math import gcd, isqrt, lcm
 
-from flint import fmpq_poly, fmpz_mpoly, fmpz_poly, nmod_poly
+from flint import fmpq, fmpq_poly, fmpz, fmpz_mpoly, fmpz_poly, nmod_poly
 
 from exactspline.polynomials.cost import QUESTION, check_reach
 from exactspline.polynomials.two_parameters import rows_of
 
 ZERO = fmpq_poly([])
-#: Primes modulo which polynomials are tried.
-PRIMES = tuple((1 << 61) - k for k in (1, 31, 45, 229, 259, 283, 339, 391, 403, 465))
-#: Nanoseconds, per bit of the numbers with which Euclid's algorithm begins and times powers of the degrees (measured: 3
-#: to 15).
-EUCLID = 20
+#: Nanoseconds of one step of Euclid's algorithm modulo a prime, per coefficient (measured: 40 to 90).
+IMAGE = 100
 
 
 class OverRoot:
@@ -82,59 +79,119 @@ class OverRoot:
         return divmod(self, other)[0]
 
     def gcd(self, other: OverRoot) -> OverRoot:
-        """The greatest common divisor, its first coefficient 1: Euclid's algorithm.
+        """The greatest common divisor, its first coefficient 1, computed modulo primes: a polynomial of the degree that
+        a common divisor has modulo a prime at most, and that divides both.
+
+        Raises `ReachError` if this would take too long.
 
         >>> modulus, s = fmpq_poly([-2, 0, 1]), fmpq_poly([0, 1])
         >>> OverRoot([-2, 0, 1], modulus).gcd(OverRoot([2, s], modulus)).coefficients
         (x, 1)
         """
-        if self and other:
-            most = _most(self, other)
-            if most == 0:
-                return OverRoot([1], self.modulus)
-            cost = _cost(self, other, most)
+        if not (self and other):
+            given = self or other
+            return given * OverRoot([_inverse(given.coefficients[-1], self.modulus)], self.modulus) if given else given
+        images = _Images(self.modulus.degree())
+        for step, prime in enumerate(_primes()):
+            cost = IMAGE * (self.degree + 1) * (other.degree + 1) * (self.modulus.degree() + 10)
             check_reach(cost, lambda: "a common divisor over the field of an irrational parameter", QUESTION)
-        a, b = self, other
-        while b:
-            a, b = b, divmod(a, b)[1]
-        return a * OverRoot([_inverse(a.coefficients[-1], self.modulus)], self.modulus) if a else a
+            image = _divisor_modulo(self, other, prime)
+            if image is None or len(image) > images.length:
+                continue
+            if len(image) == 1:
+                return OverRoot([1], self.modulus)
+            images.add(image, prime)
+            if step & (step + 1) == 0:  # after 1, 2, 4, 8, … primes
+                found = images.rational(self.modulus)
+                if found is not None and not (divmod(self, found)[1] or divmod(other, found)[1]):
+                    return found
+        raise AssertionError("there are more primes")
 
 
-def _cost(p: OverRoot, q: OverRoot, common: int) -> int:
-    """An estimate of the time of Euclid's algorithm in nanoseconds; its numbers grow until the common degree is
-    reached.
+class _Images:
+    """Images of one polynomial of degree below `length` modulo several primes, combined to one."""
+
+    def __init__(self, size: int) -> None:
+        self.size, self.length = size, 1 << 60
+        self.values: list[int] = []
+        self.modulus = 1
+
+    def add(self, image: Sequence[nmod_poly], prime: int) -> None:
+        """Combine with a further image; those of a higher degree were wrong."""
+        own = [int(c[k]) for c in image for k in range(self.size)]
+        if len(image) < self.length:
+            self.length, self.values, self.modulus = len(image), own, prime
+            return
+        inverse = pow(self.modulus, -1, prime)
+        self.values = [x + self.modulus * ((y - x) * inverse % prime) for x, y in zip(self.values, own, strict=True)]
+        self.modulus *= prime
+
+    def rational(self, field: fmpq_poly) -> OverRoot | None:
+        """The polynomial with small rational numbers of these images as its coefficients, if there is one."""
+        found = []
+        for x in self.values:
+            value = _small_ratio(x, self.modulus)
+            if value is None:
+                return None
+            found.append(value)
+        rows = [found[k : k + self.size] for k in range(0, len(found), self.size)]
+        return OverRoot([fmpq_poly(row) for row in rows], field)
+
+
+def _primes() -> Iterator[int]:
+    """Primes below 2⁶¹, descending."""
+    number = (1 << 61) + 1
+    while True:
+        number -= 2
+        if fmpz(number).is_prime():
+            yield number
+
+
+def _small_ratio(x: int, modulus: int) -> fmpq | None:
+    """The rational number with numerator and denominator below the root of half a modulus that is x modulo it."""
+    limit = isqrt(modulus // 2)
+    a, b, p, q = modulus, x, 0, 1
+    while b > limit:
+        quotient = a // b
+        a, b, p, q = b, a - quotient * b, q, p - quotient * q
+    return fmpq(b, q) if 0 < abs(q) <= limit else None
+
+
+def _divisor_modulo(p: OverRoot, q: OverRoot, prime: int) -> list[nmod_poly] | None:
+    """The greatest common divisor modulo a prime, its first coefficient 1, by Euclid's algorithm; None where a
+    denominator or a first coefficient is not invertible.
     """
-    k, n = p.modulus.degree(), max(p.degree, q.degree)
-    bits = max(max(c.numer().height_bits(), int(c.denom()).bit_length()) for f in (p, q) for c in f.coefficients if c)
-    return EUCLID * n**2 * (n - common + 1) ** 2 * k**3 * bits
+    modulus = nmod_poly(p.modulus.numer(), prime)
+    first, second = _modulo(p, prime), _modulo(q, prime)
+    if first is None or second is None or modulus.degree() != p.modulus.degree():
+        return None
+    while second:
+        divisor, inverse, _ = second[-1].xgcd(modulus)
+        if divisor.degree() != 0:
+            return None
+        inverse = inverse * pow(int(divisor[0]), -1, prime)
+        second = [c * inverse % modulus for c in second]
+        while len(first) >= len(second):
+            leading, shift = first[-1], len(first) - len(second)
+            if leading:
+                for k, c in enumerate(second[:-1]):
+                    first[shift + k] = (first[shift + k] - leading * c) % modulus
+            first.pop()
+        while first and not first[-1]:
+            first.pop()
+        first, second = second, first
+    return first
 
 
-def _most(p: OverRoot, q: OverRoot) -> int:
-    """A bound on the degree of a common divisor: that of the images at a simple root of the modulus modulo a prime,
-    where one of them has the same degree as its image.
-    """
-    for prime in PRIMES:
-        modulus = nmod_poly(p.modulus.numer(), prime)
-        roots = [int(r) for r, times in modulus.roots() if times == 1]
-        if modulus.degree() != p.modulus.degree() or not roots:
-            continue
-        images = [_image(f, roots[0], prime) for f in (p, q)]
-        first, second = images
-        if first is None or second is None or first.degree() != p.degree:
-            continue
-        return int(first.gcd(second).degree())
-    return min(p.degree, q.degree)
-
-
-def _image(p: OverRoot, root: int, prime: int) -> nmod_poly | None:
-    """The polynomial modulo a prime at a root of the modulus; None where a denominator vanishes."""
-    values = []
+def _modulo(p: OverRoot, prime: int) -> list[nmod_poly] | None:
+    """The coefficients modulo a prime; None where a denominator or the first coefficient vanishes."""
+    images = []
     for c in p.coefficients:
         below = int(c.denom()) % prime
         if not below:
             return None
-        values.append(int(nmod_poly(c.numer(), prime)(root)) * pow(below, -1, prime))
-    return nmod_poly([x % prime for x in values], prime)
+        images.append(nmod_poly(c.numer(), prime) * pow(below, -1, prime))
+    return images if images[-1] else None
 
 
 def _inverse(x: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:

@@ -100,6 +100,28 @@ def as_polynomial(form: PatchForm) -> fmpz_mpoly:
     return CONTEXT.from_dict({(i, j): x // common for i, row in enumerate(rows) for j, x in enumerate(row) if x})
 
 
+def over(form: PatchForm, sides: Box) -> fmpz_mpoly:
+    """The polynomial of a form on a patch with these sides, in the parameters of the surface, up to a positive
+    constant.
+
+    >>> from exactspline.numbers.intervals import Interval
+    >>> over(PatchForm.of_net([[-1, 0], [0, 1]]), Box(Interval(mpq(0), mpq(2)), Interval(mpq(1), mpq(2))))
+    s + 2*t - 4
+    """
+    p = as_polynomial(form)
+    degrees = [max(int(k), 0) for k in p.degrees()]
+    tops, bottoms = [], []
+    for variable, (low, high) in zip((S, T), sides, strict=True):
+        scale = low.denominator * high.denominator
+        tops.append(variable * int(scale) - int(low * scale))
+        bottoms.append(int((high - low) * scale))
+    raised: dict[tuple[int, ...], fmpz] = {
+        (int(i), int(j)): x * bottoms[0] ** (degrees[0] - int(i)) * bottoms[1] ** (degrees[1] - int(j))
+        for (i, j), x in p.terms()
+    }
+    return CONTEXT.from_dict(raised).compose(*tops).primitive()[1]
+
+
 def as_form(p: fmpz_mpoly) -> PatchForm:
     """The form of a polynomial over the unit square, up to a positive constant.
 

@@ -10,83 +10,14 @@ This is the only module of `programs` that loads numpy.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import comb
 
 import numpy as np
 
-from exactspline.errors import FormulaError
-from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW, Bounded, Floats
-from exactspline.programs.compiled import needed
+from exactspline.polynomials.doubles import Bounded, Floats
 from exactspline.programs.instructions import UNIT, ZERO, Instruction
+from exactspline.programs.masses import Known, factors, known_of
 from exactspline.programs.program import Program
-
-#: A factor that covers the rounding of the bounds themselves and the quadratic terms of (1 + ROUNDING)^K, for K below
-#: 2^40.
-SLACK = 1.0625
-#: The largest number of bits of a number or a loss (in units of `UNDERFLOW`) in a program for doubles.
-RANGE = 400
-
-
-@dataclass(frozen=True)
-class Known:
-    """What is known about an instruction in advance: its number of roundings and, for operands of at most 1 in the
-    Bernstein basis, bounds on its mass and on its loss by underflow.
-    """
-
-    roundings: int
-    mass: int
-    lost: int
-
-
-def operands_known(degree: int, roundings: int) -> Known:
-    """An operand of at most 1, whose coefficients in the scaled basis were rounded this many times."""
-    largest = comb(degree, degree // 2)
-    return Known(roundings, largest, 4 * largest)
-
-
-def foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: Sequence[Known]) -> list[Known]:
-    """What is known about every instruction.
-
-    >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,)), Instruction("mul", (0, 1))]
-    >>> foreseen(load, [1, 2, 3], [operands_known(1, 2), operands_known(2, 2)])[2].roundings
-    6
-    """
-    known: list[Known] = []
-    for i, (name, arguments, numbers) in enumerate(listed):
-        if name == "load":
-            known.append(operands[numbers[0]])
-            continue
-        if any(abs(number) >> 53 for number in numbers):
-            raise FormulaError(f"the integer {max(map(abs, numbers))} in doubles", remedy="use exact arithmetic")
-        first = Known(0, 1, 0) if arguments[0] == UNIT else known[arguments[0]]
-        degree = 0 if arguments[0] == UNIT else degrees[arguments[0]]
-        if name == "mul":
-            second = known[arguments[1]]
-            terms = min(degree, degrees[arguments[1]]) + 1
-            mass = terms * first.mass * second.mass
-            lost = terms * (first.lost * (second.mass + 1) + second.lost * (first.mass + 1) + 2)
-            known.append(Known(first.roundings + second.roundings + terms, mass, 2 * lost))
-        elif name == "sum":
-            second = Known(0, 1, 0) if arguments[1] == UNIT else known[arguments[1]]
-            m, n = map(abs, numbers)
-            mass, lost = m * first.mass + n * second.mass, m * first.lost + n * second.lost + 3
-            known.append(Known(max(first.roundings, second.roundings) + 2, mass, 2 * lost))
-        elif name == "raise":
-            terms = min(degree, numbers[0]) + 1
-            factor = terms * comb(numbers[0], numbers[0] // 2)
-            lost = factor * (first.lost + 2)
-            known.append(Known(first.roundings + terms, factor * first.mass, 2 * lost))
-        elif name in ("derive", "du", "dv", "scale"):
-            factor = abs(numbers[0]) * (2 if name == "derive" else 1)
-            known.append(Known(first.roundings + 2, factor * first.mass, 2 * (factor * first.lost + 3)))
-        elif name == "over_u":
-            known.append(first)
-        else:
-            raise FormulaError(
-                f"instruction {i}, {name}, in doubles", remedy="segments of width 1 over common denominators"
-            )
-    return known
 
 
 def in_doubles(program: Program, operands: Sequence[Floats], roundings: int) -> list[Bounded]:
@@ -95,11 +26,8 @@ def in_doubles(program: Program, operands: Sequence[Floats], roundings: int) -> 
 
     Raises `FormulaError` where numbers could exceed the range of doubles, and for programs with multipliers.
     """
-    listed, degrees = program.instructions.listed, program.instructions.degrees
-    known = foreseen(listed, degrees, [operands_known(degree, roundings) for degree in program.signature.degrees])
-    used = sorted(needed(listed, program.outputs))
-    if any(max(known[i].mass, known[i].lost).bit_length() > RANGE for i in used):
-        raise FormulaError("a program whose numbers exceed the range of doubles", remedy="use exact arithmetic")
+    listed = program.instructions.listed
+    used, known = known_of(program, roundings)
     rows = len(operands[0])
     values: dict[int, Floats] = {UNIT: np.ones((rows, 1))}
     masses: dict[int, Floats] = {UNIT: values[UNIT]}
@@ -126,8 +54,8 @@ def in_doubles(program: Program, operands: Sequence[Floats], roundings: int) -> 
 
 def bounded_by(values: Floats, masses: Floats, known: Known) -> Bounded:
     """Computed values with the bounds of their errors."""
-    lost = SLACK * float(known.lost) * UNDERFLOW
-    return Bounded(values, masses * (SLACK * known.roundings * ROUNDING) + lost)
+    relative, lost = factors(known)
+    return Bounded(values, masses * relative + lost)
 
 
 def _carried_out(instruction: Instruction, known: dict[int, Floats], *, absolute: bool) -> Floats:

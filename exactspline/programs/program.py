@@ -221,7 +221,8 @@ def program_of(formula: Formula, signature: Signature) -> Program:
 
 
 @lru_cache(1024)
-def _program_of_all(formulas: tuple[Formula, ...], signature: Signature) -> Program:
+def program_of_all(formulas: tuple[Formula, ...], signature: Signature) -> Program:
+    """One program of several formulas, which computes common subexpressions once."""
     reading = ProgramReading(signature)
     shared = reading.of_signature().remembering()
     return Program(tuple(formula(shared) for formula in formulas), reading)
@@ -251,7 +252,7 @@ def values(formulas: tuple[Formula, ...], given: Given) -> dict[Formula, SplineV
     >>> [f.degree for f in found.values()]
     [8, 12]
     """
-    made: Any = _program_of_all(formulas, given.signature).on(given)
+    made: Any = program_of_all(formulas, given.signature).on(given)
     return dict(zip(formulas, made, strict=True))
 
 

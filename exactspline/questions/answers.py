@@ -93,6 +93,31 @@ class Answer(Sequence[T_co], Generic[T_co, W]):
     points: tuple[T_co, ...]
     everywhere: tuple[W, ...] = ()
 
+    @classmethod
+    def late(cls, count: int, make: Callable[[], tuple[T_co, ...]], everywhere: tuple[W, ...] = ()) -> Self:
+        """An answer of this many points, which are made when they are first asked for.
+
+        >>> found = Places.late(2, lambda: ("first", "second"))
+        >>> len(found), found == Places(("first", "second"))
+        (2, True)
+        """
+        answer = cls.__new__(cls)
+        vars(answer).update(everywhere=everywhere, _late=(count, make))
+        return answer
+
+    def __getattr__(self, name: str) -> tuple[T_co, ...]:
+        kept = vars(self)
+        if name != "points" or "_late" not in kept:
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        points: tuple[T_co, ...] = kept["_late"][1]()
+        kept["points"] = points
+        return points
+
+    def __getstate__(self) -> dict[str, object]:
+        kept = {"points": self.points} | vars(self)
+        kept.pop("_late", None)
+        return kept
+
     @overload
     def __getitem__(self, index: int) -> T_co: ...
     @overload
@@ -101,13 +126,14 @@ class Answer(Sequence[T_co], Generic[T_co, W]):
         return self.points[index]
 
     def __len__(self) -> int:
-        return len(self.points)
+        kept = vars(self)
+        return len(kept["points"]) if "points" in kept else int(kept["_late"][0])
 
     def __iter__(self) -> Iterator[T_co]:
         return iter(self.points)
 
     def __bool__(self) -> bool:
-        return bool(self.points or self.everywhere)
+        return bool(len(self) or self.everywhere)
 
     def where(self, holds: Callable[[T_co], bool]) -> Self:
         """The points with a property, on the same parts."""

@@ -23,9 +23,10 @@ P = ParamSpec("P")
 class Remembers:
     """An object that keeps what was computed of it once, also where several threads ask for it."""
 
-    def __init__(self) -> None:
-        self._known: dict[Any, Any] = {}
-        self._lock = RLock()
+    def __init__(self, shared: Remembers | None = None) -> None:
+        self._known: dict[Any, Any]
+        self._lock: Any
+        self._known, self._lock = ({}, RLock()) if shared is None else (shared._known, shared._lock)
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
         """The value kept under a key, computed at the first request."""
@@ -104,7 +105,7 @@ class Answered(StrEnum):
 
 class Known(Protocol):
     """What the certified filter knows of a curve of which everything is certain (`exactspline.geometry.many_roots`): it
-    has no singular points, and is neither straight nor an arc of a circle on any segment.
+    has no singular points, and is no arc of a circle on any segment.
     """
 
     @property
@@ -114,6 +115,10 @@ class Known(Protocol):
     @property
     def critical(self) -> object:
         """The extrema of its curvature: all its critical points."""
+
+    @property
+    def straight(self) -> object:
+        """Its straight pieces."""
 
 
 @dataclass(frozen=True)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from flint import fmpz_poly
+from flint import arb, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpz
+from exactspline.numbers.intervals import ball_around
 from exactspline.polynomials.bernstein import ONE, of_parameter
 from exactspline.polynomials.cost import QUESTION, check_reach, height_bits
 from exactspline.polynomials.factors import factorize, factorize_square_free
@@ -33,8 +34,9 @@ def as_splines(polynomials: Sequence[fmpz_poly], a: mpq, b: mpq) -> list[BSpline
     return [BSpline.from_forms(n, mesh, (), [(of_parameter(p, n, a, b), ONE)]) for p in polynomials]
 
 
-def roots_in(p: fmpz_poly, a: mpq, b: mpq) -> list[Root]:
-    """The distinct real roots of a polynomial in [a, b], in ascending order.
+def roots_in(p: fmpz_poly, a: mpq, b: mpq, *, whole: bool = False) -> list[Root]:
+    """The distinct real roots of a polynomial in [a, b], in ascending order; a `whole` one, which is square-free or
+    irreducible, is not factored.
 
     >>> [root.exact for root in roots_in(fmpz_poly([0, -1, 0, 4]), mpq(0), mpq(1))]
     [mpq(0,1), mpq(1,2)]
@@ -43,7 +45,7 @@ def roots_in(p: fmpz_poly, a: mpq, b: mpq) -> list[Root]:
         return []
     check_isolation(p, height_bits(to_fmpz(x) for end in (a, b) for x in (end.numerator, end.denominator)))
     try:
-        factors = factorize(p).bases
+        factors = [p] if whole else factorize(p).bases
     except ReachError:  # roots are refined faster with irreducible factors, but the square-free part has the same roots
         factors = factorize_square_free(p).bases
     return sorted(root for q in factors for root in zeros(as_splines([q], a, b)[0]))
@@ -53,6 +55,11 @@ def check_isolation(p: fmpz_poly, bits: int = 0) -> None:
     """Raise `ReachError` if isolating the roots of a polynomial, between ends of this many bits, takes too long."""
     cost = p.degree() ** 2 * (height_bits(p.coeffs()) + p.degree() * (1 + bits)) * ISOLATION // 100
     check_reach(cost, lambda: f"the isolation of the roots of a polynomial of degree {p.degree()}", QUESTION)
+
+
+def ball(t: Parameter, digits: int) -> arb:
+    """A ball around a parameter; the precision of FLINT is the caller's."""
+    return ball_around(*(t.refine(digits) if isinstance(t, Root) else (t, t)))
 
 
 def exactly(t: Parameter) -> Parameter:

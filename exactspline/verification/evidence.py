@@ -1,5 +1,5 @@
 """The results of checks as data: computed values, and witnesses of failures. Only `exactspline.display.evidence` puts
-them into words, and no code parses those words.
+them into words, by the template of their class where it has one, and no code reads those words.
 
 The fields are numbers, names, members of enumerations, and objects of algebra.
 """
@@ -7,7 +7,7 @@ The fields are numbers, names, members of enumerations, and objects of algebra.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum, auto
+from enum import Enum
 from typing import dataclass_transform
 
 from exactspline.errors import ExactSplineError
@@ -28,88 +28,95 @@ class Evidence(Worded):
     Every kind of evidence is a frozen dataclass.
     """
 
-    def __init_subclass__(cls) -> None:
+    def __init_subclass__(cls, words: str = "") -> None:
+        super().__init_subclass__(words)
         if not issubclass(cls, Enum):
             dataclass(frozen=True)(cls)
 
 
 class Fact(Evidence, Enum):
-    """Evidence without numbers."""
+    """Evidence without numbers, each with its phrase."""
 
     # nothing to decide
-    NOTHING = auto()
-    VANISHES = auto()
-    ALL_VANISH = auto()
-    NO_SIDE = auto()
-    NOWHERE = auto()
-    NO_FACTOR = auto()
-    NO_VALUE = auto()
-    NO_COMMON_ZERO = auto()
-    NO_JOINT = auto()
-    NOT_HERE = auto()
+    NOTHING = "0 = 0"
+    ALL_VANISH = "all vanish"
+    NO_SIDE = "a side does not exist on all of this curve: 0/0"
+    NOWHERE = "a side exists on no curve: 0/0"
+    NO_FACTOR = "the factor does not exist on all of this curve: 1/0"
+    NO_VALUE = "it does not exist on all of this curve: 1/0"
+    NO_COMMON_ZERO = "no zero in common"
+    NO_JOINT = "one segment: nothing is joined"
+    NOT_HERE = "does not exist here"
     # what holds
-    ZERO = auto()
-    NONE_VANISHES = auto()
-    NONE_VANISHES_FOR_ANY_DEGREE = auto()
-    RATIONAL = auto()
-    SQUARE = auto()
-    SQUARES_ONE_WITHOUT_ZERO = auto()
-    ONE_ZERO_SET = auto()
-    CURVE_OF_ZERO_ZETA = auto()
-    APPLIES = auto()
+    ZERO = "0"
+    NONE_VANISHES = "none vanishes"
+    NONE_VANISHES_FOR_ANY_DEGREE = (
+        "none vanishes for any d ≥ 1: coefficients 2k and 2k + 1 contain the product of control point k + 1 and "
+        "weight k"
+    )
+    RATIONAL = "rational"
+    SQUARE = "a square"
+    SQUARES_ONE_WITHOUT_ZERO = "a sum of squares, one without a zero"
+    ONE_ZERO_SET = "one zero set"
+    CURVE_OF_ZERO_ZETA = "the curve ζ = 0"
+    APPLIES = "it applies"
     # what does not
-    NOT_PROPORTIONAL = auto()
-    NOT_IDENTICAL = auto()
-    NOT_ZERO = auto()
-    DIVIDED_BY_ZERO = auto()
-    ONE_VANISHES = auto()
-    DIFFERENT = auto()
-    DIFFERENT_ZERO_SETS = auto()
-    TWO_SURFACES = auto()
-    OTHER_CURVE = auto()
-    OTHER_SIGN = auto()
-    HAS_ZERO = auto()
-    NOT_SO = auto()
-    NO_CONTACT = auto()
-    LESS_CONTACT = auto()
+    NOT_PROPORTIONAL = "not proportional"
+    NOT_IDENTICAL = "not identical"
+    NOT_ZERO = "not zero"
+    DIVIDED_BY_ZERO = "1/0"
+    ONE_VANISHES = "one vanishes"
+    DIFFERENT = "different"
+    DIFFERENT_ZERO_SETS = "different zero sets"
+    TWO_SURFACES = "two surfaces"
+    OTHER_CURVE = "another curve"
+    OTHER_SIGN = "the other sign"
+    HAS_ZERO = "zero"
+    NOT_SO = "not so"
+    NO_CONTACT = "no contact"
+    LESS_CONTACT = "less"
     # why
-    FACTOR_DIVIDED_BY_ZERO = auto()
-    POLYNOMIALS_NOT_PROPORTIONAL = auto()
-    POLYNOMIAL_NOT_ZERO = auto()
-    RIGHT_SIDE_VANISHES = auto()
-    OTHER_NUMBER_OF_COMPONENTS = auto()
-    GENERATORS_APART = auto()
-    CURVES_DIFFER = auto()
-    OTHER_SQUARES = auto()
-    NO_SQUARES = auto()
-    SQUARES_MAY_VANISH = auto()
-    SINGULAR_CONTACT = auto()
-    NO_COUNTEREXAMPLE = auto()
-    DENOMINATOR_DIVIDES_OUT = auto()
-    MADE_BY_ARITHMETIC = auto()
-    NO_CURVE_OF_THIS_TYPE = auto()
+    FACTOR_DIVIDED_BY_ZERO = "the factor is divided by zero"
+    POLYNOMIALS_NOT_PROPORTIONAL = "the jet polynomials are not proportional"
+    POLYNOMIAL_NOT_ZERO = "the jet polynomial is not zero"
+    RIGHT_SIDE_VANISHES = "the right side vanishes, the left does not"
+    OTHER_NUMBER_OF_COMPONENTS = "not as many components"
+    GENERATORS_APART = "the generators are not parallel, or the directrices differ across them"
+    CURVES_DIFFER = "the two curves differ"
+    OTHER_SQUARES = "not the sum of these squares"
+    NO_SQUARES = "no squares are named"
+    SQUARES_MAY_VANISH = "every square may vanish under the assumptions"
+    SINGULAR_CONTACT = (
+        "as a function of the point at s̄ it is singular where the points meet: it defines no object there"
+    )
+    NO_COUNTEREXAMPLE = "no degrees were found for which it fails"
+    DENOMINATOR_DIVIDES_OUT = "its denominator divides out on every curve"
+    MADE_BY_ARITHMETIC = (
+        "it is made of the operands by + − × ÷ and derivatives: a quotient of polynomials on every curve"
+    )
+    NO_CURVE_OF_THIS_TYPE = "no example curve shows of which type it is"
     # why nothing is decided of one curve
-    LOWER_DEGREE_HERE = auto()
-    HIGHER_CONTACT_HERE = auto()
-    TOO_FEW_DERIVATIVES = auto()
-    ZEROS_IN_TWO_PARAMETERS = auto()
-    NO_COMMON_KNOTS = auto()
-    ROOT_IS_RATIONAL = auto()
-    NOT_OF_THIS_JUDGE = auto()
-    COQ_NOT_INSTALLED = auto()
-    NOT_ACCEPTED = auto()
+    LOWER_DEGREE_HERE = "the degree is lower on it, as it may be on special ones"
+    HIGHER_CONTACT_HERE = "the contact is of a higher order on it, as it may be on special curves"
+    TOO_FEW_DERIVATIVES = "its degree is lower than the order of a derivative"
+    ZEROS_IN_TWO_PARAMETERS = "zeros in two parameters are not compared on one surface"
+    NO_COMMON_KNOTS = "the operands of Table 1 have no knots in common"
+    ROOT_IS_RATIONAL = "a root is itself rational on it"
+    NOT_OF_THIS_JUDGE = "this judge does not decide claims of this kind"
+    COQ_NOT_INSTALLED = "Coq is not installed"
+    NOT_ACCEPTED = "not accepted"
     # the part that was tried
-    FIRST_SEGMENTS = auto()
-    FIRST_PATCH = auto()
-    ONE_LINE = auto()
-    AS_HODOGRAPH = auto()
-    WITH_ITSELF = auto()
+    FIRST_SEGMENTS = "first segment, with its moved copy"
+    FIRST_PATCH = "the first patch"
+    ONE_LINE = "one value of the other parameter"
+    AS_HODOGRAPH = "as u, v and h of a hodograph"
+    WITH_ITSELF = "with itself"
 
 
 # ---- places
 
 
-class At(Evidence):
+class At(Evidence, words="at the parameter {parameter}{from_left? (from the left)}"):
     """One parameter; `from_left` where the limit from the left is meant."""
 
     parameter: mpq
@@ -123,28 +130,28 @@ class Between(Evidence):
     high: mpq
 
 
-class OnAllOf(Evidence):
+class OnAllOf(Evidence, words="on all of [{low}, {high}]"):
     """A whole segment."""
 
     low: mpq
     high: mpq
 
 
-class On(Evidence):
+class On(Evidence, words="on [{low}, {high}]"):
     """Somewhere on a segment."""
 
     low: mpq
     high: mpq
 
 
-class AtBoth(Evidence):
+class AtBoth(Evidence, words="at the parameters {s} and {t}"):
     """Values of two parameters."""
 
     s: mpq
     t: mpq
 
 
-class OnPatch(Evidence):
+class OnPatch(Evidence, words="{perhaps?perhaps }on patch {i}, {j}"):
     """A patch by its indices; `perhaps` where signs could not be decided."""
 
     i: int
@@ -152,17 +159,17 @@ class OnPatch(Evidence):
     perhaps: bool = False
 
 
-class OnWholePatch(Evidence):
+class OnWholePatch(Evidence, words="on a whole patch"):
     """Some patch as a whole."""
 
 
-class AtKnot(Evidence):
+class AtKnot(Evidence, words="at the knot {parameter}"):
     """A zero at a knot."""
 
     parameter: mpq
 
 
-class Isolated(Evidence):
+class Isolated(Evidence, words="between {low} and {high}"):
     """A zero in an interval."""
 
     low: mpq
@@ -190,13 +197,13 @@ class AnyOperands(Evidence):
     constants: tuple[Name, ...] = ()
 
 
-class UnderEvery(Evidence):
+class UnderEvery(Evidence, words="under every {group}"):
     """Every element of a group."""
 
     group: Group
 
 
-class ForDegrees(Evidence):
+class ForDegrees(Evidence, words="d = {first}…{last}"):
     """The degrees for which something was tried."""
 
     first: int
@@ -206,19 +213,21 @@ class ForDegrees(Evidence):
 # ---- witnesses of any kind of claim
 
 
-class Stopped(Evidence):
+class Stopped(Evidence, words="{error}"):
     """A decision that ended in an error."""
 
     error: ExactSplineError
 
 
-class LeftToTheProof(Evidence):
+class LeftToTheProof(Evidence, words="decided by the proof for all curves: {why}"):
     """Not tried: the proof for all curves decides it."""
 
     why: Evidence
 
 
-class TooLong(Evidence):
+class TooLong(
+    Evidence, words="{formula} as written has degree {degree} in {parameter} there, too high to be multiplied out"
+):
     """A formula whose value as written has too high a degree in a parameter to be multiplied out."""
 
     formula: Name
@@ -233,7 +242,7 @@ class HeldOn(Evidence):
     error: ExactSplineError | None = None
 
 
-class OnExample(Evidence):
+class OnExample(Evidence, words="on the example {surface?surface|curve} {name}: {witness}"):
     """A witness on an example."""
 
     name: Name
@@ -241,14 +250,14 @@ class OnExample(Evidence):
     surface: bool = False
 
 
-class OnPart(Evidence):
+class OnPart(Evidence, words="{witness}{witness?, }{part}"):
     """A witness on a part."""
 
     witness: Evidence | None
     part: Evidence
 
 
-class FailsWithOthers(Evidence):
+class FailsWithOthers(Evidence, words="it fails {place} {operands}, though not {part}"):
     """It fails at a place for some additional operands, though not for those that were tried."""
 
     place: Place
@@ -256,13 +265,13 @@ class FailsWithOthers(Evidence):
     part: Evidence
 
 
-class Refutes(Evidence):
+class Refutes(Evidence, words="proved for all curves, but refuted: {witness}"):
     """A witness against a statement proved for all curves."""
 
     witness: Evidence | None
 
 
-class JudgesDisagree(Evidence):
+class JudgesDisagree(Evidence, words="proved by {proved}, but refuted by {refuted}{witness?: }{witness}"):
     """One judge proves what another one refutes."""
 
     proved: Name
@@ -270,20 +279,20 @@ class JudgesDisagree(Evidence):
     witness: Evidence | None
 
 
-class AssumptionFails(Evidence):
+class AssumptionFails(Evidence, words="{assumption.subject} vanishes {place}"):
     """An assumption that fails on this curve."""
 
     assumption: Assumption
     place: Place
 
 
-class Undefined(Evidence):
+class Undefined(Evidence, words="{formula} does not exist on all of this curve: 0/0"):
     """A formula that does not exist on the whole curve."""
 
     formula: Name
 
 
-class UndefinedAt(Evidence):
+class UndefinedAt(Evidence, words="it does not exist {where}: 1/0"):
     """A value with a division by zero on a segment, or for all operands."""
 
     where: On | AnyOperands
@@ -299,7 +308,7 @@ class Theorem(Evidence):
     axioms: tuple[Name, ...] = ()
 
 
-class NoTheorem(Evidence):
+class NoTheorem(Evidence, words="not stated, {error.problem}"):
     """Why a claim is not stated as a theorem."""
 
     error: ExactSplineError
@@ -312,15 +321,15 @@ Enclosure = tuple[mpq, mpq]
 # ---- identities
 
 
-class Sides(Enum):
+class Sides(Evidence, Enum):
     """What differs."""
 
-    SIDES = auto()
-    ZERO = auto()
-    SURFACES = auto()
+    SIDES = "the sides differ"
+    ZERO = "it differs from 0"
+    SURFACES = "they differ"
 
 
-class Difference(Evidence):
+class Difference(Evidence, words="{of} by {by} {at}"):
     """The difference of two sides at one place."""
 
     of: Sides
@@ -343,26 +352,26 @@ class Relating(Evidence):
     right: Name
 
 
-class ExactQuotient(Evidence):
+class ExactQuotient(Evidence, words="the exact quotient is {quotient}"):
     """The true quotient of two sides."""
 
     quotient: Factor
 
 
-class Components(Evidence):
+class Components(Evidence, words="{left} components, and {right}"):
     """Vectors of different numbers of components."""
 
     left: int
     right: int
 
 
-class ComponentDiffers(Evidence):
+class ComponentDiffers(Evidence, words="component {component} differs"):
     """The first component (counted from 1) in which two sides differ."""
 
     component: int
 
 
-class ComponentNotZero(Evidence):
+class ComponentNotZero(Evidence, words="component {component} is not zero"):
     """The first component (counted from 1) that is not zero."""
 
     component: int
@@ -374,21 +383,21 @@ class Remainder(Evidence):
     polynomial: Jet
 
 
-class NotItsDefinition(Evidence):
+class NotItsDefinition(Evidence, words="{formula} is not {definition}"):
     """A formula that does not equal its definition."""
 
     formula: Name
     definition: Name
 
 
-class RationalForm(Evidence):
+class RationalForm(Evidence, words="{formula} is a quotient of polynomials in the curve, and is {definition}"):
     """A formula that is a quotient of polynomials, and the definition claimed not to be one."""
 
     formula: Name
     definition: Name
 
 
-class RationalOfDegree(Evidence):
+class RationalOfDegree(Evidence, words="rational of degree {degree}"):
     """Rational of some degree on this curve."""
 
     degree: int
@@ -410,7 +419,7 @@ class DegreeFound(Evidence):
     zero: tuple[int, ...] = ()
 
 
-class DegreeHere(Evidence):
+class DegreeHere(Evidence, words="{degree}"):
     """The degree of splines, and the claimed number."""
 
     degree: int
@@ -418,7 +427,7 @@ class DegreeHere(Evidence):
     relation: Relation
 
 
-class ZeroHere(Evidence):
+class ZeroHere(Evidence, words="0"):
     """A value that is 0, so that it has no degree, and the claimed number."""
 
     claimed: int
@@ -449,13 +458,13 @@ class CoefficientIsZero(Evidence):
     index: int | None = None
 
 
-class OnlyForDegrees(Evidence):
+class OnlyForDegrees(Evidence, words="none vanishes for {degrees}"):
     """No coefficient vanishes for some degrees."""
 
     degrees: ForDegrees
 
 
-class ZeroCoefficient(Evidence):
+class ZeroCoefficient(Evidence, words="coefficient {index} of {formula} is 0"):
     """A coefficient of a formula that is zero on this curve."""
 
     formula: Name
@@ -472,13 +481,13 @@ class ZeroForDegree(Evidence):
 # ---- zeros, signs, squares
 
 
-class VanishesAlways(Evidence):
+class VanishesAlways(Evidence, words="{formula} vanishes on every curve"):
     """A formula that vanishes on every curve."""
 
     formula: Name
 
 
-class VanishesAlone(Evidence):
+class VanishesAlone(Evidence, words="{formula} vanishes {place}, {other} does not"):
     """A zero of one formula that is not a zero of another."""
 
     formula: Name
@@ -486,13 +495,13 @@ class VanishesAlone(Evidence):
     other: Name
 
 
-class ZeroAt(Evidence):
+class ZeroAt(Evidence, words="zero {place}"):
     """A zero."""
 
     place: Place
 
 
-class HasSign(Evidence):
+class HasSign(Evidence, words="{sign}"):
     """A sign."""
 
     sign: Sign
@@ -526,7 +535,7 @@ class Squares(Evidence):
     zero: int
 
 
-class SquareOnSegment(Evidence):
+class SquareOnSegment(Evidence, words="on segment {segment} one is a square and the other is not"):
     """A segment on which one of two formulas is a square and the other is not."""
 
     segment: int
@@ -541,14 +550,14 @@ class OneSurface(Evidence):
     but: tuple[Name, ...] = ()
 
 
-class OneSurfaceBut(Evidence):
+class OneSurfaceBut(Evidence, words="one surface, except {place}, where the generator of {formula} vanishes"):
     """One surface, except where the generator of a formula vanishes."""
 
     place: Place
     formula: Name
 
 
-class NoGenerator(Evidence):
+class NoGenerator(Evidence, words="no surface: the generator{formula? of }{formula} vanishes{formula? on every curve}"):
     """A generator that vanishes: that of a formula on every curve, or (None) on a whole segment of this one."""
 
     formula: Name | None = None
@@ -571,13 +580,13 @@ class ContactOrder(Evidence):
     relation: Relation = Relation.EQUAL
 
 
-class AtLeast(Evidence):
+class AtLeast(Evidence, words="at least {order}"):
     """At least this order."""
 
     order: int
 
 
-class Vanishes(Evidence):
+class Vanishes(Evidence, words="0 {where}"):
     """A value that is 0 on a segment."""
 
     where: On
@@ -620,7 +629,7 @@ class Conditions(Evidence):
     pairs: tuple[tuple[Enclosure, Enclosure], ...]
 
 
-class NotBetter(Evidence):
+class NotBetter(Evidence, words="not better at the zero {zero}"):
     """A zero at which the condition number is not smaller."""
 
     zero: AtKnot | Isolated
@@ -629,7 +638,7 @@ class NotBetter(Evidence):
 # ---- types
 
 
-class OfType(Evidence):
+class OfType(Evidence, words="{type}"):
     """The type of a value."""
 
     type: ValueType
@@ -645,20 +654,20 @@ class TypeOnExample(Evidence):
     rational_everywhere: bool
 
 
-class TypeHere(Evidence):
+class TypeHere(Evidence, words="it is {type} on {special?it, as it may be on special curves|this curve}"):
     """The type on the given curve; `special` where it is more special than on the generic curve."""
 
     type: ValueType
     special: bool = False
 
 
-class OfKind(Evidence):
+class OfKind(Evidence, words="its arguments are of the kind '{kind}'"):
     """The kind of argument of a formula."""
 
     kind: Name
 
 
-class OfAnotherKind(Evidence):
+class OfAnotherKind(Evidence, words="{formula} is a formula of '{kind}', not of '{asked}'"):
     """A formula, the kind of its argument, and the requested kind."""
 
     formula: Name

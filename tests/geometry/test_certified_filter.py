@@ -1,10 +1,7 @@
 """The certified filter: its bounds hold on hostile data in every rounding mode, its answers are the exact ones."""
 
-import ctypes
-import platform
 import subprocess
 import sys
-from contextlib import contextmanager
 from fractions import Fraction
 from math import ceil, comb
 
@@ -16,55 +13,16 @@ from exactspline.language.kinds import PLANE
 from exactspline.papers import find
 from exactspline.programs.program import program_of
 from exactspline.programs.reading import Signature
+from tests.support.rounding import FLUSHED, MODES, rounding
 from tests.support.sampled import sample
 
 np = pytest.importorskip("numpy")
 
 from exactspline.geometry.filtered import filtered  # noqa: E402  # needs numpy
 from exactspline.geometry.many_curves import features_in_parts, features_of_many, scaled_operands  # noqa: E402
-from exactspline.geometry.plane_programs import programs  # noqa: E402
+from exactspline.geometry.plane_programs import plane_program  # noqa: E402
 from exactspline.polynomials.doubles import Bounded, isolated, ordinates, values_at  # noqa: E402
 from exactspline.programs.doubles import in_doubles  # noqa: E402
-
-#: The rounding modes of <fenv.h> by their numbers on x86.
-MODES = {"nearest": 0, "down": 0x400, "up": 0x800, "to zero": 0xC00}
-
-
-#: Bits of the control register of SSE: results that are subnormal become zero, operands that are so are read as zero.
-FLUSHED = {"results": 0x8000, "operands": 0x40, "both": 0x8040}
-
-
-@contextmanager
-def flushing(name):
-    if platform.machine() not in ("x86_64", "AMD64") or sys.platform != "linux":
-        pytest.skip("the control register is that of x86")
-    libm, before = ctypes.CDLL("libm.so.6"), ctypes.create_string_buffer(64)
-    libm.fegetenv(before)
-    # the register is at the end of the 32 bytes that <fenv.h> keeps
-    set_ = bytearray(before.raw)
-    set_[28:32] = (int.from_bytes(before.raw[28:32], "little") | FLUSHED[name]).to_bytes(4, "little")
-    libm.fesetenv(ctypes.create_string_buffer(bytes(set_), 64))
-    try:
-        assert np.array([2.0**-1000])[0] * 2.0**-60 == 0 or name == "operands"
-        yield
-    finally:
-        libm.fesetenv(before)
-
-
-@contextmanager
-def rounding(mode):
-    if mode in FLUSHED:
-        with flushing(mode):
-            yield
-        return
-    if MODES[mode] and (platform.machine() not in ("x86_64", "AMD64") or sys.platform != "linux"):
-        pytest.skip("the numbers of rounding modes are those of x86")
-    libm = ctypes.CDLL("libm.so.6") if MODES[mode] else None
-    try:
-        assert libm is None or libm.fesetround(MODES[mode]) == 0
-        yield
-    finally:
-        assert libm is None or libm.fesetround(0) == 0
 
 
 def hostile(degree, rational):
@@ -160,7 +118,7 @@ def test_bounds_are_those_of_as_many_roundings_as_the_coefficients_went_through(
         rows = zip(operands[0][:, 1].tolist(), points[:, 1, 0].tolist(), weights[:, 1].tolist(), strict=True)
         farthest = max(Fraction(x) / (3 * Fraction(p) * Fraction(w)) - 1 for x, p, w in rows)
         needed = ceil(farthest * 2**52)
-        (form,) = in_doubles(programs(3, True).curvature, operands, needed)
+        form, *_ = in_doubles(plane_program(3, True), operands, needed)
         bounds = ordinates(form.values, form.errors).errors
     assert needed == 2
     assert (found.curvature.rows.errors >= bounds).all()

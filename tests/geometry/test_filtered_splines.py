@@ -11,6 +11,7 @@ from exactspline import Nurbs, analyse, example, examples
 from exactspline.batch.families import Family
 from exactspline.errors import ExactSplineError, NumberError, ShapeError
 from exactspline.numbers.exact import mpq
+from tests.campaigns import filter as campaign
 
 np = pytest.importorskip("numpy")
 
@@ -145,8 +146,8 @@ def test_a_bad_curve_does_not_stop_the_others(monkeypatch):
         raise ExactSplineError("cannot", remedy="none")
 
     monkeypatch.setattr(many_splines, "exactly", failing)
-    straight = Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])
-    found = features_of_curves([straight, *curves])
+    flat = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 0), (2, 0), (3, 1)])
+    found = features_of_curves([flat, *curves])
     assert list(found.refused) == [0]
     assert found.kind.tolist() == whole.kind.tolist()
 
@@ -163,3 +164,11 @@ def test_stopping_early_keeps_what_was_done():
     for name in ("curve", "kind", "low", "high"):
         assert [*getattr(first, name), *getattr(second, name)] == getattr(whole, name)[upto].tolist()
     assert features_of_curves([]).curve.tolist() == []
+
+
+@pytest.mark.parametrize("family", [campaign.contour, campaign.closed, campaign.any_curve], ids=lambda f: f.__name__)
+def test_corners_seams_and_straight_pieces_are_decided_as_exact_arithmetic_decides(family):
+    chance = random.Random(family.__name__)
+    curves = [family(chance) for _ in range(120)]
+    decided, _ = same_as_exact(curves)
+    assert decided > (60 if family is campaign.any_curve else 105)

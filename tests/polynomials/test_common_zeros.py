@@ -9,11 +9,10 @@ from hypothesis import strategies as st
 
 from exactspline.geometry.surface.borders import is_inside
 from exactspline.geometry.surface.common_factor import common_factor, odd_part
-from exactspline.geometry.surface.multiple import multiple_zero
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.common_zeros import isolate, simplest
 from exactspline.polynomials.patch_forms import PatchForm, of_powers, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form
@@ -122,19 +121,6 @@ def test_what_nearly_meets_is_told_apart_from_what_touches():
     touching = isolate(*pair(bowl, T * 1000000 - 500000))
     assert not touching.zeros
     assert touching.undecided
-
-
-def test_multiple_zeros_are_shown_to_be_alone():
-    forms = [as_form(p) for p in ((2 * S - 1) * (3 * T - 1), (2 * S - 1) ** 2 - (3 * T - 1) ** 2)]
-    degree = 2, 2
-    found = isolate(*(f.elevated(degree) for f in forms))
-    assert not found.zeros
-    multiple = multiple_zero(forms, found.undecided)
-    assert multiple.place == (mpq(1, 2), mpq(1, 3))
-    assert all(multiple.explains(box) for box in found.undecided)
-    # a curve through the point is no single zero
-    line = [as_form(p) for p in ((2 * S - 1) * (3 * T - 1), (2 * S - 1) * (S + 1))]
-    assert multiple_zero(line, [UNIT.part(Box(side := Interval(mpq(1, 4), mpq(3, 4)), side))]) is None
 
 
 def test_the_third_form_excludes():

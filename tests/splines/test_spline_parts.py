@@ -96,8 +96,9 @@ def test_what_is_needed_are_instructions_and_their_arguments():
 
 def test_bounds_grow_with_the_roundings():
     np = pytest.importorskip("numpy")
-    from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW
-    from exactspline.programs.doubles import SLACK, Known, bounded_by
+    from exactspline.polynomials.roundings import ROUNDING, UNDERFLOW
+    from exactspline.programs.doubles import bounded_by
+    from exactspline.programs.masses import SLACK, Known
 
     masses = np.array([[1.0, 4.0]])
     for roundings in (1, 8, 64):

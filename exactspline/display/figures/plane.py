@@ -11,7 +11,6 @@ from exactspline.display.plot.html import Scene
 from exactspline.errors import counted
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
-from exactspline.geometry.zero_forms import zero_form
 from exactspline.interchange.examples import example
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
@@ -79,14 +78,14 @@ def figure_1() -> Drawn:
     )
     _crop(top, curve)
     top.set_title("(a) curvature critical points")
-    squared, squared_zeros = zero_form(curve, "critical_curvature", SQUARING)
-    direct, direct_zeros = zero_form(curve, "critical_curvature", "direct")
+    squared = analyse(curve).zero_form("critical_curvature", SQUARING)
+    direct = analyse(curve).zero_form("critical_curvature", "direct")
     powers = [
-        _graph(squared, squared_zeros, middle, "(b) squaring approach"),
-        _graph(direct, direct_zeros, bottom, "(c) direct approach"),
+        _graph(squared.form, squared.zeros, middle, "(b) squaring approach"),
+        _graph(direct.form, direct.zeros, bottom, "(c) direct approach"),
     ]
-    extra = [root for root in squared_zeros if root not in list(direct_zeros)]
-    draw_roots(middle, extra, squared.domain, "X", VERMILLION, "extra root")
+    extra = [root for root in squared.zeros if root not in list(direct.zeros)]
+    draw_roots(middle, extra, squared.form.domain, "X", VERMILLION, "extra root")
     legend_below(middle, columns=5)
     parts = (
         (
@@ -98,10 +97,10 @@ def figure_1() -> Drawn:
             f"a jump, {extrema_at_ends(curve)} extrema at the ends of one segment."
         ),
         (
-            f"(b) the numerator of (κ²)′, {cost(squared)}; {counted(len(squared_zeros), 'root')}, the "
+            f"(b) the numerator of (κ²)′, {cost(squared.form)}; {counted(len(squared.zeros), 'root')}, the "
             f"{counted(len(extra), 'root')} of f0 (κ = 0) among them, which are extra."
         ),
-        f"(c) g0, {cost(direct)}; {counted(len(direct_zeros), 'root')}.",
+        f"(c) g0, {cost(direct.form)}; {counted(len(direct.zeros), 'root')}.",
         f"Graphs scaled by {powers[0]} and {powers[1]} and trimmed.",
     )
     return captioned(figure, 1, " ".join(parts))
@@ -137,7 +136,7 @@ def _graph(
         ax.set_yticks([sign * 10.0**k for sign in (-1, 1) for k in range(3, len(str(int(height))), 3)] + [0])
     ax.set_ylim(float(-height), float(height))
     ax.set_ylabel(f"value · $10^{{{-power}}}$")
-    ax.set_title(f"{title}: {cost(f)}")
+    ax.set_title(f"{title}\n{cost(f)}")
     return f"10{superscript(-power)}"
 
 
@@ -147,29 +146,29 @@ def figure_2() -> Drawn:
     figure = new_figure(PAGE, 5)
     grid = figure.add_gridspec(1, 2)
     left, right = (figure.add_subplot(grid[i]) for i in range(2))
-    squared, squared_zeros = zero_form(curve, "critical_curvature", SQUARING)
-    reduced, reduced_zeros = zero_form(curve, "critical_curvature", "paper")
+    squared = analyse(curve).zero_form("critical_curvature", SQUARING)
+    reduced = analyse(curve).zero_form("critical_curvature", "paper")
     powers = [
-        _graph(squared, squared_zeros, left, "(a) squaring approach", GREEN, VERMILLION, whole=True),
-        _graph(reduced, reduced_zeros, right, "(b) direct approach", GREEN, VERMILLION),
+        _graph(squared.form, squared.zeros, left, "(a) squaring approach", GREEN, VERMILLION, whole=True),
+        _graph(reduced.form, reduced.zeros, right, "(b) direct approach", GREEN, VERMILLION),
     ]
     inset = right.inset_axes((0.02, 0.66, 0.27, 0.32))
     plot_curve(curve, inset, knots=False, polygon_color=GREEN)
-    plot_features(curve, reduced_zeros, inset, color=VERMILLION, size=5)
+    plot_features(curve, reduced.zeros, inset, color=VERMILLION, size=5)
     cast("Legend", inset.get_legend()).remove()
     inset.set_axis_off()
-    smooth = {min(f.continuity_at(t) for t in f.breakpoints[1:-1]) for f in (squared, reduced)}
-    stored = {min(f.continuity) for f in (squared, reduced)}
+    smooth = {min(f.continuity_at(t) for t in f.breakpoints[1:-1]) for f in (squared.form, reduced.form)}
+    stored = {min(f.continuity) for f in (squared.form, reduced.form)}
     parts = (
         (
-            f"(a) the graph of the numerator of (κ²)′ of an ellipse γ, {cost(squared)}, scaled by {powers[0]}, on a "
-            "logarithmic scale beyond ±1."
+            f"(a) the graph of the numerator of (κ²)′ of an ellipse γ, {cost(squared.form)}, scaled by {powers[0]}, on "
+            "a logarithmic scale beyond ±1."
         ),
         (
-            f"(b) the ellipse and the graph of g2, eq. (11), {cost(reduced)}, scaled by {powers[1]}. Control "
+            f"(b) the ellipse and the graph of g2, eq. (11), {cost(reduced.form)}, scaled by {powers[1]}. Control "
             "polygons in green."
         ),
-        f"{len(squared_zeros)} and {counted(len(reduced_zeros), 'root')}, the rightmost being the leftmost.",
+        f"{len(squared.zeros)} and {counted(len(reduced.zeros), 'root')}, the rightmost being the leftmost.",
         (
             f"Both graphs are C{'/'.join(map(superscript, smooth))} in a C{'/'.join(map(superscript, stored))} "
             "representation."

@@ -37,7 +37,7 @@ def merged_umbilics(
     umbilics = []
     for own in _groups([one.place for one, _ in known.values()], domain, closed):
         first, place = known[id(own[0])][0], _together(own)
-        if place.inner is None:
+        if place.inner is None and not _is_inside(place.spot, known[id(own[0])][1]):
             seen = {sector for one in own for sector in _sectors(one.spot, known[id(one)][1])}
             for spot in _alike(place.spot, domain, closed):
                 seen |= {sector for box, all_of in patches if _has(all_of, spot, box) for sector in _sectors(spot, box)}
@@ -80,6 +80,10 @@ def is_in(place: Place, box: tuple[Ends, Ends], domain: Box, closed: Sequence[Al
 
 def _within(spot: Spot, box: tuple[Ends, Ends]) -> bool:
     return all(low <= t <= high for t, (low, high) in zip(spot, box, strict=True))
+
+
+def _is_inside(spot: Spot, box: Box) -> bool:
+    return all(low < t < high for t, (low, high) in zip(spot, box, strict=True))
 
 
 def _alike(spot: Spot, domain: Box, closed: Sequence[Along]) -> list[Spot]:

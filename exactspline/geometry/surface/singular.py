@@ -7,13 +7,15 @@ from dataclasses import dataclass
 from exactspline.geometry.surface.borders import EDGES, Edge, along, is_inside, roots_along, vanishes_at
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, on_patch, sides_of
-from exactspline.geometry.surface.multiple import multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
+from exactspline.geometry.surface.remaining import is_one, place_at, remaining_zeros
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.common_zeros import Zero, are_one, is_known, isolate, same
 from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import over
+from exactspline.roots.common_zeros import CommonZero
 from exactspline.roots.root import Root
 
 #: Refinement limit (bits) for classifying a zero.
@@ -71,8 +73,7 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
             curve = ZeroCurve(square_free(factor))
             along_curve = curve.has_branches or sign is Sign.BOTH
     zeros, undecided = _inner(forms, patch, normal, sides)
-    multiples, undecided = _multiples([f for f in normal if f is not None], undecided)
-    multiples = [spot for spot in multiples if not any(zero.is_at(spot[0][0], spot[1][0]) for zero in zeros)]
+    others, undecided = remaining_zeros([f for f in normal if f is not None], undecided, sides, zeros)
     if curve is not None:
         if along_curve:
             places = [place for place in places if not vanishes_at(curve.form, place.spot, sides)]
@@ -80,11 +81,12 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
             equal = [are_one(zero, known) for known in zeros]
             if None in equal:
                 undecided.append(zero.box)
-            elif not any(equal) and not any(zero.is_at(x, y) for (x, _), (y, _) in multiples):
+            elif not any(equal):
+                others = [other for other in others if not _is_at(zero, other, sides)]
                 zeros.append(zero)
         undecided += curve.undecided
     inner = [Place((patch,), InnerZero(zero, sides)) for zero in zeros]
-    inner += [Place((patch,), None, *sides.part(spot).middle) for spot in multiples]
+    inner += [place_at(zero, patch) for zero in others]
     boxes = tuple(sides.part(box) for box in undecided)
     return SingularPoints(False, edges, (*places, *inner), tuple(zeros), boxes, factor, along_curve)
 
@@ -129,17 +131,9 @@ def _inner(
     return certain, min(rest, key=len, default=[])
 
 
-def _multiples(normal: list[PatchForm], boxes: list[Box]) -> tuple[list[Box], list[Box]]:
-    """Multiple rational zeros of all coordinates of the normal inside that explain undecided boxes; and the remaining
-    boxes.
-    """
-    points, remaining = list[Box](), list(boxes)
-    while remaining and (multiple := multiple_zero(normal, remaining)) is not None:
-        remaining = [box for box in remaining if not multiple.explains(box)]
-        x, y = multiple.place
-        if 0 < x < 1 and 0 < y < 1:
-            points.append(Box.point(x, y))
-    return points, remaining
+def _is_at(zero: Zero, other: CommonZero, sides: Box) -> bool:
+    """Whether a certified zero is another point."""
+    return all(other.is_zero_of(over(f, sides)) for f in zero.forms) and is_one(other, zero, sides)
 
 
 def _is_singular(zero: Zero, components: list[PatchForm], third: PatchForm | None) -> bool | None:

@@ -13,19 +13,23 @@ from enum import StrEnum
 from exactspline.geometry.surface.borders import EDGES, Edge, along, common_along, is_inside, roots_along
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free, without_powers
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
-from exactspline.geometry.surface.multiple import Multiple, multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
+from exactspline.geometry.surface.remaining import place_at, remaining_zeros
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.common_zeros import Zero, are_one, isolate, same
 from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import S, over
+from exactspline.roots.common_zeros import CommonZero
 
 #: Refinement limit (bits) for deciding whether a zero is an umbilic.
 BITS = 400
 #: Bits to which a point is refined to show that it is not on a curve.
 FAR = 64
+#: Digits of a point at which the kind of an umbilic is read off.
+KIND_DIGITS = 40
 
 
 class UmbilicKind(StrEnum):
@@ -200,7 +204,7 @@ class _Search:
             if not rest:
                 break
         assert best is not None, "a single form is its common factor"
-        umbilics, undecided = self._multiples(list(given.values()), best[1], best[0])
+        umbilics, undecided = self._by_elimination(list(given.values()), best[1], best[0])
         return [*best[0], *umbilics], undecided
 
     def _with_pair(self, given: dict[int, PatchForm], pair: tuple[int, int]) -> tuple[list[Umbilic], tuple[Box, ...]]:
@@ -247,26 +251,27 @@ class _Search:
                 return UmbilicKind.POSITIVE if sign > 0 else UmbilicKind.NEGATIVE
         return UmbilicKind.UNKNOWN
 
-    def _multiples(
+    def _by_elimination(
         self, given: list[PatchForm], boxes: Sequence[Box], known: Sequence[Umbilic]
     ) -> tuple[list[Umbilic], list[Box]]:
-        """New multiple umbilics at rational points inside the patch that explain undecided boxes, and the boxes that
-        they do not explain.
-        """
-        remaining, umbilics = list(boxes), list[Umbilic]()
-        while remaining:
-            multiple: Multiple | None = multiple_zero(given, remaining)
-            if multiple is None:
-                break
-            remaining = [box for box in remaining if not multiple.explains(box)]
-            x, y = multiple.place
-            if any(one.place.inner is not None and one.place.inner.zero.is_at(x, y) for one in known):
-                continue
-            spot = Box.point(x, y)
-            if self.area.form.part(spot).sign == 1 and 0 < x < 1 and 0 < y < 1:
-                u, v = self.sides.at(x, y)
-                umbilics.append(Umbilic(Place((self.patch,), None, u, v), UmbilicKind.MULTIPLE))
-        return umbilics, remaining
+        """New umbilics in undecided boxes, and the boxes for which elimination is out of reach."""
+        certain = [one.place.inner.zero for one in known if one.place.inner is not None]
+        found = remaining_zeros(given, boxes, self.sides, certain)
+        area = over(self.area.form, self.sides)
+        umbilics = []
+        for zero in found.zeros:
+            if not zero.is_zero_of(area):
+                place = place_at(zero, self.patch)
+                umbilics.append(Umbilic(place, self._kind_at(zero, place)))
+        return umbilics, found.undecided
+
+    def _kind_at(self, zero: CommonZero, place: Place) -> UmbilicKind:
+        """Multiple where the Jacobians of both pairs vanish."""
+        a, b, c = (over(f.whole, self.sides) if f is not None else S * 0 for f in self.own)
+        jacobians = [f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0) for f, g in ((a, b), (b, c))]
+        if all(zero.is_zero_of(p) for p in jacobians):
+            return UmbilicKind.MULTIPLE
+        return self._kind(place.box(KIND_DIGITS))
 
 
 def jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:

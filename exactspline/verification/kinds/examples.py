@@ -110,7 +110,7 @@ class Count(ExampleClaim):
         if below is not None and below.vanishes_somewhere:
             return vacuous(Undefined(self.formula))
         if all(p.is_zero for p in numerators):
-            return vacuous(Fact.VANISHES)
+            return vacuous(Fact.ZERO)
         claimed = counts(self.claimed)
         if not numerators[0].breakpoints[1:-1] and {what for _, what in claimed} & CONTINUITIES:
             return vacuous(Fact.NO_JOINT)

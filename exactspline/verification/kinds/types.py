@@ -72,7 +72,7 @@ class TypeClaim(Claim):
         """The most special type that holds on every curve, and a witness that it is not more special than claimed."""
         values = self._on_all_curves(dimension, polynomial)
         if all(x.is_zero for x in values):
-            return vacuous(Fact.VANISHES)
+            return vacuous(Fact.ZERO)
         rooted = any(not x.is_zero for value in values for x in _coefficients(value)[1:])
         always = ValueType.NOT_RATIONAL if rooted else ValueType.RATIONAL
         if not rooted and not any(_is_quotient(_coefficients(value)[0]) for value in values):

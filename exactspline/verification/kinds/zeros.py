@@ -193,7 +193,7 @@ class SignClaim(Claim):
         value = p * self.sign.direction
         value = value if below is None else value * below
         if p.is_zero:
-            return vacuous(Fact.VANISHES)
+            return vacuous(Fact.ZERO)
         for i, c in enumerate(value.polynomials):
             if not is_nonnegative(c, value.degree):
                 return Finding(REFUTED, Fact.OTHER_SIGN, witness=At(_negative(value, i)))

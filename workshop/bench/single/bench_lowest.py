@@ -12,7 +12,7 @@ from time import perf_counter
 import pytest
 
 from exactspline import Nurbs
-from exactspline.geometry.zero_forms import zero_form
+from exactspline.geometry.analysis import analyse
 from exactspline.roots.zero_set import zeros
 
 FORMS = ("squaring", "paper", "minimal")
@@ -82,8 +82,8 @@ def measured(most):
 def test_vertices(benchmark, degree, form):
     c = curve(degree, 3)
     benchmark.group = f"all vertices of a rational curve of degree {degree}, 3 segments"
-    _, found = benchmark.pedantic(zero_form, args=(c, "critical_curvature", form), rounds=3)
-    true = zero_form(c, "critical_curvature")[1]
+    found = benchmark.pedantic(analyse(c).zero_form, args=("critical_curvature", form), rounds=3).zeros
+    true = analyse(c).zero_form("critical_curvature").zeros
     assert all(root in list(found) for root in true)
 
 

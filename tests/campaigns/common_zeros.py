@@ -1,0 +1,158 @@
+"""Common zeros against elimination by another route: ``python -m tests.campaigns.common_zeros 2000``.
+
+The other route: FLINT's resultants in both directions, all their real roots to a thousand bits, and every pair of them
+at which both polynomials are below 2⁻⁴⁰⁰. It shares no code with the library and knows no fields, boxes or signs.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections import Counter
+from random import Random
+
+from flint import arb, ctx, fmpz_mpoly, fmpz_poly
+
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Box, Interval
+from exactspline.polynomials.two_parameters import CONTEXT, S, T
+from exactspline.roots.common_zeros import common_zeros, multiplicity
+
+SEED = 31
+BITS, SMALL = 1000, 400
+SIDE = Interval(mpq(0), mpq(1))
+
+
+def any_polynomial(random: Random, m: int, n: int, size: int = 9) -> fmpz_mpoly:
+    """One of these degrees with random coefficients."""
+    return CONTEXT.from_dict({(i, j): random.randint(-size, size) for i in range(m + 1) for j in range(n + 1)})
+
+
+def _point(random: Random) -> tuple[fmpz_mpoly, fmpz_mpoly]:
+    """Two linear polynomials that vanish at a rational point of the closed square, often on its border."""
+    own = []
+    for variable in (S, T):
+        b = random.randint(1, 7)
+        own.append(b * variable - random.choice((0, b, random.randint(0, b))))
+    return own[0], own[1]
+
+
+# ---- families
+
+
+def generic(random: Random) -> tuple[fmpz_mpoly, fmpz_mpoly]:
+    return any_polynomial(random, random.randint(1, 4), random.randint(1, 3)), any_polynomial(random, 3, 2)
+
+
+def through(random: Random) -> tuple[fmpz_mpoly, fmpz_mpoly]:
+    """With a rational common zero of multiplicity 1, 2, 4 or 6."""
+    x, y = _point(random)
+    m, n = random.choice(((1, 1), (1, 2), (2, 2), (2, 3)))
+    f = sum((x**i * y ** (m - i) * any_polynomial(random, 1, 1, 5) for i in range(m + 1)), S * 0)
+    g = sum((x**i * y ** (n - i) * any_polynomial(random, 1, 1, 5) for i in range(n + 1)), S * 0)
+    return f, g
+
+
+def irrational(random: Random) -> tuple[fmpz_mpoly, fmpz_mpoly]:
+    """Multiple at irrational points: squares of generic ones in the ideal."""
+    p = random.randint(2, 5) * S**2 - random.randint(1, 4)
+    q = random.randint(2, 5) * T**2 - random.choice((1, 2, S + 1, S))
+    f = p * any_polynomial(random, 1, 1, 5) + q * any_polynomial(random, 1, 1, 5)
+    return f, random.choice((p * p + q * (S - 2 * T), p * q + p * p * 3, q * q - p * p))
+
+
+def tangent(random: Random) -> tuple[fmpz_mpoly, fmpz_mpoly]:
+    """Curves that touch to some order."""
+    x, y = _point(random)
+    curve = y - x**2 * random.randint(1, 3)
+    k = random.randint(2, 4)
+    return curve * any_polynomial(random, 1, 1, 3) + x**k * random.randint(1, 9), curve + x ** (k + 1) - y * x * curve
+
+
+def lines(random: Random) -> tuple[fmpz_mpoly, fmpz_mpoly]:
+    """Factors in one parameter alone, fibres with several zeros."""
+    f = any_polynomial(random, 2, 0) * any_polynomial(random, 0, 2)
+    return f, any_polynomial(random, 2, 2)
+
+
+FAMILIES = (generic, through, irrational, tangent, lines)
+
+
+def by_other_route(f: fmpz_mpoly, g: fmpz_mpoly) -> list[tuple[arb, arb]]:
+    """The zeros in the closed unit square, as balls; a number that touches 0 or 1 counts as inside."""
+    eliminants = [_real_roots(f.resultant(g, variable), k) for k, variable in ((0, "t"), (1, "s"))]
+    found = []
+    for s in eliminants[0]:
+        for t in eliminants[1]:
+            values = [_value(p, s, t) for p in (f, g)]
+            if all(abs(x) < arb(2) ** -SMALL for x in values):
+                found.append((s, t))
+    return found
+
+
+def _real_roots(p: fmpz_mpoly, k: int) -> list[arb]:
+    coefficients = {int(e[k]): c for e, c in p.terms()}
+    q = fmpz_poly([coefficients.get(i, 0) for i in range(max(coefficients, default=0) + 1)])
+    one = fmpz_poly([1])
+    for base, _ in q.factor()[1]:
+        one *= base
+    roots = [z.real for z, _ in one.complex_roots() if z.imag.contains(0) and abs(z.imag) < arb(2) ** -SMALL]
+    margin = arb(2) ** -SMALL
+    return [x for x in roots if x > -margin and x < 1 + margin]
+
+
+def _value(p: fmpz_mpoly, s: arb, t: arb) -> arb:
+    total = arb(0)
+    for (i, j), x in p.terms():
+        total += arb(x) * s ** int(i) * t ** int(j)
+    return total
+
+
+def difference(f: fmpz_mpoly, g: fmpz_mpoly) -> str | None:
+    """What is different between the two routes, if anything."""
+    found = common_zeros([f, g], Box(SIDE, SIDE))
+    with ctx.workprec(BITS):
+        other = by_other_route(f, g)
+        if len(found) != len(other):
+            return f"{len(found)} zeros, {len(other)} by the other route"
+        for zero in found:
+            box = [Interval(low - mpq(1, 1 << 90), high + mpq(1, 1 << 90)) for low, high in zero.box(25)]
+            near = [pair for pair in other if all(_in(x, side) for x, side in zip(pair, box, strict=True))]
+            if len(near) != 1:
+                return f"{len(near)} zeros of the other route at {zero.place}"
+    return None
+
+
+def _in(x: arb, side: Interval) -> bool:
+    low, high = (arb(int(end.numerator)) / int(end.denominator) for end in side)
+    return bool(low < x < high)
+
+
+def run(count: int, start: int = 0) -> dict[str, Counter[str]]:
+    """This many pairs; differences are printed."""
+    table: dict[str, Counter[str]] = {}
+    for k in range(start, start + count):
+        family = FAMILIES[k % len(FAMILIES)]
+        f, g = family(Random(f"{SEED} {k}"))
+        if not f or not g or f.gcd(g).total_degree() > 0:
+            continue
+        own = table.setdefault(family.__name__, Counter())
+        own["pairs"] += 1
+        before = time.process_time()
+        zeros = common_zeros([f, g], Box(SIDE, SIDE))
+        own["milliseconds"] += round(1000 * (time.process_time() - before))
+        own["zeros"] += len(zeros)
+        if told := difference(f, g):
+            own["different"] += 1
+            print(f"{k} {family.__name__}: {told}: {f}, {g}", flush=True)
+        if k % 7 == 0:
+            own["multiple"] += sum(multiplicity(zero, f, g) > 1 for zero in zeros)
+    return table
+
+
+if __name__ == "__main__":
+    arguments = [int(x) for x in sys.argv[1:]]
+    table = run(*(arguments or [1000]))
+    for name, counts in table.items():
+        print(f"{name:12}", ", ".join(f"{what} {n}" for what, n in counts.items()))
+    sys.exit(any(counts["different"] for counts in table.values()))

@@ -1,0 +1,158 @@
+"""The optional extension against exact arithmetic: on every curve that it decides, its inflections and extrema are the
+exact ones: kinds, order, signs, jumps, and every interval contains its zero.
+
+``python -m tests.campaigns.filter COUNT SEED`` compares until this many features were compared, prints for every family
+how many curves were decided and how many features they have, and ends with status 1 at the first difference.
+"""
+
+import random
+import sys
+from collections import Counter
+
+from exactspline import Nurbs
+from exactspline.geometry.analysis import Analysis
+from exactspline.geometry.certain import certain
+from exactspline.numbers.exact import mpq
+
+
+def _knots(chance, degree):
+    inner, t = [], mpq(0)
+    for _ in range(chance.choice([0, 0, 1, 2, 3])):
+        t += chance.choice([1, 1, 1, mpq(1, 3), mpq(5, 7), 1000, mpq(1, 10**9)])
+        inner += [t] * chance.choice([1, 1, 1, min(2, degree), degree])
+    end = t + chance.choice([1, 1, mpq(1, 2)])
+    return [0] * (degree + 1) + inner + [end] * (degree + 1)
+
+
+def _points(chance, count, size):
+    return [(chance.randint(-size, size), chance.randint(-size, size)) for _ in range(count)]
+
+
+def any_curve(chance):
+    """Knots of any multiplicity at any distance, numbers of any size, positive weights or negative ones."""
+    degree = chance.choice([1, 2, 2, 3, 3, 3, 4, 5, 6])
+    knots = _knots(chance, degree)
+    points = _points(chance, len(knots) - degree - 1, chance.choice([2, 9, 10, 1000, 10**6, 2**53 + 1, 10**30]))
+    sign = chance.choice([1, 1, -1])
+    weights = [sign * chance.choice([1, 1, 2, 3, mpq(1, 5), 10**6]) for _ in points]
+    return Nurbs(degree, knots, points, chance.choice([None, weights]))
+
+
+def contour(chance):
+    """A closed contour as in a font: lines, cubics or conics, with corners and smooth joints."""
+    count, size = chance.randint(1, 6), chance.choice([10, 1000])
+    stops = _points(chance, count, size)
+    points = [stops[0]]
+    for k in range(count):
+        (x, y), (u, v) = points[-1], stops[(k + 1) % count]
+        first, last = _points(chance, 2, size)
+        if len(points) > 3 and chance.random() < 0.6:
+            a, b = points[-2]
+            m = mpq(chance.randint(1, 3), chance.choice([1, 2, 3]))
+            first = x + m * (x - a), y + m * (y - b)
+        if chance.random() < 0.2:
+            first, last = (x + mpq(u - x, 3), y + mpq(v - y, 3)), (x + mpq(2 * (u - x), 3), y + mpq(2 * (v - y), 3))
+        points += [first, last, (u, v)]
+    knots = [0] * 4 + [k for k in range(1, count) for _ in range(3)] + [count] * 4
+    return Nurbs(3, knots, points)
+
+
+def closed(chance):
+    """A closed curve with a smooth seam or a corner there."""
+    degree, spans = chance.randint(2, 4), chance.randint(3, 7)
+    ring = _points(chance, spans, chance.choice([4, 10, 1000]))
+    points = [ring[k % spans] for k in range(spans + degree)]
+    weights = [chance.randint(1, 4) for _ in ring]
+    around = [weights[k % spans] for k in range(spans + degree)]
+    return Nurbs(degree, list(range(spans + 2 * degree + 1)), points, chance.choice([None, around]))
+
+
+def near_cusp(chance):
+    """A cubic whose speed all but vanishes, or a point that is doubled."""
+    x, y = _points(chance, 2, 50)
+    off = mpq(chance.randint(-3, 3), chance.choice([1, 10**3, 10**8, 10**15, 10**30]))
+    cross = [(0, 0), (10, 10 + off), (0, 10), (10, 0)]
+    doubled = [x, (x[0] + off, x[1]), y, (y[0], y[1] + off)]
+    return Nurbs(3, [0] * 4 + [1] * 4, chance.choice([cross, doubled]))
+
+
+def cancelling(chance):
+    """Points that are all but on a line, or on a parabola, far from the origin."""
+    degree = chance.randint(2, 5)
+    knots = _knots(chance, degree)
+    count, far = len(knots) - degree - 1, chance.choice([10**3, 10**9, 2**53, 2**60])
+    small = mpq(1, chance.choice([1, 10**4, 10**12]))
+    a, b = chance.randint(-5, 5), chance.choice([0, 1])
+    points = [(far + i, far + a * i + b * i * i + small * chance.randint(-2, 2)) for i in range(count)]
+    return Nurbs(degree, knots, points)
+
+
+def both_signs(chance):
+    """Weights of both signs, of which the denominator may still have no zero."""
+    degree = chance.randint(2, 4)
+    points = _points(chance, degree + 1, 20)
+    weights = [chance.choice([1, 2, 3, 4]) for _ in points]
+    weights[chance.randint(1, degree - 1)] = mpq(-1, chance.choice([2, 3, 10]))
+    sign = chance.choice([1, -1])
+    try:
+        return Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), points, [sign * w for w in weights])
+    except ValueError:
+        return both_signs(chance)
+
+
+FAMILIES = (any_curve, any_curve, contour, closed, near_cusp, cancelling, both_signs)
+
+
+def exact(curve):
+    """The analysis of a curve by exact arithmetic alone."""
+    facts = Analysis(curve)
+    facts._known["_certain"] = None
+    return facts
+
+
+def differing(curve):
+    """How many features were compared (None where exact arithmetic decides), and what differs ("" for nothing)."""
+    known = certain(Analysis(curve))
+    if known is None:
+        return None, ""
+    facts, count = exact(curve), 0
+    for mine, true in ((known.inflections, facts.inflections), (known.critical_points, facts.critical_points)):
+        if len(mine) != len(true) or mine.everywhere != true.everywhere:
+            return count, f"{mine!r} where {true!r} is right"
+        for one, other in zip(mine, true, strict=True):
+            a, b = one.root, other.root
+            alike = (one.kind, one.by_jump, one.of_absolute, one.form) == (
+                other.kind,
+                other.by_jump,
+                other.of_absolute,
+                other.form,
+            )
+            place = (a.signs, a.at_knot, a.segment, a.multiplicity) == (b.signs, b.at_knot, b.segment, b.multiplicity)
+            inside = a.low < b < a.high if a.low < a.high else a.low == b
+            if not (alike and place and inside):
+                return count, f"{one!r} where {other!r} is right"
+            count += 1
+    return count, ""
+
+
+def main(most, seed):
+    """Compare and print."""
+    chance, made, decided, features = random.Random(seed), Counter(), Counter(), Counter()
+    while sum(features.values()) < most:
+        family = chance.choice(FAMILIES)
+        curve = family(chance)
+        count, what = differing(curve)
+        made[family.__name__] += 1
+        if what:
+            print(f"{family.__name__}: {what}\n{curve.degree}, {curve.knots}, {curve.control_points}, {curve.weights}")
+            return 1
+        if count is not None:
+            decided[family.__name__] += 1
+            features[family.__name__] += count
+    for name in made:
+        print(f"{name}: {made[name]} curves, {decided[name]} decided, {features[name]} features, 0 wrong")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(int(sys.argv[1]), int(sys.argv[2])))

@@ -1,0 +1,109 @@
+"""Common zeros in two parameters: complete, exact, each once."""
+
+from random import Random
+
+import pytest
+
+from exactspline import NurbsSurface, TensorSpline, analyse
+from exactspline.errors import ReachError
+from exactspline.geometry.surface.umbilics import UmbilicKind
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.cost import Budget, drawing_on
+from exactspline.polynomials.two_parameters import S, T
+from exactspline.roots.common_zeros import common_zeros, multiplicity
+from tests.campaigns.common_zeros import FAMILIES, any_polynomial, difference, run
+
+
+def test_all_zeros_are_those_of_elimination_by_another_route():
+    table = run(60)
+    assert set(table) == {family.__name__ for family in FAMILIES}
+    assert not any(counts["different"] for counts in table.values())
+    assert sum(counts["zeros"] for counts in table.values()) > 20
+
+
+def test_the_other_route_notices_a_lost_zero(monkeypatch):
+    from tests.campaigns import common_zeros as campaign
+
+    monkeypatch.setattr(campaign, "common_zeros", lambda *given: common_zeros(*given)[1:])
+    assert difference(2 * S - 1, 2 * T - 1) == "0 zeros, 1 by the other route"
+
+
+@pytest.mark.parametrize(
+    ("f", "g", "count", "multiplicities"),
+    [
+        (S, T, 1, [1]),  # a corner
+        (2 * S * S - 1, T - 1, 1, [1]),  # irrational on the border
+        (2 * S * S - 1, (2 * T * T - 1) ** 2, 1, [2]),
+        ((2 * S - 1) * (3 * T - 1), (2 * S - 1) ** 2 - (3 * T - 1) ** 2, 1, [4]),
+        (S**2 - T**3, S**3 - T**2, 2, [4, 1]),
+        (2 * S * S - 1, (3 * T * T - 1) * (3 * T - 1), 2, [1, 1]),  # two over one root
+        (S * S + T * T + 1, S - T, 0, []),
+        (2 * S * S - 1, (S + 2) * T - 1, 1, [1]),
+        (S - 2, S * T - 1, 0, []),  # only outside
+    ],
+)
+def test_zeros_and_multiplicities(f, g, count, multiplicities):
+    zeros = common_zeros([f, g], UNIT)
+    assert len(zeros) == count
+    assert [multiplicity(zero, f, g) for zero in zeros] == multiplicities
+
+
+def test_zeros_that_differ_in_the_hundredth_digit_are_two():
+    tiny = 10**100
+    zeros = common_zeros([(2 * S * S - 1) * (tiny * (2 * S * S - 1) - 1), S - T], UNIT)
+    assert len(zeros) == 2
+    assert zeros[0].s < zeros[1].s
+    assert all(zero.s == zero.t for zero in zeros)
+
+
+def test_more_than_two_polynomials_share_only_their_zeros():
+    f, g, h = (2 * S * S - 1) * T, (2 * S * S - 1) * (T - 1), (3 * T - 1) * (S + T)
+    (zero,) = common_zeros([f, g, h], UNIT)
+    assert zero.t == mpq(1, 3)
+    assert zero.is_zero_of((2 * S * S - 1) * (S - 7 * T) ** 3)
+    assert not zero.is_zero_of(S - 2 * T)
+
+
+def test_parts_of_a_rectangle():
+    side = Interval(mpq(1), mpq(3))
+    assert [zero.place for zero in common_zeros([S - T, (S - 3) * (S - 1) * S], Box(side, side))] == [(1, 1), (3, 3)]
+
+
+def test_the_cost_is_bounded():
+    random = Random(5)
+    f, g = (any_polynomial(random, 9, 9, 10**9) for _ in range(2))
+    with drawing_on(Budget(10**6)), pytest.raises(ReachError):
+        common_zeros([f, g], UNIT)
+
+
+def graph(height):
+    u, v = parameters()
+    return NurbsSurface.from_splines([u, v, height(u, v)])
+
+
+def parameters():
+    u = TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
+    v = TensorSpline((0, 1), [0, 1], [0, 0, 1, 1], [[0, 1]])
+    return u, v
+
+
+def test_flat_points_at_irrational_crossings_are_umbilics():
+    """Three of these five were boxes in which something was undecided."""
+    found = analyse(graph(lambda u, v: (u * u * 2 - 1) ** 4 * mpq(1, 9) + (v * v * 2 - 1) ** 4 * mpq(1, 7)))
+    assert found.complete
+    assert sorted(one.kind for one in found.umbilics) == sorted(
+        [UmbilicKind.POSITIVE, UmbilicKind.NEGATIVE, *[UmbilicKind.MULTIPLE] * 3]
+    )
+    crossing = max(found.umbilics, key=lambda one: one.place.box(5).middle)
+    assert [x.minimal_polynomial() for x in crossing.place.spot] == [[-1, 0, 2]] * 2
+
+
+def test_an_irrational_multiple_singular_point_is_one_point():
+    """A box was left undecided."""
+    u, v = parameters()
+    p, q = u * u * 2 - 1, v * v * 2 - 1
+    found = analyse(NurbsSurface.from_splines([p * p, q * q, p * q + q * q * q]))
+    assert found.complete
+    (place,) = found.singular_points
+    assert [x.minimal_polynomial() for x in place.spot] == [[-1, 0, 2]] * 2
