@@ -14,7 +14,7 @@ from functools import cache
 from pathlib import Path
 
 import exactspline as xs
-from exactspline.geometry.derived import evolute
+from exactspline.geometry.derived import derive
 from exactspline.geometry.kinds import JointKind
 from exactspline.geometry.poles import between_poles
 from exactspline.numbers.exact import mpq
@@ -172,7 +172,7 @@ def found(shape: str, degree: int, tolerance: mpq | None) -> Found:
         sum(joint.kind in JUMPS for joint in own.joints),
         len(own.curvature_extrema),
         0 if space else len(own.inflections),
-        0 if space or own.constant_pieces else len(between_poles(evolute(curve)).reversals),
+        0 if space or own.constant_pieces else len(between_poles(derive("evolute", curve)).reversals),
         len(own.torsion_zeros) if space else None,
         bool(own.constant_pieces),
     )
@@ -234,7 +234,7 @@ def draw() -> None:
 
 def _evolute_points(curve: Nurbs) -> list[tuple[float, float]]:
     found = []
-    for piece in between_poles(evolute(curve)).pieces:
+    for piece in between_poles(derive("evolute", curve)).pieces:
         for a, b in itertools.pairwise(piece.breakpoints):
             found += [tuple(map(float, piece(a + (b - a) * mpq(k, 60)))) for k in range(60)]
     return [(x, y) for x, y in found]

@@ -54,9 +54,6 @@ from .batch.families import Family as Family
 
 # derived curves and surfaces
 from .geometry.derived import derive as derive
-from .geometry.derived import evolute as evolute
-from .geometry.derived import focal_curve as focal_curve
-from .geometry.derived import torsion_function as torsion_function
 from .geometry.constructions import Variant as Variant
 from .geometry.constructions import construction as construction
 from .geometry.ruled_surfaces import ruled_surface as ruled_surface

@@ -7,6 +7,7 @@ import shutil
 import sys
 import tarfile
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from time import monotonic
@@ -14,7 +15,7 @@ from typing import Any
 
 from sphinx.cmd.build import build_main
 
-from docs.site import along, benchmarks, executed, page_data, pages
+from docs.site import along, benchmarks, executed, navigation, page_data, pages
 from docs.site.vendor import lay_out_mathjax, vendor
 from exactspline.verification.combined import computed_once
 
@@ -37,8 +38,6 @@ SOURCE = (
     ),
     *("exactspline", "docs", "notebooks", "proofs", "reading", "stubs", "tests", "workshop"),
 )
-#: The sections of the side bar, in order.
-SECTIONS = ("learn", "papers", "compute", "mathematics", "house")
 
 
 def main() -> int:
@@ -51,16 +50,19 @@ def main() -> int:
     shutil.copytree(DOCS / "play", play, ignore=shutil.ignore_patterns("__pycache__"))
     for kind in ("js", "css"):
         shutil.copy(PROJECT / "exactspline" / "display" / "plot" / f"turning.{kind}", play / "js")
-    with _step("the library for the browser (downloads once)"):
-        vendor(PROJECT / ".site-cache", play / "vendor", PROJECT)
-        lay_out_mathjax(play / "vendor", source / "_static" / "mathjax")
-    for name in ("pages.css", "pages.js"):
-        shutil.copy(HERE / name, source / "_static")
-    with computed_once():
-        with _step("claims, curves and surfaces"):
-            claims = page_data.claims()
-            page_data.write(play / "data", claims)
-        _lay_out(source, claims)
+    shutil.copytree(HERE / "templates", source / "_templates")
+    # other programs download and pack while the pages are computed here
+    with ThreadPoolExecutor(1) as other:
+        vendored = other.submit(_vendor, play / "vendor", source / "_static")
+        with computed_once():
+            with _step("claims, curves and surfaces"):
+                claims = page_data.claims()
+                page_data.write(play / "data", claims)
+            _lay_out(source, claims)
+        with _step("the library for the browser (downloads once)"):
+            vendored.result()
+    for page in play.glob("*.html"):
+        navigation.fill(page, source)
     with _step("pages"):
         status = build_main(
             ["-b", "html", "-W", "--keep-going", "-q", "-d", str(BUILD / "doctrees"), str(source), str(target)]
@@ -69,6 +71,14 @@ def main() -> int:
         serve = "./run serve" if target == BUILD / "html" else f"python -m http.server --directory {target}"
         print(f"The site is in {target}\n{serve} shows it at http://localhost:8000")
     return int(status)
+
+
+def _vendor(target: Path, static: Path) -> None:
+    """What the pages need of others, and what stands beside it."""
+    vendor(PROJECT / ".site-cache", target, PROJECT)
+    lay_out_mathjax(target, static / "mathjax")
+    for name in ("pages.css", "pages.js"):
+        shutil.copy(HERE / name, static)
 
 
 @contextmanager
@@ -117,8 +127,7 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
         book.write_text(re.sub(r"\]\(#[\w-]+\)", lambda m: m[0].lower(), text), encoding="utf-8")
     for section in HERE.glob("sections/*.md"):
         _add_contents(source / section.name)
-    names = [*SECTIONS, "reference"]
-    _append_contents(source / "index.md", names, hidden=True)
+    _append_contents(source / "index.md", list(navigation.SECTIONS), hidden=True)
 
 
 def _collect(page: Path, title: str, names: list[str]) -> None:

@@ -4,23 +4,26 @@ from __future__ import annotations
 
 import inspect
 import re
-import subprocess
-import sys
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import redirect_stdout
+from functools import cache
+from io import StringIO
 from itertools import chain, groupby
 from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
 import exactspline as xs
-from exactspline.display.code import code_lines
+from exactspline.cli import app
 from exactspline.display.evidence import worded
 from exactspline.display.figures import FIGURES, make
+from exactspline.display.figures.plane import Drawn
 from exactspline.display.glossary import glossary
 from exactspline.display.ledger import summary
 from exactspline.display.numbers import Numbers
 from exactspline.display.quotations import parts
 from exactspline.display.sheet import in_markdown
+from exactspline.display.wrapping import code_lines
 from exactspline.errors import counted
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_of
@@ -181,12 +184,19 @@ def _without_bars(tex: str) -> str:
     return tex.replace(r"\|", r"\Vert ").replace("|", r"\vert ")
 
 
+@cache
+def figure(number: int) -> Drawn:
+    """A figure of the paper: drawn once for all pages."""
+    return FIGURES[number]()
+
+
 def draw_gallery(folder: Path, page: Path) -> None:
     """The figures with their captions, and the page that shows them."""
     folder.mkdir(parents=True, exist_ok=True)
-    made = {f"figure{number}": make(number, folder) for number in FIGURES}
+    made = {f"figure{number}": make(number, folder, figure(number)) for number in FIGURES}
     for name, command in DRAWN.items():
-        _run(*command, "--plot", str(folder / f"{name}.svg"))
+        with redirect_stdout(StringIO()):
+            app([*command, "--quiet", "--plot", str(folder / f"{name}.svg")], standalone_mode=False)
     lines = ["# Gallery", "What `./run paper figures`, `inspect --plot` and `bisector --plot` draw."]
     for name in (*made, *DRAWN):
         title = name.replace("_", " ").replace("figure", "figure ").capitalize()
@@ -196,8 +206,3 @@ def draw_gallery(folder: Path, page: Path) -> None:
         if (folder / f"{name}.html").exists():
             lines.append(f'<a href="gallery/{name}.html">The same, to be turned</a>')
     page.write_text("\n\n".join(lines) + "\n", encoding="utf-8")
-
-
-def _run(*arguments: str) -> str:
-    command = [sys.executable, "-m", "exactspline", *arguments, "--quiet"]
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from exactspline.batch.lines import EVERYWHERE, Found
-from exactspline.errors import ExactSplineError, FormulaError, as_texts, nearest
+from exactspline.errors import DomainError, ExactSplineError, FormulaError, ShapeError, as_texts, nearest
 from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
+from exactspline.geometry.values_along import curvature, point_at
 from exactspline.numbers.exact import mpq, mpz
 from exactspline.questions.answers import CurvePiece, Described, Places
 from exactspline.questions.entry import Answered, Entry, Of
+from exactspline.reals.real import Real
 from exactspline.roots.root import Root
+from exactspline.roots.values import exact_place
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -90,10 +94,11 @@ def _check_argument(entry: Entry, argument: str) -> None:
 
 
 def inspected(
-    curve: Nurbs, names: Iterable[str], digits: int, settled: Settled | None = None
+    curve: Nurbs, names: Iterable[str], digits: int, settled: Settled | None = None, values: bool = False
 ) -> dict[str, tuple[Found, ...]]:
     """The answers to questions about a curve, by name; those that do not apply to curves of its dimension are skipped.
-    `settled` is what the certified filter decided about it.
+    `settled` is what the certified filter decided about it; with `values` points have their coordinates and the
+    curvature.
 
     >>> from exactspline import example
     >>> for each in inspected(example("six_segment_cubic"), ["inflections"], 3)["inflections"]:
@@ -101,7 +106,7 @@ def inspected(
     inflection None 2.804 2.805
     inflection None 3.270 3.271
     >>> inspected(example("circle"), ["curvature_extrema"], 3)["curvature_extrema"]
-    (Found(kind='everywhere', parameter=None, low='0', high='4'),)
+    (Found(kind='everywhere', parameter=None, low='0', high='4', x=None, y=None, z=None, curvature=None),)
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """
@@ -109,7 +114,7 @@ def inspected(
     known = questions_about(curve) if requested else {}
     entries = {asked: entry_of(asked) for asked in requested}
     return {
-        asked: tuple(_listed(_answer(curve, entry, argument, settled), digits))
+        asked: tuple(_listed(_answer(curve, entry, argument, settled), digits, curve if values else None))
         for asked, (entry, argument) in entries.items()
         if entry.name in known
     }
@@ -121,9 +126,11 @@ def _answer(curve: Nurbs, asked: Entry, argument: str, settled: Settled | None) 
     return asked.answer(analyse(curve), argument)
 
 
-def _listed(answer: Any, digits: int) -> Iterator[Found]:
+def _listed(answer: Any, digits: int, curve: Nurbs | None) -> Iterator[Found]:
+    """What was found; points with their values on a curve, if one is given."""
     for each in answer:
-        yield _found(each, digits)
+        found = _found(each, digits)
+        yield found if curve is None or isinstance(each, (CurvePiece, Described)) else _valued(found, each, curve)
     if isinstance(answer, Places):
         for piece in answer.everywhere:
             yield _piece(piece, EVERYWHERE)
@@ -138,6 +145,39 @@ def _found(each: Point | Feature | Joint | CurvePiece | Described, digits: int) 
         return Found(str(each.kind), str(each.parameter), str(each.parameter), str(each.parameter))
     low, high = enclosed(each.place if isinstance(each, tuple) else each.root, digits)
     return Found(str(each.kind), low if low == high else None, low, high)
+
+
+def _valued(found: Found, each: Point | Feature | Joint, curve: Nurbs) -> Found:
+    """A point with its coordinates and the curvature, in correctly rounded doubles."""
+    place = (
+        each.parameter
+        if isinstance(each, Joint)
+        else exact_place(_root(each.place if isinstance(each, tuple) else each.root))
+    )
+    point: dict[str, Any] = dict(zip("xyz", map(_double, point_at(curve, place)), strict=False))
+    return replace(found, **point, curvature=_curvature(curve, place))
+
+
+def _root(place: Root | LateRoot) -> Root:
+    return place if isinstance(place, Root) else place.root
+
+
+def _curvature(curve: Nurbs, place: mpq | Real) -> float | None:
+    """The curvature as a double; None where γ′ = 0, and at a knot whose sides differ."""
+    joint = None if isinstance(place, Real) else analyse(curve).joint(place)
+    if joint is not None and (not joint.tangent_continuous or joint.curvatures is not None):
+        return None
+    try:
+        return _double(curvature(curve, place))
+    except (DomainError, ShapeError):
+        return None
+
+
+def _double(value: Real) -> float | None:
+    try:
+        return value.double()
+    except OverflowError:
+        return None
 
 
 def _piece(piece: CurvePiece, kind: str) -> Found:

@@ -11,7 +11,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 from exactspline.batch.corpus import Problem, short_digest
 
 #: The version of a line's schema; it is raised when a field changes its meaning or is removed.
-VERSION = 2
+VERSION = 3
 
 
 #: The kind of a piece all of whose points answer a question about points.
@@ -26,12 +26,20 @@ class Found:
     A rational parameter is `low` and `high`; an irrational one lies strictly between these two, neighbouring decimals
     with the requested number of digits; a piece runs from `low` to `high`, for a piece across the seam of a closed
     curve through the end of its domain.
+
+    Where values are asked for, a point has its coordinates and the curvature as correctly rounded doubles; None where
+    there is none: `z` in the plane, the curvature where γ′ = 0 or where the two sides of a knot differ, a number beyond
+    the largest double.
     """
 
     kind: str
     parameter: str | None
     low: str
     high: str
+    x: float | None = None
+    y: float | None = None
+    z: float | None = None
+    curvature: float | None = None
 
 
 class Way(StrEnum):
@@ -132,7 +140,7 @@ def line_schema() -> dict[str, object]:
     """The JSON Schema of a line.
 
     >>> line_schema()["title"]
-    'exactspline/sweep_line, version 2'
+    'exactspline/sweep_line, version 3'
     """
     properties = {name: _form(kind) for name, kind in get_type_hints(Line).items() if name in DATA}
     properties["index"] |= {"minimum": 0}

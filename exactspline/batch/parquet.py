@@ -22,7 +22,7 @@ ROWS, SECONDS = 10_000, 60
 class Parquet(Results):
     """A folder of parts ``part-000000000.parquet``, each named by the index of its first row.
 
-    One column per question, a list of ``{kind, parameter, low, high}`` each; readers of folders (pyarrow, pandas,
+    One column per question, a list of the fields of `Found` each; readers of folders (pyarrow, pandas,
     DuckDB, polars) combine the parts and ignore the settings.
     """
 

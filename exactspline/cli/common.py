@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
-from exactspline.cli.output import is_quiet
+from exactspline.cli.output import is_quiet, leave_out
 from exactspline.cli.parameters import Option
 from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, command_name, counted
 
@@ -228,6 +228,8 @@ def tell_notes(reading: Reading) -> None:
 
 def tell_skipped(reading: Reading) -> None:
     """Print what a reader skipped on standard error."""
+    if reading.skipped:
+        leave_out()
     for (what, why), times in Counter((skipped.what, skipped.why) for skipped in reading.skipped).items():
         sys.stderr.write(f"skipped: {what}{f' ({times} times)' if times > 1 else ''}: {why}\n")
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import wraps
 from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 
-from exactspline.cli.parameters import Option
+from exactspline.cli.parameters import Exit, Option
 from exactspline.display.sheet import Sheet, csv_of, in_markdown
 from exactspline.errors import ExactSplineError
 
@@ -32,11 +32,35 @@ class _State:
     """Set once, when a command begins."""
 
     quiet = False
+    #: Whether something was left out: what was read but is not a curve, or what an answer does not decide.
+    left_out = False
 
 
 def is_quiet() -> bool:
     """Whether only the result is to be printed."""
     return _State.quiet
+
+
+def leave_out() -> None:
+    """Remember that something is left out: with --strict the command ends with exit status 2."""
+    _State.left_out = True
+
+
+#: The fields of rows that say what an answer lacks.
+LEFT_OUT = ("left_out", "missing", "undecided", "skipped")
+
+
+def lacks(value: object) -> bool:
+    """Whether data say, at any depth, that something is lacking.
+
+    >>> lacks({"points": [], "left_out": []}), lacks([{"curvature": {"undecided": ["[0, 1] × [0, 1]"]}}])
+    (False, True)
+    """
+    if isinstance(value, Mapping):
+        return value.get("complete") is False or any(
+            bool(part) if name in LEFT_OUT else lacks(part) for name, part in value.items()
+        )
+    return isinstance(value, (list, tuple)) and any(map(lacks, value))
 
 
 @dataclass(frozen=True)
@@ -45,6 +69,7 @@ class Output:
 
     format: str
     quiet: bool
+    strict: bool = False
 
     @property
     def for_people(self) -> bool:
@@ -62,6 +87,9 @@ class Output:
         """Print the result: `rows` as JSON, `sheets` as CSV or Markdown (`by` heads the column of their names), or call
         `people` for a person; by default the sheets with their legend are printed. What is costly is generated.
         """
+        if self.strict:
+            rows = list(rows)
+            _State.left_out |= lacks(rows)
         remark = f"{RAN}: {', '.join(unchecked())}" if unchecked() else ""
         if self.format == "json":
             print_json(document(schema, rows))
@@ -119,6 +147,7 @@ _FLAGS = {
     "as_json": Annotated[bool, Option("--json", help="Print JSON (see `exactspline schema`).")],
     "as_csv": Annotated[bool, Option("--csv", help="Print comma-separated values.")],
     "as_markdown": Annotated[bool, Option("--markdown", help="Print Markdown tables.")],
+    "strict": Annotated[bool, Option("--strict", help="Exit status 2 where anything is left out.")],
     "quiet": Annotated[bool, Option("--quiet", "-q", help="No legend, no progress bar.")],
 }
 
@@ -131,11 +160,13 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
         chosen = [name for name in ("json", "csv", "markdown") if values.pop(f"as_{name}")]
         if len(chosen) > 1:
             raise OptionsError(f"--{chosen[0]} and --{chosen[1]}", remedy="choose one of them")
-        _State.quiet = values.pop("quiet")
+        _State.quiet, _State.left_out, strict = values.pop("quiet"), False, values.pop("strict")
         if loading := sys.modules.get("exactspline.papers.loading"):
             loading.forget_what_ran()
         try:
-            command(out=Output(chosen[0] if chosen else "text", _State.quiet), **values)
+            command(out=Output(chosen[0] if chosen else "text", _State.quiet, strict), **values)
+            if strict and _State.left_out:
+                raise Exit(2)
         finally:
             _State.quiet = False
 

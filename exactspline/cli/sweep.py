@@ -11,7 +11,7 @@ from time import monotonic
 from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import quiet_fonts
-from exactspline.cli.output import Output, printing
+from exactspline.cli.output import Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import bar
 from exactspline.display.sheet import Sheet
@@ -78,6 +78,12 @@ Claims = Annotated[
     list[str] | None, Option("--claim", metavar="ID", help="Check a claim on every curve (see prove). May be repeated.")
 ]
 Places = Annotated[int, Option("--digits", metavar="N", min=0, max=10_000, help="Digits of irrational parameters.")]
+Values = Annotated[
+    bool,
+    Option(
+        "--values", help="Also coordinates and curvature of every point that is found, as correctly rounded doubles."
+    ),
+]
 OutputFile = Annotated[
     str,
     Option(
@@ -105,6 +111,7 @@ def sweep(
     find: Find = None,
     claim: Claims = None,
     digits: Places = 10,
+    values: Values = False,
     output: OutputFile = "",
     jobs: Jobs = 1,
     backend: Backend = "processes",
@@ -115,11 +122,11 @@ def sweep(
     """
     from exactspline.batch.backends import check_backend
     from exactspline.batch.families import Family
-    from exactspline.batch.recorded import Where, recorded
     from exactspline.batch.summary import Summary
+    from exactspline.batch.sweep import Where, recorded
     from exactspline.batch.work import Work
 
-    sources, work = _sources(corpus or [], random or []), Work.of(find, claim or (), digits)
+    sources, work = _sources(corpus or [], random or []), Work.of(find, claim or (), digits, values)
     check_backend(backend)
     quiet_fonts()
     families = frozenset(str(source) for source in sources if isinstance(source, Family))
@@ -137,6 +144,8 @@ def sweep(
     if not to_stdout:
         seconds = monotonic() - start
         out.give("sweep", _rows(summary), [_sheet(summary)], lambda: _print(out, summary, seconds))
+    if summary.errors:
+        leave_out()
     if not summary.as_expected:
         raise Exit(1)
     if not summary.all_read:

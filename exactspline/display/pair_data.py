@@ -83,17 +83,18 @@ def real_data(x: Real | mpq, digits: int) -> Data:
     return {"exact": number.closed_form, "interval": [text(low), text(high)], "decimal": number.decimal(digits)}
 
 
-def pair_sheet(data: dict[str, Any], title: str) -> Sheet:
+def pair_sheet(data: Data, title: str) -> Sheet:
     """The points, arcs and nearest pairs, one per row."""
+    common: Any = data["intersections"]
     made = Sheet("what", "s", "t", "point", "remark", title=title, prose=["remark"])
-    for point in data["intersections"]["points"]:
+    for point in common["points"]:
         at = ", ".join(x["exact"] or x["decimal"] for x in point["point"])
         made.add_row(point["kind"], _shown(point["first"]), _shown(point["second"]), f"({at})", _remark(point))
-    for arc in data["intersections"]["everywhere"]:
+    for arc in common["everywhere"]:
         s, t = (f"[{', '.join(map(_shown, arc[name]))}]" for name in ("first", "second"))
         made.add_row("common arc", s, t, "", _map_of(arc))
     if not made.row_count:
-        distance = data["distance"]
+        distance: Any = data["distance"]
         for pair in distance["points"]:
             value = f"distance {_shown(distance['value'])}"
             made.add_row("nearest", _shown(pair["first"]), _shown(pair["second"]), "", value)

@@ -100,9 +100,11 @@ def _shown(interval: Interval) -> str:
 def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """A construction or a formula on a curve.
 
-    `what` is the name of a construction (``evolute``, ``zero_curvature``, …), a formula, or the name of a formula
-    (``f2``, ``g0``, …). For a formula `variant` is ``minimal`` or ``naive`` (the formula as written). Where an object
-    does not exist (the evolute of a straight piece) the other pieces are returned and the missing ones named.
+    `what` is the name of a construction (``evolute`` of a plane curve; of a space curve ``focal_curve``, the centres of
+    its osculating spheres, ``circle_centres``, those of its osculating circles, ``torsion``, …), a formula, or the name
+    of a formula (``f2``, ``g0``, …). The result is in lowest terms, if no other variant is asked for: of a formula
+    ``naive``, as written. Where an object does not exist (the evolute of a straight piece) the other pieces are
+    returned and the missing ones named.
 
     >>> from exactspline.interchange.examples import example
     >>> derive("evolute", example("circle"))("1/2")
@@ -147,57 +149,6 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
             remedy="choose another curve",
         )
     return Derived(name, Variant(variant), pieces, missing, ruled)
-
-
-def evolute(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The evolute of a plane curve, in lowest terms (its degree for all: `exactspline formula degrees --generic`).
-
-    >>> from exactspline.interchange.examples import example
-    >>> evolute(example("ellipse_skew")).pieces[0].value.degree
-    6
-
-    Raises `ShapeError` for a curve that is not in the plane or is straight.
-    """
-    return derive("evolute", curve, variant)
-
-
-def focal_curve(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The centres of the osculating spheres of a space curve, in lowest terms (their degree for all curves:
-    `exactspline formula degrees --generic`).
-
-    >>> from exactspline.interchange.examples import example
-    >>> focal_curve(example("twisted_cubic")).pieces[0].value.degree
-    5
-
-    Raises `ShapeError` for a curve that is not in space or is planar.
-    """
-    return derive("focal_curve", curve, variant)
-
-
-def torsion_function(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The torsion of a space curve as a function of the parameter, in lowest terms (its degree for all curves:
-    `exactspline formula degrees --generic`).
-
-    >>> from exactspline.interchange.examples import example
-    >>> torsion_function(example("twisted_cubic")).pieces[0].value.degree
-    4
-
-    Raises `ShapeError` for a curve that is not in space or is straight.
-    """
-    return derive("torsion", curve, variant)
-
-
-def circle_centres(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The centres of the osculating circles of a space curve, in lowest terms (their degree for all curves:
-    `exactspline formula degrees --generic`).
-
-    >>> from exactspline.interchange.examples import example
-    >>> circle_centres(example("twisted_cubic")).pieces[0].value.degree
-    8
-
-    Raises `ShapeError` for a curve that is not in space or is straight.
-    """
-    return derive("circle_centres", curve, variant)
 
 
 def _exists(value: Any) -> list[bool]:

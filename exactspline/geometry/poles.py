@@ -58,9 +58,9 @@ class BetweenPoles(Displayed):
     def reversals(self) -> tuple[Root | mpq, ...]:
         """The parameters at which the curve turns back: its cusps, and its corners of 180°, in order.
 
-        >>> from exactspline.geometry.derived import evolute
+        >>> from exactspline.geometry.derived import derive
         >>> from exactspline.interchange.examples import example
-        >>> own = between_poles(evolute(example("six_segment_cubic")))
+        >>> own = between_poles(derive("evolute", example("six_segment_cubic")))
         >>> len(own.poles), len(own.reversals), [str(t) for t in own.reversals if not isinstance(t, Root)]
         (2, 8, ['3', '4'])
         """
@@ -72,9 +72,9 @@ class BetweenPoles(Displayed):
 def between_poles(derived: Derived) -> BetweenPoles:
     """A derived plane curve, in pieces between its poles.
 
-    >>> from exactspline.geometry.derived import evolute
+    >>> from exactspline.geometry.derived import derive
     >>> from exactspline.interchange.examples import example
-    >>> own = between_poles(evolute(example("cubic_s")))
+    >>> own = between_poles(derive("evolute", example("cubic_s")))
     >>> [round(float(pole), 3) for pole in own.poles], len(own.pieces)
     ([0.5], 2)
 

@@ -15,3 +15,8 @@ from exactspline.testing.families import Case as Case
 from exactspline.testing.families import all_cases as all_cases
 from exactspline.testing.reported import REPORTED as REPORTED
 from exactspline.testing.reported import Reported as Reported
+from exactspline.testing.strategies import nasty_curves as nasty_curves
+from exactspline.testing.strategies import near as near
+from exactspline.testing.strategies import near_cusps as near_cusps
+from exactspline.testing.strategies import near_double_inflections as near_double_inflections
+from exactspline.testing.strategies import near_lines as near_lines

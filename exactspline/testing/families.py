@@ -151,28 +151,36 @@ def _cad(chance: random.Random) -> Iterator[Case | None]:
         yield made(f"cad {number}", "cad", degree, list(knots), points)
 
 
+#: Curves that are degenerate for ε = 0: what a formula divides by vanishes there, or what a sign depends on.
+SHAPES: dict[str, Callable[[float], list[Row]]] = {
+    # γ′ = 0 at 1/2 for ε = 0
+    "cusp": lambda e: [(0, 0), (1, 1), (e, 1), (1, 0)],
+    # [a b], [a c] and [b c] vanish together for ε = 1, not near 0: one inflection, at 1/3 (graded under this name)
+    "double inflection": lambda e: [(0, 0), (1, 1), (2, 1 + e), (3, 3)],
+    # y touches 0 at 1/2 for ε = 0
+    "touching": lambda e: [(0, 1 + e), (1, e - 1), (2, 1 + e)],
+    # y has a threefold zero at 1/2 for ε = 0
+    "threefold": lambda e: [(0, -1), (1, 1 + e), (2, -1 - e), (3, 1)],
+    # a straight line for ε = 0
+    "straight": lambda e: [(0, 0), (1, 1 + e), (2, 2), (3, 3)],
+    # degree 2 in degree 3 for ε = 0
+    "degree": lambda e: [(0, 0), (2, 2 + e), (4, 2), (6, e)],
+    # the handle is on the end for ε = 0
+    "no handle": lambda e: [(0, 0), (e, e / 2), (1, 2), (3, 0)],
+    # x′ = 0 at an end for ε = 0
+    "extremum at an end": lambda e: [(0, 0), (e, 1), (2, 2), (3, 1)],
+}
+
+#: Shapes that strategies draw and the families do not have.
+FURTHER: dict[str, Callable[[float], list[Row]]] = {
+    # y″ has a double zero at 1/2 for ε = 0: two inflections for ε < 0, none for ε > 0
+    "undulation": lambda e: [(0, 0), (1, 0), (2, 1 + e), (3, 1 + 3 * e), (4, 2 + 6 * e)]
+}
+
+
 def _near(chance: random.Random) -> Iterator[Case | None]:
     """Almost degenerate: ε = ±2⁻ᵏ away from what a formula divides by or a sign depends on."""
-    shapes: dict[str, Callable[[float], list[Row]]] = {
-        # γ′ = 0 at 1/2 for ε = 0
-        "cusp": lambda e: [(0, 0), (1, 1), (e, 1), (1, 0)],
-        # both zeros of the curvature at 1/2 for ε = 0
-        "double inflection": lambda e: [(0, 0), (1, 1), (2, 1 + e), (3, 3)],
-        # y touches 0 at 1/2 for ε = 0
-        "touching": lambda e: [(0, 1 + e), (1, e - 1), (2, 1 + e)],
-        # y has a threefold zero at 1/2 for ε = 0
-        "threefold": lambda e: [(0, -1), (1, 1 + e), (2, -1 - e), (3, 1)],
-        # a straight line for ε = 0
-        "straight": lambda e: [(0, 0), (1, 1 + e), (2, 2), (3, 3)],
-        # degree 2 in degree 3 for ε = 0
-        "degree": lambda e: [(0, 0), (2, 2 + e), (4, 2), (6, e)],
-        # the handle is on the end for ε = 0
-        "no handle": lambda e: [(0, 0), (e, e / 2), (1, 2), (3, 0)],
-        # x′ = 0 at an end for ε = 0
-        "extremum at an end": lambda e: [(0, 0), (e, 1), (2, 2), (3, 1)],
-    }
-
-    for k, (name, shape), sign in product(DIAL, shapes.items(), (1, -1)):
+    for k, (name, shape), sign in product(DIAL, SHAPES.items(), (1, -1)):
         points = [tuple(float(c) for c in point) for point in shape(sign / (1 << k))]
         degree = len(points) - 1
         key = f"near {k} {name}" + ("" if sign > 0 else " −")

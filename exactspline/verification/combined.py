@@ -61,19 +61,25 @@ _RUN: ContextVar[Proofs | None] = ContextVar("the proofs of this run", default=N
 
 
 @contextmanager
-def computed_once() -> Iterator[None]:
+def computed_once(proofs: Proofs | None = None) -> Iterator[None]:
     """A context in which the verdicts on many claims share what they compute: each verdict, the indeterminate curves of
-    proofs, the values of formulas on the example curves; within one there is no other.
+    proofs, the values of formulas on the example curves; within one there is no other. It goes on with `proofs`, where
+    these are given.
     """
     if _RUN.get() is not None:
         yield
         return
-    token = _RUN.set(Proofs())
+    token = _RUN.set(proofs or Proofs())
     try:
         with sharing_evaluations():
             yield
     finally:
         _RUN.reset(token)
+
+
+def proofs_of_this_run() -> Proofs:
+    """What is shared where verdicts are `computed_once`; new ones elsewhere."""
+    return _RUN.get() or Proofs()
 
 
 def combined(claim: Claim) -> Decided:
@@ -86,7 +92,7 @@ def combined(claim: Claim) -> Decided:
     ...     combined(first) is combined(first), str(combined(first)[1].verdict)
     (True, 'PROVED')
     """
-    return (_RUN.get() or Proofs()).combined(claim)
+    return proofs_of_this_run().combined(claim)
 
 
 def fitting(claim: Claim, call: Callable[[], V]) -> V:

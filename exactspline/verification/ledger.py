@@ -16,7 +16,7 @@ from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.factorization import named_by
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import expect_claim
-from exactspline.verification.combined import Proofs, fitting
+from exactspline.verification.combined import Proofs, fitting, proofs_of_this_run
 from exactspline.verification.curve_check import table_1_splines
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.paper_curves import one_patch_surfaces, own_curves
@@ -61,7 +61,7 @@ def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None
     """The checks as calls that return a row each, so that progress can be shown. Each run evaluates curves with its own
     objects, so that runs in several threads can share curves.
     """
-    chosen, proofs = list(claims), Proofs()
+    chosen, proofs = list(claims), proofs_of_this_run()
     calls: list[Task] = []
     if curves is None:
         calls += [partial(proved, claim, proofs) for claim in chosen]

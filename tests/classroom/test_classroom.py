@@ -34,6 +34,7 @@ from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq, rational
 from exactspline.papers import find
 from exactspline.splines.nurbs import Nurbs
+from tests.support.command import invoke
 
 COUNT = 20
 SHEETS = {topic: exercises(topic, 0, COUNT) for topic in TOPICS}
@@ -49,10 +50,6 @@ def test_the_checker_solves_every_exercise_and_the_answers_are_small(topic):
         assert all(int(number) <= LARGEST for number in re.findall(r"\d+", asked + told))
     assert len({plain(made.task) for made in SHEETS[topic]}) >= COUNT * 3 / 4
     assert SHEETS[topic][7] == exercise(topic, 7)
-
-
-def run(*arguments, **options):
-    return CliRunner().invoke(app, [str(a) for a in arguments], **options)
 
 
 def numbers_in(written):
@@ -90,11 +87,11 @@ def test_nothing_is_told_before_it_is_asked_for(topic):
         differences = made.answer.check(wrong).differences
         right = {f" is {shown(each.right)}" for each in differences if isinstance(each, OtherPoint)}
         right |= {f" is {each.right}," for each in differences if isinstance(each, OtherNumber)}
-        told = run(*asked, wrong).output
+        told = invoke(*asked, wrong).output
         assert told.startswith("wrong")
         assert not any(each in told for each in right)
-        assert HINTS[topic][:30] in " ".join(run(*asked, wrong, "--hint").output.split())
-        assert plain(made.answer.parts) in " ".join(run(*asked, wrong, "--show").output.split())
+        assert HINTS[topic][:30] in " ".join(invoke(*asked, wrong, "--hint").output.split())
+        assert plain(made.answer.parts) in " ".join(invoke(*asked, wrong, "--show").output.split())
 
 
 def test_a_sheet_of_several_topics_has_headings_and_lines_for_name_date_and_answers():
@@ -103,7 +100,7 @@ def test_a_sheet_of_several_topics_has_headings_and_lines_for_name_date_and_answ
     assert [line for line in text if line.startswith(("Whether", "Conversion"))] == [about("circle"), about("power")]
     for written in (html_page(made, solutions=False), latex_document(made, solutions=False)):
         assert all(word in written for word in ("Name:", "Date:", "no, or centre x, centre y, radius squared"))
-    assert run("teach", "exercise", "circle", "power", "--count", 2).output.count("[") >= 4
+    assert invoke("teach", "exercise", "circle", "power", "--count", 2).output.count("[") >= 4
 
 
 @topics
@@ -326,20 +323,20 @@ def test_the_command_line(tmp_path):
     made = exercise("circle", 3)
     file = tmp_path / "answer.txt"
     file.write_text(made.answer.written)
-    assert run("teach", "check", file, "--topic", "circle", "--seed", 3).exit_code == 0
-    assert run("teach", "check", "-", "--topic", "circle", "--seed", 3, input=made.answer.written).exit_code == 0
-    wrong = run("teach", "check", "--topic", "circle", "--seed", 3, "--text", "1, 2, 3")
+    assert invoke("teach", "check", file, "--topic", "circle", "--seed", 3).exit_code == 0
+    assert invoke("teach", "check", "-", "--topic", "circle", "--seed", 3, input=made.answer.written).exit_code == 0
+    wrong = invoke("teach", "check", "--topic", "circle", "--seed", 3, "--text", "1, 2, 3")
     assert (wrong.exit_code, wrong.output.splitlines()[0]) == (1, "wrong")
-    row = json.loads(run("teach", "exercise", "circle", "--seed", 3, "--solutions", "--json").stdout)["rows"][0]
+    row = json.loads(invoke("teach", "exercise", "circle", "--seed", 3, "--solutions", "--json").stdout)["rows"][0]
     assert row["answer"] == made.answer.written
-    assert "Solutions" not in run("teach", "exercise", "circle").output
+    assert "Solutions" not in invoke("teach", "exercise", "circle").output
     curve = tmp_path / "curve.json"
     curve.write_text(json.dumps(curve_data(example("cubic_s").elevate_degree())))
-    assert run("teach", "check", curve, "--reference", "cubic_s").exit_code == 0
-    assert run("teach", "check", curve, "--reference", "parabola").exit_code == 1
+    assert invoke("teach", "check", curve, "--reference", "cubic_s").exit_code == 0
+    assert invoke("teach", "check", curve, "--reference", "parabola").exit_code == 1
     formula = tmp_path / "mine.py"
     formula.write_text("from exactspline.language import det\n\n\ndef mine(c):\n    return det(c.p, c.p.d())\n")
-    told = run("teach", "check", f"{formula}:mine", "--reference", "f2")
+    told = invoke("teach", "check", f"{formula}:mine", "--reference", "f2")
     assert told.exit_code == 1
     assert "not mine = f2" in told.output
     for arguments in (
@@ -352,7 +349,7 @@ def test_the_command_line(tmp_path):
         ["teach", "exercise", "evaluatoin"],
         ["teach", "exercise", "circle", "--html", "--latex"],
     ):
-        result = run(*arguments)
+        result = invoke(*arguments)
         assert isinstance(result.exception, ValueError), arguments
     with pytest.raises(TopicError):
         exercise("circle", -1)

@@ -212,7 +212,7 @@ def test_an_arc_with_an_irrational_end_is_refused_by_the_reader(tmp_path):
 @pytest.mark.parametrize(
     "arguments",
     [
-        ("rational_space_cubic", "twisted_cubic"),
+        ("space_line", "twisted_cubic"),
         ("ellipse_in_space", "ellipse_in_space"),
         ("ellipse", "--point", "-1,1/3"),
         ("helix_like", "--point", "1,1,2"),

@@ -5,13 +5,12 @@ seam.
 import json
 
 import pytest
-from click.testing import CliRunner
 
-from exactspline.cli import app
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach
 from exactspline.geometry.kinds import JointKind
 from tests.geometry.test_shared_curves import FILES, read_curve
+from tests.support.command import invoke
 
 SQUARE = {"degree": 1, "knots": [0, 0, 1, 2, 3, 4, 4], "control_points": [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]}
 #: Through (1, 0) in the middle of a side, with a gap of √2 after the first corner.
@@ -22,10 +21,6 @@ TURNED = {
 }
 
 
-def run(*arguments):
-    return CliRunner().invoke(app, [str(a) for a in arguments])
-
-
 @pytest.fixture
 def inspected(tmp_path, monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
@@ -33,7 +28,7 @@ def inspected(tmp_path, monkeypatch):
     def inspect(curve):
         file = tmp_path / "curve.json"
         file.write_text(json.dumps(curve))
-        return run("inspect", file).output, json.loads(run("inspect", file, "--json").output)["rows"][0]
+        return invoke("inspect", file).output, json.loads(invoke("inspect", file, "--json").output)["rows"][0]
 
     return inspect
 
@@ -87,7 +82,7 @@ def test_a_corner_at_rest_has_its_angle_too(inspected):
 def test_every_corner_of_a_glyph_has_a_row(file, monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
     curve = read_curve(file)
-    rows = [line.split()[0] for line in run("inspect", file, "--digits", 5).output.splitlines() if line]
+    rows = [line.split()[0] for line in invoke("inspect", file, "--digits", 5).output.splitlines() if line]
     told = [joint for joint in analyse(curve).joints if joint.kind is JointKind.CORNER]
     assert rows.count("corner") >= len(told)
     a, b = curve.domain
@@ -111,7 +106,7 @@ def test_a_drawing_of_several_curves_is_one_picture(tmp_path):
         '<svg xmlns="http://www.w3.org/2000/svg"><path id="s" d="M0 0C1 2 2 -2 3 0"/><path id="v" d="M0 1L1 2L2 1"/>'
         "<text>skipped</text></svg>"
     )
-    done = CliRunner().invoke(app, ["inspect", str(drawing), "--coordinates", "--plot", str(picture), "--json"])
+    done = invoke("inspect", str(drawing), "--coordinates", "--plot", str(picture), "--json")
     assert done.exit_code == 0
     assert "skipped: text" in done.stderr
     rows = json.loads(done.stdout)["rows"]
@@ -123,7 +118,7 @@ def test_a_drawing_of_several_curves_is_one_picture(tmp_path):
 
 
 def test_an_unknown_approach_is_told_all_that_there_are():
-    found = run("inspect", "circle", "--approach", "sqaring")
+    found = invoke("inspect", "circle", "--approach", "sqaring")
     words = str(found.exception).rpartition("there are")[2].replace(",", " ").split()
     assert words == [*Approach, "all"]
-    assert [run("inspect", "circle", "--approach", word).exit_code for word in words] == [0] * len(words)
+    assert [invoke("inspect", "circle", "--approach", word).exit_code for word in words] == [0] * len(words)

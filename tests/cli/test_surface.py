@@ -8,16 +8,11 @@ import sys
 
 import jsonschema
 import pytest
-from click.testing import CliRunner
 
 from exactspline import analyse, example, write
-from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.cli.schema import schema_of
-
-
-def run(*arguments):
-    return CliRunner().invoke(app, [str(a) for a in arguments])
+from tests.support.command import invoke
 
 
 @pytest.fixture(autouse=True)
@@ -26,7 +21,7 @@ def wide(monkeypatch):
 
 
 def test_a_torus_as_text():
-    output = run("inspect", "torus", "-q").output
+    output = invoke("inspect", "torus", "-q").output
     assert [line.split()[0] for line in output.splitlines()[2:]] == ["elliptic"] * 2 + ["hyperbolic"] + [
         "parabolic"
     ] * 2
@@ -34,7 +29,7 @@ def test_a_torus_as_text():
 
 
 def test_umbilics_to_any_number_of_digits():
-    (row,) = json.loads(run("inspect", "ellipsoid", "--digits", "40", "--json").output)["rows"]
+    (row,) = json.loads(invoke("inspect", "ellipsoid", "--digits", "40", "--json").output)["rows"]
     assert len(row["umbilics"]["points"]) == 4
     for umbilic in row["umbilics"]["points"]:
         assert umbilic["index"] == "1/2"
@@ -46,59 +41,59 @@ def test_umbilics_to_any_number_of_digits():
 
 @pytest.mark.parametrize("name", ["torus", "cone", "monkey_saddle", "cross_cap", "folded_map", "planar_map"])
 def test_json_fits_its_schema(name):
-    jsonschema.validate(json.loads(run("inspect", name, "--json").output), schema_of("inspect surface"))
+    jsonschema.validate(json.loads(invoke("inspect", name, "--json").output), schema_of("inspect surface"))
 
 
 def test_the_list_of_surfaces():
-    document = json.loads(run("list", "surfaces", "--json").output)
+    document = json.loads(invoke("list", "surfaces", "--json").output)
     jsonschema.validate(document, schema_of("surfaces"))
     assert {"sphere", "torus", "cyclide"} <= {row["name"] for row in document["rows"]}
-    assert "Whitney" in run("list", "surfaces").output
+    assert "Whitney" in invoke("list", "surfaces").output
 
 
 def test_files_of_surfaces(tmp_path):
     good, bad = tmp_path / "good.json", tmp_path / "bad.json"
     write(example("monkey_saddle"), good)
     bad.write_text('{"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]], "points": [[[0, 0], [0, 1]], [[1]]]}')
-    found = run("inspect", bad, good)
+    found = invoke("inspect", bad, good)
     assert found.exit_code == 2
     assert "control_points[1]" in found.output
     assert "umbilic" in found.output
     # what is wrong with a curve is told of curves, and a surface where a curve is expected
-    assert "is a surface" in str(run("derive", "evolute", good).exception)
-    assert "one after the other" in str(run("inspect", good, "circle").exception)
+    assert "is a surface" in str(invoke("derive", "evolute", good).exception)
+    assert "one after the other" in str(invoke("inspect", good, "circle").exception)
 
 
 @pytest.mark.parametrize("option", [["--coordinates"], ["--certificate", "x.json"], ["--emit-coq", "x.v"]])
 def test_options_that_are_for_curves(option):
-    found = run("inspect", "torus", *option)
+    found = invoke("inspect", "torus", *option)
     assert isinstance(found.exception, OptionsError)
     assert option[0] in str(found.exception)
 
 
 def test_the_picture(tmp_path):
     paths = [tmp_path / name for name in ("a.svg", "b.svg")]
-    assert [run("inspect", "biquadratic", "--plot", path).exit_code for path in paths] == [0, 0]
+    assert [invoke("inspect", "biquadratic", "--plot", path).exit_code for path in paths] == [0, 0]
     first, second = (path.read_bytes() for path in paths)
     assert first == second
     assert len(first) > 10_000
 
 
 def test_what_is_not_drawn(tmp_path):
-    assert run("inspect", "folded_map", "--plot", tmp_path / "a.png").exit_code == 2
-    assert isinstance(run("inspect", "torus", "sphere", "--plot", tmp_path / "a.png").exception, OptionsError)
+    assert invoke("inspect", "folded_map", "--plot", tmp_path / "a.png").exit_code == 2
+    assert isinstance(invoke("inspect", "torus", "sphere", "--plot", tmp_path / "a.png").exception, OptionsError)
     assert not list(tmp_path.iterdir())
 
 
 def test_the_help_speaks_of_surfaces():
-    assert "surface" in run("inspect", "--help").output
-    assert "surface" in run("list", "--help").output
+    assert "surface" in invoke("inspect", "--help").output
+    assert "surface" in invoke("list", "--help").output
 
 
 def test_a_page_that_turns_has_the_regions_the_parabolic_curve_and_the_umbilics(tmp_path):
     pytest.importorskip("matplotlib")
     path = tmp_path / "bicubic.html"
-    assert run("inspect", "bicubic", "--plot", path).exit_code == 0
+    assert invoke("inspect", "bicubic", "--plot", path).exit_code == 0
     [data] = json.loads(re.search(r"^turning\(document.*?, (\[.*\])\);$", path.read_text(), re.MULTILINE)[1])
     assert [one["label"] for one in data["surfaces"]] == ["K > 0", "K < 0"]
     found = analyse(example("bicubic"))

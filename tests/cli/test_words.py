@@ -8,18 +8,16 @@ from importlib.metadata import version
 
 import jsonschema
 import pytest
-from click.testing import CliRunner
 
 from exactspline import examples
-from exactspline.cli import app
 from exactspline.cli.commands import leaves
 from exactspline.cli.schema import schema_of, schemas
-from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
 from exactspline.display.glossary import meaning, terms
 from exactspline.display.ledger import WORDS
-from exactspline.display.ledger_page import ledger_page
+from exactspline.display.ledger_pages import ledger_page
 from exactspline.display.numbers import Numbers
+from exactspline.display.wrapping import code_lines
 from exactspline.geometry.bisector.components import Solutions
 from exactspline.geometry.bisector.trimmed import PieceKind
 from exactspline.geometry.intersections import IntersectionKind
@@ -33,24 +31,21 @@ from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
 from exactspline.verification.claims import select
-from exactspline.verification.combined import computed_once
 from exactspline.verification.evidence import Between
 from exactspline.verification.ledger import audit
-
-
-def run(*arguments, **options):
-    return CliRunner().invoke(app, [str(a) for a in arguments], **options)
+from tests.support.command import invoke
+from tests.support.decided import decided_once
 
 
 @pytest.fixture(autouse=True, scope="module")
 def verdicts_computed_once():
-    with computed_once():
+    with decided_once():
         yield
 
 
 @cache
 def whole_ledger():
-    return run("prove").stdout
+    return invoke("prove").stdout
 
 
 DOCUMENTS = {
@@ -101,7 +96,7 @@ DOCUMENTS = {
 
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_json_follows_its_schema_and_every_row_has_a_key_of_its_own(name):
-    result = run(*DOCUMENTS[name])
+    result = invoke(*DOCUMENTS[name])
     assert result.exit_code == 0
     data = json.loads(result.stdout)
     jsonschema.validate(data, schema_of(name))
@@ -111,15 +106,15 @@ def test_json_follows_its_schema_and_every_row_has_a_key_of_its_own(name):
 
 
 def test_every_schema_is_published():
-    listed = json.loads(run("schema").stdout)["schemas"]
+    listed = json.loads(invoke("schema").stdout)["schemas"]
     assert set(DOCUMENTS) | {"figures", "convert"} == set(schemas())
     assert set(schemas()) | {"sweep_line"} == set(listed)
-    assert json.loads(run("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 2"
-    assert json.loads(run("schema", "prove").stdout)["title"] == "exactspline/prove, version 2"
+    assert json.loads(invoke("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 3"
+    assert json.loads(invoke("schema", "prove").stdout)["title"] == "exactspline/prove, version 2"
 
 
 def test_keys_of_the_whole_ledger_on_one_curve_are_unique():
-    rows = json.loads(run("prove", "--curve", "planar_in_space", "--json").stdout)["rows"]
+    rows = json.loads(invoke("prove", "--curve", "planar_in_space", "--json").stdout)["rows"]
     assert len({row["key"] for row in rows}) == len(rows) > 50
     assert {row["verdict"] for row in rows} <= set(WORDS)
 
@@ -127,7 +122,7 @@ def test_keys_of_the_whole_ledger_on_one_curve_are_unique():
 @pytest.mark.parametrize("term", [*WORDS, "nominal", "true", "minimal", "lifted", "k", "m", "j", "X", "P", "γ"])
 def test_the_glossary_has_every_word_of_the_tables(term):
     assert meaning(term) in terms().values()
-    assert run("list", "words", term).stdout.startswith(f"{term}: ")
+    assert invoke("list", "words", term).stdout.startswith(f"{term}: ")
 
 
 #: Everything that is said of features, joints, patches and pieces.
@@ -161,7 +156,7 @@ def test_every_kind_of_thing_is_in_the_glossary(kind):
 @pytest.mark.parametrize("asked", TABLES, ids=" ".join)
 def test_every_row_and_remark_begins_with_a_word_of_the_glossary(asked):
     """Before: "stationary", "singular end", "straight", "closed", "G3" were printed and explained nowhere."""
-    rows = list(csv.DictReader(run(*asked, "--csv").stdout.splitlines()))
+    rows = list(csv.DictReader(invoke(*asked, "--csv").stdout.splitlines()))
     said = {row.get("what") or row.get("piece") or "nothing" for row in rows}
     said |= {part for row in rows for part in re.split(", ", row.get("remark") or "") if part[:1].islower()}
     assert [each for each in said if not begins_with_a_term(each)] == []
@@ -187,7 +182,7 @@ def begins_with_a_term(text):
     ],
 )
 def test_an_unknown_name_gets_the_nearest_ones(arguments, near):
-    result = run(*arguments)
+    result = invoke(*arguments)
     told = str(result.exception) + result.stderr
     assert "the nearest are" in told
     assert near in told
@@ -196,57 +191,57 @@ def test_an_unknown_name_gets_the_nearest_ones(arguments, near):
 
 def test_help_shows_examples_and_exit_statuses():
     for name in leaves():
-        told = run(*name.split(), "--help").stdout
+        told = invoke(*name.split(), "--help").stdout
         assert "Exit status: 0 success" in told
         assert f"  exactspline {name}" in told
-    assert "..." not in run("--help").stdout.split("Commands:")[1]
-    assert "[default: 20" in run("inspect", "--help").stdout
+    assert "..." not in invoke("--help").stdout.split("Commands:")[1]
+    assert "[default: 20" in invoke("inspect", "--help").stdout
 
 
 def test_version():
-    assert run("--version").stdout == f"exactspline {version('exactspline')}\n"
+    assert invoke("--version").stdout == f"exactspline {version('exactspline')}\n"
 
 
 def test_a_curve_on_standard_input():
     text = json.dumps(curve_data(example("ellipse_skew")))
-    rows = json.loads(run("inspect", "-", "--json", input=text).stdout)["rows"]
+    rows = json.loads(invoke("inspect", "-", "--json", input=text).stdout)["rows"]
     assert len(rows[0]["critical_points"]["points"]) == 4
-    assert "standard input" in str(run("derive", "evolute", "-", input="{}").exception)
+    assert "standard input" in str(invoke("derive", "evolute", "-", input="{}").exception)
 
 
 def test_quiet_leaves_the_legend_out():
     asked = "formula", "degrees", "rectifying_developable", "--generic"
-    loud, quiet = run(*asked).stdout, run(*asked, "--quiet").stdout
+    loud, quiet = invoke(*asked).stdout, invoke(*asked, "--quiet").stdout
     assert loud.startswith(quiet)
     assert "nominal" not in quiet
 
 
 def test_an_equation_is_found_by_its_number():
-    told = run("show", "eq. (12)").stdout
+    told = invoke("show", "eq. (12)").stdout
     assert "1/κ, with its sign, is ‖γ′‖³ / [γ′ γ″]" in told
     assert "REFUTED" in told
     assert "(8)" not in told
 
 
 def test_a_researcher_finds_an_answer_by_its_words():
-    assert "the rectifying developable" in run("show", "rectifying developable").stdout
-    table = run("formula", "degrees", "rectifying_developable", "--generic", "--csv").stdout.splitlines()
+    assert "the rectifying developable" in invoke("show", "rectifying developable").stdout
+    table = invoke("formula", "degrees", "rectifying_developable", "--generic", "--csv").stdout.splitlines()
     assert len(table) == 3
     assert all("rectifying developable" in line for line in table[1:])
     assert "10d − 18" in table[1]
-    own = json.loads(run("formula", "degrees", "evolute", "--curve", "ellipse_skew", "--json").stdout)["rows"]
+    own = json.loads(invoke("formula", "degrees", "evolute", "--curve", "ellipse_skew", "--json").stdout)["rows"]
     assert {row["formula"] for row in own} == {"evolute"}
     assert {row["variant"]: row["true"] for row in own}["minimal"] == 6
-    assert "the nearest are" in str(run("formula", "degrees", "evolvent", "--curve", "circle").exception)
+    assert "the nearest are" in str(invoke("formula", "degrees", "evolvent", "--curve", "circle").exception)
 
 
 def test_options_that_contradict_each_other_are_bad_input():
-    assert "--json and --csv" in str(run("list", "curves", "--json", "--csv").exception)
-    assert "--judge and --curve" in str(run("prove", "--judge", "sympy", "--curve", "circle").exception)
+    assert "--json and --csv" in str(invoke("list", "curves", "--json", "--csv").exception)
+    assert "--judge and --curve" in str(invoke("prove", "--judge", "sympy", "--curve", "circle").exception)
 
 
 def test_nothing_that_vanishes_or_does_not_exist_has_a_degree():
-    rows = run("formula", "degrees", "--curve", "straight_line", "--csv").stdout.splitlines()[1:]
+    rows = invoke("formula", "degrees", "--curve", "straight_line", "--csv").stdout.splitlines()[1:]
     assert not any(re.search(r",-\d", row) for row in rows)
     assert sum("zero" in row for row in rows) > 5
     evolutes = [row for row in rows if row.startswith("straight_line,evolute,")]
@@ -255,13 +250,13 @@ def test_nothing_that_vanishes_or_does_not_exist_has_a_degree():
 
 
 def test_identities_are_printed_as_equations():
-    told = run("prove", "--claim", "C4.2b").stdout
+    told = invoke("prove", "--claim", "C4.2b").stdout
     assert told.count("g1 = w⁸ · g0") == 2
     assert "computed" not in told
 
 
 def test_prove_answers_first():
-    first = run("prove", "--section", "4.2", "--verdict", "refuted").stdout
+    first = invoke("prove", "--section", "4.2", "--verdict", "refuted").stdout
     assert "REFUTED  C4.2b" in first
     assert "PROVED" not in first.split("\n\n")[0]
     whole = whole_ledger()
@@ -288,7 +283,7 @@ def test_the_page_has_every_row_and_asks_nothing_of_the_network(tmp_path):
     assert not re.search(r"https?:|src=|@import|<link", text)
     assert {"verdict", "section", "curve"} <= set(re.findall(r'<select name="(\w+)"', text))
     file = tmp_path / "ledger.html"
-    assert run("prove", "--claim", "C4.1a", "--html", file).exit_code == 0
+    assert invoke("prove", "--claim", "C4.1a", "--html", file).exit_code == 0
     assert "f1 = w · f2" in file.read_text(encoding="utf-8")
 
 
@@ -304,18 +299,18 @@ def test_code_is_broken_where_it_stays_code(width):
 
 @pytest.mark.parametrize("place", ["5.4", "§5.4", "C5.4", "C5.4a", "p. 15"])
 def test_errors_are_found_by_their_place(place):
-    told = run("errata", place, "-q").stdout
+    told = invoke("errata", place, "-q").stdout
     assert "λ is ζ divided by ‖γ′‖" in told
     assert "1 error of the paper, 1 statement refuted" in told
 
 
 def test_where_nothing_is_wrong_it_is_said():
-    told = run("errata", "4.1")
+    told = invoke("errata", "4.1")
     assert told.exit_code != 0
     assert "nothing at '4.1' is refuted" in str(told.exception)
 
 
 def test_prove_and_errata_count_alike():
-    head, end = whole_ledger().splitlines()[0], run("errata", "-q").stdout.splitlines()[-1]
+    head, end = whole_ledger().splitlines()[0], invoke("errata", "-q").stdout.splitlines()[-1]
     statements, errors = re.match(r"(\d+) statements of the paper refuted \((\d+) errors", head).groups()
     assert end == f"{errors} errors of the paper, {statements} statements refuted"

@@ -4,18 +4,17 @@ import json
 
 import mpmath
 import pytest
-from click.testing import CliRunner
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
 from exactspline.certificates import check_certificate
-from exactspline.cli import app
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.values_along import curvature
 from exactspline.interchange.examples import example, example_names
 from tests.geometry.test_shared_curves import FILES, read_curve
+from tests.support.command import invoke
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]
 
@@ -166,23 +165,19 @@ def integral(f):
     return BSpline.bezier(sums)
 
 
-def run(*arguments):
-    return CliRunner().invoke(app, [str(a) for a in arguments])
-
-
 def test_inspect_prints_what_it_found(monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
-    result = run("inspect", "ellipse_skew", "--digits", 50)
+    result = invoke("inspect", "ellipse_skew", "--digits", 50)
     assert result.exit_code == 0
     assert "0.557536515835051410132825074912507419474995695480529" in result.output
-    data = json.loads(run("inspect", "six_segment_cubic", "--json", "--approach", "all").output)["rows"][0]
+    data = json.loads(invoke("inspect", "six_segment_cubic", "--json", "--approach", "all").output)["rows"][0]
     assert [row["roots"] for row in data["approaches"]] == [8, 6, 6, 6, 6]
     assert [f["kind"] for f in data["inflections"]["points"]] == ["inflection"] * 2
-    assert "κ′ ≡ 0" in run("inspect", "circle").output
+    assert "κ′ ≡ 0" in invoke("inspect", "circle").output
 
 
 def test_a_thousand_digits_enclose_the_root(monkeypatch):
-    data = json.loads(run("inspect", "rational_cubic", "--digits", 1000, "--json").output)["rows"][0]
+    data = json.loads(invoke("inspect", "rational_cubic", "--digits", 1000, "--json").output)["rows"][0]
     low, high = (mpq(x) for x in data["critical_points"]["points"][0]["interval"])
     assert 0 < high - low <= mpq(1, 10**1000)
     f = analyse(example("rational_cubic")).zero_form("critical_curvature", "paper").form
@@ -191,7 +186,7 @@ def test_a_thousand_digits_enclose_the_root(monkeypatch):
 
 def test_certificates_are_written_and_checked(tmp_path):
     file = tmp_path / "certificate.json"
-    assert run("inspect", "rational_quartic", "--certificate", file).exit_code == 0
+    assert invoke("inspect", "rational_quartic", "--certificate", file).exit_code == 0
     written = json.loads(file.read_text())
     assert {part["function"] for part in written} == {"zero_curvature", "critical_curvature"}
     for part in written:
@@ -204,9 +199,9 @@ def test_certificates_are_written_and_checked(tmp_path):
 def test_a_picture_is_written(tmp_path):
     pytest.importorskip("matplotlib")
     file = tmp_path / "ellipse.svg"
-    assert run("inspect", "ellipse", "--plot", file).exit_code == 0
+    assert invoke("inspect", "ellipse", "--plot", file).exit_code == 0
     assert file.read_text().lstrip().startswith("<?xml")
-    assert run("inspect", "ellipse", "--plot", tmp_path / "ellipse.doc").exit_code != 0
+    assert invoke("inspect", "ellipse", "--plot", tmp_path / "ellipse.doc").exit_code != 0
 
 
 def test_what_cannot_be_inspected_says_why():

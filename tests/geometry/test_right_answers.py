@@ -4,17 +4,16 @@ import json
 
 import mpmath
 import pytest
-from click.testing import CliRunner
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
-from exactspline.cli import app
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.curvature import curvature_function
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.kinds import JointKind
 from exactspline.geometry.values_along import curvature, torsion
+from tests.support.command import invoke
 from tests.support.space_curves import power_curve
 
 
@@ -93,7 +92,7 @@ def test_a_torsion_that_vanishes_is_zero(tmp_path):
     for f in found:
         assert f.root.exact is None
         assert torsion(curve, f.root).significant(20) == 0
-    data = json.loads(run("inspect", written(curve, tmp_path), "--json").output)["rows"][0]
+    data = json.loads(invoke("inspect", written(curve, tmp_path), "--json").output)["rows"][0]
     assert [f["torsion"] for f in data["torsion_zeros"]["points"]] == ["0", "0"]
 
 
@@ -110,10 +109,6 @@ def written(curve, folder):
         )
     )
     return file
-
-
-def run(*arguments):
-    return CliRunner().invoke(app, [str(a) for a in arguments])
 
 
 @pytest.mark.parametrize("scale", [mpq(10) ** 80, mpq(1, 10**80), mpq(1)], ids=["huge", "tiny", "as it is"])
@@ -137,7 +132,7 @@ def test_a_near_cusp_of_any_size_prints_its_own_digits(tmp_path):
         s, h = mpq(10) ** size, mpq(1, 10) ** 20
         curve = power_curve([0, s], [0, 0, -h * s], domain=(-1, 1))
         (f,) = analyse(curve).curvature_extrema
-        data = json.loads(run("inspect", written(curve, tmp_path), "--json").output)["rows"][0]["critical_points"][
+        data = json.loads(invoke("inspect", written(curve, tmp_path), "--json").output)["rows"][0]["critical_points"][
             "points"
         ]
         assert f.root == 0

@@ -6,13 +6,11 @@ import json
 
 import mpmath
 import pytest
-from click.testing import CliRunner
 from gmpy2 import mpq
 from hypothesis import assume, given, settings
 
 from exactspline import Nurbs
 from exactspline.certificates import check_certificate
-from exactspline.cli import app
 from exactspline.errors import DomainError, FormulaError, ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
@@ -21,6 +19,7 @@ from exactspline.geometry.values_along import curvature, torsion
 from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from tests.geometry.test_shared_curves import FILES, read_curve
+from tests.support.command import invoke
 from tests.support.space_curves import MIRRORED, TURNED, moved, power_curve
 from tests.support.strategies import nurbs
 
@@ -184,17 +183,13 @@ def test_what_is_not_known_is_refused():
         inspect_curve(four)
 
 
-def run(*arguments):
-    return CliRunner().invoke(app, [str(a) for a in arguments])
-
-
 def test_inspect_prints_curvature_and_torsion(monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
-    result = run("inspect", "flat_point", "--digits", 30, "--approach", "all")
+    result = invoke("inspect", "flat_point", "--digits", 30, "--approach", "all")
     assert result.exit_code == 0
     assert "torsion" in result.output
     assert "Approaches to critical curvature" in result.output
-    data = json.loads(run("inspect", "flat_point", "--json").output)["rows"][0]
+    data = json.loads(invoke("inspect", "flat_point", "--json").output)["rows"][0]
     (flat,) = data["inflections"]["points"]
     assert (flat["kind"], flat["parameter"], flat["curvature"], flat["torsion"]) == ("inflection", "1/2", "0", "2.0")
     assert data["torsion_zeros"]["points"] == []
@@ -202,7 +197,7 @@ def test_inspect_prints_curvature_and_torsion(monkeypatch):
 
 def test_certificates_of_all_that_was_solved(tmp_path):
     file = tmp_path / "certificate.json"
-    assert run("inspect", "space_quartic", "--certificate", file).exit_code == 0
+    assert invoke("inspect", "space_quartic", "--certificate", file).exit_code == 0
     written = json.loads(file.read_text())
     assert [part["function"] for part in written] == ["zero_torsion", "space_critical_curvature", "zero_curvature"]
     for part in written:
@@ -216,5 +211,5 @@ def test_certificates_of_all_that_was_solved(tmp_path):
 def test_a_picture_of_a_space_curve_is_written(tmp_path):
     pytest.importorskip("matplotlib")
     file = tmp_path / "curve.svg"
-    assert run("inspect", "rational_space_cubic_spline", "--plot", file).exit_code == 0
+    assert invoke("inspect", "rational_space_cubic_spline", "--plot", file).exit_code == 0
     assert file.read_text().lstrip().startswith("<?xml")

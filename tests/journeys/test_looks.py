@@ -5,24 +5,35 @@ The pages of the site are looked at where it was built (`./run site`).
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from collections.abc import Iterator
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from exactspline.display.figures import FIGURES
-from exactspline.display.plot.canvas import new_figure, settle
-from tests.support import figures
-from tests.support.looking import CHECKS, CHROMIUM, Ready, Seen, broken_links, look, served, started, unreadable
+from exactspline.display.plot.canvas import new_figure
+from tests.support.command import run
+from tests.support.looking import (
+    CHECKS,
+    CHROMIUM,
+    Ready,
+    Seen,
+    broken_links,
+    laid_out,
+    look,
+    served,
+    started,
+    unreadable,
+)
 
 ROOT = Path(__file__).parents[2]
 SITE = ROOT / "build" / "site" / "html"
 
-in_a_browser = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here")
+
+def in_a_browser(test: Any) -> Any:
+    """A test that needs a browser."""
+    return pytest.mark.browser(pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here")(test))
+
 
 #: A good page, into which one defect at a time is put.
 GOOD = """<!doctype html><html lang="en"><meta name="viewport" content="width=device-width"><title>good</title>
@@ -110,20 +121,15 @@ def test_every_look_notices_the_defect_it_is_there_for_and_no_other_does(browser
 
 def write_by_commands(folder: Path) -> None:
     """The pages that the commands write."""
-
-    def run(*arguments: str) -> str:
-        command = [sys.executable, "-m", "exactspline", *arguments, "--quiet"]
-        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
-
     for name, chosen in {
         "paper": ("--section", "4.2"),
         "primer": ("--paper", "primer_on_bezier_curves", "--claim", "PB4"),
     }.items():
         pages = [f"{option}={folder / name}_{option.strip('-')}.html" for option in ("--html", "--report")]
-        run("prove", *chosen, "--curve", "cubic_s", *pages)
+        assert run("prove", *chosen, "--curve", "cubic_s", *pages, "--quiet").returncode == 0
     made = {
-        "triangle": run("teach", "triangle", "cubic_s", "--at", "1/3", "--html"),
-        "exercises": run("teach", "exercise", "all", "--html", "--solutions"),
+        "triangle": run("teach", "triangle", "cubic_s", "--at", "1/3", "--html", "--quiet").stdout,
+        "exercises": run("teach", "exercise", "all", "--html", "--solutions", "--quiet").stdout,
     }
     for name, text in made.items():
         (folder / f"{name}.html").write_text(text, encoding="utf-8")
@@ -202,21 +208,14 @@ INVALID = """(claims) => claims
 # ---- pictures
 
 
-def drawn(figure: Any) -> Any:
-    """The figure, laid out and drawn as it is for a page."""
-    settle(figure)
-    figure.savefig(BytesIO(), format="png", dpi=80)
-    return figure
-
-
 def test_what_cannot_be_read_in_a_picture_is_noticed():
     good = new_figure(9.2, 4)
     for place in (1, 2):
         good.add_subplot(1, 2, place).set_title("a title")
-    assert unreadable(drawn(good)) == []
+    assert unreadable(laid_out(good)) == []
     bad = {"cut": (9.2, "a long title " * 9), "over each other": (9.2, "a long title " * 5), "px high": (18, "a title")}
     for what, (width, title) in bad.items():
-        assert any(what in line for line in unreadable(drawn(titled(width, title))))
+        assert any(what in line for line in unreadable(laid_out(titled(width, title))))
 
 
 def titled(width: float, title: str) -> Any:
@@ -225,8 +224,3 @@ def titled(width: float, title: str) -> Any:
     for place in (1, 2, 3):
         figure.add_subplot(1, 3, place).set_title(title)
     return figure
-
-
-@pytest.mark.parametrize("number", FIGURES)
-def test_the_words_in_the_figures_can_be_read(number):
-    assert unreadable(drawn(figures.drawn(number).figure)) == []

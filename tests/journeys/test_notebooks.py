@@ -3,6 +3,7 @@ output, types in no result.
 """
 
 import ast
+import os
 import re
 from pathlib import Path
 
@@ -12,7 +13,8 @@ nbformat = pytest.importorskip("nbformat")
 pytest.importorskip("IPython")
 pytest.importorskip("matplotlib")
 
-from tests.support.notebooks import shown_by  # noqa: E402  # needs both
+from docs.site.executed import KEPT, code_cells, shown_by, store  # noqa: E402  # needs both
+from tests.support.looking import unreadable  # noqa: E402
 
 FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
 NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
@@ -43,13 +45,16 @@ def links(book):
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda p: p.stem)
 def test_a_notebook_runs_and_its_pictures_can_be_read(path, tmp_path):
-    """The site runs them in kernels, too (`docs/site/conf.py`), and fails where one does."""
-    shown = shown_by([cell.source for cell in read(path).cells if cell.cell_type == "code"], tmp_path)
+    """The site shows what is run here, where the folder for that is named."""
+    book = read(path)
+    shown = shown_by(code_cells(book), tmp_path, unreadable)
     assert shown.error == ""
     assert {"text/html", "text/latex"} & shown.kinds
     assert shown.written == ""
     assert (shown.looked_at > 0) == ("image/png" in shown.kinds)
-    assert shown.unreadable == ()
+    assert shown.noted == ()
+    if KEPT in os.environ:
+        store(book, shown, Path(os.environ[KEPT], path.name))
 
 
 #: A picture whose title is too small.
@@ -74,9 +79,9 @@ Picture()
 def test_what_goes_wrong_in_a_notebook_is_noticed(tmp_path):
     assert "ZeroDivisionError" in shown_by(["1", "1 / 0", "print(1)"], tmp_path).error
     assert "no more" in shown_by(["import warnings; warnings.warn('no more')"], tmp_path).written
-    shown = shown_by([SMALL], tmp_path)
+    shown = shown_by([SMALL], tmp_path, unreadable)
     assert (shown.error, shown.kinds, shown.looked_at) == ("", {"text/plain", "image/png"}, 1)
-    assert len(shown.unreadable) == 1
+    assert len(shown.noted) == 1
 
 
 def test_every_notebook_links_to_its_neighbours():

@@ -30,6 +30,7 @@ CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 PATIENCE = 120_000
 
 pytestmark = [
+    pytest.mark.browser,
     pytest.mark.skipif(not (SITE / "index.html").exists(), reason="the site is not built: ./run site"),
     pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here"),
 ]

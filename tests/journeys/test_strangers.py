@@ -5,12 +5,10 @@ import re
 from contextlib import suppress
 
 import pytest
-from click.testing import CliRunner
 from gmpy2 import mpq
 from mpmath import mp, pi
 
 from exactspline.classroom.triangles import de_boor_triangle, insertion_triangle
-from exactspline.cli import app
 from exactspline.cli.commands import leaves
 from exactspline.cli.common import load_curve
 from exactspline.display.evidence import worded
@@ -24,13 +22,10 @@ from exactspline.papers import named_papers
 from exactspline.readings.tree import trace
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.combined import combined
+from tests.support.command import invoke
 
 JUNK = b"{\x00\x01\xffjunk"
 OTHERS = sorted({suffix for known in FORMATS for suffix in known.suffixes} - {".json"})
-
-
-def run(*arguments):
-    return CliRunner().invoke(app, [str(a) for a in arguments])
 
 
 @pytest.mark.parametrize("suffix", OTHERS)
@@ -54,14 +49,14 @@ def test_a_list_of_curves_is_read_by_commands_and_named_by_the_reader_of_one(tmp
     both = [curve_data(example(name)) for name in ("circle", "ellipse")]
     place = tmp_path / "list.json"
     place.write_text(json.dumps(both), encoding="utf-8")
-    rows = json.loads(run("inspect", place, "--json").stdout)["rows"]
+    rows = json.loads(invoke("inspect", place, "--json").stdout)["rows"]
     assert [row["curve"] for row in rows] == ["circle", "ellipse"]
     with pytest.raises(CurveFileError, match=r'\{"curves": \[…\]\}'):
         curve_from_text(json.dumps(both))
 
 
 def test_claims_that_say_nothing_of_a_curve_say_why_and_print_no_table():
-    told = run("prove", "--claim", "C4.1", "--curve", "twisted_cubic").stdout
+    told = invoke("prove", "--claim", "C4.1", "--curve", "twisted_cubic").stdout
     claims = select(["C4.1"])
     plane = sum(claim.curve == "plane" for claim in claims)
     assert f"{len(claims)} claims say nothing of this curve: {plane} of plane curves" in told
@@ -70,7 +65,7 @@ def test_claims_that_say_nothing_of_a_curve_say_why_and_print_no_table():
 
 
 def test_the_decimals_of_irrational_answers_are_those_of_the_number():
-    row = run("inspect", "circle", "--ask", "length", "--digits", "40").stdout
+    row = invoke("inspect", "circle", "--ask", "length", "--digits", "40").stdout
     shown = next(word for word in row.split() if word.startswith("6.28")).removesuffix("…")
     with mp.workdps(60):
         assert str(2 * pi).startswith(shown)
@@ -91,7 +86,7 @@ def test_how_often_a_knot_can_be_inserted_is_told():
 
 def test_help_names_arguments_without_the_types_of_python():
     for command in leaves():
-        told = run(*command.split(), "--help").stdout
+        told = invoke(*command.split(), "--help").stdout
         usage = told.splitlines()[0]
         assert "[[" not in usage
         assert "...]" not in usage
@@ -104,7 +99,7 @@ def test_help_names_arguments_without_the_types_of_python():
     [("sweep", "130 interrupted"), ("teach check", "1 the answer is not right"), ("inspect", "0 success; 2 bad input")],
 )
 def test_help_says_what_the_exit_statuses_of_a_command_mean(command, said):
-    told = " ".join(run(*command.split(), "--help").stdout.split())
+    told = " ".join(invoke(*command.split(), "--help").stdout.split())
     assert said in told
     assert ("1 a verdict" in told) == (command == "sweep")
 
@@ -132,9 +127,9 @@ def test_no_name_steers_the_terminal(tmp_path, words):
     data = {"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], "name": "a\x1b[31m\x9b2Jb\u202e"}
     path = tmp_path / "\x1b[2J.json"
     path.write_text(json.dumps(data))
-    told = run("inspect", str(path), *words).output
-    told += run("derive", "evolute", str(path)).output
+    told = invoke("inspect", str(path), *words).output
+    told += invoke("derive", "evolute", str(path)).output
     path.write_text("{")
-    told += run("inspect", str(path)).output
+    told += invoke("inspect", str(path)).output
     assert "\\x1b[31m" in told
     assert not re.search("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e]", told)

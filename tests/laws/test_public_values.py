@@ -72,7 +72,6 @@ RETURNED = {
     "derive": lambda: xs.derive("evolute", PLANE_CURVE),
     "elevation_triangles": lambda: xs.classroom.elevation_triangles(LINE),
     "errata": lambda: next(xs.errata()),
-    "evolute": lambda: xs.evolute(PLANE_CURVE),
     "exercise": lambda: [
         xs.classroom.exercise("evaluation", 1),
         xs.classroom.exercise("evaluation", 1).answer.check("0, 0"),
@@ -87,7 +86,6 @@ RETURNED = {
         xs.analyse(xs.example("planar_map")),
     ],
     "find": lambda: xs.find("f2"),
-    "focal_curve": lambda: xs.focal_curve(SPACE),
     "formula": lambda: own_formula,
     "insertion_triangle": lambda: xs.classroom.insertion_triangle(SPLINE, "1/3"),
     "jets_for": lambda: xs.jets_for(("f2",), 2),
@@ -119,7 +117,6 @@ RETURNED = {
     "table_1_splines": xs.tables.table_1_splines,
     "square_root": lambda: xs.square_root(2) + xs.square_root(3),
     "torsion": lambda: xs.torsion(RATIONAL, "1/3"),
-    "torsion_function": lambda: xs.torsion_function(RATIONAL),
     "trace": lambda: xs.readings.trace(xs.find("f2")),
     "verify": lambda: xs.verify("f1", "f2", SPLINE, "w"),
     "variants_table": lambda: xs.tables.variants_table(xs.paper("lifted")),
@@ -220,3 +217,14 @@ def test_it_comes_back_from_a_process_pool():
     with ProcessPoolExecutor(1, mp_context=get_context("fork")) as pool:
         for name, other in zip(names, pool.map(there_and_back, map(returned, names)), strict=True):
             assert same(other, returned(name)), name
+
+
+@pytest.mark.parametrize("name", ["cubic_s", "twisted_cubic"])
+def test_an_analysis_is_pickled_with_its_curve(name):
+    """Before: "cannot pickle '_thread.RLock' object"."""
+    analysis = xs.analyse(xs.example(name))
+    again = pickle.loads(pickle.dumps(analysis))
+    assert again.curve == analysis.curve
+    assert again is xs.analyse(again.curve)
+    assert again.inflections == analysis.inflections
+    assert copy.copy(analysis) is analysis

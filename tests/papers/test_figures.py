@@ -14,14 +14,14 @@ from click.testing import CliRunner
 
 from exactspline.cli import app
 from exactspline.display.figures import FIGURES, folder, make
-from exactspline.display.figures.plane import figure_1
 from exactspline.display.plot.canvas import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
 from exactspline.geometry.analysis import analyse
 from exactspline.interchange.examples import example
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import all_claims
-from tests.support.figures import figure
+from tests.support.figures import drawn, figure
+from tests.support.looking import laid_out, unreadable
 
 runner = CliRunner()
 #: What the claims of a caption call what the figure's own caption says in a part of the sentence.
@@ -42,8 +42,9 @@ def counts_of(number):
 
 
 @pytest.mark.parametrize("number", FIGURES)
-def test_a_caption_says_what_was_counted_and_files_are_whole(number):
+def test_a_caption_says_what_was_counted_words_can_be_read_and_files_are_whole(number):
     made = figure(number)
+    assert unreadable(laid_out(drawn(number).figure)) == []
     for part in counts_of(number):
         value, word = re.search(r"\d+", part)[0], re.sub(r"[\d ]+", " ", part).strip()
         assert re.search(rf"\b{value} (and \d+ )?{word}|{word} {value}\b", made.caption), part
@@ -61,11 +62,11 @@ def test_a_caption_says_what_was_counted_and_files_are_whole(number):
 
 def test_a_refuted_count_is_not_repeated():
     (refuted,) = [claim for claim in all_claims() if claim.id == "Fig. 1" and claim.expected == "REFUTED"]
-    assert refuted.claimed not in FIGURES[1]().caption
+    assert refuted.claimed not in drawn(1).caption
 
 
 def test_the_axes_of_the_figures_hold_the_objects():
-    figure = FIGURES[2]().figure
+    figure = drawn(2).figure
     points = [line for ax in figure.axes for line in ax.lines if line.get_label() == "_control points"]
     titles = [ax.get_title() for ax in figure.axes]
     counted = [
@@ -93,7 +94,7 @@ def test_errors_say_what_would_be_right(tmp_path):
 
 
 def test_figure_1_shows_the_curve_and_marks_its_inflections():
-    curve, top = example("six_segment_cubic"), figure_1().figure.axes[0]
+    curve, top = example("six_segment_cubic"), drawn(1).figure.axes[0]
     lines = {line.get_label(): line for line in top.lines}
     assert len(lines["inflections, κ = 0"].get_xdata()) == len(analyse(curve).inflections) > 0
     # jumps are hollow here as in the graphs below

@@ -9,7 +9,9 @@ from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from unittest import mock
 
-from exactspline.cli import main
+from click.testing import CliRunner, Result
+
+from exactspline.cli import app, main
 
 #: Tables have room for everything, as long as a test asks for no other width.
 WIDE = {"COLUMNS": "200"}
@@ -22,6 +24,11 @@ class Done:
     returncode: int
     stdout: str
     stderr: str
+
+
+def invoke(*arguments: object, **options: object) -> Result:
+    """The command without what `main` adds: an error is the result's exception."""
+    return CliRunner().invoke(app, [str(argument) for argument in arguments], **options)
 
 
 def run(*arguments: object) -> Done:

@@ -10,13 +10,11 @@ import time
 from dataclasses import replace
 
 import pytest
-from click.testing import CliRunner
 
 import exactspline as xs
-from exactspline.cli import app
-from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
 from exactspline.display.sheet import Sheet, csv_of
+from exactspline.display.wrapping import code_lines
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.interchange.examples import example
 from exactspline.papers import find, load_paper, papers, resolve
@@ -28,15 +26,12 @@ from exactspline.verification.errata import errata
 from exactspline.verification.kinds.equality import Vanishing
 from exactspline.verification.ledger import proved
 from exactspline.verification.verdict import PROVED, REFUTED
+from tests.support.command import invoke
 from tests.support.decided import errors_in_print
 from tests.verification.test_own_paper import plane_formulas, written
 
 FALSE = {"id": "1", "kind": "identity", "statement": "f is g", "curve": "plane", "left": "f", "right": "g"}
 FORMULAS = plane_formulas(f="det(c.p, c.p.d(1))", g="2 * det(c.p, c.p.d(1))", v="c.p * c.w")
-
-
-def run(*arguments):
-    return CliRunner().invoke(app, [str(a) for a in arguments])
 
 
 # ---- code
@@ -120,7 +115,7 @@ def test_markdown_has_no_html_and_no_link_of_a_stranger(tmp_path):
     said = '<img src=x onerror="alert(1)"> [here](javascript:x) a|b'
     folder = written(tmp_path / "p", FORMULAS, [FALSE | {"statement": said}])
     for command in (["prove", "--rows"], ["errata"]):
-        text = run(*command, "--paper", folder, "--markdown").output
+        text = invoke(*command, "--paper", folder, "--markdown").output
         assert "&lt;img" in text
         assert not re.search(r"<\w|\]\(", text)
     sheet = Sheet("a", title="<b>|</b>")
@@ -180,7 +175,7 @@ def test_what_is_read_is_in_the_digests(tmp_path):
     own = load_paper(folder)
     assert own.digests() == load_paper(real).digests()
     page = tmp_path / "report.html"
-    run("prove", "--paper", folder, "--report", page)
+    invoke("prove", "--paper", folder, "--report", page)
     assert own.digests()["formulas.py"] in page.read_text(encoding="utf-8")
 
 
@@ -190,15 +185,15 @@ def test_that_formulas_ran_unchecked_is_said_everywhere(tmp_path):
     file = str(folder / "formulas.py")
     for trust in (True, False):
         words = ["prove", "--paper", folder, *(["--trust"] if trust else [])]
-        text, table, markdown = (run(*words, *more).output for more in ([], ["--csv"], ["--markdown"]))
-        data = json.loads(run(*words, "--json").output)
+        text, table, markdown = (invoke(*words, *more).output for more in ([], ["--csv"], ["--markdown"]))
+        data = json.loads(invoke(*words, "--json").output)
         assert data.get("unchecked") == ([file] if trust else None)
         assert ("unchecked (--trust)" in text) == trust == ("unchecked (--trust)" in markdown)
         rows = list(csv.reader(io.StringIO(table)))
         assert (rows[0][-1] == "unchecked") == trust
         assert all((row[-1] == file) == trust for row in rows[1:])
         page = tmp_path / "page.html"
-        run(*words, "--html", page)
+        invoke(*words, "--html", page)
         assert ("unchecked (--trust)" in page.read_text(encoding="utf-8")) == trust
 
 
@@ -212,7 +207,7 @@ def test_a_file_that_is_listed_must_exist(head, tmp_path):
     (folder / "paper.toml").write_text(head + "\n")
     with pytest.raises(ClaimError, match="does not exist"):
         load_paper(folder)
-    assert run("prove", "--paper", folder).exit_code != 0
+    assert invoke("prove", "--paper", folder).exit_code != 0
 
 
 def test_a_folder_without_claims_is_told(tmp_path):
@@ -220,7 +215,7 @@ def test_a_folder_without_claims_is_told(tmp_path):
     folder = written(tmp_path / "p", FORMULAS, [FALSE])
     (folder / "claims.toml").rename(folder / "claim.toml")
     with pytest.raises(ClaimError, match="states no claims"):
-        raise run("prove", "--paper", folder).exception
+        raise invoke("prove", "--paper", folder).exception
 
 
 # ---- names, judges, theorems
@@ -282,18 +277,18 @@ def test_the_kernel_says_why_it_says_nothing(tmp_path):
 
 def test_the_theorem_of_one_claim_is_written(tmp_path):
     """Before, `prove --claim ID --emit-coq DIR` was refused."""
-    done = run("coq", "--claim", "C4.1a", tmp_path / "coq")
+    done = invoke("coq", "--claim", "C4.1a", tmp_path / "coq")
     assert done.exit_code == 0
     assert "2 theorems" in done.output
     (file,) = (tmp_path / "coq" / "claims").iterdir()
     assert len(re.findall("^Theorem", file.read_text(encoding="utf-8"), re.MULTILINE)) == 2
     assert f"claims/{file.name}" in (tmp_path / "coq" / "_CoqProject").read_text(encoding="utf-8")
-    told = run("coq", "--claim", "C4.1c", tmp_path / "none")
+    told = invoke("coq", "--claim", "C4.1c", tmp_path / "none")
     assert isinstance(told.exception, ClaimError)
     assert "are not equalities" in str(told.exception)
     assert not (tmp_path / "none").exists()
     folder = written(tmp_path / "p", FORMULAS, [FALSE])
-    assert "users' folders" in str(run("coq", "--paper", folder, tmp_path / "none").exception)
+    assert "users' folders" in str(invoke("coq", "--paper", folder, tmp_path / "none").exception)
 
 
 def test_one_identity_that_says_nothing_is_no_success(tmp_path, monkeypatch):
@@ -301,7 +296,7 @@ def test_one_identity_that_says_nothing_is_no_success(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     written(tmp_path / "p", plane_formulas(zero="c.w - c.w", f="c.w * c.w", g="c.w * 1"), [])
     for text in ("p:zero = p:zero * p:f", "p:zero = p:zero"):
-        done = run("identity", text.replace("p:", f"{tmp_path}/p/formulas.py:", 1).replace("p:", ""))
+        done = invoke("identity", text.replace("p:", f"{tmp_path}/p/formulas.py:", 1).replace("p:", ""))
         assert (done.exit_code, xs.verify("f1", "f2", example("straight_line")).verdict) == (1, "VACUOUS")
 
 
@@ -319,5 +314,5 @@ def test_what_vanishes_for_the_operand_tried_only_is_refuted(kind, text, tmp_pat
     folder = written(tmp_path / "p", formulas, [claim | {"expected": "REFUTED"}])
     (false,) = claims_of(load_paper(str(folder), trust=True))
     assert combined(false)[1].verdict == REFUTED
-    rows = json.loads(run("prove", "--paper", str(folder), "--trust", "--json").output)["rows"]
+    rows = json.loads(invoke("prove", "--paper", str(folder), "--trust", "--json").output)["rows"]
     assert [row["verdict"] for row in rows if not row["curve"]] == ["REFUTED"]

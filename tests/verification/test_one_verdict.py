@@ -5,9 +5,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 import pytest
-from click.testing import CliRunner
 
-from exactspline.cli import app
 from exactspline.display.ledger import row_data
 from exactspline.display.tables import Verdicts
 from exactspline.errors import FormulaError
@@ -21,13 +19,10 @@ from exactspline.verification.ledger import audit, proved
 from exactspline.verification.questions import verify
 from exactspline.verification.verdict import PROVED, VERIFIED
 from exactspline.verification.vocabulary import Verdict
+from tests.support.command import invoke
+from tests.support.decided import decided_once
 from tests.support.sampled import sample
 from tests.verification.test_own_paper import written
-
-
-def run(*arguments):
-    return CliRunner().invoke(app, [str(a) for a in arguments])
-
 
 #: Curves of which some claims do not speak, or say nothing.
 SPECIAL = ("straight_line", "cusp", "space_line", "planar_in_space")
@@ -36,9 +31,10 @@ SPECIAL = ("straight_line", "cusp", "space_line", "planar_in_space")
 @pytest.mark.parametrize("name", ["straight_line", "planar_in_space", "rational_space_cubic"])
 def test_library_command_and_json_say_one_word_on_every_claim(name):
     """Before, the library said UNDECIDED where the command said VACUOUS or INAPPLICABLE."""
-    rows = json.loads(run("prove", "--paper", "all", "--curve", name, "--json").output)["rows"]
+    with decided_once():
+        rows = json.loads(invoke("prove", "--paper", "all", "--curve", name, "--json").output)["rows"]
+        own = list(audit(claims_in(papers()), [example(name)]))
     rows = [row for row in rows if row["curve"] == name]
-    own = list(audit(claims_in(papers()), [example(name)]))
     assert [(row.key, row.verdict) for row in own] == [(row["claim"], row["verdict"]) for row in rows]
     assert {row["verdict"] for row in rows} <= set(Verdict)
     assert name not in SPECIAL or {"VACUOUS", "INAPPLICABLE"} & {row["verdict"] for row in rows}
@@ -53,7 +49,7 @@ def test_library_command_and_json_say_one_word_on_every_claim(name):
 def test_a_table_of_the_library_says_vacuous():
     """Before, `verdicts` said UNDECIDED of 0 = 0 on a straight line."""
     assert verdicts("C4.1a", curves=[example("straight_line")])["verdict"] == ["VACUOUS", "VACUOUS"]
-    told = run("prove", "--claim", "C4.1a", "--curve", "straight_line", "--csv").output
+    told = invoke("prove", "--claim", "C4.1a", "--curve", "straight_line", "--csv").output
     assert told.count("VACUOUS,") == 2
 
 
@@ -66,13 +62,14 @@ SIGN = "".join(
         "many": "turning(c) * turning(c) / turning(c)",
     }.items()
 )
+
 POSITIVE = {"id": "1", "kind": "sign", "statement": "w² > 0", "curve": "plane", "sign": "> 0", "assumes": ["w"]}
 
 
 def test_a_value_whose_denominator_shares_its_zero_has_a_sign_wherever_it_exists(tmp_path):
     """Before, the whole run ended in "one of the readings is wrong: report this"."""
     folder = written(tmp_path / "p", SIGN, [POSITIVE | {"formula": "one", "squares": ["root"]}])
-    done = run("prove", "--paper", folder)
+    done = invoke("prove", "--paper", folder)
     assert done.exit_code == 0
     rows = {row.curve: row.verdict for row in audit(claims_of(load_paper(folder)))}
     assert (rows[""], rows["cubic_s"], rows["straight_line"]) == (PROVED, VERIFIED, "VACUOUS")
@@ -105,13 +102,13 @@ def test_a_contradiction_is_a_row_and_the_others_stand(monkeypatch, tmp_path):
 
     monkeypatch.setattr(Identity, "decide", fooled)
     assert proved(right).verdict == PROVED
-    done = run("prove", "--paper", folder, "--json", "--rows")
+    done = invoke("prove", "--paper", folder, "--json", "--rows")
     assert done.exit_code == 1
     rows = json.loads(done.output)["rows"]
     assert {row["verdict"] for row in rows if row["id"] == "1"} == {"PROVED", "VERIFIED", "VACUOUS"}
     wrong = {row["curve"]: row["verdict"] for row in rows if row["id"] == "2"}
     assert (wrong[""], wrong["circle"], wrong["parabola"]) == ("CONTRADICTION", "CONTRADICTION", VERIFIED)
-    text = run("prove", "--paper", folder)
+    text = invoke("prove", "--paper", folder)
     assert text.exit_code == 1
     assert "CONTRADICTION" in text.output
     assert "please report it" in text.output

@@ -12,10 +12,8 @@ from pathlib import Path
 from shutil import copytree, ignore_patterns
 
 import pytest
-from click.testing import CliRunner
 
 import exactspline
-from exactspline.cli import app
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.interchange.examples import example
@@ -26,14 +24,11 @@ from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
+from tests.support.command import invoke
 
 DOCS = Path(__file__).parents[2] / "docs" / "your-own-paper.md"
 WORDS = "complex_product, cross, det, dot, formula, join, norm2, perp, ruled, wronskian"
 LANGUAGE = f"from exactspline import rational; from exactspline.language import {WORDS}\n"
-
-
-def run(*arguments):
-    return CliRunner().invoke(app, [str(a) for a in arguments])
 
 
 def text_of(value):
@@ -71,23 +66,23 @@ def test_a_new_user_follows_the_page(tmp_path, monkeypatch):
     page, start = DOCS.read_text(encoding="utf-8"), time.perf_counter()
     formula, python = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     claim = re.search(r"```toml\n(.*?)```", page, re.DOTALL)[1]
-    assert run("paper", "new", "my-paper").exit_code == 0
-    assert run("prove", "--paper", "my-paper").exit_code == 0
+    assert invoke("paper", "new", "my-paper").exit_code == 0
+    assert invoke("prove", "--paper", "my-paper").exit_code == 0
     with Path("my-paper/formulas.py").open("a") as file:
         file.write("\n\n" + formula)
     with Path("my-paper/claims.toml").open("a") as file:
         file.write("\n" + claim)
-    done = run("prove", "--paper", "my-paper", "--report", "report.html")
+    done = invoke("prove", "--paper", "my-paper", "--report", "report.html")
     assert done.exit_code == 1
     assert "REFUTED (recorded: PROVED)" in done.output
     assert "at the parameter" in done.output
     assert time.perf_counter() - start < 5
-    told = run("errata", "--paper", "my-paper").output
+    told = invoke("errata", "--paper", "my-paper").output
     assert "1. under similarities" in told
     Path("my-paper/claims.toml").write_text(
         Path("my-paper/claims.toml").read_text().replace("weight = 1", "weight = 2")
     )
-    assert run("prove", "--paper", "my-paper").exit_code == 0
+    assert invoke("prove", "--paper", "my-paper").exit_code == 0
     shown = io.StringIO()
     with redirect_stdout(shown):
         exec(python, {})  # the page's own words
@@ -98,14 +93,14 @@ def test_a_new_user_follows_the_page(tmp_path, monkeypatch):
 @pytest.mark.skipif(not DOCS.exists(), reason="the documents are in the checkout only")
 def test_every_command_of_the_page_works(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    run("paper", "new", "my-paper")
+    invoke("paper", "new", "my-paper")
     exactspline.write(example("ellipse"), "my.json")
     lines = re.findall(r"^\./run (.*?)\s{2,}#", DOCS.read_text(encoding="utf-8"), re.MULTILINE)
     tried = [line for line in lines if "paper new" not in line and "--paper all" not in line]
     assert len(tried) >= 9
     for line in tried:
         arguments = [a.strip('"') for a in re.findall(r'"[^"]*"|\S+', line)]
-        done = run(*arguments)
+        done = invoke(*arguments)
         assert done.exit_code == 0, (line, done.output, done.exception)
 
 
@@ -117,7 +112,9 @@ def test_the_new_paper_is_whole_and_nothing_is_overwritten(tmp_path):
     assert all(row.as_recorded for row in audit(claims_of(own)))
     with pytest.raises(ClaimError, match="is not empty"):
         write_new_paper(tmp_path / "mine")
-    assert run("paper", "new", tmp_path / "mine").exit_code == 2 or run("paper", "new", tmp_path / "mine").exception
+    assert (
+        invoke("paper", "new", tmp_path / "mine").exit_code == 2 or invoke("paper", "new", tmp_path / "mine").exception
+    )
 
 
 # ---- the same code for all
@@ -207,7 +204,7 @@ def test_what_goes_wrong_in_a_formula_names_file_and_line(body, tmp_path):
     told = worded(proved(claims_of(load_paper(folder))[0]).witness)
     assert problem in told
     assert f"formulas.py, {line}" in told
-    assert run("prove", "--paper", folder).exit_code in (1, 2)
+    assert invoke("prove", "--paper", folder).exit_code in (1, 2)
 
 
 def test_a_trusted_formula_that_branches_names_file_and_line(tmp_path):
@@ -269,10 +266,10 @@ def test_what_says_nothing_is_vacuous(tmp_path, sides):
     formulas = plane_formulas(f="det(c.p, c.p)", g="c.w - c.w", h="det(c.p, c.p.d(1))")
     claim = {"id": "1", "kind": "identity", "statement": "0 = 0", "curve": "plane", "left": "f"} | sides
     folder = written(tmp_path / "p", formulas, [claim])
-    done = run("prove", "--paper", folder)
+    done = invoke("prove", "--paper", folder)
     assert done.exit_code == 1
     assert "VACUOUS (recorded: PROVED)" in done.output
-    rows = json.loads(run("prove", "--paper", folder, "--rows", "--json").output)["rows"]
+    rows = json.loads(invoke("prove", "--paper", folder, "--rows", "--json").output)["rows"]
     assert len(rows) > 1
     assert {row["verdict"] for row in rows} <= {"VACUOUS", "INAPPLICABLE"}
 
@@ -308,7 +305,7 @@ def test_words_that_nobody_knows(change, told, tmp_path):
     entry = {"id": "9", "kind": "vanishing", "statement": "0", "curve": "plane", "left": "turning"} | change
     lines = [f"{k} = {text_of(v)}" for k, v in entry.items() if v is not None]
     (made / "claims.toml").write_text("\n".join(["[[claim]]", *lines]).replace("\\\\u", "\\u"))
-    done = run("prove", "--paper", made)
+    done = invoke("prove", "--paper", made)
     assert isinstance(done.exception, ExactSplineError)
     assert re.match(r"mine′*/claims\.toml, claim 1", str(done.exception))
     assert told in str(done.exception)
@@ -330,7 +327,7 @@ def test_words_that_nobody_knows(change, told, tmp_path):
 def test_tables_that_are_none(text, told, tmp_path):
     made = write_new_paper(tmp_path / "mine")[0].parent
     (made / "claims.toml").write_text(text)
-    done = run("prove", "--paper", made)
+    done = invoke("prove", "--paper", made)
     assert isinstance(done.exception, ExactSplineError)
     assert told in str(done.exception)
 
@@ -416,7 +413,7 @@ def test_the_report_is_complete_in_itself(tmp_path):
     text = (folder / "claims.toml").read_text().replace("weight = -2", "weight = -1").replace("small paper", "<b>paper")
     (folder / "claims.toml").write_text(text)
     file = tmp_path / "report.html"
-    done = run("prove", "--paper", folder, "--report", file)
+    done = invoke("prove", "--paper", folder, "--report", file)
     assert done.exit_code == 1
     page, read = file.read_text(encoding="utf-8"), Page()
     read.feed(page)
@@ -434,7 +431,7 @@ def test_the_report_is_complete_in_itself(tmp_path):
     for name, digest in load_paper(folder).digests().items():
         assert name in page
         assert digest in page
-    assert run("prove", "--paper", folder, "--report", tmp_path / "no" / "where.html").exit_code != 0
+    assert invoke("prove", "--paper", folder, "--report", tmp_path / "no" / "where.html").exit_code != 0
 
 
 # ---- one identity
@@ -443,13 +440,13 @@ def test_the_report_is_complete_in_itself(tmp_path):
 def test_one_identity_from_the_command_line(tmp_path, monkeypatch):
     write_new_paper(tmp_path / "mine")
     monkeypatch.chdir(tmp_path / "mine")
-    assert "for all curves in R2" in run("identity", "formulas.py:turning = w^-3 * f2").output
-    assert run("identity", "formulas.py:turning = formulas.py:turning_by_normal").exit_code == 0
-    done = run("identity", "formulas.py:turning = 2 * turning_by_normal")
+    assert "for all curves in R2" in invoke("identity", "formulas.py:turning = w^-3 * f2").output
+    assert invoke("identity", "formulas.py:turning = formulas.py:turning_by_normal").exit_code == 0
+    done = invoke("identity", "formulas.py:turning = 2 * turning_by_normal")
     assert done.exit_code == 1
     assert "the quotient is 1" in done.output
     for wrong in ("turning", "a = ", "formulas.py:nothing = f2", "formulas.py:turning == f2", "f1 f2 = f2"):
-        assert isinstance(run("identity", wrong).exception, (ExactSplineError, SystemExit))
+        assert isinstance(invoke("identity", wrong).exception, (ExactSplineError, SystemExit))
 
 
 @pytest.mark.parametrize("trust", [True, False])
@@ -462,9 +459,9 @@ def test_an_error_names_its_line_and_a_degree_that_is_not_known_is_not_shown(tru
         {"id": "2", "kind": "vanishing", "statement": "b", "curve": "plane", "left": "part"},
     ]
     folder = written(tmp_path / "p", formulas, claims)
-    rows = run("prove", "--paper", str(folder), "--json", *["--trust"] * trust)
+    rows = invoke("prove", "--paper", str(folder), "--json", *["--trust"] * trust)
     degree, vanishing = [row for row in json.loads(rows.output)["rows"] if not row["curve"]]
     line = next(i for i, text in enumerate((folder / "formulas.py").read_text().splitlines(), 1) if "[0]" in text)
     assert f"formulas.py, line {line}, part: " in vanishing["witness"]
     assert degree["verdict"] == "UNDECIDED"
-    assert ", not ≤ 0" not in run("prove", "--paper", str(folder), *["--trust"] * trust).output.split("On the")[0]
+    assert ", not ≤ 0" not in invoke("prove", "--paper", str(folder), *["--trust"] * trust).output.split("On the")[0]

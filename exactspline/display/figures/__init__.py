@@ -37,8 +37,9 @@ def folder(path: str | Path) -> Path:
     return place
 
 
-def make(number: int, folder: str | Path) -> Made:
-    """Draw one figure and write it into a folder: as SVG and PNG, and its surfaces as an interactive page.
+def make(number: int, folder: str | Path, drawn: Drawn | None = None) -> Made:
+    """Draw one figure, where it is not given as drawn, and write it into a folder: as SVG and PNG, and its surfaces as
+    an interactive page.
 
     Raises `PlotError` for a number that is not a figure of the paper, without matplotlib, and where the files cannot be
     written.
@@ -47,7 +48,7 @@ def make(number: int, folder: str | Path) -> Made:
         raise PlotError(
             f"the paper has no Figure {number}", where="figure", remedy=f"figures are {', '.join(map(str, FIGURES))}"
         )
-    figure, caption, scenes = FIGURES[number]()
+    figure, caption, scenes = drawn or FIGURES[number]()
     made = Made(number, caption)
     for suffix in ("svg", "png"):
         place = Path(folder) / f"figure{number}.{suffix}"
