@@ -173,10 +173,18 @@ def test_topology_of_curves_that_are_known(polynomial, expected):
     assert shapes(polynomial) == sorted(expected)
 
 
-def test_a_cusp_is_left_open():
+def test_a_cusp_is_passed():
+    """All points are ((1 + p²)/2, (1 + p³)/2). Passed before: the cusp was undecided."""
     curve = ZeroCurve(as_form((2 * T - 1) ** 2 - (2 * S - 1) ** 3))
-    assert not curve.complete
-    assert [part.shape for part in curve.parts] == [Shape.OPEN] * 2
+    assert curve.complete
+    (part,) = curve.parts
+    assert part.shape is Shape.ARC
+    for p in (mpq(k, 7) for k in (-6, -3, 3, 6)):
+        place = (1 + p**2) / 2, (1 + p**3) / 2
+        boxes = (*part.cells, *(arc.box for arc in part.arcs))
+        assert any(all(a <= x <= b for x, (a, b) in zip(place, box, strict=True)) for box in boxes)
+    ends = {(vertex.value, vertex.other) for vertex, count in part.ends.items() if count == 1}
+    assert ends == {(1, 0), (1, 1)}
 
 
 @pytest.mark.parametrize("seed", range(6))
