@@ -13,7 +13,6 @@ from flint import fmpz, fmpz_poly
 
 from exactspline.language.provenance import leaf
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.immutable import fill
 from exactspline.polynomials.bernstein import over_common_denominator, restrict
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector
@@ -65,9 +64,7 @@ def inserted(splines: Sequence[BSpline], t: mpq, times: int) -> list[BSpline]:
         below = (*below[: i - 1], *(m for _, m in parts), *below[i:])
         mesh = mesh.refined(i - 1, t)
         continuity = (*f.continuity[: i - 1], lowered, *f.continuity[i - 1 :])
-    found = []
-    for row, column in zip(rows, columns, strict=True):
-        made = BSpline.from_parts(degree, mesh, continuity, row, below, leaf())
-        fill(made, _knots=vector, _points=column)
-        found.append(made)
-    return found
+    return [
+        BSpline.from_parts(degree, mesh, continuity, row, below, leaf(), vector, column)
+        for row, column in zip(rows, columns, strict=True)
+    ]

@@ -390,12 +390,13 @@ def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
 
 def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: tuple[mpq, ...]) -> dict[str, object]:
     """The fields of a curve with this data."""
-    polynomial = len(set(weights)) == 1 and weights[0] != 0
+    polynomial = weights.count(weights[0]) == len(weights) and weights[0] != 0
     knots.check(degree)
     knots.check_count(degree, len(points))
     rows = points if polynomial else [(*lifted(x, w), w) for x, w in zip(points, weights, strict=True)]
     splines = splines_over(degree, knots, list(zip(*rows, strict=True)))
-    if not polynomial:
+    # weights of one sign cannot cancel
+    if not polynomial and min(weights) <= 0 <= max(weights):
         _check_weight(splines[-1])
     return _of_splines(splines, points, weights, polynomial=polynomial)
 
