@@ -1,5 +1,6 @@
 // <script src="…/play/embed.js"></script> puts the moving curve where the tag stands, as high as what it shows; with
-// data-caption="…" these words above it, with data-page="de-boor" the triangle of de Boor in its place.
+// data-caption="…" these words above it, with data-page="de-boor" the triangle of de Boor in its place,
+// with data-view="short" without what comes after the first answer.
 const tag = document.currentScript;
 if (location.protocol === "file:") {
   const said = document.createElement("p");
@@ -7,7 +8,7 @@ if (location.protocol === "file:") {
   tag.replaceWith(said);
 } else {
   const frame = document.createElement("iframe");
-  frame.src = new URL(`${tag.dataset.page ?? "curve"}.html?embed${tag.dataset.curve ? `#${tag.dataset.curve}` : ""}`, tag.src);
+  frame.src = new URL(`${tag.dataset.page ?? "curve"}.html?embed${tag.dataset.view ? `=${tag.dataset.view}` : ""}${tag.dataset.curve ? `#${tag.dataset.curve}` : ""}`, tag.src);
   frame.title = tag.dataset.page === "de-boor" ? "de Boor’s triangle" : "a curve, exactly";
   frame.loading = "lazy";
   frame.style.cssText = `width:100%;border:0;height:${tag.dataset.height ?? 640}px`;
