@@ -4,7 +4,7 @@ import random
 from itertools import chain, pairwise, product
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline.geometry.surface.borders import is_inside
@@ -34,7 +34,6 @@ def inside(zeros):
 # ---- forms
 
 
-@settings(max_examples=30, deadline=None)
 @given(st.lists(st.integers(-9, 9), min_size=12, max_size=12), st.fractions(-1, 2, max_denominator=7))
 def test_forms_are_the_polynomials_they_say(values, t):
     rows = [values[4 * i : 4 * i + 4] for i in range(3)]
@@ -80,7 +79,6 @@ def test_signs_are_proved_or_left_open():
 # ---- common zeros
 
 
-@settings(max_examples=25, deadline=None)
 @given(
     st.lists(st.fractions(-1, 2, max_denominator=9), min_size=1, max_size=3, unique=True),
     st.lists(st.fractions(-1, 2, max_denominator=9), min_size=1, max_size=3, unique=True),

@@ -3,7 +3,7 @@
 import random
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs, analyse, example, examples
@@ -26,7 +26,6 @@ def columns_over_knots(draw):
     return degree, knots, draw(st.lists(column, min_size=1, max_size=3))
 
 
-@settings(max_examples=200, deadline=None)
 @given(columns_over_knots())
 def test_components_made_together_are_those_made_one_by_one(drawn):
     degree, knots, columns = drawn
