@@ -26,7 +26,7 @@ def test_points_of_examples_are_those_of_their_splines(side):
     chance = random.Random(5)
     for name in examples("curves"):
         curve = example(name)
-        # few denominators, and so many that each parameter is alone
+        # few denominators, and denominators with which each parameter is alone
         for below in (60, 2 ** (BITS + 1) + 1):
             ts = parameters(curve, chance, below)
             chance.shuffle(ts)
