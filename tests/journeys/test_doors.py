@@ -4,7 +4,6 @@ import contextlib
 import inspect
 import pickle
 from collections.abc import Iterator
-from contextlib import suppress
 from itertools import islice
 
 import numpy
@@ -147,27 +146,6 @@ def raised(name, function, arguments):
         return None if error.__traceback__.tb_next is None else error  # Python's own: too many arguments
     except Exception as error:
         return None if type(error) is OWN_ERRORS.get(name) else error
-
-
-#: Arguments by name that are not options of a picture.
-BY_NAME = [
-    ("degree", ("f2",), "dimension"),
-    ("prove", ("f1", "f2"), "dimension"),
-    ("reduction", ("f2",), "dimension"),
-    ("reduction", ("f2",), "parameter"),
-    ("at", (T, "1/2"), "side"),
-    ("at_floats", (CUSP, [0]), "order"),
-    ("plot_approaches", (CUSP,), "forms"),
-    ("inspection_data", (CUSP,), "approach"),
-]
-
-
-@pytest.mark.parametrize(("name", "arguments", "keyword"), BY_NAME)
-def test_arguments_by_name(name, arguments, keyword):
-    """A TypeError from inside before: ``degree("f2", dimension="3")``."""
-    for value in VALUES.values():
-        with suppress(xs.ExactSplineError):
-            PUBLIC[name](*arguments, **{keyword: value})
 
 
 def curve_file():

@@ -13,7 +13,7 @@ from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs, derive
+from exactspline import Nurbs, derive
 from exactspline.batch.oracle import oracle
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.analysis import analyse
@@ -25,8 +25,7 @@ from exactspline.reals.real import Real
 from tests.geometry.test_bisector_pairs import assert_complete_on_a_grid, random_pair
 from tests.laws.test_invariance import assert_same, chain, rotated
 from tests.support.bisector_oracle import FAMILIES, dimension, planes, point_and_tangent, spans
-from tests.support.same_curves import CHANGES as REWRITTEN
-from tests.support.same_curves import from_rows, homogeneous
+from tests.support.same_curves import CHANGES as WAYS
 from tests.support.strategies import nurbs
 
 NEAR = mpq(1, 10**20)
@@ -53,14 +52,6 @@ def turned(p):
     return tuple(c * mpq(7, 2) + d for c, d in zip(moved, (3, -1, 2), strict=False))
 
 
-def elevated(curve):
-    """Written with a degree more."""
-    columns = [BSpline(curve.degree, list(curve.knots), c).elevate_degree(1) for c in homogeneous(curve)]
-    rows = list(zip(*[c.control_points for c in columns], strict=True))
-    return from_rows(curve.degree + 1, list(columns[0].knots), rows), lambda t: t
-
-
-WAYS = REWRITTEN | {"elevated": elevated}
 over_ways = pytest.mark.parametrize("way", WAYS)
 
 

@@ -9,12 +9,10 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs
 from exactspline.display.errata import erratum_data
 from exactspline.display.evidence import worded
-from exactspline.errors import ClaimError, InapplicableError
 from exactspline.interchange.examples import example
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, SURFACE, kind_of
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
-from exactspline.numbers.intervals import Interval
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.jet import JetReading
 from exactspline.splines.tensor import TensorSpline
@@ -35,23 +33,14 @@ from exactspline.verification.degree_tables import (
     measure,
 )
 from exactspline.verification.errata import name_of, numbered, remarks
-from exactspline.verification.evaluation import Evaluation, between, zero_of
-from exactspline.verification.evidence import At, Between, OnAllOf, Relating
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evidence import At, OnAllOf, Relating
 from exactspline.verification.generic_proof import joined_degree, table_1_degrees
 from exactspline.verification.ledger import Proofs, checked, proved
 from exactspline.verification.notation import degree_latex, factor_latex
 from exactspline.verification.patch_degrees import measured_degrees
 from exactspline.verification.statement import sides
-from exactspline.verification.verdict import (
-    CONTRADICTION,
-    INAPPLICABLE,
-    REFUTED,
-    UNDECIDED,
-    VACUOUS,
-    ContradictionError,
-    undecided,
-    vacuous,
-)
+from exactspline.verification.verdict import REFUTED
 from tests.support.decided import errors_in_print
 from tests.support.sampled import sample
 
@@ -173,22 +162,6 @@ def test_a_zero_that_the_other_does_not_have_is_found_with_its_place():
     irrational = shifted * shifted - 10
     place = extra_zero(irrational, shifted)
     assert place.low**2 < 10 < place.high**2
-
-
-def test_zeros_have_their_places_in_the_parameter_of_the_curve():
-    shifted = BSpline.identity(3, 7)
-    assert zero_of(shifted - 4) == At(mpq(4))
-    assert zero_of(shifted) is None
-    assert zero_of(shifted * 0) == OnAllOf(mpq(3), mpq(7))
-    assert between(Interval(mpq(4), mpq(5))) == Between(mpq(4), mpq(5))
-    assert between(Interval.point(mpq(4))) == At(mpq(4))
-
-
-def test_why_nothing_is_decided_is_a_verdict():
-    assert undecided(ClaimError("unreadable")).verdict == UNDECIDED
-    assert undecided(InapplicableError("of roots")).verdict == INAPPLICABLE
-    assert undecided(ContradictionError("two degrees")).verdict == CONTRADICTION
-    assert vacuous().verdict == VACUOUS
 
 
 def test_ids_select_what_they_begin_but_no_other_number():
