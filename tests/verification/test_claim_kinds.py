@@ -11,7 +11,7 @@ from exactspline.errors import ClaimError
 from exactspline.interchange.examples import example
 from exactspline.papers import find
 from exactspline.readings.degree import DegreeReading, parse_degree
-from exactspline.verification.claims import all_claims, select
+from exactspline.verification.claims import all_claims
 from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound
@@ -19,13 +19,9 @@ from exactspline.verification.kinds.degree import held_against
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.statement import degree_of_cubic, dimension_of, sides
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
+from tests.support.claims import claim
 
 T = BSpline.identity(0, 1)
-
-
-def claim(key):
-    (found,) = select([key])
-    return found
 
 
 def on(one, curve):

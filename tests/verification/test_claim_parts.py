@@ -23,13 +23,12 @@ from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification import judges
 from exactspline.verification.check_arguments import with_hodograph
-from exactspline.verification.claims import all_claims, claims_of, select
-from exactspline.verification.curve_check import extra_zero
+from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.degree_tables import construction_table, formula_degrees
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import check, unrecorded
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import At, AtKnot, Between, Fact, Isolated
+from exactspline.verification.evidence import AtKnot, Fact, Isolated
 from exactspline.verification.generic_proof import factor_of, factor_of_numerators
 from exactspline.verification.kinds.coefficients import Coefficients, is_decided
 from exactspline.verification.kinds.contact import Contact
@@ -43,12 +42,7 @@ from exactspline.verification.questions import proof_of
 from exactspline.verification.statement import telling_tree
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import Counter, Reason
-
-
-def claim(key):
-    (found,) = select([key])
-    return found
-
+from tests.support.claims import claim
 
 T = BSpline.identity(0, 1)
 
@@ -159,7 +153,7 @@ def test_minimal_forms_are_told_with_their_grading():
 
 def test_a_curve_with_the_name_of_an_example_is_none():
     """On a line f1 = w f2 says nothing, which is on record for no example: there it would be an alarm."""
-    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    one = claim("C41a-f1-f2")
     line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)], name="circle")
     told = checked(one, Evaluation(line), "circle", Proofs())
     assert told.verdict == VACUOUS
@@ -241,7 +235,7 @@ def test_the_place_of_a_zero():
 
 
 def test_the_time_of_a_row_is_what_it_took():
-    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    one = claim("C41a-f1-f2")
     start = perf_counter()
     rows = [
         proved(one),
@@ -263,7 +257,7 @@ def test_nothing_is_assumed_of_two_curves():
 
 
 def test_what_fails_and_is_not_recorded_is_an_erratum_of_its_own():
-    good = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    good = claim("C41a-f1-f2")
     wrong = replace(good, factor="w^2", status="ours", note="")
     recorded = replace(wrong, expected="REFUTED")
     (told,) = unrecorded([good, wrong, recorded])
@@ -292,15 +286,6 @@ def test_a_vector_with_a_component_that_vanishes_is_no_zero(monkeypatch):
     other = next(c for c in all_claims() if isinstance(c, Existence))
     assert with_formula(monkeypatch, other, value).decide(2, polynomial=False).verdict == REFUTED
     assert with_formula(monkeypatch, other, zero).decide(2, polynomial=False).verdict == VACUOUS
-
-
-def test_a_zero_beside_one_at_the_right_end_is_seen():
-    """2t² − 1 in (0, 1), where t − 1 vanishes at 1 alone."""
-    t = BSpline.identity(0, 1)
-    assert isinstance(extra_zero(2 * t * t - 1, t - 1), Between)
-    assert isinstance(extra_zero((2 * t * t - 1) * (t - 1), t - 1), Between)
-    assert extra_zero((t - 1) * (t - 1), t - 1) is None
-    assert extra_zero(t - 1, t) == At(mpq(1), from_left=True)
 
 
 def test_values_in_lowest_terms_are_compared_on_curves_alone():
