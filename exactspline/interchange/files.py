@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import os
 import stat
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import (
@@ -20,7 +20,6 @@ from exactspline.errors import (
     counted,
     written,
 )
-from exactspline.interchange.curve_files import surface_data
 from exactspline.interchange.examples import example_text, examples
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
@@ -98,13 +97,13 @@ def _format(source: Source, named: str | None) -> Format:
 
 
 def write(
-    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve],
+    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve] | Iterable[NurbsSurface],
     place: str | os.PathLike[str],
     format: str | None = None,
     *,
     rounding: bool = False,
 ) -> tuple[str, ...]:
-    """Write a curve, curves, or (as JSON) a surface in a format (by default chosen by the suffix) and return notes on
+    """Write a curve, curves, a surface, or surfaces in a format (by default chosen by the suffix) and return notes on
     what was lost.
 
     >>> import tempfile
@@ -129,13 +128,28 @@ def write(
 
 
 def _encoded(
-    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve], chosen: Format, rounding: bool
+    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve] | Iterable[NurbsSurface], chosen: Format, rounding: bool
 ) -> tuple[bytes, tuple[str, ...]]:
-    if not isinstance(given, NurbsSurface):
-        return encoded(given, chosen.name, rounding=rounding)
-    if chosen.name != "json":
-        raise CurveFileError(f"{chosen.title}: curves, no surfaces", remedy="surfaces are written as *.json")
-    return (json.dumps(surface_data(given), indent=1, ensure_ascii=False) + "\n").encode(), ()
+    several: Any = [given] if isinstance(given, (Nurbs, NurbsSurface)) else as_items(given, "curves or surfaces")
+    surfaces = [each for each in several if isinstance(each, NurbsSurface)]
+    if not surfaces:
+        return encoded(several, chosen.name, rounding=rounding)
+    if len(surfaces) < len(several):
+        raise CurveFileError("curves and surfaces", remedy="write them into two files")
+    return encoded_surfaces(surfaces, chosen.name, rounding=rounding)
+
+
+def encoded_surfaces(
+    surfaces: Sequence[NurbsSurface], format: str, *, rounding: bool = False
+) -> tuple[bytes, tuple[str, ...]]:
+    """The bytes that `write` writes of surfaces, and notes on what was lost."""
+    chosen = named_format(format)
+    if chosen.write_surfaces is None:
+        able = ", ".join(sorted(known.name for known in FORMATS if known.write_surfaces))
+        raise CurveFileError(f"{chosen.title}: no surfaces are written", remedy=f"these hold surfaces: {able}")
+    numbers = NumberText(rounding)
+    data = chosen.write_surfaces(surfaces, numbers)
+    return data, tuple([f"{numbers.rounded} numbers were rounded to doubles"] if numbers.rounded else [])
 
 
 def encoded(
