@@ -41,8 +41,8 @@ class Skipped:
 
 @dataclass(frozen=True)
 class Reading:
-    """The curves of a file in their order, its surfaces (without their trims), what was skipped, and notes that apply to
-    all of them (such as the unit of length).
+    """The curves of a file in their order, its surfaces (without their trims), what was skipped, and notes that apply
+    to all of them (such as the unit of length).
     """
 
     format: str
