@@ -10,7 +10,7 @@ import sysconfig
 from pathlib import Path
 
 SOURCE = Path(__file__).parent / "exactspline" / "programs" / "filter.c"
-LIBRARY = SOURCE.with_name("_filter.so")
+LIBRARY = SOURCE.with_name("filter.lib")
 #: Every operation rounds its own result: no contraction, no other order of operations.
 FLAGS = ("-std=c11", "-O2", "-shared", "-fPIC", "-ffp-contract=off", "-fno-fast-math", "-Wall", "-Wextra", "-Werror")
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from sphinx.cmd.build import build_main
 
-from docs.site import along, benchmarks, executed, page_data, pages
+from docs.site import along, benchmarks, executed, navigation, page_data, pages
 from docs.site.vendor import lay_out_mathjax, vendor
 from exactspline.verification.combined import computed_once
 
@@ -38,8 +38,6 @@ SOURCE = (
     ),
     *("exactspline", "docs", "notebooks", "proofs", "reading", "stubs", "tests", "workshop"),
 )
-#: The sections of the side bar, in order.
-SECTIONS = ("learn", "papers", "compute", "mathematics", "house")
 
 
 def main() -> int:
@@ -52,6 +50,7 @@ def main() -> int:
     shutil.copytree(DOCS / "play", play, ignore=shutil.ignore_patterns("__pycache__"))
     for kind in ("js", "css"):
         shutil.copy(PROJECT / "exactspline" / "display" / "plot" / f"turning.{kind}", play / "js")
+    shutil.copytree(HERE / "templates", source / "_templates")
     # other programs download and pack while the pages are computed here
     with ThreadPoolExecutor(1) as other:
         vendored = other.submit(_vendor, play / "vendor", source / "_static")
@@ -62,6 +61,8 @@ def main() -> int:
             _lay_out(source, claims)
         with _step("the library for the browser (downloads once)"):
             vendored.result()
+    for page in play.glob("*.html"):
+        navigation.fill(page, source)
     with _step("pages"):
         status = build_main(
             ["-b", "html", "-W", "--keep-going", "-q", "-d", str(BUILD / "doctrees"), str(source), str(target)]
@@ -126,8 +127,7 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
         book.write_text(re.sub(r"\]\(#[\w-]+\)", lambda m: m[0].lower(), text), encoding="utf-8")
     for section in HERE.glob("sections/*.md"):
         _add_contents(source / section.name)
-    names = [*SECTIONS, "reference"]
-    _append_contents(source / "index.md", names, hidden=True)
+    _append_contents(source / "index.md", list(navigation.SECTIONS), hidden=True)
 
 
 def _collect(page: Path, title: str, names: list[str]) -> None:

@@ -5,6 +5,8 @@ from pathlib import Path
 from docutils import nodes
 from PIL import Image
 
+from docs.site.navigation import context
+
 project = "exactspline"
 author = "the exactspline developers"
 copyright = "the exactspline developers"  # Sphinx's name
@@ -50,6 +52,15 @@ html_theme = "furo"
 html_title = "exactspline"
 html_favicon = "icon.svg"
 html_static_path = ["_static"]
+templates_path = ["_templates"]
+html_context = context()
+html_sidebars = {
+    "**": [
+        *(f"sidebar/{part}.html" for part in ("brand", "search", "scroll-start", "navigation")),
+        "interactive.html",
+        "sidebar/scroll-end.html",
+    ]
+}
 html_css_files = ["pages.css"]
 html_js_files = ["pages.js"]
 html_extra_path = ["_extra"]

@@ -25,6 +25,13 @@ from exactspline.verification.statement import statement
 
 CURVES = ("six_segment_cubic", "cubic_s", "rational_cubic", "ellipse", "cusp")
 DEGREES = range(2, 13)
+#: The first formula of the page that reduces.
+SAMPLE = """from exactspline.language import det
+
+
+def numerator(c):
+    return det(c.gamma.d(1), c.gamma.d(2))
+"""
 #: Inspected interactive 3-D surfaces, with their titles.
 TITLES = {
     "torus": "Torus: its two parabolic circles",
@@ -39,7 +46,13 @@ def write(folder: Path, ledger: list[dict[str, Any]]) -> None:
     shown = surfaces()
     (folder / "surfaces").mkdir(exist_ok=True)
     listed = [{key: one[key] for key in ("name", "title", "caption")} for one in shown]
-    told = {"curves": curves(), "degrees": degrees(), "claims": ledger, "surfaces": listed}
+    told: dict[str, Any] = {
+        "curves": curves(),
+        "first": first_answers(),
+        "degrees": degrees(),
+        "claims": ledger,
+        "surfaces": listed,
+    }
     told |= {f"surfaces/{one['name']}": one["scenes"] for one in shown}
     for name, made in told.items():
         (folder / f"{name}.json").write_text(json.dumps(made, ensure_ascii=False), encoding="utf-8")
@@ -52,6 +65,20 @@ def curves() -> list[dict[str, Any]]:
         asked = {"curve": curve, "variants": ["squaring", "paper", "minimal"]}
         made.append(curve | {"answers": {"features": page.features(curve), "forms": page.forms(asked)}})
     return made
+
+
+def first_answers() -> dict[str, Any]:
+    """What the pages show of their first curve, or formula, until the library runs."""
+    cubic = curve_data(xs.example("cubic_s"))
+    at = {"curve": cubic, "share": "20/60"}
+    sample = {"text": SAMPLE, "dimension": 2, "polynomial": False}
+    return {
+        "triangle": page.triangle(at),
+        "product": page.product(at | {"factors": ["x", "y"]}),
+        "bisector": page.bisector({"curve": cubic, "point": ["7/4", "3/2"]}),
+        "reduce": page.reduce(sample),
+        "sample": SAMPLE,
+    }
 
 
 def curve_data(curve: xs.Nurbs) -> dict[str, Any]:

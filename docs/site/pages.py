@@ -15,7 +15,6 @@ from typing import Any
 
 import exactspline as xs
 from exactspline.cli import app
-from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
 from exactspline.display.figures import FIGURES, make
 from exactspline.display.figures.plane import Drawn
@@ -24,6 +23,7 @@ from exactspline.display.ledger import summary
 from exactspline.display.numbers import Numbers
 from exactspline.display.quotations import parts
 from exactspline.display.sheet import in_markdown
+from exactspline.display.wrapping import code_lines
 from exactspline.errors import counted
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_of

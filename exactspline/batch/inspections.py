@@ -106,7 +106,7 @@ def inspected(
     inflection None 2.804 2.805
     inflection None 3.270 3.271
     >>> inspected(example("circle"), ["curvature_extrema"], 3)["curvature_extrema"]
-    (Found(kind='everywhere', parameter=None, low='0', high='4'),)
+    (Found(kind='everywhere', parameter=None, low='0', high='4', x=None, y=None, z=None, curvature=None),)
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """

@@ -140,7 +140,7 @@ def line_schema() -> dict[str, object]:
     """The JSON Schema of a line.
 
     >>> line_schema()["title"]
-    'exactspline/sweep_line, version 2'
+    'exactspline/sweep_line, version 3'
     """
     properties = {name: _form(kind) for name, kind in get_type_hints(Line).items() if name in DATA}
     properties["index"] |= {"minimum": 0}

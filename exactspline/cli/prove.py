@@ -111,11 +111,11 @@ def prove(
     found, kernel = _judged(judge, claims) if judge else (settled(tracked(tasks(claims, curves), "proving")), None)
     chosen = [row for row in found if not requested or row.verdict in requested]
     if html:
-        from exactspline.display.ledger_page import ledger_page
+        from exactspline.display.ledger_pages import ledger_page
 
         write_text(html, ledger_page(chosen))
     if report:
-        from exactspline.display.report import report as referee_report
+        from exactspline.display.ledger_pages import report as referee_report
 
         write_text(report, referee_report(claims, found))
     listed = rows or bool(claim or section or verdict) or len(claims) <= FEW

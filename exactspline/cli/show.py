@@ -69,9 +69,11 @@ def _list(out: Output, claims: Sequence[Claim]) -> None:
 def _print_theorems(found: list[Statement]) -> None:
     """For copying, so that lines are not broken."""
     from exactspline.display import console
-    from exactspline.display.theorem import theorem
+    from exactspline.display.theorem import PREAMBLE, theorem
 
     shown = console.console()
+    console.unbroken(shown, PREAMBLE)
+    shown.print()
     for each in found:
         console.unbroken(shown, theorem(each))
         shown.print()

@@ -122,8 +122,8 @@ def sweep(
     """
     from exactspline.batch.backends import check_backend
     from exactspline.batch.families import Family
-    from exactspline.batch.recorded import Where, recorded
     from exactspline.batch.summary import Summary
+    from exactspline.batch.sweep import Where, recorded
     from exactspline.batch.work import Work
 
     sources, work = _sources(corpus or [], random or []), Work.of(find, claim or (), digits, values)

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from rich.console import Console
 
 from exactspline.display import console
-from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
 from exactspline.display.numbers import Numbers
 from exactspline.display.sheet import Sheet
+from exactspline.display.wrapping import code_lines
 from exactspline.errors import counted
 from exactspline.verification.errata import Erratum
 

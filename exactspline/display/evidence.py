@@ -176,7 +176,7 @@ def _(item: e.DegreeFound, numbers: Numbers = EXACT) -> str:
         parts.append(f" (k, m, j = {', '.join(map(str, item.grading))})")
     if item.start > 1:
         parts.append(f"  (for d ≥ {item.start})")
-    for what, exceptions in (("lower", item.lower), ("0", item.zero)):
+    for what, exceptions in (("lower", item.lower), ("identically zero", item.zero)):
         if exceptions:
             parts.append(f" ({what} for d = {', '.join(map(str, exceptions))})")
     return "".join(parts)
@@ -184,7 +184,8 @@ def _(item: e.DegreeFound, numbers: Numbers = EXACT) -> str:
 
 @words.register
 def _(item: e.WrongDegree, numbers: Numbers = EXACT) -> str:
-    wrong = f"{item.degree}, not {item.relation.bound(item.claimed)}"
+    degree = item.degree if item.degree >= 0 else "identically zero"
+    wrong = f"{degree}, not {item.relation.bound(text(item.claimed))}"
     if item.at is None:
         return wrong
     where = " and ".join(f"{name} = {d}" for name, d in item.at)

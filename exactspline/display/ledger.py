@@ -228,14 +228,25 @@ def reasons(claims: Iterable[Claim], curve: Nurbs | NurbsSurface) -> str:
 
 
 def closing(rows: Sequence[Row]) -> str:
-    """The last line: how many rows there are of each verdict and whether any differs from the record."""
+    """The last line: the number of rows of each verdict, for all curves and on single ones, and how many differ from
+    the record.
+    """
     if not rows:
         return "no rows"
-    verdicts = Counter(row.verdict for row in rows)
     differ = sum(not row.as_recorded for row in rows)
-    parts = ", ".join(f"{verdicts[w]} {w}" for w in WORDS if verdicts[w])
     end = f"{differ} DIFFER from the record" if differ else "all as recorded"
+    general, single = [row for row in rows if not row.curve], [row for row in rows if row.curve]
+    if not general or not single:
+        return f"{counted(len(rows), 'row')}: {_verdicts(rows)}; {end}"
+    parts = (
+        f"{len(general)} for all curves ({_verdicts(general)}), {len(single)} on single curves ({_verdicts(single)})"
+    )
     return f"{counted(len(rows), 'row')}: {parts}; {end}"
+
+
+def _verdicts(rows: Iterable[Row]) -> str:
+    verdicts = Counter(row.verdict for row in rows)
+    return ", ".join(f"{verdicts[w]} {w}" for w in WORDS if verdicts[w])
 
 
 def said(row: Row) -> str:
@@ -244,8 +255,8 @@ def said(row: Row) -> str:
 
 
 def headline(rows: Sequence[Row]) -> str:
-    """The answer in a sentence: how many statements of the paper are refuted, of how many errors and on how many rows,
-    how many hold, and how many are neither.
+    """The answer for all curves in a sentence: how many statements of the paper are refuted, of how many errors and on
+    how many rows, how many hold, and how many are neither.
     """
     general = [row for row in rows if not row.curve]
     printed = count_statements((row.claim, row.verdict) for row in general)[Status.PRINTED]
@@ -254,7 +265,7 @@ def headline(rows: Sequence[Row]) -> str:
     refutations = f"{refuted} ({counted(printed.errors, 'error')}, {counted(lines, 'row')}); {printed.hold} hold"
     other = Counter(row.verdict for row in general if row.status == Status.PRINTED)
     rest = [f"{other[v]} {v.lower()}" for v in Verdict if other[v] and v not in (*HOLDS, REFUTED)]
-    return "; ".join([refutations, ", ".join(rest) if rest else "none is undecided"])
+    return "; ".join([refutations, ", ".join(rest) if rest else "none is undecided for all curves"])
 
 
 def summary(found: Mapping[Status, Counts]) -> str:

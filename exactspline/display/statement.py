@@ -25,6 +25,7 @@ def fields(s: Statement) -> list[tuple[str, str]]:
     for side in s.sides:
         rows += [(side.role, side.text), ("of which", f"{side.name}, {side.source}, degree {side.degrees}")]
     rows += [
+        ("where", "; ".join(each.text for each in s.defined)),
         ("claimed", claimed(c)),
         ("found", _found(s)),
         ("factor", worded(f.factor) if not isinstance(c, DegreeClaim | Identity) else ""),
@@ -56,6 +57,7 @@ def statement_data(s: Statement) -> dict[str, object]:
     return head | {
         "latex": s.latex,
         "sides": [vars(side) for side in s.sides],
+        "defined": [vars(each) for each in s.defined],
         "assumes": c.assumed,
         "divides_by": list(divisors(c)),
         "reading": s.reading,

@@ -1,25 +1,30 @@
 r"""A claim as a theorem of LaTeX with its proof: what is stated, with the formulas written out, and how it was decided.
 
-The text needs ``amsmath``, ``amssymb`` and ``amsthm``, ``\newtheorem{theorem}{Theorem}`` and
-``\newtheorem{conjecture}{Conjecture}``. What comes from a source is escaped.
+`PREAMBLE` is what the text needs. What comes from a source is escaped.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from exactspline.display.evidence import worded
+from exactspline.splines.control_points import Point
 from exactspline.verification.claims import claims_of
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import numbered, true_relation
-from exactspline.verification.evidence import ExactQuotient
+from exactspline.verification.evidence import ExactQuotient, OnExample
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.statement import Statement
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
 from exactspline.verification.vocabulary import Measure, Status
 
+#: The lines of the preamble that theorems need, as a comment.
+PREAMBLE = r"""% In the preamble:
+% \usepackage{amsmath,amssymb,amsthm}
+% \newtheorem{theorem}{Theorem}
+% \newtheorem{conjecture}{Conjecture}"""
 #: How claims of a kind are proved for all curves; of degrees, by what is measured.
 METHODS = {
     "identity": "Let the derivatives of the arguments be indeterminates. Both sides are quotients of polynomials in "
@@ -135,10 +140,15 @@ def _stated(s: Statement) -> Iterator[str]:
     else:
         yield f"{prose(begun(said))}.{assumed}"
         yield rf"\[ {in_mathematics(s.latex)} \]"
-    if s.sides:
-        yield "Here"
-        yield r"\begin{gather*}"
-        yield " \\\\\n".join(in_mathematics(side.latex) for side in s.sides)
+    yield from _displayed("Here", [side.latex for side in s.sides])
+    yield from _displayed("where", [each.latex for each in s.defined])
+
+
+def _displayed(word: str, formulas: Sequence[str]) -> Iterator[str]:
+    """Formulas below each other, after a word."""
+    if formulas:
+        yield from (word, r"\begin{gather*}")
+        yield " \\\\\n".join(map(in_mathematics, formulas))
         yield r"\end{gather*}"
 
 
@@ -159,6 +169,7 @@ def _proof(s: Statement) -> Iterator[str]:
         yield f"{prose(worded(f.factor))}."
     if f.witness and not isinstance(f.witness, ExactQuotient):
         yield f"Witness: {prose(worded(f.witness))}."
+        yield from _example(s)
     if f.assumptions:
         yield f"This uses {prose(', '.join(f.assumptions))}."
     if divided := divisors(c):
@@ -168,6 +179,25 @@ def _proof(s: Statement) -> Iterator[str]:
     judge = r" (\texttt{--judge sympy} and \texttt{--judge coq} ask others)" if c.equality is not None else ""
     again = rf"\texttt{{exactspline prove --claim {literal(c.key)}}}"
     yield rf"Judge: exactspline, reading \emph{{{s.reading}}}; {again}{judge}."
+
+
+def _example(s: Statement) -> Iterator[str]:
+    """The curve that a witness names, written out."""
+    w = s.finding.witness
+    if not isinstance(w, OnExample) or w.surface:
+        return
+    curve = s.claim.curve_named(w.name)
+    lists: dict[str, Iterable[object]] = {
+        "Knots": curve.knots,
+        "Control points": map(_point, curve.control_points),
+        "Weights": curve.weights,
+    }
+    parts = [f"{what}: ${', '.join(map(str, values))}$" for what, values in lists.items()]
+    yield f"The curve {prose(w.name)} has degree {curve.degree}. {'; '.join(parts)}."
+
+
+def _point(point: Point) -> str:
+    return f"({', '.join(map(str, point))})"
 
 
 def method(s: Statement) -> str:

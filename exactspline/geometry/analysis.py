@@ -1,6 +1,7 @@
 """One curve, one analysis: everything known of a curve is read from one lazy object that belongs to it. `analyse` makes
 it at the first call and keeps it with the curve. Each fact is computed when it is first needed and then kept; several
-threads may share it. An analysis is not part of the curve's value: it is not copied, pickled or compared.
+threads may share it. An analysis is not part of the curve's value: it is not compared, and a copied or pickled curve
+has none; a pickled analysis is that of its curve, computed anew.
 """
 
 from __future__ import annotations
@@ -165,7 +166,7 @@ class Analysis(SpaceFacts, Displayed):
 
         Raises `ShapeError` for a curve that is neither in the plane nor in space.
         """
-        if self._certain is not None:
+        if self._certain is not None and self._certain.only_extrema:
             return self.critical_points
         return self.critical_points.where(lambda f: f.kind is not FeatureKind.STATIONARY)
 

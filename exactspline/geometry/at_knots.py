@@ -7,15 +7,19 @@ Derivation: docs/certified-filter.md.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from typing import NamedTuple
 
 from flint import fmpz_poly
 
+from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Facts
+from exactspline.geometry.kinds import Feature
+from exactspline.geometry.plane_features import critical_points, flat_points
 from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, SPEED
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import raiser
+from exactspline.splines.nurbs import Nurbs
 
 #: Forms and weights below this are not used: products of their powers could underflow.
 SMALL = 2**-60
@@ -49,17 +53,17 @@ def is_straight(operands: Sequence[fmpz_poly], degree: int) -> bool:
 
 
 def jumps(
-    facts: Facts, ends: Sequence[Sequence[float]], weights: Sequence[Sequence[float]], straight: Container[int]
+    facts: Facts, ends: Sequence[Sequence[float]], weights: Sequence[Sequence[float]], others: Set[int]
 ) -> Iterator[Jump]:
-    """The changes of sign of κ and κ′ by a jump at the knots of a plane curve with γ′ ≠ 0.
+    """The changes of sign of κ and κ′ by a jump at the knots of a plane curve, except at the ends of `others`: straight
+    segments (a zero at an end of a straight piece belongs to the piece), and those that are decided exactly.
 
     `ends`: for every segment and output the ordinates at both ends, each followed by a bound of its error; these signs
-    are certain, except on `straight` segments. `weights`: the weight function at both ends.
+    are certain, and γ′ ≠ 0. `weights`: the weight function at both ends.
     """
     continuity = facts.curve.p[0].continuity
     for i in range(0 if facts.closed else 1, len(ends)):
-        if straight and (i in straight or (i - 1) % len(ends) in straight):
-            # a zero at an end of a straight piece belongs to the piece
+        if others and (i in others or (i - 1) % len(ends) in others):
             continue
         left, right = ends[i - 1], ends[i]
         bends, turns = ((left[4 * k + 2] > 0) != (right[4 * k] > 0) for k in (CURVATURE, CRITICAL))
@@ -73,6 +77,30 @@ def jumps(
             yield Jump(CURVATURE, i, 1 if left[4 * CURVATURE + 2] > 0 else -1)
         elif smooth >= 2 or (not _differ(left, right, weights[i - 1][1], weights[i][0]) and facts.same_curvature(i)):
             yield Jump(CRITICAL, i, 1 if left[4 * CRITICAL + 2] > 0 else -1)
+
+
+def on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]] | None:
+    """The zeros of κ and of κ′ on some segments of a curve and at their ends, by exact arithmetic on these segments
+    and one more on both sides. None where the whole curve must be decided: at a seam, where γ′ or a form vanishes on a
+    whole segment, and where there are many such segments.
+    """
+    count = curve.segments
+    if 2 * len(left) > count or (curve.closed and not left.isdisjoint((0, count - 1))):
+        return None
+    found: tuple[list[Feature], list[Feature]] = ([], [])
+    starts = [i for i in sorted(left) if i - 1 not in left]
+    ends = [i for i in sorted(left) if i + 1 not in left]
+    for start, end in zip(starts, ends, strict=True):
+        first, last = max(start - 1, 0), min(end + 2, count)
+        facts = Facts(curve.restrict(curve.breakpoints[first], curve.breakpoints[last]))
+        own = slice(start - first, end + 1 - first)
+        forms = facts.zero_form("zero_curvature"), facts.zero_form("critical_curvature")
+        if facts.closed or any(facts.standing[own]) or any(None in form.zeros.isolations[own] for form in forms):
+            return None
+        low, high = curve.breakpoints[start], curve.breakpoints[end + 1]
+        for features, exact in zip(found, (flat_points(facts), critical_points(facts, Variant.MINIMAL)), strict=True):
+            features += [feature for feature in exact if low <= feature.root <= high]
+    return found
 
 
 def _differ(left: Sequence[float], right: Sequence[float], v: float, w: float) -> bool:

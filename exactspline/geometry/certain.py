@@ -5,25 +5,31 @@ the numbers in them are exact.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.geometry.at_knots import Jump, is_straight, jumps
+from exactspline.geometry.at_knots import Jump, is_straight, jumps, on_runs
 from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Facts
+from exactspline.geometry.joints import end_direction
 from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, plane_program
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import ONE
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
 from exactspline.programs.accelerator import SegmentZero, signs
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
+
+#: A zero of κ or κ′.
+Found = SegmentZero | Jump | Feature
 
 
 @dataclass
@@ -74,15 +80,15 @@ class LateZero:
 
 @dataclass
 class Certain:
-    """What is certain of a plane curve: its zeros of κ and κ′ in the order of the parameter; it has no others, no
-    singular point, and no arc of a circle.
+    """What is certain of a plane curve: its zeros of κ and κ′ at regular points, in the order of the parameter; it has
+    no others, and no arc of a circle. Those on segments that are not certain in doubles are exact features.
     """
 
     degree: int
     rational: bool
     operands: tuple[BSpline, ...]
-    zeros: tuple[list[SegmentZero | Jump], list[SegmentZero | Jump]]
-    #: The sign of κ at every zero of κ′.
+    zeros: tuple[list[Found], list[Found]]
+    #: The sign of κ at every zero of κ′ that is not a feature already.
     curvature_signs: list[int]
     #: The straight pieces: all pieces of constant curvature.
     straight: tuple[CurvePiece, ...]
@@ -94,8 +100,13 @@ class Certain:
 
     @property
     def critical_points(self) -> Places[Feature]:
-        """The extrema of the curvature: all its critical points."""
+        """The extrema of the curvature, and the points where κ′ = 0 without one."""
         return self._places(CRITICAL)
+
+    @property
+    def only_extrema(self) -> bool:
+        """Whether all critical points are known to be extrema."""
+        return not any(isinstance(zero, Feature) for zero in self.zeros[CRITICAL])
 
     def _places(self, output: int) -> Places[Feature]:
         return Places.late(len(self.zeros[output]), partial(self._features, output), self.straight)
@@ -105,6 +116,9 @@ class Certain:
         forms: dict[int, tuple[SegmentForm, Interval]] = {}
         breaks, found, number = self.operands[0].mesh.breaks, [], 0
         for k, zero in enumerate(self.zeros[output]):
+            if isinstance(zero, Feature):
+                found.append(zero)
+                continue
             if isinstance(zero, Jump):
                 root = Root(breaks[zero.knot], breaks[zero.knot], (0, 0), (zero.before, -zero.before))
             else:
@@ -131,7 +145,8 @@ class Certain:
 
 
 def certain(facts: Facts) -> Certain | None:
-    """What is certain of a curve; None where exact arithmetic must decide, and without the extension.
+    """What is certain of a curve; None where exact arithmetic must decide, as without the extension for all curves but
+    polygons.
 
     >>> from exactspline import analyse, example
     >>> known = certain(analyse(example("six_segment_cubic")))
@@ -139,6 +154,8 @@ def certain(facts: Facts) -> Certain | None:
     True
     """
     curve, rational = facts.curve, not facts.curve.polynomial
+    if curve.degree == 1 and curve.dimension == 2:
+        return _polygon(facts)
     operands = (*facts.operands.p, facts.operands.w) if rational else tuple(facts.operands.p)
     below = operands[0].denominators
     if curve.dimension != 2 or any(x.denominators != below for x in operands):
@@ -146,23 +163,30 @@ def certain(facts: Facts) -> Certain | None:
     found = signs(plane_program(curve.degree, rational), [x._polynomials for x in operands], below, rational=rational)
     if found is None:
         return None
-    straight = set[int]()
+    straight, left = set[int](), set[int]()
     for i, (open_, slow) in enumerate(found.open):
-        if slow or (open_ and not is_straight([x._polynomials[i] for x in operands], curve.degree)):
+        if slow:
+            left.add(i)
+        elif open_:
+            (straight if is_straight([x._polynomials[i] for x in operands], curve.degree) else left).add(i)
+    zeros: tuple[list[Found], list[Found]] = ([], [])
+    if left:
+        exactly = on_runs(curve, left)
+        if exactly is None:
             return None
-        if open_:
-            straight.add(i)
-    zeros: tuple[list[SegmentZero | Jump], ...] = ([], [])
+        zeros[CURVATURE].extend(exactly[CURVATURE])
+        zeros[CRITICAL].extend(exactly[CRITICAL])
+    others = straight | left
     for zero in found.zeros:
-        if zero.segment not in straight:
+        if zero.segment not in others:
             zeros[zero.output].append(zero)
-    at_knots = list(jumps(facts, found.ends, found.weights, straight))
-    if at_knots:
+    at_knots = list(jumps(facts, found.ends, found.weights, others))
+    if at_knots or left:
         for jump in at_knots:
             zeros[jump.output].append(jump)
         for own in zeros:
-            own.sort(key=_place)
-    bends = [zero for zero in found.zeros if zero.output == CURVATURE]
+            own.sort(key=partial(_place, facts.breaks))
+    bends = [zero for zero in zeros[CURVATURE] if isinstance(zero, SegmentZero)]
     curvature_signs = [_sign_at(zero, found.ends, bends) for zero in zeros[CRITICAL]]
     if 0 in curvature_signs:
         return None
@@ -170,13 +194,27 @@ def certain(facts: Facts) -> Certain | None:
     return Certain(curve.degree, rational, operands, (zeros[CURVATURE], zeros[CRITICAL]), curvature_signs, pieces)
 
 
-def _place(zero: SegmentZero | Jump) -> tuple[int, float]:
-    """In the order of the parameter: a knot before what is on the segment behind it."""
-    return (zero.knot, -1) if isinstance(zero, Jump) else (zero.segment, zero.low)
+def _polygon(facts: Facts) -> Certain | None:
+    """What is certain of a curve of degree 1 that nowhere stands still."""
+    segments = range(facts.curve.segments)
+    if not all(any(end_direction(facts.operands, i, Side.LEFT)) for i in segments):
+        return None
+    return Certain(1, False, tuple(facts.operands.p), ([], []), [], facts.straight_runs(set(segments)))
 
 
-def _sign_at(zero: SegmentZero | Jump, ends: Sequence[Sequence[float]], bends: Sequence[SegmentZero]) -> int:
+def _place(breaks: Sequence[mpq], zero: Found) -> tuple[int, float]:
+    """In the order of the parameter: a knot before what is on the segment behind it. Features are alone on their
+    segments, in order.
+    """
+    if isinstance(zero, Feature):
+        return bisect_right(breaks, zero.root.low) - 1, 0 if zero.at_knot else 1
+    return (zero.knot, 0) if isinstance(zero, Jump) else (zero.segment, 1 + zero.low)
+
+
+def _sign_at(zero: Found, ends: Sequence[Sequence[float]], bends: Sequence[SegmentZero]) -> int:
     """The sign of κ at a zero of κ′, 0 where it is too close to a zero of κ."""
+    if isinstance(zero, Feature):
+        return 1
     segment = zero.knot if isinstance(zero, Jump) else zero.segment
     sign = 1 if ends[segment][4 * CURVATURE] > 0 else -1
     if isinstance(zero, Jump):

@@ -19,6 +19,8 @@ Constant = int | mpz | mpq | Fraction
 CONSTANTS = (int, type(mpz()), type(mpq()), Fraction)
 #: The highest order of a derivative that can be requested.
 MOST_DERIVATIVES = 1000
+#: The largest exponent of a power, which is multiplied factor by factor.
+MOST_POWER = 10_000
 
 
 D_co = TypeVar("D_co", covariant=True)
@@ -210,6 +212,10 @@ class Operand(Displayed, ABC):
     def __pow__(self, exponent: int) -> Self:
         if not isinstance(exponent, int) or exponent < 1:
             raise FormulaError(f"a power with exponent {exponent!r}", remedy="use a positive integer")
+        if exponent > MOST_POWER:
+            raise FormulaError(
+                f"a power with exponent {exponent}", remedy=f"at most {MOST_POWER} factors are multiplied"
+            )
         result = self
         for _ in range(exponent - 1):
             result = result * self

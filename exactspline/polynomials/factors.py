@@ -33,6 +33,9 @@ G = TypeVar("G", fmpz_poly, fmpq_poly, fmpz_mpoly, fmpq_mpoly)
 FACTOR, SQUARE_FREE, DIVISOR = {1: 1500, 2: 4000}, {1: 250, 2: 3000}, 600
 #: Nanoseconds per term in more variables, and per 1000 bits of it (measured: 3 to 50 microseconds).
 TERM = 50_000
+#: Nanoseconds per term and cube of the largest degree in a variable, in more than three variables (measured: 45 to 65
+#: for the sum of two powers of trinomials, of degrees 20 to 40).
+TERM_DEGREE = 70
 #: Nanoseconds of a greatest common divisor in many variables, for a term of both polynomials: with short coefficients
 #: (measured: 0.3 to 6 microseconds), times the degree in up to four variables (measured: 0.3 to 3); and the coefficient
 #: bits that double the former.
@@ -276,7 +279,8 @@ def _cost(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly, per_bit: dict[int, int]) -> in
     if not degrees:
         return 0
     if len(degrees) > 2:
-        return len(p) * TERM * (1 + _bits(p) // 1000)
+        steep = TERM_DEGREE * max(degrees) ** 3 if len(degrees) > 3 else 0
+        return len(p) * (TERM * (1 + _bits(p) // 1000) + steep)
     for d in degrees:
         terms *= d + 1
     cost = terms * _bits(p) * per_bit[len(degrees)]

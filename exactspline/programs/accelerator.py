@@ -23,9 +23,9 @@ from exactspline.programs.instructions import UNIT, ZERO
 from exactspline.programs.masses import factors, known_of
 from exactspline.programs.program import Program
 
-#: The compiled extension: beside this file, absent where there was no compiler; or the file that this environment
-#: variable names ("none": run without it).
-LIBRARY = environ.get("EXACTSPLINE_EXTENSION") or str(Path(__file__).with_name("_filter.so"))
+#: The compiled extension, which is not a module of Python: beside this file, absent where there was no compiler; or
+#: the file that this environment variable names ("none": run without it).
+LIBRARY = environ.get("EXACTSPLINE_EXTENSION") or str(Path(__file__).with_name("filter.lib"))
 #: The roundings of an operand: numerator, denominator (twice, for it is divided by), quotient.
 ROUNDINGS = 4
 #: The numbers of the instructions in C.

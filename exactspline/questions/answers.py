@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import Any, Generic, Self, TypeVar, overload
+from typing import Generic, Self, TypeVar, overload
 
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box, Interval
@@ -105,11 +105,12 @@ class Answer(Sequence[T_co], Generic[T_co, W]):
         vars(answer).update(everywhere=everywhere, _late=(count, make))
         return answer
 
-    def __getattr__(self, name: str) -> Any:
-        if name != "points" or "_late" not in vars(self):
+    def __getattr__(self, name: str) -> tuple[T_co, ...]:
+        kept = vars(self)
+        if name != "points" or "_late" not in kept:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-        points = self._late[1]()
-        vars(self)["points"] = points
+        points: tuple[T_co, ...] = kept["_late"][1]()
+        kept["points"] = points
         return points
 
     def __getstate__(self) -> dict[str, object]:

@@ -27,6 +27,9 @@ from exactspline.polynomials.factorization import superscript
 from exactspline.polynomials.factors import bounded_product
 
 PRIMES = ("", "′", "″", "‴")
+#: The largest number of indeterminates: every term stores an exponent for each, and FLINT ends the process where it
+#: lacks memory.
+MOST_VARIABLES = 4000
 
 
 #: The terms of a polynomial: exponents, numerator and denominator of each.
@@ -63,6 +66,11 @@ class JetRing:
         self.constants = tuple(name for name, symbol in self.symbols.items() if not symbol.parameters)
         self.variables = [(s.name, orders) for s in free for orders in orders_up_to(order, len(s.parameters))]
         self.variables += [(name, (0,)) for name in (*self.rules, *self.constants)]
+        if len(self.variables) > MOST_VARIABLES:
+            raise FormulaError(
+                f"derivatives of order {order}, {len(self.variables)} indeterminates",
+                remedy=f"at most {MOST_VARIABLES} are allowed: take derivatives of lower order",
+            )
         names = [name + "_".join(map(str, orders)) for name, orders in self.variables]
         self.context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
         self.gens = self.context.gens()

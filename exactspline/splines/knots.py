@@ -96,7 +96,10 @@ class KnotVector(Immutable):
 
     def insert(self, t: Number, times: int = 1) -> KnotVector:
         """The vector with t inserted this many more times."""
-        return KnotVector(sorted([*self.knots, *[rational(t)] * times]))
+        t = rational(t)
+        place, made = bisect_right(self.knots, t), object.__new__(KnotVector)
+        fill(made, knots=(*self.knots[:place], *[t] * times, *self.knots[place:]), _known={})
+        return made
 
     def domain(self, degree: int) -> Interval:
         """``[t_n, t_{N−n}]`` for a spline of degree n with knots t_0 … t_N."""
@@ -207,6 +210,19 @@ class Mesh(Immutable):
         """Local parameter of t on segment i."""
         a = self.breaks[i]
         return (t - a) / (self.breaks[i + 1] - a)
+
+    def refined(self, i: int, t: mpq) -> Mesh:
+        """The mesh with a breakpoint inside its i-th segment.
+
+        >>> Mesh([mpq(0), mpq(2)]).refined(0, mpq(1)).breaks
+        (mpq(0,1), mpq(1,1), mpq(2,1))
+        """
+        breaks, widths = self.breaks, self.widths
+        both = Mesh((breaks[i], t, breaks[i + 1]))
+        made = object.__new__(Mesh)
+        breaks = (*breaks[: i + 1], t, *breaks[i + 1 :])
+        fill(made, breaks=breaks, widths=(*widths[:i], *both.widths, *widths[i + 1 :]), unit=False)
+        return made
 
     def union(self, other: Mesh) -> Mesh:
         """The breakpoints of both; raises `DomainError` when the domains differ."""

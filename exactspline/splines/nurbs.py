@@ -25,8 +25,10 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import splines_over, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.given import checked_degree
+from exactspline.splines.insertion import inserted, is_clamped
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.nurbs_operations import mapped, same_quotients
+from exactspline.splines.refinement import insertable
 
 
 def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
@@ -309,7 +311,22 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
         Raises `DomainError` outside the domain and at its ends, `KnotError` where the multiplicity would exceed
         degree + 1.
         """
-        return changed(self, lambda f: f.insert_knot(t, times))
+        t, _ = insertable(self.p[0], t, times)
+        splines = list(self.p) if self.polynomial else [*self.p, self.w]
+        shared = all(f.denominators == splines[0].denominators for f in splines)
+        if not (shared and is_clamped(self.knots, self.degree)):
+            return changed(self, lambda f: f.insert_knot(t, times))
+        made = inserted(splines, t, times)
+        count = len(self.knots) + times - self.degree - 1
+        if self.polynomial:
+            points, weights = tuple(zip(*[f.control_points for f in made], strict=True)), (mpq(1),) * count
+        else:
+            rows = list(zip(*[f.control_points for f in made], strict=True))
+            points, weights = tuple(map(projected, rows)), made[-1].control_points
+        curve = object.__new__(Nurbs)
+        vars(curve).update(_of_splines(made, points, weights, polynomial=self.polynomial))
+        vars(curve).update(name=self.name, source="", note="")
+        return curve
 
     def elevate_degree(self, by: int = 1) -> Nurbs:
         """The same curve, its degree raised.
@@ -378,11 +395,19 @@ def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: 
     knots.check_count(degree, len(points))
     rows = points if polynomial else [(*lifted(x, w), w) for x, w in zip(points, weights, strict=True)]
     splines = splines_over(degree, knots, list(zip(*rows, strict=True)))
-    w = splines[0].constant(1) if polynomial else splines.pop()
     if not polynomial:
-        _check_weight(w)
-    operands = Curve(Vector(*splines), w, polynomial=polynomial)
-    return vars(operands) | {"degree": degree, "knots": knots, "control_points": points, "weights": weights}
+        _check_weight(splines[-1])
+    return _of_splines(splines, points, weights, polynomial=polynomial)
+
+
+def _of_splines(
+    splines: Sequence[BSpline], points: tuple[Point, ...], weights: tuple[mpq, ...], *, polynomial: bool
+) -> dict[str, object]:
+    """The fields of a curve with these components, the last of them its weight function where it is rational."""
+    f, *_ = splines
+    p, w = (splines, f.constant(1)) if polynomial else (splines[:-1], splines[-1])
+    operands = Curve(Vector(*p), w, polynomial=polynomial)
+    return vars(operands) | {"degree": f.degree, "knots": f.knots, "control_points": points, "weights": weights}
 
 
 def _exact(value: float, snap: bool) -> mpq:

@@ -150,20 +150,28 @@ def _inner(f: Piecewise, given: Number) -> mpq:
     return t
 
 
-def insert_knot(f: S, t: Number, times: int = 1) -> S:
-    """The same function with one more knot (or several) at a parameter inside the domain."""
+def insertable(f: Piecewise, t: Number, times: int) -> tuple[mpq, int]:
+    """The parameter at which knots are to be inserted, and the continuity that remains there."""
     t = _inner(f, t)
     if type(times) is not int or times < 1:
         raise KnotError(f"{shown(times)} knots to insert", remedy="insert an integer of them, at least one")
-    g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
-    position = g.mesh.breaks.index(t) - 1
-    lowered = min(g.continuity[position], f.degree) - times
+    breaks = f.mesh.breaks
+    continuity = f.continuity[breaks.index(t) - 1] if t in breaks else SMOOTH
+    lowered = min(continuity, f.degree) - times
     if lowered < -1:
         raise KnotError(
             f"{text(t)} would get multiplicity {f.degree - lowered}",
             remedy=f"at most degree + 1 = {f.degree + 1}",
             knot=t,
         )
+    return t, lowered
+
+
+def insert_knot(f: S, t: Number, times: int = 1) -> S:
+    """The same function with one more knot (or several) at a parameter inside the domain."""
+    t, lowered = insertable(f, t, times)
+    g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
+    position = g.mesh.breaks.index(t) - 1
     return type(f).from_forms(f.degree, g.mesh, _replaced(g.continuity, position, lowered), g.forms)
 
 

@@ -235,7 +235,8 @@ def name_of(jet: Jet) -> tuple[str, mpq]:
             quotient = jet.polynomial.leading_coefficient() / other.polynomial.leading_coefficient()
             if jet.polynomial == other.polynomial * quotient:
                 return name, from_flint(quotient)
-    return f"({polynomial_text(jet)})", mpq(1)
+    text = polynomial_text(jet)
+    return (f"({text})" if " " in text else text), mpq(1)
 
 
 def name_of_vector(core: Sequence[Jet]) -> tuple[str, mpq]:

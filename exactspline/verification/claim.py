@@ -39,7 +39,7 @@ from exactspline.verification.evidence import (
     Undefined,
     UndefinedAt,
 )
-from exactspline.verification.notation import WEIGHTS, symbol
+from exactspline.verification.notation import WEIGHTS, spelled
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names, one_patch_surfaces
 from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import (
@@ -343,14 +343,22 @@ class Claim(Immutable, Displayed):
         """Whether it is about two curves."""
         return isinstance(kind_of(self.curve), PairKind)
 
+    def shown(self, name: str) -> str:
+        """The symbol of a formula; empty where it has none, or where another formula of the claim has the same."""
+        own = self.find(name).symbol
+        others = (self.find(other).symbol for other in self.named if other != name)
+        return "" if own in others else own
+
     def symbol(self, name: str) -> str:
         """The LaTeX name of a formula of its paper."""
-        return symbol(name, self.find)
+        return self.shown(name) or spelled(name)
 
     @property
     def assumed(self) -> str:
         """Context and assumptions in words."""
-        return "; ".join([*([self.context] if self.context else []), *[each.words for each in self.assumes]])
+        polynomial = ["polynomial: w = 1"] if self.of == Scope.POLYNOMIAL else []
+        context = [self.context] if self.context else []
+        return "; ".join([*context, *polynomial, *[each.words for each in self.assumes]])
 
     @property
     def dimensions(self) -> tuple[int, ...]:

@@ -143,8 +143,8 @@ def _symbol(claim: Claim, name: str) -> Name:
 
 
 def name_of(claim: Claim, formula: str) -> Name:
-    """A formula of a claim by its symbol, by its name where it has none."""
-    symbol = claim.find(formula).symbol
+    """A formula of a claim by its symbol, by its name where that does not tell which."""
+    symbol = claim.shown(formula)
     return Name(symbol_text(symbol) if symbol else formula)
 
 

@@ -91,7 +91,12 @@ def symbol(name: str, find: Callable[[str], Formula] = find_anywhere) -> str:
     >>> symbol("f2"), symbol("evolute_contact_1")
     ('f_2', '\\mathrm{evolute\\_contact\\_1}')
     """
-    return find(name).symbol or rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
+    return find(name).symbol or spelled(name)
+
+
+def spelled(name: str) -> str:
+    """The name of a formula as LaTeX."""
+    return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
 
 
 def degree_latex(claimed: str) -> str:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
+from itertools import chain
 
 from exactspline.errors import InapplicableError
 from exactspline.hooks import Displayed
@@ -17,9 +18,10 @@ from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
 from exactspline.readings.degree import Degree, DegreeReading
+from exactspline.readings.expression import Operation
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
-from exactspline.readings.tree import Node, trace
+from exactspline.readings.tree import Node, nodes, trace
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
 from exactspline.verification.combined import combined
@@ -29,6 +31,8 @@ from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Name, Scope
 
 NAIVE, REDUCED = "naive", "reduced"
+#: The parts of a formula that stand for something: formulas that it calls, roots, the parameter along a line.
+DEFINED = (Operation.NAMED, Operation.LEAF, Operation.RULED)
 
 
 @dataclass(frozen=True)
@@ -52,12 +56,29 @@ class Side:
 
 
 @dataclass(frozen=True)
+class Definition:
+    """What a letter in the formulas of a claim stands for, as text and as LaTeX."""
+
+    text: str
+    latex: str
+
+
+#: The roots that are adjoined to curves with frames, and the parameter of ruled surfaces.
+ROOTS = {
+    "sigma": Definition("σ = ‖γ′‖", r"\sigma = \|\gamma'\|"),
+    "rho": Definition("ρ = ‖γ′ × γ″‖", r"\rho = \|\gamma' \times \gamma''\|"),
+}
+PARAMETER = Definition("ζ runs along the line", r"\zeta \in \mathbb{R}")
+
+
+@dataclass(frozen=True)
 class Statement(Displayed):
-    """A claim with its sides and its verdict for all curves."""
+    """A claim with its sides, the letters that these contain, and its verdict for all curves."""
 
     claim: Claim
     latex: str
     sides: tuple[Side, ...]
+    defined: tuple[Definition, ...]
     reading: Name
     finding: Finding
 
@@ -84,7 +105,7 @@ def statements(claim_id: str) -> Iterator[Statement]:
 def statement(claim: Claim) -> Statement:
     """A claim written out, with its combined verdict: the proof, compared with the example curves."""
     reading, finding = combined(claim)
-    return Statement(claim, claim.latex, sides(claim), reading, finding)
+    return Statement(claim, claim.latex, sides(claim), definitions(claim), reading, finding)
 
 
 def sides(claim: Claim) -> tuple[Side, ...]:
@@ -100,10 +121,35 @@ def sides(claim: Claim) -> tuple[Side, ...]:
     return tuple(_side(name, roles.get(name, "formula"), claim) for name in ranked)
 
 
+def definitions(claim: Claim) -> tuple[Definition, ...]:
+    """What the letters stand for that are in the formulas of a claim, or in these definitions.
+
+    >>> sorted(each.text for each in definitions(select(["C4.1a"])[0]))
+    ['D1 = p′ w − p w′', 'D2 = p″ w − p w″']
+    """
+    found: dict[str, Definition | None] = {symbol_text(claim.shown(name)): None for name in claim.named}
+    for node in chain.from_iterable(nodes(_tree(name, claim)) for name in dict.fromkeys(claim.named)):
+        if node.op not in DEFINED:
+            continue
+        text = print_text(node)
+        if node.op is Operation.LEAF:
+            found.setdefault(text, ROOTS.get(str(node.value)))
+        elif node.op is Operation.RULED:
+            found.setdefault("ζ", PARAMETER)
+        elif (meaning := print_text(body := node.args[0])) != text:
+            found.setdefault(text, Definition(f"{text} = {meaning}", f"{print_latex(node)} = {print_latex(body)}"))
+    return tuple(each for each in found.values() if each)
+
+
+def _tree(name: str, claim: Claim) -> Node:
+    formula = claim.find(name)
+    return telling_tree(formula, dimension_of(formula, claim))
+
+
 def _side(name: str, role: str, claim: Claim) -> Side:
     formula = claim.find(name)
-    tree = telling_tree(formula, dimension_of(formula, claim))
-    shown = symbol_text(formula.symbol) if formula.symbol else name
+    tree = _tree(name, claim)
+    shown = symbol_text(claim.shown(name)) or name
     degrees = [_degrees(name, claim, polynomial) for polynomial in (False, True)]
     return Side(
         role,

@@ -21,9 +21,9 @@ from exactspline.batch.corpus import Problem, items
 from exactspline.batch.families import Family
 from exactspline.batch.inspections import asked_by_sweeps, enclosed
 from exactspline.batch.lines import line_schema
-from exactspline.batch.recorded import Where, recorded
 from exactspline.batch.results import JsonLines, ResultsError
 from exactspline.batch.summary import Summary
+from exactspline.batch.sweep import Where, recorded
 from exactspline.batch.work import Work
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, ExactSplineError, FormulaError

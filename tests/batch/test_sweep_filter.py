@@ -14,13 +14,13 @@ from hypothesis import strategies as st
 
 import exactspline as xs
 from exactspline import Nurbs
-from exactspline.batch import asked, backends, inspections
+from exactspline.batch import backends, inspections, work
 from exactspline.batch.corpus import items
 from exactspline.batch.families import Family
 from exactspline.batch.lines import Way
-from exactspline.batch.recorded import Where, recorded
 from exactspline.batch.results import JsonLines
 from exactspline.batch.summary import Summary
+from exactspline.batch.sweep import Where, recorded
 from exactspline.batch.work import FILTERED_DIGITS, Work
 from exactspline.numbers.exact import mpq
 
@@ -36,7 +36,7 @@ SHARED = Path(os.environ.get("EXACTSPLINE_CURVES", Path(__file__).resolve().pare
 @pytest.fixture(autouse=True)
 def _always_asked(monkeypatch):
     """The filter is asked of any number of curves."""
-    monkeypatch.setattr(asked, "TOGETHER", 1)
+    monkeypatch.setattr(work, "TOGETHER", 1)
 
 
 def same_lines(curves, **how):
@@ -327,7 +327,7 @@ def test_what_the_filter_said_comes_back_from_other_processes():
 def test_without_numpy_all_is_exact_and_the_summary_says_so(monkeypatch):
     family = Family.parsed("degree=3 count=20 seed=16")
     expected = list(xs.sweep(family))
-    monkeypatch.setattr(asked, "find_spec", lambda name: None)
+    monkeypatch.setattr(work, "find_spec", lambda name: None)
     summary, lines = Summary(), list(xs.sweep(family))
     for line in lines:
         summary.add(line)

@@ -13,9 +13,9 @@ import pytest
 import exactspline as xs
 from exactspline.batch.corpus import Problem
 from exactspline.batch.families import Family
-from exactspline.batch.recorded import Where, recorded
 from exactspline.batch.results import ResultsError
 from exactspline.batch.summary import Summary
+from exactspline.batch.sweep import Where, recorded
 from exactspline.batch.work import Work
 from exactspline.interchange.curve_files import curve_data
 from tests.batch.test_sweep import run

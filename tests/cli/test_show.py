@@ -9,10 +9,11 @@ from click.testing import CliRunner
 from exactspline.cli import app
 from exactspline.display.theorem import in_mathematics, prose, theorem
 from exactspline.errors import ClaimError
+from exactspline.interchange.examples import example
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.evidence import Fact
-from exactspline.verification.statement import Statement, sides
+from exactspline.verification.statement import Statement, definitions, sides, statements
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 
 runner = CliRunner()
@@ -78,9 +79,26 @@ def test_every_text_of_every_claim_is_latex_that_can_be_set():
 def test_a_theorem_of_any_verdict_can_be_set(verdict):
     for claim in claims_in(papers())[::40]:
         finding = Finding(verdict, witness=Fact.NOWHERE if verdict == REFUTED else None)
-        told = theorem(Statement(claim, claim.latex, sides(claim), claim.reading, finding))
+        told = theorem(Statement(claim, claim.latex, sides(claim), definitions(claim), claim.reading, finding))
         assert can_be_set(told)
         assert ("conjecture" in told) == (verdict == UNDECIDED)
+
+
+def test_a_theorem_is_complete_in_itself():
+    """Letters were not defined, the two sides of C4.3a were both E, and a counterexample was a name only."""
+    (evolute, *_), (printed, *_) = (list(statements(wanted)) for wanted in ("C4.3a", "C6.2g"))
+    assert {each.text for each in evolute.defined} >= {"D1 = p′ w − p w′", "f0 = [γ′ γ″]", "f1 = [D1 D2]"}
+    assert r"\mathrm{evolute} = \mathrm{evolute\_reduced}" in theorem(evolute)
+    assert "D_1 = p'" in theorem(evolute)
+    curve = example("ellipse_in_space")
+    assert f"Knots: ${', '.join(map(str, curve.knots))}$" in theorem(printed)
+    assert r"\usepackage{amsmath" in show("C4.1a", "--latex")
+
+
+def test_every_letter_of_a_formula_is_defined_with_it():
+    (_, _, along_tangent, *_) = statements("C5.4a")
+    assert [each.text for each in along_tangent.defined] == ["B = γ′ × γ″"]
+    assert "where: B = γ′ × γ″" in show(along_tangent.claim.key)
 
 
 def test_what_others_write_cannot_be_a_command():

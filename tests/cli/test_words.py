@@ -12,12 +12,12 @@ import pytest
 from exactspline import examples
 from exactspline.cli.commands import leaves
 from exactspline.cli.schema import schema_of, schemas
-from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
 from exactspline.display.glossary import meaning, terms
 from exactspline.display.ledger import WORDS
-from exactspline.display.ledger_page import ledger_page
+from exactspline.display.ledger_pages import ledger_page
 from exactspline.display.numbers import Numbers
+from exactspline.display.wrapping import code_lines
 from exactspline.geometry.bisector.components import Solutions
 from exactspline.geometry.bisector.trimmed import PieceKind
 from exactspline.geometry.intersections import IntersectionKind

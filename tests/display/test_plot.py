@@ -59,7 +59,7 @@ def critical(curve, form):
 def test_a_curve_is_drawn_segment_by_segment_through_its_exact_points(name):
     curve = example(name)
     ax = plot.plot_curve(curve)
-    drawn = lines(ax, name) + lines(ax, "_segment")
+    drawn = lines(ax, name.replace("_", " ")) + lines(ax, "every second segment") + lines(ax, "_segment")
     assert len(drawn) == curve.segments
     assert len({line.get_color() for line in drawn}) == min(2, curve.segments)
     for line, (a, b) in zip(drawn, pairwise(curve.breakpoints), strict=True):
@@ -76,7 +76,7 @@ def test_a_curve_is_drawn_segment_by_segment_through_its_exact_points(name):
 def test_axes_given_are_drawn_on_and_parts_can_be_left_out():
     ax = plot.new_figure().add_subplot()
     assert plot.plot_curve(example("circle"), ax, control_polygon=False, knots=False, label="round") is ax
-    assert legend(ax) == ["round"]
+    assert legend(ax) == ["round", "every second segment"]
     assert len(ax.lines) == 4
     assert ax.get_aspect() == 1
 

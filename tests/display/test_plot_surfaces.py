@@ -244,5 +244,5 @@ def test_a_surface_goes_with_the_curve_on_one_pair_of_axes():
     ax = plot_curve(curve, control_polygon=False)
     surface = find("binormal_scroll_reduced")(curve)
     assert plot_ruled_surface(surface, (0, "1/40"), ax) is ax
-    assert legend(ax)[0] == curve.name
+    assert legend(ax)[0] == "rational space cubic"
     assert dot(cross(find("D1")(curve), find("D2")(curve)), find("D1")(curve)).is_zero

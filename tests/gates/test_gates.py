@@ -92,6 +92,8 @@ NAMES_TAKEN_APART: dict[str, str] = {}
 UNREGISTERED = {
     "geometry/analysis.py: Analysis.critical_points_by": "the question critical_points by another approach, compared",
     "geometry/analysis.py: Analysis.critical_points_by.compute": "the same",
+    "geometry/certain.py: Certain.critical_points": "the answer of the question critical_points, where it is certain",
+    "geometry/certain.py: Certain.inflections": "the answer of the question inflections, where it is certain",
     "geometry/extent.py: turning_points": "the answer of the question turning_points, beside what it shares with boxes",
     "geometry/inspection.py: Inspection.critical_points": "the question critical_points by the approach of a command",
 }
@@ -153,6 +155,7 @@ WAYS = {
     "classroom/shapes.py: curvature": "an exercise",
     "display/plot/curvature_lines.py: lines_of_curvature": "curves on a surface",
     "geometry/curvature.py: curvature_function": "curvature as a function",
+    "geometry/facts.py: Facts.same_curvature": "a comparison",
     "geometry/joints.py: Joint.same_curvature": "a comparison",
     "geometry/joints.py: curvature_of": "curvature of one side of a knot, from its derivatives",
     "geometry/space_features.py: SpaceFacts.reduced_torsion": "what torsion(curve, t) evaluates",
@@ -193,6 +196,7 @@ def test_there_is_one_way_to_a_curvature():
 # ---- law 6: none, all of these, or these
 
 BARE_LISTS = {
+    "geometry/at_knots.py: on_runs": "what belongs to some segments, joined with the points of the others",
     "geometry/bisector/correspondence.py: border_pairs": "places of pairs on a border, steps of an answer",
     "geometry/bisector/correspondence.py: nodes": "the same",
     "geometry/bisector/components.py: LinePiece.poles": "its denominator does not vanish throughout",
@@ -254,11 +258,12 @@ ROUNDED = {
     "geometry/many_curves.py: exactly": "the certified filter, which counts what has no double",
     "geometry/many_curves.py: outside": "the certified filter",
     "geometry/many_curves.py: scaled_operands": "the certified filter",
-    "geometry/many_splines.py: Segments.__init__": "the certified filter",
+    "geometry/many_splines.py: Segments.at_knots": "the certified filter",
     "interchange/bridges/numpy.py: points_at": "rounds to doubles, on request",
     "interchange/formats/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
     "interchange/rhino_process.py: _hex": "doubles of a file, bit by bit",
-    "programs/doubles.py: bounded_by": "the certified filter",
+    "programs/accelerator.py: signs": "the certified filter",
+    "programs/masses.py: factors": "the certified filter",
     "programs/doubles.py: _carried_out": "the certified filter",
     "polynomials/doubles.py: ordinates": "a guess, certified afterwards",
     "polynomials/doubles.py: _monomials": "integers below 2⁵³",
@@ -324,7 +329,9 @@ UNBOUNDED = {
     "polynomials/factors.py: prime_factors": "integers, of a bounded number of bits",
     "polynomials/fibres.py: Fibre.__init__": "over the field of a place: Euclid's algorithm, bounded",
     "polynomials/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
-    "polynomials/over_root.py: _most": "modulo a prime, in one variable",
+    "polynomials/over_root.py: _divisor_modulo": "modulo a prime, in one variable",
+    "roots/common_zeros.py: Column.of": "over the field of a root: a door with an estimated cost",
+    "roots/common_zeros.py: CommonZero.is_zero_of": "the same",
     "verification/minimality.py: bezout_combination": "modulo a prime, in one variable",
 }
 
@@ -340,8 +347,8 @@ def test_every_costly_call_goes_through_a_bounded_door():
 # ---- no error is hidden
 
 CAUGHT = {
-    "batch/asked.py: Asked.of": "one curve does not end a batch: the type of the error is its answer",
-    "batch/asked.py: _ask": "a filter that fails is counted, and the curves are asked exactly",
+    "batch/work.py: Asked.of": "one curve does not end a batch: the type of the error is its answer",
+    "batch/work.py: _ask": "a filter that fails is counted, and the curves are asked exactly",
     "batch/work.py: Work._line": "one curve does not end a batch: the type of the error is its answer",
     "interchange/formats/fonts.py: _add": "fontTools raises any error for a damaged glyph: it is skipped by name",
     "interchange/formats/fonts.py: _opened": "the same for a damaged font",

@@ -137,3 +137,77 @@ def test_what_has_no_certificate_says_so():
         intersections(example("twisted_cubic"), example("helix_like")).certificate()
     with pytest.raises(ShapeError, match="itself"):
         self_intersections(loop).certificate()
+
+
+#: A parabola whose parameters 1/2 and 3/4 are on the x-axis, and a segment of that axis.
+PARABOLA, AXIS = bezier((0, 3), (1, -2), (2, 1)), bezier((-1, 0), (3, 0))
+
+
+def of_two_zeros(point, leaves, *places):
+    """The certificate of both points with the zeros of the determinant proved by other leaves, and at other places."""
+    certificate = json.loads(json.dumps(intersection_certificate(AXIS, PARABOLA)))
+    pair = certificate["pairs"][0]
+    pair["elimination"] = {"factors": [], "points": [point], "leaves": leaves}
+    pair["zeros"] = [{"low": low, "high": high, "s": "inside"} for low, high in places]
+    return certificate
+
+
+AFTER, BEFORE = [["0", "1/2", 0], ["1/2", "1", 1]], [["0", "3/4", 1], ["3/4", "1", 0]]
+
+
+def test_a_zero_at_the_end_of_a_leaf_is_not_the_one_inside():
+    """A mutant passed: both points proved at the parameter 1/2, or both at 3/4."""
+    assert check_certificate(of_two_zeros("1/2", AFTER, ("1/2", "1/2"), ("5/8", "7/8"))) == {"points": 2}
+    assert check_certificate(of_two_zeros("3/4", BEFORE, ("1/4", "5/8"), ("3/4", "3/4"))) == {"points": 2}
+    for leaves, point in ((AFTER, "1/2"), (BEFORE, "3/4")):
+        with pytest.raises(ValueError, match="a place that is not the zero"):
+            check_certificate(of_two_zeros(point, leaves, (point, point), (point, point)))
+
+
+@pytest.mark.parametrize("place", [("5/8", "3/4"), ("3/4", "7/8"), ("1/2", "7/8")])
+def test_a_place_does_not_end_at_a_zero(place):
+    """A mutant passed: an interval at whose end there is a zero, which it need not contain."""
+    with pytest.raises(ValueError, match="a place without the zero"):
+        check_certificate(of_two_zeros("1/2", AFTER, ("1/2", "1/2"), place))
+
+
+def test_a_start_of_a_segment_is_proved_around_a_rational_zero():
+    """A mutant refused a zero that one linear factor has, where the place is an interval."""
+    curve = bezier((0, 0), ("1/2", 0), (1, 1))
+    certificate = json.loads(json.dumps(intersection_certificate(bezier(("1/3", "1/9"), ("1/3", 1)), curve)))
+    pair = certificate["pairs"][0]
+    pair["elimination"] = {"factors": [], "points": [], "leaves": [["0", "1", 1]]}
+    pair["zeros"] = [{"low": "1/4", "high": "1/2", "s": "start"}]
+    assert check_certificate(certificate) == {"points": 1}
+    pair["zeros"] = [{"low": "2/5", "high": "1/2", "s": "start"}]
+    with pytest.raises(ValueError, match="without the zero"):
+        check_certificate(certificate)
+
+
+def apart(first, second, axis=0):
+    """The certificate of two segments apart in a coordinate, at 5."""
+    return {
+        "format": "exactspline certificate 1",
+        "what": "intersections",
+        "first": [first],
+        "second": [second],
+        "pairs": [{"segments": [0, 0], "apart": {"axis": axis, "at": "5"}}],
+    }
+
+
+def segment(x, weights=("1", "1")):
+    return {"x": x, "y": x, "w": list(weights)[: len(x)]}
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_segments_are_apart_in_either_coordinate(axis):
+    assert check_certificate(apart(segment(["0", "1"]), segment(["6", "7"]), axis)) == {"points": 0}
+
+
+@pytest.mark.parametrize(
+    ("first", "flaw"), [(segment(["0"]), "of degree 0"), (segment(["-1", "-1"], ["1", "0"]), "not positive")]
+)
+def test_what_is_not_a_segment_is_refused(first, flaw):
+    """A mutant passed: a single point, and a point at infinity."""
+    with pytest.raises(ValueError, match=flaw):
+        check_certificate(apart(first, segment(["6", "7"])))

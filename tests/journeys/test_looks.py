@@ -6,15 +6,25 @@ The pages of the site are looked at where it was built (`./run site`).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from exactspline.display.plot.canvas import new_figure, settle
+from exactspline.display.plot.canvas import new_figure
 from tests.support.command import run
-from tests.support.looking import CHECKS, CHROMIUM, Ready, Seen, broken_links, look, served, started, unreadable
+from tests.support.looking import (
+    CHECKS,
+    CHROMIUM,
+    Ready,
+    Seen,
+    broken_links,
+    laid_out,
+    look,
+    served,
+    started,
+    unreadable,
+)
 
 ROOT = Path(__file__).parents[2]
 SITE = ROOT / "build" / "site" / "html"
@@ -198,21 +208,14 @@ INVALID = """(claims) => claims
 # ---- pictures
 
 
-def drawn(figure: Any) -> Any:
-    """The figure, laid out and drawn as it is for a page."""
-    settle(figure)
-    figure.savefig(BytesIO(), format="png", dpi=80)
-    return figure
-
-
 def test_what_cannot_be_read_in_a_picture_is_noticed():
     good = new_figure(9.2, 4)
     for place in (1, 2):
         good.add_subplot(1, 2, place).set_title("a title")
-    assert unreadable(drawn(good)) == []
+    assert unreadable(laid_out(good)) == []
     bad = {"cut": (9.2, "a long title " * 9), "over each other": (9.2, "a long title " * 5), "px high": (18, "a title")}
     for what, (width, title) in bad.items():
-        assert any(what in line for line in unreadable(drawn(titled(width, title))))
+        assert any(what in line for line in unreadable(laid_out(titled(width, title))))
 
 
 def titled(width: float, title: str) -> Any:

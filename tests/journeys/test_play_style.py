@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-STYLE = (Path(__file__).parents[2] / "docs" / "play" / "style.css").read_text(encoding="utf-8")
-GROUNDS = {"paper", "card", "line"}
+STYLE = (Path(__file__).parents[2] / "docs" / "play" / "site.css").read_text(encoding="utf-8")
+GROUNDS = {"paper", "card", "side", "line"}
 
 
 def luminance(colour):
@@ -28,13 +28,14 @@ def test_the_contrast_of_black_and_white_is_21():
 
 @pytest.mark.parametrize("scheme", [0, 1])
 def test_words_in_every_colour_stand_out(scheme):
-    colours = dict(re.findall(r"--(\w+): (#[0-9a-f]{6})", STYLE.split(":root {")[1 + scheme].split("}")[0]))
+    both = re.findall(r"--(\w+): light-dark\((#[0-9a-f]{6}), (#[0-9a-f]{6})\)", STYLE)
+    colours = {name: pair[scheme] for name, *pair in both}
     words = colours.keys() - GROUNDS
     assert len(words) == 8
     poor = {
         (word, ground): contrast(colours[word], colours[ground])
         for word in words
-        for ground in ("paper", "card")
+        for ground in ("paper", "card", "side")
         if contrast(colours[word], colours[ground]) < 4.5
     }
     assert poor == {}

@@ -13,7 +13,7 @@ import pytest
 from rich.cells import cell_len
 
 from exactspline.cli.commands import leaves
-from exactspline.display.code import code_lines
+from exactspline.display.wrapping import code_lines
 from exactspline.papers import default_papers
 from exactspline.verification.claims import all_claims
 from tests.support.command import run

@@ -217,3 +217,14 @@ def test_it_comes_back_from_a_process_pool():
     with ProcessPoolExecutor(1, mp_context=get_context("fork")) as pool:
         for name, other in zip(names, pool.map(there_and_back, map(returned, names)), strict=True):
             assert same(other, returned(name)), name
+
+
+@pytest.mark.parametrize("name", ["cubic_s", "twisted_cubic"])
+def test_an_analysis_is_pickled_with_its_curve(name):
+    """Before: "cannot pickle '_thread.RLock' object"."""
+    analysis = xs.analyse(xs.example(name))
+    again = pickle.loads(pickle.dumps(analysis))
+    assert again.curve == analysis.curve
+    assert again is xs.analyse(again.curve)
+    assert again.inflections == analysis.inflections
+    assert copy.copy(analysis) is analysis

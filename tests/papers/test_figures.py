@@ -21,7 +21,7 @@ from exactspline.interchange.examples import example
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import all_claims
 from tests.support.figures import drawn, figure
-from tests.support.looking import unreadable
+from tests.support.looking import laid_out, unreadable
 
 runner = CliRunner()
 #: What the claims of a caption call what the figure's own caption says in a part of the sentence.
@@ -44,7 +44,7 @@ def counts_of(number):
 @pytest.mark.parametrize("number", FIGURES)
 def test_a_caption_says_what_was_counted_words_can_be_read_and_files_are_whole(number):
     made = figure(number)
-    assert unreadable(drawn(number).figure) == []
+    assert unreadable(laid_out(drawn(number).figure)) == []
     for part in counts_of(number):
         value, word = re.search(r"\d+", part)[0], re.sub(r"[\d ]+", " ", part).strip()
         assert re.search(rf"\b{value} (and \d+ )?{word}|{word} {value}\b", made.caption), part

@@ -107,7 +107,7 @@ def test_no_memory_but_its_own_is_touched(tmp_path):
         import hatch_build
     finally:
         sys.path.remove(str(ROOT))
-    library = tmp_path / "_filter.so"
+    library = tmp_path / "filter.lib"
     if not hatch_build.compiled(library, *SANITIZED):
         pytest.skip("there is no compiler with sanitizers")
     asan = subprocess.run(["cc", "-print-file-name=libasan.so"], capture_output=True, text=True, check=False)

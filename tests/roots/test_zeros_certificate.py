@@ -27,6 +27,7 @@ CASES = {
     "periodic": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, -1, 0]), periodic=True),
     "an interval of two segments": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [1, 0, 0, 0, 1])),
     "two intervals": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])),
+    "two intervals, one of two segments": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 5], [0, 0, 1, 0, 0, 0])),
     "periodic, an end": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [0, 1, 0, 0, -1, 0, 0]), periodic=True),
     "periodic, a start": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [0, 0, 1, 0, 0, -1, 0]), periodic=True),
     "periodic, both ends": lambda: zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 5, 5], [0, 0, 1, -1, 0, 0]), periodic=True),
@@ -235,6 +236,9 @@ ATTACKS = {
     "a power that does not end": one_segment(POSITIVE, WHOLE, [[["1"], 10**18], [POSITIVE, 1]]),
     "a degree that does not end": one_segment(POSITIVE, WHOLE, [[["1", "1"], 10**18]]),
     "an exponent that does not end": one_segment(["-1", "1e999999999"], WHOLE),
+    "factors of another form": one_segment(
+        POSITIVE, [["0", "1/2", 0], ["1/2", "1", 0]], [[TOUCHING, 1]], ["1/2"], [("1/2", "1/2", 0, [1, 1])]
+    ),
     "no segment": one_segment([], []) | {"breakpoints": ["0"], "segments": [], "roots": [
         {"low": "0", "high": "0", "multiplicities": [None, None], "signs": [None, None]}]},
     "another degree below 0": one_segment(CROSSING, WHOLE) | {"degree": -1},
@@ -246,7 +250,7 @@ ATTACKS = {
 @pytest.mark.parametrize("name", ATTACKS)
 def test_attacks_are_refused(name, sturm):
     """Proved before, without Sturm's sequence: a zero of 1 + uv, that t − 1/2 has no zero, that it has two; with it,
-    that both zeros of (2t − 1)(4t − 3) are at 1/2.
+    that both zeros of (2t − 1)(4t − 3) are at 1/2. A mutant passed: a zero of a form that its factors do not give.
     """
     with pytest.raises(ValueError, match=r"."):
         check_certificate(ATTACKS[name], sturm=sturm)

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from io import BytesIO
 from pathlib import Path
 from threading import Thread
 from typing import Any
@@ -121,6 +122,15 @@ def broken_links(seen: Seen, address: str, folder: Path, state: Iterable[str] = 
 
 #: The column of the written pages, in pixels, and the least height of letters there.
 COLUMN, LEAST_TEXT = 736, 9
+
+
+def laid_out(figure: Any) -> Any:
+    """The figure, laid out and drawn as it is for a page."""
+    from exactspline.display.plot.canvas import settle
+
+    settle(figure)
+    figure.savefig(BytesIO(), format="png", dpi=80)
+    return figure
 
 
 def unreadable(figure: Any) -> list[str]:

@@ -1,6 +1,7 @@
 """The degree theorem: symbolic, against the reading at infinity, and on curves run through projectively."""
 
 import random
+import time
 from itertools import count
 
 import pytest
@@ -9,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, ReachError
 from exactspline.language import Vector
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE
@@ -204,3 +205,25 @@ def test_zero_has_no_degree():
     c = JetReading(1).argument(CURVE, 2)
     with pytest.raises(FormulaError, match="zero polynomial"):
         true_degree(c.w - c.w)
+
+
+@pytest.mark.parametrize(
+    ("order", "value"),
+    [
+        (10, lambda c: c.w.d(10) ** 10),
+        (60, lambda c: c.w.d(60) ** 3),
+        (8, lambda c: (c.w.d(8) * c.p[0].d(8) * c.p[1].d(8)) ** 3),
+    ],
+)
+def test_heights_of_products_of_high_derivatives_are_out_of_reach(order, value):
+    """Before: minutes, and gigabytes, in a loop over polynomials of hundreds of thousands of terms."""
+    jet = value(JetReading(order).argument(CURVE, 2))
+    start = time.process_time()
+    with pytest.raises(ReachError, match="the height of a polynomial"):
+        true_degree(jet)
+    assert time.process_time() - start < 60
+
+
+def test_a_derivative_of_high_order_has_its_degree():
+    """Before: minutes, in substitutions of variables that do not occur."""
+    assert str(true_degree(JetReading(100).argument(CURVE, 2).w.d(100)).generic) == "d − 100"

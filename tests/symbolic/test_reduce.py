@@ -5,7 +5,7 @@ have.
 import pytest
 from gmpy2 import mpq
 
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.errors import FormulaError, ReachError, ShapeError
 from exactspline.interchange.examples import example, example_names
 from exactspline.language import Vector, cross, det, dot, formula, norm2, perp
 from exactspline.language.kinds import CURVE
@@ -282,3 +282,17 @@ def test_lowest_terms_by_jets_and_by_division_agree(name):
     assert all(
         p * naive.denominator == q * value.denominator for p, q in zip(value.numerator, naive.numerator, strict=True)
     )
+
+
+@pytest.mark.parametrize(
+    ("formula_of", "error", "words"),
+    [
+        (lambda c: c.w ** (10**9), FormulaError, "a power with exponent 1000000000"),
+        (lambda c: c.w.d(20_000), FormulaError, "derivatives of order 20000"),
+        (lambda c: sum(c.p, c.w) ** 60 + sum(c.p.d(1), c.w.d()) ** 60, ReachError, "the factorization"),
+    ],
+)
+def test_what_is_out_of_reach_is_named_beforehand(formula_of, error, words):
+    """Before: a loop of a billion products; the process ended by FLINT for lack of memory; minutes in one call."""
+    with pytest.raises(error, match=words):
+        reduce(formula_of, dimension=2)

@@ -12,9 +12,9 @@ from dataclasses import replace
 import pytest
 
 import exactspline as xs
-from exactspline.display.code import code_lines
 from exactspline.display.evidence import worded
 from exactspline.display.sheet import Sheet, csv_of
+from exactspline.display.wrapping import code_lines
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.interchange.examples import example
 from exactspline.papers import find, load_paper, papers, resolve

@@ -83,7 +83,10 @@ def test_what_fails_unrecorded_is_an_error_each_and_a_remark_where_no_source_say
             file.write(OWN.format(id=f"8{number}", place=place))
     source = load_paper(folder)
     rows = [proved(claim) for claim in claims_of(source)]
-    assert headline(rows) == "2 statements of the paper refuted (2 errors, 2 rows); 4 hold; none is undecided"
+    assert (
+        headline(rows)
+        == "2 statements of the paper refuted (2 errors, 2 rows); 4 hold; none is undecided for all curves"
+    )
     assert [error.id for error in errata([source])] == ["80", "81"]
     assert [remark.id for remark in remarks([source])] == ["82"]
 

@@ -11,7 +11,8 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, det
-from exactspline.papers import find, paper
+from exactspline.papers import find, load_paper, paper
+from exactspline.papers.new import write_new_paper
 from exactspline.readings.leading_terms import generic_true_degree
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
 from exactspline.verification.claims import all_claims, claims_of, select
@@ -230,7 +231,7 @@ def test_a_claim_for_all_d_fails_if_it_fails_for_one():
     assert verdict(replace(claim, relation="≥", claimed="3d − 4")) == PROVED
     reduced = degree("f0", "3d − 6", of="rational", measure="reduced")
     assert verdict(reduced) == REFUTED
-    assert "(0 for d = 1)" in worded(reduced.prove()[1].computed)
+    assert "(identically zero for d = 1)" in worded(reduced.prove()[1].computed)
     assert verdict(replace(reduced, least_d=2)) == PROVED
 
 
@@ -239,7 +240,7 @@ def test_where_a_value_vanishes_it_has_no_degree(also):
     jerk = also("jerk", lambda c: c.w * det(c.p, c.gamma.d(3)), "plane")
     told = TOLD | {"curve": "plane", "formula": jerk, "measure": "lowest terms", "of": "polynomial"}
     claim = DegreeClaim(**told, claimed="2d − 4", least_d=2)
-    assert worded(claim.prove()[1].witness) == "at d = 2: -1, not 0"
+    assert worded(claim.prove()[1].witness) == "at d = 2: identically zero, not 0"
     assert verdict(replace(claim, relation="≥")) == REFUTED
     assert verdict(replace(claim, relation="≤")) == PROVED
     assert verdict(replace(claim, least_d=3)) == PROVED
@@ -248,7 +249,7 @@ def test_where_a_value_vanishes_it_has_no_degree(also):
 def test_zero_has_no_degree_that_a_formula_in_d_gives_it():
     """[γ′ γ″] is 0 on lines: its degree is not 2 · 1 − 4."""
     claim = degree("f2", "2d − 4", of="polynomial", measure="true")
-    assert worded(claim.prove()[1].witness) == "at d = 1: -1, not -2"
+    assert worded(claim.prove()[1].witness) == "at d = 1: identically zero, not -2"
     assert verdict(replace(claim, least_d=2)) == PROVED
     assert verdict(replace(claim, claimed="max(2d − 4, d − 2)")) == PROVED
     assert verdict(replace(claim, claimed="max(2d − 4, 0)")) == REFUTED
@@ -358,3 +359,24 @@ def test_what_is_proved_of_the_generic_curve_is_met_by_an_example():
     ]
     assert spoken_of
     assert [c.key for c in spoken_of if c.key not in met] == []
+
+
+def test_a_wrong_degree_is_shown_where_the_degree_is_the_usual_one(tmp_path):
+    """The witness against 2d − 5 was the exceptional d = 1: "−1, not −3", beside "(0 for d = 1)"."""
+    text = """
+id = "9"
+kind = "degree"
+of = "polynomial"
+statement = "the degree of the turning"
+formula = "turning"
+claimed = "2d - 5"
+measure = "lowest terms"
+"""
+    folder = write_new_paper(tmp_path / "mine")[0].parent
+    with (folder / "claims.toml").open("a", encoding="utf-8") as file:
+        file.write(f"\n[[claim]]{text}")
+    claim = next(each for each in claims_of(load_paper(folder)) if each.id == "9")
+    finding = claim.prove()[1]
+    assert finding.verdict == REFUTED
+    assert worded(finding.witness) == "at d = 3: 2, not 1"
+    assert "polynomial" in claim.assumed

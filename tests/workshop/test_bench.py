@@ -10,7 +10,7 @@ import jsonschema
 import pytest
 
 from docs.site import benchmarks
-from exactspline.batch.recorded import Where
+from exactspline.batch.sweep import Where
 from exactspline.display.plot.canvas import PlotError
 from exactspline.errors import FormulaError
 from exactspline.papers import find

@@ -73,8 +73,8 @@ def _trim_rational(_: int) -> Callable[[], object]:
 
 def _sweep(count: int) -> Callable[[], object]:
     from exactspline.batch.families import Family
-    from exactspline.batch.recorded import Where, recorded
     from exactspline.batch.summary import Summary
+    from exactspline.batch.sweep import Where, recorded
     from exactspline.batch.work import Work
 
     family, jobs = Family.parsed(f"degree=3 count={count}"), int(sys.argv[4])

@@ -17,8 +17,8 @@ from time import monotonic, process_time, sleep
 
 from exactspline.batch.backends import BackendError
 from exactspline.batch.lines import Line
-from exactspline.batch.recorded import Where, recorded
 from exactspline.batch.summary import Summary
+from exactspline.batch.sweep import Where, recorded
 from exactspline.batch.work import Work
 from workshop.bench.row import OURS, Options, Row, bounded, installed, missing
 

@@ -5,13 +5,12 @@ import { Kernel } from "./kernel.js";
 import { Plane } from "./plane.js";
 import { samples } from "./preview.js";
 import { double, snapped } from "./numbers.js";
-import { data, element, navigation, statusLine } from "./site.js";
+import { data, element, statusLine } from "./site.js";
 import { html } from "./svg.js";
 
 const COLOURS = ["--blue", "--orange", "--green", "--purple", "--gold", "--sky"].map((name) => `var(${name})`);
 const STEPS = 4;
 
-navigation();
 const say = statusLine(element("status"));
 const kernel = new Kernel(say);
 const plane = new Plane(element("plane"), { label: "a curve, the point Q and their bisector" });
@@ -70,9 +69,10 @@ function show({ answer, milliseconds }) {
   const head = ["piece", "degree", "from", "to"].map((name) => html("th", { scope: "col" }, name));
   const rows = pieces.map((p, i) => html("tr", {}, html("td", { style: `color:${COLOURS[i % COLOURS.length]}` }, p.kind), html("td", {}, `${p.degree}`), ...p.ends.map((t) => html("td", { class: "number" }, t))));
   element("pieces").replaceChildren(html("thead", {}, html("tr", {}, ...head)), html("tbody", {}, ...rows));
+  walk();
+  if (milliseconds === undefined) return;
   say([`Q = (${q.join(", ")}) · certified in ${milliseconds.toFixed(0)} ms`, ...answer.missing].join(" · "));
   document.body.dataset.pieces = JSON.stringify(pieces.map((p) => p.kind));
-  walk();
 }
 
 function walk() {
@@ -94,3 +94,4 @@ const examples = (await data("curves")).filter((curve) => curve.knots.length < 1
 element("examples").append(...examples.map(({ name }, i) => html("option", { value: i }, name.replaceAll("_", " "))));
 element("examples").onchange = () => editor.set(examples[element("examples").value]);
 editor.set(examples[0]);
+show({ answer: (await data("first")).bisector }); // as computed when the site was built, until the library has started here

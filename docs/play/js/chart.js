@@ -1,4 +1,4 @@
-// A spline function with its control polygon and its zeros; what is far above the usual values leaves the picture.
+// A spline function with its control polygon and its zeros, jumps dotted; what is far above the usual values leaves the picture.
 
 import { svg, path } from "./svg.js";
 import { values } from "./preview.js";
@@ -10,7 +10,7 @@ const TRIMMED = 6;
 export function chart(form) {
   const [low, high] = [form.knots[form.degree], form.knots.at(-1 - form.degree)];
   const drawn = values(form);
-  const heights = drawn.map(([, y]) => Math.abs(y)).sort((a, b) => a - b);
+  const heights = drawn.flat().map(([, y]) => Math.abs(y)).sort((a, b) => a - b);
   const top = Math.min(heights.at(-1), TRIMMED * heights[heights.length >> 1]) || 1;
   const to = ([t, y]) => [PAD + ((WIDTH - 2 * PAD) * (t - low)) / (high - low), HEIGHT / 2 - ((HEIGHT / 2 - PAD) * y) / top];
   const polygon = form.abscissae.map((t, i) => to([t, form.ordinates[i]]));
@@ -21,7 +21,8 @@ export function chart(form) {
     svg("path", { d: path([to([low, 0]), to([high, 0])]), class: "zero" }),
     svg("path", { d: path(polygon), class: "polygon" }),
     ...polygon.map(([cx, cy]) => svg("circle", { cx, cy, r: radius })),
-    svg("path", { d: path(drawn.map(to)), class: "function" }),
+    ...drawn.map((segment) => svg("path", { d: path(segment.map(to)), class: "function" })),
+    ...drawn.slice(1).map((segment, i) => svg("path", { d: path([to(drawn[i].at(-1)), to(segment[0])]), class: "jump" })),
     ...form.zeros.map((t) => {
       const [cx, cy] = to([t, 0]);
       return svg("circle", { cx, cy, r: 4, class: "root" });

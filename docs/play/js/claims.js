@@ -1,9 +1,8 @@
 // The ledger: searched and opened; a refuted claim shows the curve on which it fails.
 
-import { data, element, navigation } from "./site.js";
+import { data, element } from "./site.js";
 import { html } from "./svg.js";
 
-navigation();
 const claims = await data("claims");
 const plain = (text) => text.toLowerCase();
 const haystacks = claims.map((c) => plain([c.id, c.source, c.statement, c.words, c.key, ...c.sides.map((s) => `${s.name} ${s.text}`)].join(" ")));

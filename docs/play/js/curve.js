@@ -6,7 +6,7 @@ import { Kernel } from "./kernel.js";
 import { Plane, symbol } from "./plane.js";
 import { preview, samples } from "./preview.js";
 import { double } from "./numbers.js";
-import { data, element, navigation, reportHeight, statusLine } from "./site.js";
+import { data, element, embedded, reportHeight, statusLine } from "./site.js";
 import { html } from "./svg.js";
 
 const FORMS = [
@@ -16,7 +16,7 @@ const FORMS = [
 ];
 const SHAPES = { inflection: "square", maximum: "triangle", minimum: "diamond", singular: "cross" };
 
-navigation();
+embedded();
 reportHeight();
 const say = statusLine(element("status"));
 const kernel = new Kernel(say);

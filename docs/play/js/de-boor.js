@@ -6,14 +6,13 @@ import { Kernel } from "./kernel.js";
 import { Plane } from "./plane.js";
 import { preview, samples } from "./preview.js";
 import { double } from "./numbers.js";
-import { data, element, navigation, statusLine } from "./site.js";
+import { data, element, statusLine } from "./site.js";
 import { html } from "./svg.js";
 
 const STEPS = 60;
 const MOST_POINTS = 24;
 const SHAPES = ["square", "diamond", "triangle", "disc"];
 
-navigation();
 const say = statusLine(element("status"));
 const kernel = new Kernel(say);
 const plane = new Plane(element("plane"), { label: "a curve, its control points and de Boor's points", height: 460 });
@@ -93,6 +92,7 @@ function show({ answer, milliseconds }) {
   const plain = "An entry is 1 − s times the entry above it in the previous column, plus s times the entry to its left. The point is ";
   element("told").replaceChildren(answer.weighted ? weighted : plain, formula(answer.tip, 60));
   element("insert").disabled = !answer.inside || editor.curve.points.length >= MOST_POINTS;
+  if (milliseconds === undefined) return;
   document.body.dataset.answered = `${Number(document.body.dataset.answered ?? 0) + 1}`;
   document.body.dataset.triangle = JSON.stringify(answer);
   say(`computed in ${milliseconds.toFixed(0)} ms`);
@@ -118,10 +118,10 @@ function table({ columns, ratios, first }) {
 function multiply() {
   const factors = [element("left").value, element("right").value];
   const asked = { curve: copy(editor.curve), share: `${slider.value}/${STEPS}`, factors };
-  kernel.latest("product", asked, ({ answer }) => showProduct(answer, factors), complain);
+  kernel.latest("product", asked, (told) => showProduct(told, factors), complain);
 }
 
-function showProduct(answer, [first, second]) {
+function showProduct({ answer, milliseconds }, [first, second]) {
   const between = ["on the segment from ", formula([answer.span[0]]), " to ", formula([answer.span[1]])];
   element("multiplied").replaceChildren(
     ...[`The Bézier points of ${first} and ${second} `, ...between, ", times their binomial coefficients, multiplied. "],
@@ -139,7 +139,7 @@ function showProduct(answer, [first, second]) {
   );
   const names = ["diagonal", "sum", "Bézier point"].map(head);
   element("diagonals").replaceChildren(html("thead", {}, html("tr", {}, ...names)), html("tbody", {}, ...sums));
-  document.body.dataset.product = JSON.stringify(answer);
+  if (milliseconds !== undefined) document.body.dataset.product = JSON.stringify(answer);
 }
 
 function complain(problem) {
@@ -181,3 +181,9 @@ const linked = location.hash && fromHash(location.hash);
 const cubic = examples.findIndex(({ name }) => name === "cubic_s");
 if (!linked) element("examples").value = Math.max(cubic, 0);
 editor.set(linked || examples[Math.max(cubic, 0)]);
+if (!linked) {
+  // as computed when the site was built, until the library has started here
+  const first = await data("first");
+  show({ answer: first.triangle });
+  showProduct({ answer: first.product }, ["x", "y"]);
+}

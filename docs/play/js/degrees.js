@@ -1,6 +1,6 @@
 // Bars of degrees over the degree of the curve; the numbers are those of the library, made when the site was built.
 
-import { data, element, navigation } from "./site.js";
+import { data, element } from "./site.js";
 import { html } from "./svg.js";
 
 const COLUMNS = [
@@ -9,7 +9,6 @@ const COLUMNS = [
   ["true", "lowest", "var(--green)"],
 ];
 
-navigation();
 const tables = await data("degrees");
 
 function show() {

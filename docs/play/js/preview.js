@@ -37,14 +37,16 @@ const minus = (a, b) => [a[0] - b[0], a[1] - b[1]];
 const times = (c, a) => [c * a[0], c * a[1]];
 const det = (a, b) => a[0] * b[1] - a[1] * b[0];
 
-// The values of a spline function at this many parameters of its domain.
-export function values({ knots, degree, ordinates }, count = 240) {
+// The values of a spline function at this many parameters of each segment: at both ends its own, so that jumps are seen.
+export function values({ knots, degree, ordinates }, count = 60) {
   const points = ordinates.map((y) => [y]);
-  const [low, high] = [knots[degree], knots[knots.length - 1 - degree]];
-  return Array.from({ length: count + 1 }, (_, k) => {
-    const t = low + ((high - low) * k) / count;
-    return [t, deBoor(knots, degree, points, t)[0]];
-  });
+  const breaks = [...new Set(knots.slice(degree, knots.length - degree))];
+  return breaks.slice(1).map((high, i) =>
+    Array.from({ length: count + 1 }, (_, k) => {
+      const t = breaks[i] + ((high - breaks[i]) * Math.min(k, count - 1e-9)) / count;
+      return [t, deBoor(knots, degree, points, t)[0]];
+    }),
+  );
 }
 
 // A function t ↦ {point, tangent, curvature, centre} of a curve as the pages hold it.

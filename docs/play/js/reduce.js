@@ -1,17 +1,17 @@
 // A formula that is typed, and what the library finds in it.
 
 import { Kernel } from "./kernel.js";
-import { element, navigation, statusLine } from "./site.js";
+import { data, element, statusLine } from "./site.js";
 import { html } from "./svg.js";
 
+const first = await data("first");
 const SAMPLES = [
-  ["curvature's numerator", 2, "from exactspline.language import det\n\n\ndef numerator(c):\n    return det(c.gamma.d(1), c.gamma.d(2))\n"],
+  ["curvature's numerator", 2, first.sample],
   ["torsion's numerator", 3, "from exactspline.language import triple\n\n\ndef numerator(c):\n    return triple(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3))\n"],
   ["extrema of curvature", 2, "from exactspline.language import det, dot, norm2\n\n\ndef extrema(c):\n    v, a, j = c.gamma.d(1), c.gamma.d(2), c.gamma.d(3)\n    return det(v, j) * norm2(v) - 3 * det(v, a) * dot(v, a)\n"],
   ["evolute", 2, "from exactspline.language import det, norm2, perp\n\n\ndef evolute(c):\n    v = c.gamma.d(1)\n    return c.gamma + perp(v) * norm2(v) / det(v, c.gamma.d(2))\n"],
 ];
 
-navigation();
 const say = statusLine(element("status"));
 const kernel = new Kernel(say);
 
@@ -30,12 +30,17 @@ function part(p) {
   return html("div", { class: "card" }, html("h2", {}, p.part), html("div", { class: "scroll" }, html("table", {}, ...rows.filter(Boolean))));
 }
 
+function show(answer) {
+  const read = html("p", {}, html("code", {}, `${answer.name} = ${answer.text}`));
+  element("found").replaceChildren(html("div", { class: "card" }, html("h2", {}, "As the library reads it"), read), ...answer.parts.map(part));
+}
+
 async function go() {
   const asked = { text: element("text").value, dimension: Number(element("dimension").value), polynomial: element("polynomial").checked };
   say("reducing …");
   try {
     const { answer, milliseconds } = await kernel.ask("reduce", asked);
-    element("found").replaceChildren(html("div", { class: "card" }, html("h2", {}, "As the library reads it"), html("p", {}, html("code", {}, `${answer.name} = ${answer.text}`))), ...answer.parts.map(part));
+    show(answer);
     document.body.dataset.reduced = JSON.stringify(answer.parts);
     say(`verified by multiplication, ${milliseconds.toFixed(0)} ms`);
   } catch (problem) {
@@ -53,4 +58,5 @@ element("samples").onchange = () => {
 };
 element("go").onclick = go;
 element("text").onkeydown = (event) => event.key === "Enter" && (event.ctrlKey || event.metaKey) && go();
+show(first.reduce); // as computed when the site was built, until the library has started here
 element("samples").onchange();

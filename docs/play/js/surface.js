@@ -1,10 +1,9 @@
 // Surfaces that were computed when the site was built: meshes, lines and dots as plain data, turned and lit here.
 
-import { data, element, navigation, statusLine } from "./site.js";
+import { data, element, statusLine } from "./site.js";
 import { html } from "./svg.js";
 import { turning } from "./turning.js";
 
-navigation();
 const say = statusLine(element("status"));
 const choice = element("surfaces");
 const listed = await data("surfaces");

@@ -73,7 +73,7 @@ def _of_papers(
     out: Output, paper: list[str], trust: bool, names: list[str], curve: list[str] | None, generic: bool
 ) -> None:
     """The formulas of papers, for all curves or on curves: those named, those in the folder, or examples."""
-    from exactspline.display.degrees import formula_degree_sheet
+    from exactspline.display.formulas import formula_degree_sheet
     from exactspline.papers import named_papers
     from exactspline.verification.degree_tables import formula_degrees, formula_table
     from exactspline.verification.paper_curves import own_curves
@@ -107,8 +107,8 @@ def _of_papers(
 
 def _give(out: Output, tables: list[tuple[Nurbs, list[DegreeRow]]]) -> None:
     """The degrees of formulas on curves."""
-    from exactspline.display.degrees import degree_sheet
     from exactspline.display.described import described
+    from exactspline.display.formulas import degree_sheet
 
     out.give(
         "degrees",
@@ -124,7 +124,7 @@ def _give(out: Output, tables: list[tuple[Nurbs, list[DegreeRow]]]) -> None:
 
 def _on_patches(out: Output, paper: list[str], trust: bool, names: list[str], patch: str) -> None:
     """The formulas of surfaces on patches of given degrees: counted, proved and attained."""
-    from exactspline.display.degrees import patch_sheet
+    from exactspline.display.formulas import patch_sheet
     from exactspline.papers import named_papers
     from exactspline.verification.patch_degrees import patch_table
 
@@ -193,7 +193,7 @@ def _certify(names: list[str] | None) -> None:
 
 
 def _generic(out: Output, names: list[str], at: int | None) -> None:
-    from exactspline.display.degrees import generic_sheet, sheet_at
+    from exactspline.display.formulas import generic_sheet, sheet_at
     from exactspline.verification.degree_tables import generic_table
 
     found = {kind: tracked(generic_table(polynomial=kind == "polynomial"), kind) for kind in ("rational", "polynomial")}

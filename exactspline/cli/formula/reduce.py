@@ -40,7 +40,7 @@ def reduce(
     """Find the reduction of a formula: its factors with their meaning, the reduced form, naive, nominal and true
     degree.
     """
-    from exactspline.display.reductions import explanations, reduction_rows, reduction_sheet
+    from exactspline.display.formulas import explanations, reduction_rows, reduction_sheet
     from exactspline.language.formula import Formula
     from exactspline.language.kinds import TABLE
     from exactspline.papers import all_formulas

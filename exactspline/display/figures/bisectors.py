@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.display.figures.plane import Drawn, captioned
-from exactspline.display.plot.canvas import GREEN, PAGE, VERMILLION, PlotError, Point, Run, new_figure, sampled
+from exactspline.display.plot.canvas import BLACK, GREEN, PAGE, VERMILLION, PlotError, Point, Run, new_figure, sampled
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.frames import three_ticks
 from exactspline.display.plot.html import Scene
@@ -27,6 +27,8 @@ EXPLICIT, DIRECT = "point_bisector_polynomial", "point_bisector_direct_z"
 TITLES = ("(a) explicit directrix approach", "(b) direct approach")
 #: The view of the figures: elevation and azimuth, in degrees.
 VIEW = (22, -60)
+#: The scene with its axes and their names fits into its frame.
+ZOOM = 0.8
 
 
 class Shown(NamedTuple):
@@ -64,7 +66,8 @@ def _surfaces(shown: Shown) -> list[tuple[RationalSurface, SurfaceMesh]]:
 
 def _frame(figure: Figure, i: int, shown: Shown, mesh: SurfaceMesh, title: str, *, net: bool) -> Any:
     curve = example(shown.curve)
-    ax = plot_curve(curve, figure.add_subplot(1, 2, i + 1, projection="3d"), control_polygon=False, knots=False)
+    ax = figure.add_subplot(1, 2, i + 1, projection="3d")
+    plot_curve(curve, ax, control_polygon=False, knots=False, color=BLACK)
     plot_mesh(mesh, ax, label="bisector", control_net=net, net_color=GREEN)
     mark_points(ax, [shown.point], "point")
     ax.set_title(title)
@@ -81,7 +84,8 @@ def _alike(frames: Sequence[Any]) -> None:
             getattr(ax, f"{axis}axis").set_ticks([float(x) for x in three_ticks(low, high)])
             getattr(ax, f"set_{axis}label")(axis)
     for ax in frames:
-        ax.set_aspect("equal")
+        sides = [high - low for low, high in (getattr(ax, f"get_{axis}lim")() for axis in "xyz")]
+        ax.set_box_aspect(sides, zoom=ZOOM)
         ax.view_init(*VIEW)
 
 
@@ -92,7 +96,7 @@ def _scene(shown: Shown, mesh: SurfaceMesh, title: str, *more: tuple[str, list[R
 
 
 def _compared(number: int, what: str, shown: Shown) -> Drawn:
-    figure, scenes, counts, frames = new_figure(PAGE, 5.6), [], [], []
+    figure, scenes, counts, frames = new_figure(PAGE, 5.2), [], [], []
     for i, (surface, mesh) in enumerate(_surfaces(shown)):
         title = f"{TITLES[i]} (degree = {surface.degree})"
         frames.append(_frame(figure, i, shown, mesh, title, net=True))
@@ -116,7 +120,7 @@ def _minus(text: str) -> str:
 def figure_6() -> Drawn:
     """The planar bisector in both surfaces of Figure 5."""
     plane = find("plane_bisector_polynomial")(example("ellipse").with_point(ELLIPSE.point[:2]))
-    figure, scenes, frames = new_figure(PAGE, 5.6), [], []
+    figure, scenes, frames = new_figure(PAGE, 5.2), [], []
     for i, (surface, mesh) in enumerate(_surfaces(ELLIPSE)):
         iso_curve = surface.directrix
         if any(iso_curve[k] != plane[k] for k in range(2)) or not iso_curve[2].is_zero:

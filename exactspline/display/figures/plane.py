@@ -136,7 +136,7 @@ def _graph(
         ax.set_yticks([sign * 10.0**k for sign in (-1, 1) for k in range(3, len(str(int(height))), 3)] + [0])
     ax.set_ylim(float(-height), float(height))
     ax.set_ylabel(f"value · $10^{{{-power}}}$")
-    ax.set_title(f"{title}: {cost(f)}")
+    ax.set_title(f"{title}\n{cost(f)}")
     return f"10{superscript(-power)}"
 
 

@@ -58,6 +58,10 @@ class PlotError(ExactSplineError):
     """
 
 
+#: The size of the marks of control points, from this many points on.
+MARKER_SIZES = {300: 1.8, 100: 3.5, 0: 5}
+
+
 def new_figure(width: float = 7, height: float = 5) -> Figure:
     """An empty ``matplotlib.figure.Figure`` of the given size in inches, without a window; raises `PlotError` without
     matplotlib.
@@ -161,6 +165,7 @@ def draw_polygons(ax: Axes, runs: list[Run], count: int, bends: int = 1, color: 
     """Legs (by default light grey), straight in the data (hence curved on a nonlinear scale), and the visible control
     points.
     """
+    size = next(size for least, size in MARKER_SIZES.items() if count >= least)
     for run in runs:
         legs = [
             [x + mpq(k, bends) * (y - x) for x, y in zip(p, q, strict=True)]
@@ -168,17 +173,15 @@ def draw_polygons(ax: Axes, runs: list[Run], count: int, bends: int = 1, color: 
             for k in range(bends)
         ]
         draw(ax, [*legs, run[-1]], color=color, linewidth=1, label="_legs", zorder=2)
-        draw(ax, run, "o", color=BLUE, markersize=5 if count < 100 else 3.5, label="_control points", zorder=2.2)
+        draw(ax, run, "o", color=BLUE, markersize=size, label="_control points", zorder=2.2)
     nothing: list[list[float]] = [[]] * (3 if ax.name == "3d" else 2)
     label = f"control polygon ({counted(count, 'point')}{f', {hidden} far away or at infinity' if hidden else ''})"
     ax.plot(*nothing, "o-", color=color, markerfacecolor=BLUE, markeredgecolor=BLUE, markersize=5, label=label)
 
 
 def shown_name(curve: Nurbs) -> str:
-    """The name, escaped so that matplotlib shows it literally: neither dollar signs as mathematics nor a hiding
-    underscore.
-    """
-    return curve.name.replace("$", r"\$").lstrip("_") or "curve"
+    """The name in words, escaped so that matplotlib shows it literally: no dollar signs as mathematics."""
+    return curve.name.replace("$", r"\$").replace("_", " ").strip() or "curve"
 
 
 def settle(figure: Figure) -> None:

@@ -81,7 +81,7 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
     >>> from exactspline.roots.zero_set import zeros
     >>> f = construction("zero_curvature").on(example("cubic_s"), "paper")
     >>> [ax.get_title() for ax in inspect_figure(example("cubic_s"), [("zero curvature", f, zeros(f))]).axes]
-    ['cubic_s: degree 3, 4 control points', 'zero curvature: degree 3, 4 control points']
+    ['cubic s: degree 3, 4 control points', 'zero curvature: degree 3, 4 control points']
     """
     figure = new_figure(PAGE, max(4.6, 3 * len(panels)))
     grid = figure.add_gridspec(max(1, len(panels)), 2 if panels else 1)

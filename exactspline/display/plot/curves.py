@@ -45,6 +45,8 @@ if TYPE_CHECKING:
 
 #: How far beyond the box around its curve an evolute is shown, in multiples of the box's longer side.
 REACH = mpq(1, 2)
+#: Knots lie on top of marks: where both are at one point, the knot is the dot in the middle of the mark.
+KNOTS = 7
 
 
 def plot_curve(
@@ -66,7 +68,7 @@ def plot_curve(
     >>> from exactspline.interchange.examples import example
     >>> ax = plot_curve(example("circle"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['control polygon (9 points)', 'circle', 'knots']
+    ['control polygon (9 points)', 'circle', 'every second segment', 'knots']
 
     Raises `PlotError` without matplotlib, for a curve neither in the plane nor in space, for axes that do not fit, and
     for numbers beyond 1e100.
@@ -78,13 +80,15 @@ def plot_curve(
     if control_polygon:
         points = [point if weight else None for point, weight in zip(curve.control_points, curve.weights, strict=True)]
         draw_polygons(ax, polygons(curve.knots.knots, curve.degree, points), len(points), color=polygon_color)
+    name = shown_name(curve) if label is None else label
+    shades = [name, "_every second segment" if color or name.startswith("_") else "every second segment"]
     for i, samples in enumerate(sampled(curve, curve.breakpoints)):
-        shown_as = "_segment" if i else shown_name(curve) if label is None else label
+        shown_as = shades[i] if i < len(shades) else "_segment"
         shade = color or (GREY if i % 2 else BLACK)
         draw(ax, [p for _, p in samples], color=shade, linewidth=2.2, label=shown_as, zorder=3)
     if knots:
         ends = dict.fromkeys(curve(t, side) for t in curve.breakpoints for side in Side)
-        draw(ax, ends, "o", color=BLACK, markerfacecolor="white", markersize=3.5, label="knots", zorder=4)
+        draw(ax, ends, "o", color=BLACK, markerfacecolor="white", markersize=3.5, label="knots", zorder=KNOTS)
     ax.set_aspect("equal", adjustable="box" if ax.name == "3d" else "datalim")
     legend_below(ax)
     return ax
@@ -124,7 +128,7 @@ def plot_features(
             markerfacecolor="white" if hollow else color,
             markersize=size,
             label=label or "_features",
-            zorder=6,
+            zorder=KNOTS - 1,
         )
         legend_below(ax)
     return ax

@@ -361,12 +361,11 @@ def held_against(
     ]
     if start is not None and not failing and _agree_before(start, claim, computed, claimed, lower):
         return Finding(PROVED, found, factor)
-    wrong: dict[str, int] | None
-    if failing:
+    # the degree for symbolic d first: an exceptional d says less
+    wrong = _first_failure(claim, computed, claimed, names, lower)
+    n = 0 if wrong is None else computed.at(wrong)
+    if wrong is None and failing:
         n, wrong = lower[failing[0]], dict.fromkeys(names, failing[0])
-    else:
-        wrong = _first_failure(claim, computed, claimed, names)
-        n = 0 if wrong is None else computed.at(wrong)
     if wrong is None:
         return Finding(UNDECIDED, found, factor, Fact.NO_COUNTEREXAMPLE)
     at = tuple((Name(name), d) for name, d in sorted(wrong.items()))
@@ -389,14 +388,16 @@ def _agree_before(
 
 
 def _first_failure(
-    claim: DegreeClaim, computed: Degree, claimed: Degree, names: frozenset[str]
+    claim: DegreeClaim, computed: Degree, claimed: Degree, names: frozenset[str], exceptions: Mapping[int, int]
 ) -> dict[str, int] | None:
-    """The degrees at which the relation fails: equal ones from max(3, least d) upwards, then those below it, then
-    unequal ones; None where it holds at all of these.
+    """The degrees at which the relation fails, exceptions left out: equal ones from max(3, least d) upwards, then those
+    below it, then unequal ones; None where it holds at all of these.
     """
     first = max(3, claim.least_d)
     equal: Iterable[dict[str, int]] = (
-        dict.fromkeys(names, d) for d in (*range(first, first + 1001), *range(claim.least_d, first))
+        dict.fromkeys(names, d)
+        for d in (*range(first, first + 1001), *range(claim.least_d, first))
+        if d not in exceptions
     )
     least = range(claim.least_d, claim.least_d + UNEQUAL)
     unequal = (dict(zip(sorted(names), each, strict=True)) for each in product(least, repeat=len(names)))

@@ -1,5 +1,5 @@
-"""A referee's report: what a paper claims, which claims hold, and on what these verdicts rely; one
-self-contained page.
+"""The ledger as self-contained pages: all rows with filters; and a referee's report, what a paper claims, which claims
+hold, and on what these verdicts rely.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from html import escape
 from importlib.metadata import PackageNotFoundError, version
 
 from exactspline.display.glossary import glossary_list
-from exactspline.display.ledger import WORDS, claimed, closing, found, summary, witness
+from exactspline.display.ledger import WORDS, claimed, closing, found, headline, section, summary, witness
 from exactspline.display.page import cells, definitions, page, table
 from exactspline.display.quotations import parts
 from exactspline.papers import Paper
@@ -19,7 +19,77 @@ from exactspline.readings.tree import trace
 from exactspline.verification.claim import Claim
 from exactspline.verification.rows import Row, count_statements
 
-_STYLE = """
+_LEDGER_STYLE = """
+body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:80rem;padding:0 1rem;color:#1a1a1a;background:#fff}
+table{border-collapse:collapse;width:100%}th,td{text-align:left;vertical-align:top;padding:.3rem .8rem .3rem 0}
+th{border-bottom:1px solid #999;position:sticky;top:0;background:#fff}
+td{border-bottom:1px solid #eee;overflow-wrap:anywhere}
+.PROVED{color:#00694d}.VERIFIED{color:#0060a0}.REFUTED{color:#b34700}.UNDECIDED,.VACUOUS,.INAPPLICABLE{color:#666}
+.CONTRADICTION{color:#b00020}
+td:first-child{font-weight:600}form{display:flex;flex-wrap:wrap;gap:1rem;margin:1rem 0}label{display:flex;gap:.4rem}
+input,select{font:inherit;max-width:100%}dt{font-weight:600}
+@media(max-width:800px){thead{display:none}tr:not([hidden]),td{display:block}
+td{border:0;padding:.1rem 0}tr{border-bottom:1px solid #eee;padding:.4rem 0}}
+"""
+_SCRIPT = """
+const form=document.querySelector("form"),rows=[...document.querySelectorAll("tbody tr")];
+function filter(){const d=new FormData(form),text=d.get("text").toLowerCase();let n=0;
+for(const r of rows){const ok=["verdict","section","curve"].every(k=>!d.get(k)||r.dataset[k]===d.get(k))
+&&(!text||r.textContent.toLowerCase().includes(text));r.hidden=!ok;n+=ok}
+document.querySelector("output").textContent=n+" of "+rows.length+" rows"}
+form.addEventListener("input",filter);form.addEventListener("submit",e=>e.preventDefault());filter();
+"""
+
+
+def ledger_page(rows: Sequence[Row]) -> str:
+    """The rows as an HTML page, with a filter by verdict, by section, by curve and by text.
+
+    >>> from exactspline.verification.claims import select
+    >>> from exactspline.verification.ledger import audit
+    >>> text = ledger_page(list(audit(select(["C4.1a"]), [])))
+    >>> "<title>" in text, "http" in text
+    (True, False)
+    """
+    words = [w for w in WORDS if any(row.verdict == w for row in rows)]
+    sections = list(dict.fromkeys(section(row.claim) for row in rows))
+    curves = list(dict.fromkeys(_curve(row) for row in rows))
+    choices = (("verdict", words), ("section", sections), ("curve", curves))
+    filters = "".join(_select(name, values) for name, values in choices)
+    head = cells(("verdict", "claim", "place", "on", "statement", "found", "witness"), "th")
+    body = (
+        f"<h1>{escape(headline(rows))}</h1><p>{escape(closing(rows))}</p>{_unchecked(rows)}"
+        f'<form>{filters}<label>text <input name="text" type="search"></label><output></output></form>'
+        f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(map(_row, rows))}</tbody></table>"
+        f"{glossary_list(words)}<script>{_SCRIPT}</script>"
+    )
+    return page("Ledger", body, _LEDGER_STYLE)
+
+
+def _unchecked(rows: Sequence[Row]) -> str:
+    """The papers whose formulas ran unchecked."""
+    papers = dict.fromkeys(row.claim.source_paper for row in rows)
+    names = ", ".join(source.name for source in papers if source.trusted)
+    return f"<p><b>Formulas that ran unchecked (--trust): {escape(names)}</b></p>" if names else ""
+
+
+def _curve(row: Row) -> str:
+    return row.curve or "all curves"
+
+
+def _select(name: str, values: Sequence[str]) -> str:
+    options = "".join(f"<option>{escape(value)}</option>" for value in values)
+    return f'<label>{name} <select name="{name}"><option value="">all</option>{options}</select></label>'
+
+
+def _row(row: Row) -> str:
+    verdict = row.verdict
+    data = {"verdict": verdict, "section": section(row.claim), "curve": _curve(row)}
+    attributes = "".join(f' data-{name}="{escape(value)}"' for name, value in data.items())
+    shown = cells((row.id, row.claim.source, _curve(row), row.statement, found(row), witness(row)))
+    return f'<tr{attributes}><td class="{verdict}">{verdict}</td>{shown}</tr>'
+
+
+_REPORT_STYLE = """
 body{font:16px/1.5 Georgia,serif;margin:2rem auto;max-width:52rem;padding:0 1rem;color:#1a1a1a;background:#fff}
 h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.2rem;margin-top:2.2rem;border-bottom:1px solid #bbb}
 article{margin:1.4rem 0;padding-left:1rem;border-left:.3rem solid #bbb}article h3{font-size:1rem;margin:0}
@@ -56,7 +126,7 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
         f"<h2>What the words mean</h2>{glossary_list(_words(rows))}"
         f"<h2>What the verdicts rely on</h2>{_versions()}{''.join(map(_digests, sources))}"
     )
-    return page(f"Report: {title}", body, _STYLE)
+    return page(f"Report: {title}", body, _REPORT_STYLE)
 
 
 def _words(rows: Iterable[Row]) -> list[str]:
