@@ -63,14 +63,15 @@ def entry_of(asked: str) -> tuple[Entry, str]:
 
 
 def checked_names(names: Iterable[str]) -> tuple[str, ...]:
-    """The questions, each once; ``all`` stands for all of them without an argument.
+    """The questions, each once; ``all`` stands for all of them without an argument
+    that are answered quickly.
 
     >>> checked_names(["corners", "offset_cusps:1/10", "corners"])
     ('corners', 'offset_cusps:1/10')
 
     Raises the errors of `entry_of`, and those of an argument that is none.
     """
-    without = [name for name, q in asked_by_sweeps().items() if not q.about.argument]
+    without = [name for name, q in asked_by_sweeps().items() if not q.about.argument and not q.about.on_request]
     chosen = dict[str, None]()
     for asked in as_texts(names, "names of questions", "the name of a question"):
         if asked != "all":

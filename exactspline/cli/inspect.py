@@ -54,6 +54,14 @@ def inspect(
             "what some of them may have; and shapes within E.",
         ),
     ] = "",
+    stability: Annotated[
+        bool,
+        Option(
+            "--stability",
+            help="Of plane curves: also how far control points and weights may be changed until a feature vanishes: a "
+            "distance for which it is proved that it does not, and one at which it may be gone.",
+        ),
+    ] = False,
     plot: Annotated[
         str,
         Option(
@@ -107,6 +115,7 @@ def inspect(
             "--approach": approach,
             "--coordinates": coordinates,
             "--epsilon": epsilon,
+            "--stability": stability,
             "--certificate": certificate,
             "--emit-coq": emit_coq,
         }
@@ -128,7 +137,7 @@ def inspect(
     if emit_coq and given:
         _emit(given[0], emit_coq)
     inspected = [
-        _inspected(replace(read, curve=c), approach, digits, coordinates, epsilon)
+        _inspected(replace(read, curve=c), approach, digits, coordinates, epsilon, stability)
         for read in found
         for c in also_in_their_planes([read.curve])
     ]
@@ -202,7 +211,7 @@ def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) ->
 
 
 def _inspected(
-    read: Read, approach: str, digits: int, coordinates: bool, epsilon: str
+    read: Read, approach: str, digits: int, coordinates: bool, epsilon: str, stability: bool
 ) -> tuple[Any, Any, dict[str, Any]]:
     """A curve, its inspection, and all of it as data."""
     from exactspline.display.serialize import answer_data, coordinate_extrema_data, inspection_data
@@ -221,6 +230,8 @@ def _inspected(
         data |= {"shapes": answer_data(c, analyse(c).shapes_within(within), digits), "epsilon": epsilon}
         if c.dimension == 2:
             data["nearby"] = answer_data(c, analyse(c).features_within(within), digits)
+    if stability and c.dimension == 2:
+        data["stability"] = answer_data(c, analyse(c).stability, digits)
     if coordinates:
         data["coordinate_extrema"] = coordinate_extrema_data(c, digits)
     if approach == ALL:

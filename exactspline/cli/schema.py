@@ -73,7 +73,7 @@ def answers(*of: str) -> dict[str, dict[str, object]]:
         | {"description": entry.meaning}
         | ({} if set(kinds) <= set(entry.about.of) else {"optional": True})
         for name, entry in entries.items()
-        if not entry.about.part_of and not entry.about.argument
+        if entry.about.reported
     }
 
 

@@ -90,9 +90,7 @@ def _decimals(ends: list[dict[str, str]]) -> str:
 def _asked(c: Nurbs, answered: Answered) -> list[str]:
     """The questions whose answers are shown, of those that consist of the same."""
     shown = {name: entry.about for name, entry in questions_about(c).items()}
-    return [
-        name for name, about in shown.items() if about.answered == answered and not about.part_of and not about.argument
-    ]
+    return [name for name, about in shown.items() if about.answered == answered and about.reported]
 
 
 def print_features(c: Nurbs, data: Mapping[str, object]) -> None:
@@ -116,6 +114,9 @@ def _print_rest(out: Console, c: Nurbs, data: Mapping[str, Any]) -> None:
     if "nearby" in data:
         out.print()
         out.print(nearby_sheet(c, data))
+    if "stability" in data:
+        out.print()
+        out.print(stability_sheet(c, data))
     if "approaches" in data:
         out.print()
         out.print(_approaches(data["approaches"]))
@@ -170,6 +171,19 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
         ((low, high),) = found["intervals"]
         curves = ("all: one" if found["single"] else "all") if found["certain"] else "perhaps some"
         made.add_row(_kind(found["kind"]), curves, _end(low), _end(high))
+    return made
+
+
+def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
+    """How far a curve may be changed until its features vanish."""
+    title = f"{c.name} with all numbers changed by at most this"
+    made = Sheet("what", "at", "certain up to", "gone within", title=title, heads=1, numbers=["certain up to"])
+    rows: Any = data["stability"]
+    for found in rows:
+        ((low, high),) = found["intervals"]
+        radius, *gone = (decimal(rational(x), 4) for (x,) in found["numbers"].values())
+        at = decimal((rational(low) + rational(high)) / 2, DIGITS)
+        made.add_row(_kind(found["kind"]), at, radius if radius != "0" else "not proved", *gone or ["not known"])
     return made
 
 

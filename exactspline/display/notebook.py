@@ -177,7 +177,7 @@ def _(found: Any) -> str:
     lines = [
         (name.replace("_", " "), escape(_cut(repr(entry.answer(found)))))
         for name, entry in questions_of(type(found)).items()
-        if not entry.about.part_of and not entry.about.argument and _kind(found) in entry.about.of
+        if entry.about.reported and _kind(found) in entry.about.of
     ]
     return facts(repr(of)[1:-1], lines, curve_picture(of) if isinstance(found, Analysis) else "")
 

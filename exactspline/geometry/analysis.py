@@ -24,6 +24,7 @@ from exactspline.geometry.nearby import NearbyFeature, features_nearby
 from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
 from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized
 from exactspline.geometry.space_features import SpaceFacts
+from exactspline.geometry.stability import StableFeature, stability
 from exactspline.hooks import Displayed
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
@@ -271,6 +272,21 @@ class Analysis(SpaceFacts, Displayed):
         Raises `ShapeError` for a curve that is not in the plane, and for a distance that is not positive.
         """
         return features_nearby(self.curve, epsilon)
+
+    @question(Of.PLANE_CURVE, answered=Answered.DESCRIBED, on_request=True)
+    def stability(self) -> tuple[StableFeature, ...]:
+        """Inflections, extrema of the curvature and corners, and how far control points and weights may be changed
+        without one of them vanishing.
+
+        See `exactspline.geometry.stability.stability`.
+
+        >>> from exactspline import example
+        >>> [(found.kind.value, found.radius < found.gone) for found in analyse(example("cubic_s")).stability]
+        [('minimum', True), ('inflection', True), ('maximum', True)]
+
+        Raises `ShapeError` for a curve that is not in the plane.
+        """
+        return stability(self.curve)
 
     @question_with("0", *CURVES, proof=lambda facts, axis: slope_zeros(facts.curve, axis))
     def turning_points(self, axis: int | str) -> Places[Feature]:

@@ -54,11 +54,11 @@ class Inspection:
 
     @property
     def answers(self) -> dict[str, object]:
-        """The answers to all questions that need no argument and are not part of another, by name."""
+        """The answers to all questions that belong into a report, by name."""
         return {
             name: self.critical_points if name == "critical_points" else entry.answer(self.analysis)
             for name, entry in questions_about(self.curve).items()
-            if not entry.about.part_of and not entry.about.argument
+            if entry.about.reported
         }
 
 

@@ -129,7 +129,8 @@ class About:
     contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the object and the
     argument. ``known``: the answer
     from what the certified filter knows. ``argument``: what it is asked with, an example of it in text ("" for
-    nothing). ``of_piece``: what a table says of one of the pieces.
+    nothing). ``of_piece``: what a table says of one of the pieces. ``on_request``: whether it takes so long that it is
+    answered only where it is asked for by its name.
     """
 
     of: tuple[Of, ...]
@@ -139,6 +140,12 @@ class About:
     known: Callable[[Known], object] | None = None
     argument: str = ""
     of_piece: str = ""
+    on_request: bool = False
+
+    @property
+    def reported(self) -> bool:
+        """Whether the answer belongs into a report of everything that is known."""
+        return not (self.part_of or self.argument or self.on_request)
 
 
 class Entry(ABC):
@@ -232,9 +239,11 @@ def question(
     proof: Callable[..., ZeroSet] | None = None,
     known: Callable[[Known], object] | None = None,
     of_piece: str = "",
+    on_request: bool = False,
 ) -> Callable[[Callable[[F], T]], Question[F, T]]:
     """Make the property that computes an answer an entry of the registry (see `About`)."""
-    return lambda compute: Question(compute, About(of, answered, part_of, proof, known, of_piece=of_piece))
+    about = About(of, answered, part_of, proof, known, of_piece=of_piece, on_request=on_request)
+    return lambda compute: Question(compute, about)
 
 
 def question_with(

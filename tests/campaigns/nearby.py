@@ -1,5 +1,6 @@
 """Curves near a curve, drawn at random, against what is said of all of them:
-``python -m tests.campaigns.nearby 1000``.
+``python -m tests.campaigns.nearby 1000``; and how much farther away than proved features vanish:
+``python -m tests.campaigns.nearby --pessimism 100``.
 
 Of every curve near it, the sign of κ and of κ′ at both ends of each interval that has a certain feature is computed by
 its own formula in 60 digits, from control points by de Boor's algorithm; and every feature that the curve has, found in
@@ -13,6 +14,7 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
+from math import inf
 from random import Random
 
 from gmpy2 import mpq
@@ -22,6 +24,7 @@ from exactspline import Nurbs, analyse
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.geometry.nearby import NearbyFeature, features_nearby
+from exactspline.geometry.stability import stability
 
 SEED = 2032
 #: Curves near each curve.
@@ -156,8 +159,28 @@ def campaign(count: int, seed: int = SEED) -> Counter[str]:
     return tally
 
 
+def pessimism(count: int, seed: int = SEED) -> list[float]:
+    """How much farther away than its radius a curve without the feature was found, in increasing order; infinite where
+    there is a radius but no such curve. Of random curves of degree 2 and 3 with few segments.
+    """
+    random, found = Random(seed), list[float]()
+    while count:
+        curve = drawn(random)
+        if curve.degree > 3:
+            continue
+        count -= 1
+        found += [float(each.gone / each.radius) if each.gone else inf for each in stability(curve) if each.radius]
+    return sorted(found)
+
+
 def main() -> int:
     """Run the campaign and print what was found."""
+    if sys.argv[1:2] == ["--pessimism"]:
+        ratios = pessimism(int(sys.argv[2]))
+        middle = [f"{ratios[len(ratios) * k // 4]:.2f}" for k in (1, 2)]
+        within = [sum(ratio <= limit for ratio in ratios) for limit in (4, 16, 1000)]
+        print(f"{len(ratios)} features; quartile and median {middle}; within 4, 16, 1000: {within}")
+        return 0
     found = campaign(int(sys.argv[1]) if len(sys.argv) > 1 else 100)
     for what, count in sorted(found.items()):
         print(f"{count:8} {what}")

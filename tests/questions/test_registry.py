@@ -105,12 +105,11 @@ def test_every_list_of_questions_is_that_of_the_registry():
     assert set(answers(*CURVES)) <= set(schema_of("inspect")["properties"]["rows"]["items"]["properties"])
     for name in ("circle", "twisted_cubic"):
         row = json.loads(CliRunner().invoke(app, ["inspect", name, "--json"]).output)["rows"][0]
-        expected = {
-            n for n, q in questions_about(xs.example(name)).items() if not (q.about.part_of or q.about.argument)
-        }
+        expected = {n for n, q in questions_about(xs.example(name)).items() if q.about.reported}
         assert expected <= set(row)
     assert set(asked_by_sweeps()) == {n for n, q in QUESTIONS.items() if q.about.answered in LISTED}
-    assert checked_names(["all"]) == tuple(n for n, q in asked_by_sweeps().items() if not q.about.argument)
+    abouts = {name: entry.about for name, entry in asked_by_sweeps().items()}
+    assert checked_names(["all"]) == tuple(n for n, a in abouts.items() if not (a.argument or a.on_request))
 
 
 def test_a_question_that_stands_nowhere_else_is_asked_everywhere(monkeypatch):

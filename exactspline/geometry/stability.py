@@ -1,0 +1,250 @@
+"""How far a plane curve may be changed until a feature vanishes or merges with another: a distance for which it is
+proved that no such change does it, and a curve, at a distance not much larger, without the feature.
+
+The distance is the largest of a list for which `exactspline.geometry.nearby` finds the feature once in all curves that
+near. The other curve moves each control point by the same amount, in the direction in which the form of the feature
+grows fastest where it is hardest to lift over zero; that it lacks a feature is decided in exact arithmetic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+
+from flint import arb, ctx
+
+from exactspline.errors import ShapeError, WeightError
+from exactspline.geometry.constructions import Variant
+from exactspline.geometry.facts import Facts
+from exactspline.geometry.kinds import FeatureKind
+from exactspline.geometry.nearby import NearbyFeature, features_nearby
+from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family
+from exactspline.geometry.plane_features import critical_points, flat_points
+from exactspline.geometry.plane_programs import CRITICAL, CURVATURE
+from exactspline.geometry.recognition.pieces import rounded_up
+from exactspline.numbers.exact import mpq, sign
+from exactspline.numbers.intervals import ball_ends
+from exactspline.questions.answers import CurvePiece, Described
+from exactspline.reals.real import Real, real
+from exactspline.splines.expected import curve_of
+from exactspline.splines.nurbs import Nurbs
+
+#: Kinds of features, with the constructions of which they are zeros, and their forms.
+FORMS: dict[FeatureKind, tuple[str, int]] = {
+    FeatureKind.INFLECTION: ("zero_curvature", CURVATURE),
+    FeatureKind.MAXIMUM: ("critical_curvature", CRITICAL),
+    FeatureKind.MINIMUM: ("critical_curvature", CRITICAL),
+}
+#: The distances that are tried, in units of the size of the curve.
+DISTANCES = tuple(mpq(m, 2) * mpq(2) ** e for e in range(-60, 0) for m in (2, 3))
+#: Where, between two zeros of a form, it may be hardest to lift over zero.
+PLACES = tuple(mpq(k, 12) for k in range(1, 12))
+#: Multiples of the distance that the linear part of the form asks for.
+FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64, 96, 128, 256))
+
+
+@dataclass(frozen=True)
+class StableFeature(Described):
+    """A feature of a plane curve, and how far the curve may be changed.
+
+    Every curve whose control points and weights differ by at most `radius` has this feature exactly once near this
+    place; 0 where nothing like that is proved. `witness` is a curve with fewer features of this kind, whose numbers
+    differ by at most `gone`; None where none was found.
+    """
+
+    kind: FeatureKind
+    place: Real
+    radius: mpq
+    witness: Nurbs | None = field(default=None, repr=False)
+    gone: mpq | None = None
+
+    @property
+    def piece(self) -> CurvePiece:  # type: ignore[override]  # an enclosure of the parameter
+        """The parameter, enclosed to twenty digits."""
+        return CurvePiece((self.place.enclosure(20),))
+
+    @property
+    def values(self) -> dict[str, tuple[Real, ...]]:
+        """The two distances."""
+        known = {"radius": self.radius, "gone": self.gone}
+        return {name: (real(value),) for name, value in known.items() if value is not None}
+
+
+def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
+    """Inflections, extrema of the curvature and corners of a plane curve, and how far its control points and weights
+    may be changed (each coordinate and each weight for itself) without one of them vanishing or merging with another.
+
+    >>> from exactspline import example
+    >>> for found in stability(example("cubic_s")):
+    ...     print(found.kind, f"{float(found.radius):.3f} {float(found.gone):.3f}")
+    minimum 0.031 1.616
+    inflection 0.188 0.756
+    maximum 0.031 1.616
+
+    Raises `ShapeError` for a curve that is not in the plane.
+    """
+    given = curve_of(curve)
+    if given.dimension != 2:
+        raise ShapeError(f"the stability of a curve in R{given.dimension}", remedy="this needs a plane curve")
+    facts, radii = Facts(given), _Radii(given)
+    with ctx.workprec(PRECISION):
+        return tuple(_stable(facts, kind, place, radii) for kind, place in _features(facts))
+
+
+def _features(facts: Facts) -> list[tuple[FeatureKind, Real]]:
+    """The features with their parameters, in order."""
+    points = [*flat_points(facts), *critical_points(facts, Variant.MINIMAL)]
+    found: list[tuple[FeatureKind, Real]] = [(point.kind, point.root) for point in points if point.kind in FORMS]
+    found += [(FeatureKind.CORNER, real(joint.parameter)) for joint in facts.corners]
+    return sorted(found, key=lambda each: each[1])
+
+
+def _stable(facts: Facts, kind: FeatureKind, place: Real, radii: _Radii) -> StableFeature:
+    radius = radii.of(kind, place)
+    curve = facts.curve
+    moved = _straightened(curve, place) if kind is FeatureKind.CORNER else _flattened(facts, kind, place)
+    before = _count(curve, kind)
+    witness = next((each for each in moved if _count(each, kind) < before), None)
+    return StableFeature(kind, place, radius, witness, None if witness is None else _difference(curve, witness))
+
+
+class _Radii:
+    """The largest distances for which features are certain, found by halving; what is computed serves all features."""
+
+    def __init__(self, curve: Nurbs) -> None:
+        self.curve, self._found = curve, dict[int, tuple[NearbyFeature, ...]]()
+        columns = list(zip(*curve.control_points, strict=True))
+        self.size = max(max(column) - min(column) for column in columns) or mpq(1)
+
+    def of(self, kind: FeatureKind, place: Real) -> mpq:
+        """The largest distance that is tried for a feature, 0 for none."""
+        low, high = -1, len(DISTANCES)
+        while high - low > 1:
+            tried = (low + high) // 2
+            if any(_is_here(near, kind, place) for near in self._nearby(tried)):
+                low = tried
+            else:
+                high = tried
+        return DISTANCES[low] * self.size if low >= 0 else mpq(0)
+
+    def _nearby(self, index: int) -> tuple[NearbyFeature, ...]:
+        if index not in self._found:
+            try:
+                self._found[index] = features_nearby(self.curve, DISTANCES[index] * self.size)
+            except ShapeError:  # a weight function may vanish at this distance
+                self._found[index] = ()
+        return self._found[index]
+
+
+def _is_here(near: NearbyFeature, kind: FeatureKind, place: Real) -> bool:
+    """Whether it is this feature, and all curves have it once."""
+    return near.single and near.kind is kind and near.place.low <= place <= near.place.high
+
+
+def _count(curve: Nurbs, kind: FeatureKind) -> int:
+    """The number of features of a kind, by exact arithmetic."""
+    facts = Facts(curve)
+    if kind is FeatureKind.CORNER:
+        return len(facts.corners)
+    points = flat_points(facts) if kind is FeatureKind.INFLECTION else critical_points(facts, Variant.MINIMAL)
+    return sum(point.kind is kind for point in points)
+
+
+def _difference(a: Nurbs, b: Nurbs) -> mpq:
+    """The largest difference of coordinates of control points and of weights."""
+    rows = zip((*a.control_points, a.weights), (*b.control_points, b.weights), strict=True)
+    return max(abs(x - y) for row, other in rows for x, y in zip(row, other, strict=True))
+
+
+def _straightened(curve: Nurbs, place: Real) -> Iterator[Nurbs]:
+    """The curve without a corner: its control point there moved half the way to the segment between its neighbours,
+    and they half the way to it.
+    """
+    t, points = place.exact, list(curve.control_points)
+    # a seam, or two control points at the corner
+    if t is None or t in curve.domain or curve.knots.multiplicity(t) != curve.degree:
+        return
+    first = next(i for i, knot in enumerate(curve.knots) if knot == t)
+    before, at, behind = points[first - 2 : first + 1]
+    along = [b - a for a, b in zip(before, behind, strict=True)]
+    square = sum(x * x for x in along)
+    if not square:
+        return
+    share = sum((x - a) * u for x, a, u in zip(at, before, along, strict=True)) / square
+    share = min(max(share, mpq(1, 16)), mpq(15, 16))
+    half = [(a + share * u - x) / 2 for x, a, u in zip(at, before, along, strict=True)]
+    for i, ahead in ((first - 2, -1), (first - 1, 1), (first, -1)):
+        points[i] = tuple(x + ahead * h for x, h in zip(points[i], half, strict=True))
+    yield Nurbs(curve.degree, curve.knots, points, curve.weights)
+
+
+def _flattened(facts: Facts, kind: FeatureKind, place: Real) -> Iterator[Nurbs]:
+    """Curves near a curve, the nearest first, whose form is lifted over zero between this zero and a neighbour of it,
+    or an end of the domain.
+    """
+    curve, (name, which) = facts.curve, FORMS[kind]
+    start, end = map(real, curve.domain)
+    zeros = list(facts.zero_form(name).zeros)
+    before, behind = [x for x in zeros if x < place], [x for x in zeros if x > place]
+    gaps = [(before[-1] if before else start, place), (place, behind[0] if behind else end)]
+    gradients = _Gradients(curve, which)
+    hardest = [max((gradients.lift(t) for t in _samples(*gap, curve)), key=lambda lift: lift.distance) for gap in gaps]
+    tried = [(lift.distance * factor, lift) for lift in hardest for factor in FACTORS]
+    for distance, lift in sorted(tried, key=lambda each: each[0]):
+        if distance:
+            with suppress(WeightError):
+                yield lift.applied(curve, rounded_up(distance))
+
+
+def _samples(low: Real, high: Real, curve: Nurbs) -> list[mpq]:
+    """Places between two zeros, with those of them that are ends of the domain."""
+    a, b = low.enclosure(20).middle, high.enclosure(20).middle
+    return [a + (b - a) * share for share in PLACES] + [t for t in (a, b) if t in curve.domain]
+
+
+@dataclass(frozen=True)
+class _Lift:
+    """By how much each control point must be moved, at first order, so that the form vanishes at a place: `signs` of
+    the coordinates and the weight of the control points from `first` on.
+    """
+
+    distance: mpq
+    first: int
+    signs: tuple[tuple[int, ...], ...]
+
+    def applied(self, curve: Nurbs, distance: mpq) -> Nurbs:
+        """The curve with its control points moved by this distance."""
+        return _moved(curve, {self.first + i: [s * distance for s in row] for i, row in enumerate(self.signs)})
+
+
+def _moved(curve: Nurbs, steps: dict[int, Sequence[mpq]]) -> Nurbs:
+    """The curve with control points moved by these steps, each for both coordinates and, perhaps, the weight."""
+    points, weights = list(curve.control_points), list(curve.weights)
+    for i, (x, y, *w) in steps.items():
+        points[i] = (points[i][0] + x, points[i][1] + y)
+        weights[i] += w[0] if w else 0
+    return Nurbs(curve.degree, curve.knots, points, weights)
+
+
+class _Gradients:
+    """A form of a curve, and how it changes with the control points, segment by segment."""
+
+    def __init__(self, curve: Nurbs, which: int) -> None:
+        self.curve, self.which = curve, which
+        self.forms, self._known = CurvesNear(curve, mpq(0)), dict[int, Family]()
+
+    def lift(self, t: mpq) -> _Lift:
+        """What lifts the form to zero at a parameter."""
+        i = self.curve.mesh.locate(t)
+        if i not in self._known:
+            self._known[i] = self.forms.form(self.which, i)
+        value, *slopes, _ = map(_middle, self._known[i].values(self.curve.mesh.local(i, t)))
+        norm, direction, width = sum(map(abs, slopes)), -sign(value), self.forms.per_point
+        signs = [direction * sign(x) for x in slopes]
+        rows = tuple(tuple(signs[k : k + width]) for k in range(0, len(signs), width))
+        return _Lift(abs(value) / norm if norm else mpq(0), self.forms.basis(i)[0], rows)
+
+
+def _middle(x: arb) -> mpq:
+    return ball_ends(x).middle

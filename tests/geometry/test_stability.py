@@ -1,0 +1,89 @@
+"""How far a curve may be changed until a feature vanishes."""
+
+from itertools import islice
+from random import Random
+
+import pytest
+from gmpy2 import mpq
+
+import exactspline as xs
+from exactspline.errors import ShapeError
+from exactspline.geometry.kinds import FeatureKind
+from exactspline.geometry.nearby import features_nearby
+from exactspline.geometry.stability import stability
+from tests.campaigns.nearby import drawn, moved
+
+
+def kinds(curve):
+    """How often each kind of feature occurs."""
+    found = xs.analyse(curve)
+    of = [*found.inflections, *found.curvature_extrema]
+    return sorted(str(f.kind) for f in of) + ["corner"] * len(found.corners)
+
+
+def small_curves(random, number):
+    """Curves of degree 2 and 3, of which everything is found quickly."""
+    small = (curve for curve in iter(lambda: drawn(random), None) if curve.degree <= 3 and curve.segments <= 3)
+    return islice(small, number)
+
+
+def test_no_change_within_the_radius_makes_a_feature_vanish():
+    """A radius taken from the first distance that is refuted, or an interval without the feature, would pass."""
+    random, tried = Random(7), 0
+    for curve in small_curves(random, 6):
+        for found in stability(curve):
+            if not found.radius:
+                continue
+            (near,) = [
+                f
+                for f in features_nearby(curve, found.radius)
+                if f.kind is found.kind and f.place.low <= found.place <= f.place.high
+            ]
+            assert near.single
+            if found.kind is FeatureKind.CORNER:
+                continue
+            for _ in range(3):
+                facts = xs.analyse(moved(curve, found.radius, random))
+                points = [*facts.inflections, *facts.curvature_extrema]
+                assert sum(f.kind is found.kind and f.root in near.piece for f in points) == 1
+                tried += 1
+    assert tried > 15
+
+
+def test_a_witness_lacks_a_feature_and_is_as_near_as_it_says():
+    tried = []
+    for curve in small_curves(Random(11), 6):
+        for found in stability(curve):
+            if found.witness is None:
+                continue
+            pairs = zip(curve.control_points, found.witness.control_points, strict=True)
+            differences = [abs(x - y) for p, q in pairs for x, y in zip(p, q, strict=True)]
+            differences += [abs(a - b) for a, b in zip(curve.weights, found.witness.weights, strict=True)]
+            assert max(differences) == found.gone >= found.radius
+            assert found.witness.knots == curve.knots
+            name = str(found.kind)
+            assert kinds(found.witness).count(name) < kinds(curve).count(name)
+            tried.append(name)
+    assert {"inflection", "maximum"} <= set(tried)
+
+
+def test_the_inflection_of_a_symmetric_cubic_and_a_corner():
+    """The bounds are a factor of 6 apart here; a corner of 90° in a polyline is gone at a quarter of its legs."""
+    (inflection,) = [f for f in stability(xs.example("cubic_s")) if f.kind is FeatureKind.INFLECTION]
+    assert mpq(1, 8) <= inflection.radius < inflection.gone < 1
+    (corner,) = stability(xs.Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)]))
+    assert corner.kind is FeatureKind.CORNER
+    assert mpq(1, 8) <= corner.radius < corner.gone == mpq(1, 4)
+
+
+def test_what_every_change_destroys_has_no_radius():
+    flat = xs.Nurbs(4, [0] * 5 + [1] * 5, [(mpq(k, 4), y) for k, y in enumerate((1, -1, 1, -1, 1))])
+    assert all(f.kind is not FeatureKind.UNDULATION for f in stability(flat))
+    assert {f.radius for f in stability(xs.example("ellipse"))} == {0}  # at double knots, where κ may jump
+
+
+def test_questions_and_errors():
+    curve = xs.example("cubic_s")
+    assert xs.analyse(curve).stability == stability(curve)
+    with pytest.raises(ShapeError, match="plane curve"):
+        stability(xs.example("twisted_cubic"))
