@@ -66,6 +66,20 @@ def read(
         raise (error.at(name) if name else error) from None
 
 
+def holds_surfaces(place: str | os.PathLike[str]) -> bool:
+    """Whether a file is in a format that can hold surfaces, by its beginning and its suffix.
+
+    >>> holds_surfaces("nothing.here")
+    False
+    """
+    path = as_path(place)
+    try:
+        with open(path, "rb") as stream:
+            return _recognized(stream.read(HEAD), Path(path).name).write_surfaces is not None
+    except (OSError, ExactSplineError):
+        return False
+
+
 def read_in_pieces(place: str) -> Iterator[Piece]:
     """The curves of a file as `read` returns them, piece by piece if the format supports it, so that a large font is
     never in memory as a whole.
