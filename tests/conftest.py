@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, settings
 
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much]
 settings.register_profile(
-    "repeat", deadline=None, max_examples=50, derandomize=True, database=None, suppress_health_check=SLOW
+    "repeat", deadline=None, max_examples=25, derandomize=True, database=None, suppress_health_check=SLOW
 )
 settings.register_profile("search", deadline=None, max_examples=1000, suppress_health_check=SLOW)
 settings.load_profile("repeat")

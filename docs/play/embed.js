@@ -1,4 +1,5 @@
-// <script src="…/play/embed.js"></script> puts the moving curve where the tag stands, as high as what it shows.
+// <script src="…/play/embed.js"></script> puts the moving curve where the tag stands, as high as what it shows; with
+// data-caption="…" these words above it, with data-page="de-boor" the triangle of de Boor in its place.
 const tag = document.currentScript;
 if (location.protocol === "file:") {
   const said = document.createElement("p");
@@ -6,12 +7,14 @@ if (location.protocol === "file:") {
   tag.replaceWith(said);
 } else {
   const frame = document.createElement("iframe");
-  frame.src = new URL(`curve.html?embed${tag.dataset.curve ? `#${tag.dataset.curve}` : ""}`, tag.src);
-  frame.title = "a curve, exactly";
+  frame.src = new URL(`${tag.dataset.page ?? "curve"}.html?embed${tag.dataset.curve ? `#${tag.dataset.curve}` : ""}`, tag.src);
+  frame.title = tag.dataset.page === "de-boor" ? "de Boor’s triangle" : "a curve, exactly";
   frame.loading = "lazy";
   frame.style.cssText = `width:100%;border:0;height:${tag.dataset.height ?? 640}px`;
   addEventListener("message", ({ source, data }) => {
     if (source === frame.contentWindow && !tag.dataset.height && Number.isFinite(data?.exactspline)) frame.style.height = `${data.exactspline}px`;
   });
-  tag.replaceWith(frame);
+  const caption = document.createElement("p");
+  caption.textContent = tag.dataset.caption ?? "";
+  tag.replaceWith(...(caption.textContent ? [caption, frame] : [frame]));
 }

@@ -355,6 +355,8 @@ def over_one_denominator(values: Iterable[mpq]) -> tuple[list[int], int]:
     """
     numbers = list(values)
     common = lcm(*[x.denominator for x in numbers])
+    if common == 1:
+        return [int(x.numerator) for x in numbers], 1
     return [int(x.numerator * (common // x.denominator)) for x in numbers], int(common)
 
 

@@ -25,7 +25,7 @@ from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.two_parameters import S, T, lifted, possible_boxes, rows_of
-from exactspline.roots.of_polynomials import Parameter, ball, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, Place, ball, exactly, roots_in
 from exactspline.roots.root import Root
 
 #: The number of resultants whose common roots are taken, for more than two polynomials.
@@ -93,7 +93,7 @@ class CommonZero:
     column: Column = field(repr=False, compare=False)
 
     @property
-    def place(self) -> tuple[Parameter, Parameter]:
+    def place(self) -> Place:
         """Both numbers."""
         return self.s, self.t
 

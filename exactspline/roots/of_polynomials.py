@@ -19,6 +19,8 @@ from exactspline.splines.knots import Mesh
 
 #: An exact parameter: rational, or a certified root.
 Parameter = mpq | Root
+#: A pair of parameters.
+Place = tuple[Parameter, Parameter]
 
 #: The cost of making a form and isolating its roots: hundredths of a nanosecond per square of the degree and per bit.
 ISOLATION = 80

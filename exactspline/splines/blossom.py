@@ -5,11 +5,12 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
 from itertools import accumulate
-from math import comb
+from math import comb, gcd
+from operator import mul
+from typing import cast
 
-from flint import fmpq, fmpz, fmpz_mat, fmpz_poly
+from flint import fmpq, fmpz, fmpz_poly
 
 from exactspline.numbers.exact import common_multiple, mpq, over_one_denominator, to_fmpq
 from exactspline.polynomials.bernstein import ONE, Form, blossom, over_common_denominator, primitive
@@ -118,22 +119,29 @@ def _cheapest(breaks: Sequence[mpq], low: mpq, high: mpq, inner: Sequence[mpq]) 
     return best
 
 
-#: The knots that affect a span, scaled such that its left end is 0 and its right end is 1.
-Pattern = tuple[mpq, ...]
-#: A matrix is computed for a pattern that occurred this many times its degree, and for at most this many patterns.
+#: The knots that affect a span as coprime integers, moved such that its left end is 0. (Integers are hashed faster than
+#: fractions.)
+Pattern = tuple[int, ...]
+#: Of a pattern: for each coefficient the first control point of the span that has a part in it, and the integers by
+#: which this and the following points are multiplied; of Bézier points these again, one number each; a denominator.
+Weights = tuple[list[tuple[int, tuple[int, ...]]], tuple[int, ...] | None, int]
+#: The weights are computed for a pattern that occurred more often than its degree, and for at most this many patterns.
 PATTERNS = 4096
-#: Above this degree there are no matrices.
+#: Above this degree there are none.
 MOST = 12
+#: This many segments are computed over one denominator before each is brought to lowest terms.
+TOGETHER = 16
 
 _met: Counter[tuple[int, Pattern]] = Counter()
+_weights: dict[tuple[int, Pattern], Weights] = {}
 
 
 def common_forms(
     t: Sequence[mpq], n: int, columns: Sequence[Sequence[mpq]], spans: Sequence[int]
 ) -> list[tuple[list[fmpz_poly], fmpz]] | None:
     """The forms over the spans [t_j, t_{j+1}] of the splines of degree n with knots t and columns of control points,
-    one after the other, over their least common denominator. None where the knots around spans differ so much that a
-    matrix for each is not worthwhile.
+    one after the other, over their least common denominator. None where the knots around spans differ so much that
+    weights for each are not worthwhile.
 
     >>> from exactspline.numbers.exact import mpq
     >>> for _ in range(4):
@@ -141,48 +149,76 @@ def common_forms(
     >>> found
     [([2*x + 1, 4*x], 2)]
     """
-    if not 0 < n <= MOST:
+    weights = _weights_of([*_patterns(t, n, spans)]) if 0 < n <= MOST else None
+    if weights is None:
         return None
-    patterns = [_pattern(t, n, j) for j in spans]
-    if not _worth_it(n, patterns):
-        return None
-    rows = list(zip(*columns, strict=True))
     found = []
-    for j, pattern in zip(spans, patterns, strict=True):
-        numbers, least = over_one_denominator([x for row in rows[j - n : j + 1] for x in row])
-        matrix, bottom = _matrix(n, pattern)
-        product = fmpz_poly((matrix * fmpz_mat(n + 1, len(columns), numbers)).entries())
-        whole, below = primitive((product, fmpz(least) * bottom))
-        products = whole.coeffs()
-        found.append(([fmpz_poly(products[k :: len(columns)]) for k in range(len(columns))], below))
+    for start in range(0, len(spans), TOGETHER):
+        some = spans[start : start + TOGETHER]
+        first, stop = some[0] - n, some[-1] + 1
+        numbers, least = over_one_denominator([x for column in columns for x in column[first:stop]])
+        offsets = range(0, len(numbers), stop - first)
+        for j, (rows, diagonal, bottom) in zip(some, weights[start : start + TOGETHER], strict=True):
+            at = j - n - first
+            own = [numbers[at + k : at + k + n + 1] for k in offsets]
+            if diagonal:
+                parts = [[*map(mul, diagonal, points)] for points in own]
+            else:
+                parts = [[sum(map(mul, row, points[k:])) for k, row in rows] for points in own]
+            below = least * bottom
+            if below != 1:
+                shared = gcd(below, *[x for part in parts for x in part])
+                if shared != 1:
+                    parts, below = [[x // shared for x in part] for part in parts], below // shared
+            found.append(([*map(fmpz_poly, parts)], fmpz(below)))
     return found
 
 
-def _pattern(t: Sequence[mpq], n: int, j: int) -> Pattern:
-    a, h = t[j], t[j + 1] - t[j]
-    near = t[j - n + 1 : j + n + 1]
-    if h == 1:
-        return tuple([x - a for x in near])
-    return tuple([(x - a) / h for x in near])
+def _patterns(t: Sequence[mpq], n: int, spans: Sequence[int]) -> Iterator[tuple[int, Pattern]]:
+    """The degree and the pattern of every span."""
+    for start in range(0, len(spans), TOGETHER):
+        some = spans[start : start + TOGETHER]
+        first = some[0] - n + 1
+        numbers, _ = over_one_denominator(t[first : some[-1] + n + 1])
+        for j in some:
+            near = numbers[j - n + 1 - first : j + n + 1 - first]
+            left = near[n - 1]
+            moved = [x - left for x in near]
+            unit = gcd(*moved)
+            yield n, tuple(moved if unit == 1 else [x // unit for x in moved])
 
 
-def _worth_it(n: int, patterns: Sequence[Pattern]) -> bool:
-    """Whether there are matrices for all patterns; if not, their occurrences are counted."""
-    if all(_met[n, pattern] > n for pattern in patterns):
-        return True
-    if len(_met) > PATTERNS:
-        _met.clear()
-    _met.update((n, pattern) for pattern in patterns)
-    return all(_met[n, pattern] > n for pattern in patterns)
+def _weights_of(keys: Sequence[tuple[int, Pattern]]) -> list[Weights] | None:
+    """The weights of patterns, None where some of them occurred too rarely; then their occurrences are counted."""
+    found = [*map(_weights.get, keys)]
+    if None in found:
+        if len(_met) > PATTERNS:
+            _met.clear()
+        _met.update(keys)
+        if not all(_met[key] > key[0] for key in keys):
+            return None
+        if len(_weights) > PATTERNS:
+            _weights.clear()
+        made = {key: _weights_for(*key) for key in set(keys)}
+        _weights.update(made)
+        return [made[key] for key in keys]
+    return cast(list[Weights], found)
 
 
-@lru_cache(PATTERNS)
-def _matrix(n: int, pattern: Pattern) -> tuple[fmpz_mat, fmpz]:
-    """The matrix of a pattern over a denominator: its columns are the forms of the control points 0, …, 1, …, 0."""
-    t = [pattern[0], *pattern, pattern[-1]]
+def _weights_for(n: int, pattern: Pattern) -> Weights:
+    """The weights of a pattern: its columns are the forms of the control points 0, …, 1, …, 0."""
+    t = [mpq(x, pattern[n]) for x in (pattern[0], *pattern, pattern[-1])]
     columns: list[Form] = []
     for k in range(n + 1):
         ((form, below),) = forms_of(t, n, [mpq(i == k) for i in range(n + 1)], [n])
         columns.append((form, below))
     polynomials, common = over_common_denominator(columns)
-    return fmpz_mat([[c[i] for c in polynomials] for i in range(n + 1)]), common
+    rows = [_trimmed([int(c[i]) for c in polynomials]) for i in range(n + 1)]
+    by_points = all(len(row) == 1 for _, row in rows)
+    return rows, tuple([row[0] for _, row in rows]) if by_points else None, int(common)
+
+
+def _trimmed(row: list[int]) -> tuple[int, tuple[int, ...]]:
+    """The index of the first number that is not 0, and the numbers from there to the last."""
+    places = [k for k, x in enumerate(row) if x]
+    return places[0], tuple(row[places[0] : places[-1] + 1])

@@ -126,11 +126,13 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         polynomials: tuple[fmpz_poly, ...],
         denominators: tuple[fmpz, ...],
         provenance: Provenance,
+        knots: KnotVector | None = None,
+        points: tuple[mpq, ...] | None = None,
     ) -> BSpline:
-        """The spline with these forms, polynomials and denominators separate; the caller is responsible for the other
-        fields.
+        """The spline with these forms, polynomials and denominators separate, and its knots and control points where
+        they are known; the caller is responsible for the other fields.
         """
-        return _make(degree, mesh, continuity, polynomials, denominators, provenance)
+        return _make(degree, mesh, continuity, polynomials, denominators, provenance, knots, points)
 
     def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
         """This spline with its forms over other denominators; the caller ensures that they are the same functions."""
@@ -384,11 +386,13 @@ def _make(
     polynomials: tuple[fmpz_poly, ...],
     denominators: tuple[fmpz, ...],
     provenance: Provenance,
+    knots: KnotVector | None = None,
+    points: tuple[mpq, ...] | None = None,
 ) -> BSpline:
     spline: Any = _new(_Parts)
     spline.degree, spline.mesh, spline.continuity, spline.provenance = degree, mesh, continuity, provenance
     spline._polynomials, spline.denominators = polynomials, denominators
-    spline._derivative = spline._knots = spline._points = None
+    spline._derivative, spline._knots, spline._points = None, knots, points
     # setting the class at the end costs a tenth of setting nine fields of an object that refuses to be set
     spline.__class__ = BSpline
     made: BSpline = spline

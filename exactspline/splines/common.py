@@ -7,7 +7,6 @@ from typing import TypeVar
 
 from exactspline.language.provenance import leaf
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.immutable import fill
 from exactspline.polynomials.bernstein import over_common_denominator
 from exactspline.splines.blossom import common_forms
 from exactspline.splines.bspline import BSpline
@@ -50,13 +49,11 @@ def splines_over(degree: int, knots: KnotVector, columns: Sequence[tuple[mpq, ..
     forms = common_forms(knots.knots, degree, columns, spans)
     if forms is None:
         return with_common_denominators([BSpline(degree, knots, column) for column in columns])
-    found, below = [], tuple([m for _, m in forms])
-    for k, column in enumerate(columns):
-        polynomials = tuple([own[k] for own, _ in forms])
-        made = BSpline.from_parts(degree, mesh, continuity, polynomials, below, leaf())
-        fill(made, _knots=knots, _points=column)
-        found.append(made)
-    return found
+    below = tuple([m for _, m in forms])
+    return [
+        BSpline.from_parts(degree, mesh, continuity, polynomials, below, leaf(), knots, column)
+        for polynomials, column in zip(zip(*[own for own, _ in forms], strict=True), columns, strict=True)
+    ]
 
 
 def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
-from exactspline.errors import ShapeError, as_instance, as_items, counted, shown
+from exactspline.errors import NumberError, ShapeError, as_instance, as_items, counted, shown
 from exactspline.numbers.exact import Number, mpq, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.given import exact_row
@@ -48,6 +48,8 @@ class Direction(tuple[mpq, ...]):
 
 
 Point = tuple[mpq, ...]
+#: The weights of points and of directions where none are given.
+ONE, NONE = mpq(1), mpq(0)
 
 
 def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Point, ...]:
@@ -56,31 +58,38 @@ def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Poin
     """
     points: list[Point] = []
     for i, row in enumerate(as_items(rows, "control points")):
-        if isinstance(row, str) or not isinstance(row, Iterable):
+        if type(row) is Direction:
+            points.append(row)
+            continue
+        if type(row) is not tuple and (isinstance(row, str) or not isinstance(row, Iterable)):
             raise ShapeError(
                 f"{shown(row)} is not a point", where=f"control_points[{i}]", remedy="write a list of coordinates"
             )
-        points.append(row if isinstance(row, Direction) else exact_row(row, f"control_points[{i}]"))
+        try:
+            points.append(exact_row(row, ""))
+        except NumberError as error:
+            raise error.at(f"control_points[{i}]") from None
     if not points:
         raise ShapeError("no control points", where="control_points", remedy="give at least degree + 1")
-    for i, point in enumerate(points):
-        if len(point) != len(points[0]):
-            raise ShapeError(
-                f"{counted(len(point), 'coordinate')} where control_points[0] has {len(points[0])}",
-                where=f"control_points[{i}]",
-                remedy="use one dimension",
-            )
-        if len(point) < least:
-            raise ShapeError(
-                counted(len(point), "coordinate"), where=f"control_points[{i}]", remedy=f"at least {least} are needed"
-            )
+    sizes = set(map(len, points))
+    if len(sizes) > 1:
+        i, point = next((i, point) for i, point in enumerate(points) if len(point) != len(points[0]))
+        raise ShapeError(
+            f"{counted(len(point), 'coordinate')} where control_points[0] has {len(points[0])}",
+            where=f"control_points[{i}]",
+            remedy="use one dimension",
+        )
+    if min(sizes) < least:
+        raise ShapeError(
+            counted(min(sizes), "coordinate"), where="control_points[0]", remedy=f"at least {least} are needed"
+        )
     return tuple(points)
 
 
 def exact_weights(weights: Iterable[Number] | None, points: Sequence[Point]) -> tuple[mpq, ...]:
     """One weight per control point, 0 for a direction; without weights, 1 for every point."""
     if weights is None:
-        return tuple(mpq(not isinstance(point, Direction)) for point in points)
+        return tuple([NONE if type(point) is Direction else ONE for point in points])
     exact = exact_row(weights, "weights")
     if len(exact) != len(points):
         raise ShapeError(
@@ -88,10 +97,10 @@ def exact_weights(weights: Iterable[Number] | None, points: Sequence[Point]) -> 
             where="weights",
             remedy="give one weight per control point",
         )
-    for i, (weight, point) in enumerate(zip(exact, points, strict=True)):
-        if weight and isinstance(point, Direction):
+    for i, point in enumerate(points):
+        if type(point) is Direction and exact[i]:
             raise ShapeError(
-                f"the weight {text(weight)} of a direction",
+                f"the weight {text(exact[i])} of a direction",
                 where=f"weights[{i}]",
                 remedy="a direction has the weight 0; a point is written as a list of coordinates",
             )

@@ -11,6 +11,8 @@ from exactspline.words import choice
 
 #: Largest degree accepted from outside; computed splines may go beyond it.
 MAX_DEGREE = 1000
+#: The type of an exact number, which is not converted again.
+RATIONAL = type(mpq())
 
 
 def checked_degree(degree: object) -> int:
@@ -29,10 +31,13 @@ def checked_side(side: Side | str) -> bool:
 
 def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
     """A row of exact numbers; an error names the invalid one."""
-    exact = []
-    for i, value in enumerate(values):
-        try:
-            exact.append(rational(value))
-        except NumberError as error:
-            raise error.at(f"{place}[{i}]") from None
-    return tuple(exact)
+    given = tuple(values)
+    try:
+        return tuple([x if type(x) is RATIONAL else rational(x) for x in given])
+    except NumberError:
+        for i, value in enumerate(given):
+            try:
+                rational(value)
+            except NumberError as error:
+                raise error.at(f"{place}[{i}]") from None
+        raise

@@ -13,10 +13,11 @@ from itertools import groupby, pairwise
 
 from flint import fmpz
 
-from exactspline.errors import DomainError, KnotError, NumberError, ShapeError, as_items, counted
+from exactspline.errors import DomainError, KnotError, ShapeError, as_items, counted
 from exactspline.numbers.exact import Number, mpq, rational, short_text, text, to_fmpz
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
+from exactspline.splines.given import exact_row
 
 #: Continuity at a breakpoint where the function has no knot.
 SMOOTH = 1 << 60
@@ -38,12 +39,7 @@ class KnotVector(Immutable):
     _known: dict[int, MeshOf | None]
 
     def __init__(self, knots: Iterable[Number]) -> None:
-        exact = []
-        for i, t in enumerate(as_items(knots, "knots")):
-            try:
-                exact.append(rational(t))
-            except NumberError as error:
-                raise error.at(f"knots[{i}]") from None
+        exact = exact_row(as_items(knots, "knots"), "knots")
         for i, (a, b) in enumerate(pairwise(exact)):
             if b < a:
                 raise KnotError(
@@ -52,7 +48,7 @@ class KnotVector(Immutable):
                     remedy="knots must not decrease",
                     knot=b,
                 )
-        fill(self, knots=tuple(exact), _known={})
+        fill(self, knots=exact, _known={})
 
     def __reduce__(self) -> tuple[object, ...]:
         return KnotVector, (self.knots,)
@@ -193,18 +189,19 @@ class Mesh(Immutable):
 
         Raises `DomainError` outside the domain.
         """
-        a, b = self.domain
-        if not a <= t <= b:
+        breaks = self.breaks
+        if not breaks[0] <= t <= breaks[-1]:
+            a, b = self.domain
             raise DomainError(
                 f"the parameter {short_text(t)} is outside the domain [{text(a)}, {text(b)}]",
                 remedy="stay inside",
                 parameter=t,
                 domain=(a, b),
             )
-        i = bisect_right(self.breaks, t) - 1
-        if left and i > 0 and self.breaks[i] == t:
+        i = bisect_right(breaks, t) - 1
+        if left and i > 0 and breaks[i] == t:
             i -= 1
-        return min(i, len(self) - 1)
+        return min(i, len(breaks) - 2)
 
     def local(self, i: int, t: mpq) -> mpq:
         """Local parameter of t on segment i."""
@@ -251,10 +248,11 @@ def mesh_of(knots: KnotVector, degree: int) -> MeshOf:
 
 def _mesh_of(knots: KnotVector, degree: int) -> MeshOf:
     first, last = degree, len(knots) - 1 - degree
-    spans = [j for j in range(first, last) if knots[j] < knots[j + 1]]
-    breaks = [knots[j] for j in spans] + [knots[last]]
-    multiplicity = dict(zip(knots.breakpoints, knots.multiplicities, strict=True))
-    continuity = tuple(degree - multiplicity[t] for t in breaks[1:-1])
+    t = knots.knots
+    spans = [j for j in range(first, last) if t[j] < t[j + 1]]
+    breaks = [t[j] for j in spans] + [t[last]]
+    # the knots between two spans are equal
+    continuity = tuple([degree - (j - i) for i, j in pairwise(spans)])
     return Mesh(breaks), continuity, spans
 
 

@@ -9,7 +9,7 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import exactspline as xs
@@ -185,7 +185,6 @@ def times(*factors):
     return product
 
 
-@settings(max_examples=200, deadline=None)
 @given(
     st.lists(st.integers(-(10**30), 10**30), min_size=1, max_size=8),
     st.integers(-(10**20), 10**20),

@@ -138,9 +138,8 @@ def flat(random: Random, setting: str) -> NurbsSurface:
 
 
 FAMILIES = (net, weighted, translation, even, corners, irrational, creased, flat)
-#: Per mille of the surfaces of a family that may be incomplete. In `corners` K has up to four nodes at corners of the
-#: patch whose branches touch the borders: singular points of the curve on the border, which `ZeroCurve` leaves open.
-CEILING, CEILINGS = 1, {corners.__name__: 900}
+#: Per mille of the surfaces of a family that may be incomplete.
+CEILING, CEILINGS = 1, {corners.__name__: 0}
 
 
 # ---- what is held against the oracle

@@ -250,7 +250,7 @@ vectors = st.tuples(small, small, small)
 
 
 @given(vectors, vectors, vectors, vectors, vectors, vectors, st.sampled_from([mpq(1, 2), mpq(1, 3), mpq(0), mpq(1)]))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_a_pair_that_was_built_to_have_a_line_is_found(p, a, bend, q, twist, other_bend, t):
     """The second curve is given the tangent that is perpendicular to the line in which two planes meet already."""
     rows = planes((p, a), (q, (0, 0, 0)))

@@ -2,7 +2,7 @@
 
 import pytest
 from gmpy2 import mpq
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 
 from exactspline import BSpline
 from exactspline.display.evidence import worded
@@ -119,7 +119,6 @@ def test_what_is_no_surface_is_refused():
         ruled_surface("tangent_developable", example("circle"))
 
 
-@settings(max_examples=60)
 @given(splines_on_one_domain(count=8, low=0, high=2))
 def test_a_surface_written_in_another_way_is_the_same_surface(operands):
     directrix, generator, (shift, scale) = Vector(*operands[:3]), Vector(*operands[3:6]), operands[6:]

@@ -7,7 +7,7 @@ import json
 import mpmath
 import pytest
 from gmpy2 import mpq
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 
 from exactspline import Nurbs
 from exactspline.certificates import check_certificate
@@ -133,7 +133,6 @@ def test_curvature_is_extremal_where_it_says_so(name):
             assert (kappa(t) < kappa((low + high) / 2)) == (f.kind == "maximum")
 
 
-@settings(max_examples=40)
 @given(nurbs(dimension=3, low=1, high=4))
 def test_reflections_turn_the_sign_of_the_torsion(curve):
     mirrored = moved(curve, MIRRORED)
@@ -144,7 +143,6 @@ def test_reflections_turn_the_sign_of_the_torsion(curve):
     ]
 
 
-@settings(max_examples=25)
 @given(nurbs(dimension=3, low=3, high=3, most=0))
 def test_torsion_has_the_signs_that_its_zeros_tell(curve):
     """Between neighbouring zeros τ, evaluated exactly, has one sign: that of the zeros beside it."""

@@ -383,7 +383,7 @@ def test_singular_points_and_nodes_of_the_parabolic_curve(seed):
     assert cells == len(found.singular_points)
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 @given(st.lists(st.integers(-2, 2), min_size=9, max_size=9), st.sampled_from([None, [[1, 2, 1], [1, 1, 1], [2, 1, 1]]]))
 def test_patches_of_flat_and_symmetric_nets(heights, weights):
     surface = graph([heights[:3], heights[3:6], heights[6:]], weights)
@@ -459,7 +459,6 @@ def _sampled_jacobian(surface, count=9):
             yield x * w - y * z
 
 
-@settings(max_examples=25, deadline=None)
 @given(st.lists(st.tuples(st.integers(-2, 2), st.integers(-2, 2)), min_size=9, max_size=9), st.integers(-1, 1))
 def test_the_jacobian_against_sampled_determinants(moves, sign):
     net = [[(3 * i + moves[3 * i + j][0], 3 * j + moves[3 * i + j][1]) for j in range(3)] for i in range(3)]

@@ -111,38 +111,51 @@ def after(tab: Any, act: Any) -> None:
     shown(tab, "degrees")
 
 
-def test_a_dragged_point_is_answered_as_the_library_answers(browser, address):
+@pytest.fixture(scope="module")
+def opened_once(browser, address) -> Iterator[Any]:
+    """The page of a curve, once for all tests: to load the library takes longest."""
     with opened(browser, address, "play/curve.html") as tab:
         shown(tab, "degrees")
-        box = tab.locator("circle.handle").nth(1).bounding_box()
-        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-
-        def drag() -> None:
-            tab.mouse.move(x, y)
-            tab.mouse.down()
-            tab.mouse.move(x + 40, y - 25, steps=4)
-            tab.mouse.up()
-
-        after(tab, drag)
-        curve = curve_of(tab)
-        variants = ["squaring", "paper", "minimal"]
-        told = in_this_python("forms", {"curve": curve, "variants": variants})
-        assert shown(tab, "features") == in_this_python("features", curve)["features"]
-        assert shown(tab, "degrees") == [form["degree"] for form in told]
+        yield tab
 
 
-def test_the_keyboard_moves_points_and_weights(browser, address):
-    with opened(browser, address, "play/curve.html") as tab:
-        shown(tab, "degrees")
-        handle = tab.locator("circle.handle").nth(1)
-        handle.focus()
-        after(tab, lambda: handle.press("ArrowUp"))
-        once = curve_of(tab)
-        after(tab, lambda: handle.press("+"))
-        twice = curve_of(tab)
-        assert once["points"] == twice["points"]
-        assert [a != b for a, b in zip(once["weights"], twice["weights"], strict=True)].count(True) == 1
-        assert shown(tab, "features") == in_this_python("features", twice)["features"]
+@pytest.fixture
+def curve_tab(opened_once) -> Any:
+    """The page of a curve with the curve that it shows at first."""
+    after(opened_once, lambda: opened_once.select_option("#examples", "0"))
+    return opened_once
+
+
+def test_a_dragged_point_is_answered_as_the_library_answers(curve_tab):
+    tab = curve_tab
+    box = tab.locator("circle.handle").nth(1).bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def drag() -> None:
+        tab.mouse.move(x, y)
+        tab.mouse.down()
+        tab.mouse.move(x + 40, y - 25, steps=4)
+        tab.mouse.up()
+
+    after(tab, drag)
+    curve = curve_of(tab)
+    variants = ["squaring", "paper", "minimal"]
+    told = in_this_python("forms", {"curve": curve, "variants": variants})
+    assert shown(tab, "features") == in_this_python("features", curve)["features"]
+    assert shown(tab, "degrees") == [form["degree"] for form in told]
+
+
+def test_the_keyboard_moves_points_and_weights(curve_tab):
+    tab = curve_tab
+    handle = tab.locator("circle.handle").nth(1)
+    handle.focus()
+    after(tab, lambda: handle.press("ArrowUp"))
+    once = curve_of(tab)
+    after(tab, lambda: handle.press("+"))
+    twice = curve_of(tab)
+    assert once["points"] == twice["points"]
+    assert [a != b for a, b in zip(once["weights"], twice["weights"], strict=True)].count(True) == 1
+    assert shown(tab, "features") == in_this_python("features", twice)["features"]
 
 
 #: In the page: move a point by its key, and how long the exact answer takes, this many times.
@@ -161,33 +174,32 @@ MOVE = """async (times) => {
 }"""
 
 
-def test_how_long_the_first_answer_and_a_drag_take(browser, address, record_property, capsys):
+def test_how_long_the_first_answer_and_a_drag_take(curve_tab, record_property, capsys):
     """Measured and told; held to ten times what an idle machine takes, since this one may not be idle."""
-    with opened(browser, address, "play/curve.html") as tab:
-        shown(tab, "degrees")
-        first = int(tab.evaluate("document.body.dataset.first"))
-        after(tab, lambda: tab.select_option("#examples", label="cubic s"))
-        taken = tab.evaluate(MOVE, 15)
-        middle = taken[len(taken) // 2]
-        with capsys.disabled():
-            print(f"\nfirst exact answer after {first} ms; a cubic moved: least {taken[0]:.0f}, median {middle:.0f} ms")
-        record_property("first answer in ms", first)
-        record_property("a cubic moved, median in ms", middle)
-        assert first < 100_000
-        assert middle < 1_000
+    tab = curve_tab
+    first = int(tab.evaluate("document.body.dataset.first"))
+    after(tab, lambda: tab.select_option("#examples", label="cubic s"))
+    taken = tab.evaluate(MOVE, 15)
+    middle = taken[len(taken) // 2]
+    with capsys.disabled():
+        print(f"\nfirst exact answer after {first} ms; a cubic moved: least {taken[0]:.0f}, median {middle:.0f} ms")
+    record_property("first answer in ms", first)
+    record_property("a cubic moved, median in ms", middle)
+    assert first < 100_000
+    assert middle < 1_000
 
 
-def test_digits_at_a_click(browser, address):
-    with opened(browser, address, "play/curve.html") as tab:
-        curve = tab.evaluate("fetch('data/curves.json').then((r) => r.json())")[0]
-        first = next(f for f in shown(tab, "features") if not f["exact"])
-        tab.get_by_role("button", name=first["t"]).click()
-        tab.wait_for_selector("#digits code", timeout=PATIENCE)
-        same = [f for f in in_this_python("features", curve)["features"] if f["group"] == first["group"]]
-        asked = {"curve": curve, "group": first["group"], "index": same.index(first), "digits": 50}
-        told = in_this_python("digits", asked)
-        assert tab.locator("#digits code").inner_text() == told["decimal"]
-        assert told["polynomial"] in tab.locator("#digits").inner_text()
+def test_digits_at_a_click(curve_tab):
+    tab = curve_tab
+    curve = tab.evaluate("fetch('data/curves.json').then((r) => r.json())")[0]
+    first = next(f for f in shown(tab, "features") if not f["exact"])
+    tab.get_by_role("button", name=first["t"]).click()
+    tab.wait_for_selector("#digits code", timeout=PATIENCE)
+    same = [f for f in in_this_python("features", curve)["features"] if f["group"] == first["group"]]
+    asked = {"curve": curve, "group": first["group"], "index": same.index(first), "digits": 50}
+    told = in_this_python("digits", asked)
+    assert tab.locator("#digits code").inner_text() == told["decimal"]
+    assert told["polynomial"] in tab.locator("#digits").inner_text()
 
 
 def test_a_formula_that_is_typed_is_reduced(browser, address):

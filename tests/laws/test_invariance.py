@@ -4,7 +4,7 @@ idle knots, of a higher degree, with other weights, in another parameter, in two
 
 import pytest
 from gmpy2 import mpq
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
@@ -85,7 +85,6 @@ def test_features_of_the_same_curve(name, change):
     assert_same(curve, other, image, flipped=change in TURNING and curve.dimension == 2)
 
 
-@settings(max_examples=40)
 @given(nurbs(low=1, high=4), st.sampled_from(sorted(SHAPES)))
 def test_features_of_random_plane_curves(curve, change):
     assume(not curve.closed)

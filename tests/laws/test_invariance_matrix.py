@@ -172,7 +172,6 @@ def test_joints_of_random_space_curves(curve, way):
     assert_same_joints(curve, changed(curve, way))
 
 
-@settings(max_examples=25)
 @given(nurbs(dimension=3, low=1, high=4), st.sampled_from(sorted(WAYS)))
 def test_features_of_random_space_curves(curve, way):
     change = changed(curve, way)

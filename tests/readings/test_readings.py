@@ -26,6 +26,7 @@ from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
 from exactspline.readings.tree import TreeReading, evaluate, trace
+from tests.support.sampled import sample
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.
 FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("curve", "plane", "space", "table")}
@@ -41,6 +42,9 @@ def traced(name, dimension, expand):
 
 over_cases = pytest.mark.parametrize(("name", "dimension"), CASES, ids=str)
 over_curves = pytest.mark.parametrize(("name", "dimension"), OF_CURVES, ids=str)
+#: Where it takes long: of one reading, whatever the formula.
+over_some_cases = pytest.mark.parametrize(("name", "dimension"), sample(CASES, 90), ids=str)
+over_some_curves = pytest.mark.parametrize(("name", "dimension"), sample(OF_CURVES, 90), ids=str)
 
 #: Two segments and unequal weights in the plane and in space; without inflections where they are evaluated.
 CURVES = {
@@ -126,7 +130,7 @@ def parts(x):
     return ("jet", x)
 
 
-@over_cases
+@over_some_cases
 def test_a_traced_formula_means_what_the_formula_means(name, dimension):
     f = FORMULAS[name]
     for reading in TABLES if f.curve == "table" else READINGS:
@@ -146,7 +150,7 @@ def test_every_formula_is_covered():
 
 
 @pytest.mark.parametrize("kind", ["rational", "polynomial"])
-@over_curves
+@over_some_curves
 def test_the_represented_degree_is_the_counted_one(name, dimension, kind):
     curves = [(CURVES if kind == "rational" else POLYNOMIALS)[dimension]]
     if (name, kind) in product(("f2", "D1_D2_D3", "velocity", "evolute"), ("rational",)):
@@ -212,7 +216,7 @@ def test_an_inhomogeneous_jet_has_no_grading():
         c.w.d(3)
 
 
-@over_curves
+@over_some_curves
 def test_the_order_of_a_formula_is_the_highest_derivative_in_its_jet(name, dimension):
     order = order_of(FORMULAS[name], dimension)
     assert FORMULAS[name](JetReading(order).argument(CURVE, dimension)) is not None
@@ -245,7 +249,7 @@ def numbers_of(x, t):
     return [(n(t) / w, (n.d()(t) * w - n(t) * dw) / w**2) for n in tops]
 
 
-@over_curves
+@over_some_curves
 def test_series_are_the_values_and_derivatives_of_splines(name, dimension):
     terms = order_of(FORMULAS[name], dimension) + 2
     for curve in (CURVES[dimension], POLYNOMIALS[dimension]):

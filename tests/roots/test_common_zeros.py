@@ -6,11 +6,14 @@ import pytest
 
 from exactspline import NurbsSurface, TensorSpline, analyse
 from exactspline.errors import ReachError
+from exactspline.geometry.surface import zero_curve
+from exactspline.geometry.surface.exact_cells import exact_cells
 from exactspline.geometry.surface.umbilics import UmbilicKind
+from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import Budget, drawing_on
-from exactspline.polynomials.two_parameters import S, T
+from exactspline.polynomials.two_parameters import S, T, as_form, value_at
 from exactspline.roots.common_zeros import common_zeros, multiplicity
 from tests.campaigns.common_zeros import FAMILIES, any_polynomial, difference, run
 
@@ -107,3 +110,55 @@ def test_an_irrational_multiple_singular_point_is_one_point():
     assert found.complete
     (place,) = found.singular_points
     assert [x.minimal_polynomial() for x in place.spot] == [[-1, 0, 2]] * 2
+
+
+# ---- curves of zeros: their singular points, also degenerate ones and on the border
+
+P, Q, A, B = 2 * S * S - 1, 2 * T * T - 1, 2 * S - 1, 3 * T - 1
+
+
+@pytest.mark.parametrize(
+    ("f", "shape", "undecided_before"),
+    [
+        (A**3 - B**2, Shape.ARC, True),  # a cusp
+        (P**3 - Q**2, Shape.ARC, True),  # at an irrational point
+        (B**2 - A**4, Shape.CROSSED, True),  # a tacnode
+        ((B - A**2) ** 2 - A**5, Shape.ARC, True),  # a ramphoid cusp
+        (A**3 - A * B**2 + B**4, Shape.CROSSED, True),  # three branches
+        (P**2 - 3 * Q**2 + P**3, Shape.CROSSED, True),  # a node at an irrational point
+        (P**2 + Q**2, Shape.POINT, True),
+        (A**2 - T**2, Shape.ARC, True),  # a node on the border: two branches inside
+        (P**2 - T**2, Shape.ARC, True),  # at an irrational point of it
+        (P**2 + T**2, Shape.POINT, True),
+        (A**2 - T**3, Shape.ARC, True),
+        (S**3 - T**2, Shape.ARC, True),  # a cusp at a corner
+        ((S - 2 * T) * (2 * S - T), Shape.ARC, True),
+        ((S + 2 * T) * (2 * S + T), Shape.POINT, True),
+    ],
+)
+def test_degenerate_singular_points_are_resolved(f, shape, undecided_before, monkeypatch):
+    curve = ZeroCurve(as_form(f))
+    assert curve.complete
+    assert shape in {part.shape for part in curve.parts}
+    monkeypatch.setattr(zero_curve, "exact_cells", lambda form: [])
+    assert ZeroCurve(as_form(f)).complete is not undecided_before
+
+
+def test_branches_near_a_singular_point_are_those_of_a_small_circle():
+    """Counted by another route: signs on a fine polygon around the point."""
+    for f, (x, y) in (
+        (A**3 - B**2, (mpq(1, 2), mpq(1, 3))),
+        (B**2 - A**4, (mpq(1, 2), mpq(1, 3))),
+        (A**3 - A * B**2 + B**4, (mpq(1, 2), mpq(1, 3))),
+        ((A**2 - B**3) * (B + A), (mpq(1, 2), mpq(1, 3))),
+    ):
+        cell = next(one for one in exact_cells(as_form(f)) if one.zero.exact == (x, y))
+        curve = ZeroCurve(as_form(f))
+        ends = [v for a in cell.ends for v, _ in curve._zeros_on(0, a, cell.box.second)]
+        r = mpq(1, 1 << 14)
+        n = 4000
+        around = [(r * (2 * mpq(k, n) - 1), -r) for k in range(n)]
+        around += [(r, r * (2 * mpq(k, n) - 1)) for k in range(n)]
+        square = [*around, *((-a, -b) for a, b in around)]
+        signs = [value_at(f, x + a, y + b) > 0 for a, b in square]
+        assert len(ends) == sum(a != b for a, b in zip(signs, signs[1:] + signs[:1], strict=True))

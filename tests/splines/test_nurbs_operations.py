@@ -4,7 +4,7 @@ from math import factorial
 
 import pytest
 from gmpy2 import mpq
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import exactspline as xs
@@ -20,7 +20,6 @@ PLACES = [mpq(k, 9) for k in range(1, 9)]
 (HALF,) = xs.zeros(xs.BSpline.bezier([-1, -1, 1]))
 
 
-@settings(max_examples=40)
 @given(nurbs(most=2), st.sampled_from([mpq(1, 3), mpq(5, 8)]), st.integers(1, 2))
 def test_the_curve_stays_what_it_is(curve, place, by):
     a, b = curve.domain
@@ -45,7 +44,6 @@ def test_the_curve_stays_what_it_is(curve, place, by):
     assert back.reverse() == curve
 
 
-@settings(max_examples=30)
 @given(nurbs(dimension=3), st.lists(st.integers(-3, 3), min_size=16, max_size=16))
 def test_a_map_of_the_curve_maps_its_points(curve, entries):
     a, b = curve.domain
@@ -96,7 +94,6 @@ def test_what_cannot_be_done_is_refused():
         PARABOLA.transform([[1, 0, 0], [0, 1, 0], [2, 0, -1]])
 
 
-@settings(max_examples=30)
 @given(nurbs(dimension=3, most=1), st.sampled_from(["left", "right"]))
 def test_derivatives_are_those_of_the_taylor_series(curve, side):
     """By Leibniz' rule here, by a division of series there."""
@@ -121,7 +118,6 @@ def dot(a, b):
     return sum((x * y for x, y in zip(a, b, strict=True)), mpq(0))
 
 
-@settings(max_examples=30)
 @given(nurbs(most=0), st.sampled_from(PLACES))
 def test_the_frame_in_the_plane(curve, place):
     a, b = curve.domain

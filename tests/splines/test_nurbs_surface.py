@@ -83,13 +83,13 @@ def surfaces(draw):
 parameters = st.fractions(min_value=0, max_value=3, max_denominator=6)
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(surfaces(), parameters, parameters)
 def test_points_are_those_of_the_definition(surface, u, v):
     assert surface(u, v) == surface.at(u, v) == by_definition(surface, u, v)
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 @given(surfaces(), parameters, parameters, st.fractions(min_value="1/7", max_value="20/7", max_denominator=7))
 def test_every_representation_is_the_same_function(surface, u, v, t):
     other = surface.insert_knot("u", t).elevate_degree(1, 2).insert_knot("v", t)
@@ -102,7 +102,7 @@ def test_every_representation_is_the_same_function(surface, u, v, t):
     assert surface.transposed()(v, u) == surface(u, v)
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 @given(surfaces(), st.integers(0, 2), st.integers(0, 2))
 def test_partial_derivatives_are_limits_of_the_exact_difference_quotients(surface, i, j):
     # along isocurves the derivative is that of a curve, found by another route
@@ -261,7 +261,6 @@ def test_a_denominator_that_only_touches_zero_is_refused():
     assert NurbsSurface((2, 2), knots, knots, points, raised).w(third, third) == rational("1/1000")
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.lists(st.integers(-3, 9), min_size=9, max_size=9))
 def test_no_sampled_zero_of_an_accepted_denominator(weights):
     net = [weights[3 * i : 3 * i + 3] for i in range(3)]

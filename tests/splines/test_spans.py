@@ -3,7 +3,7 @@
 import random
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs, analyse, example, examples
@@ -26,12 +26,11 @@ def columns_over_knots(draw):
     return degree, knots, draw(st.lists(column, min_size=1, max_size=3))
 
 
-@settings(max_examples=200, deadline=None)
 @given(columns_over_knots())
 def test_components_made_together_are_those_made_one_by_one(drawn):
     degree, knots, columns = drawn
     expected = with_common_denominators([BSpline(degree, knots, column) for column in columns])
-    for _ in range(degree + 2):  # from the last time on by matrices
+    for _ in range(degree + 2):  # from the last time on by weights for these knots
         made = splines_over(degree, knots, columns)
         for x, y in zip(made, expected, strict=True):
             assert list(x.forms) == list(y.forms)
@@ -39,8 +38,9 @@ def test_components_made_together_are_those_made_one_by_one(drawn):
             assert (x.knots, x.control_points) == (y.knots, y.control_points)
 
 
-def test_matrices_are_made_for_what_is_met_again_and_forgotten_in_time(monkeypatch):
+def test_weights_are_computed_for_what_is_met_again_and_forgotten_in_time(monkeypatch):
     monkeypatch.setattr(blossom, "_met", type(blossom._met)())
+    monkeypatch.setattr(blossom, "_weights", {})
     monkeypatch.setattr(blossom, "PATTERNS", 5)
     t, column = [mpq(k) for k in (0, 0, 0, 1, 1, 1)], [[mpq(k) for k in (1, 2, 5)]]
     found = [blossom.common_forms(t, 2, column, [2]) for _ in range(4)]
@@ -48,6 +48,7 @@ def test_matrices_are_made_for_what_is_met_again_and_forgotten_in_time(monkeypat
     for k in range(2, 40):  # every time another knot
         assert blossom.common_forms([*t[:3], *[mpq(1, k)], *t[3:]], 2, [[mpq(1)] * 4], [2, 3]) is None
     assert len(blossom._met) < 10
+    assert len(blossom._weights) < 10
     assert blossom.common_forms(t, blossom.MOST + 1, column, [2]) is None
 
 

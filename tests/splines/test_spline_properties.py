@@ -7,7 +7,7 @@ from math import comb
 
 import pytest
 from gmpy2 import mpq
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from exactspline import BSpline
@@ -325,7 +325,6 @@ def test_bezier_segments(f):
             assert s(t) == f(t)
 
 
-@settings(max_examples=60)
 @given(
     st.integers(0, 9), st.integers(1, 6), st.sampled_from([3, 10**17]), st.booleans(), st.randoms(use_true_random=False)
 )

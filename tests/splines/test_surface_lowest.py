@@ -9,7 +9,7 @@ from math import comb
 import pytest
 import sympy
 from gmpy2 import mpq
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline.errors import ReductionError
@@ -57,7 +57,6 @@ def quotients(draw):
     return numerators, below, factor
 
 
-@settings(max_examples=40)
 @given(quotients())
 def test_the_same_function_in_lowest_terms(given_quotient):
     numerators, below, factor = given_quotient

@@ -9,7 +9,7 @@ from multiprocessing import get_context
 import pytest
 from flint import fmpz_poly
 from gmpy2 import mpq
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import exactspline as xs
@@ -128,7 +128,6 @@ def test_refinement_survives_and_stays_out_of_the_value():
 # ---- equality and hashes
 
 
-@settings(max_examples=40)
 @given(nurbs(most=2), st.sampled_from([mpq(-1), mpq(3), mpq(1, 10**9)]), st.sampled_from([mpq(1, 3), mpq(2, 7)]))
 def test_equal_curves_have_equal_hashes(curve, factor, place):
     a, b = curve.domain
@@ -159,7 +158,6 @@ def test_curves_that_differ_in_one_point_or_in_the_domain_differ():
     assert len({line, line.elevate_degree(), line.reverse()}) == 2
 
 
-@settings(max_examples=40)
 @given(splines(high=3), splines(high=2, domain=(mpq(0), mpq(1))))
 def test_equal_splines_and_quotients_have_equal_hashes(f, common):
     a, b = f.domain
@@ -174,7 +172,6 @@ def test_equal_splines_and_quotients_have_equal_hashes(f, common):
     assert plain != (f + 1) / (t - a + 1)
 
 
-@settings(max_examples=30)
 @given(tensor_splines())
 def test_equal_surfaces_have_equal_hashes(f):
     assert f.elevate_degree(1, 2) == f
@@ -210,7 +207,6 @@ def test_hashing_a_root_factors_nothing(monkeypatch):
     assert root.exact is None
 
 
-@settings(max_examples=60)
 @given(st.integers(-50, 50), st.integers(1, 40), st.integers(2, 9), st.integers(-30, 30))
 def test_exact_agrees_with_factoring(p, q, degree, c):
     t = xs.BSpline.identity(-60, 60)

@@ -99,7 +99,7 @@ COVARIANT += [("space_critical_curvature_lifted", 3), ("rectifying_generator_lif
 
 
 @pytest.mark.parametrize(("name", "dimension"), COVARIANT)
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 @given(data=st.data())
 def test_covariants_follow_a_projective_change_of_parameter(name, dimension, data):
     """The change of parameter u ↦ au, v ↦ bv of [0, 1]: the form of the new curve is (ab)^m times that of the old one,

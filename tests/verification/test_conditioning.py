@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 from flint import fmpz_poly
 from gmpy2 import mpq
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from exactspline import BSpline
@@ -256,7 +256,6 @@ def test_what_has_no_zero_set_is_refused():
 # ---- double precision
 
 
-@settings(max_examples=30)
 @given(with_rational_zero())
 def test_the_error_of_doubles_stays_below_its_bound(case):
     """``(2n + 2) C`` rounding units to first order, two more for the place itself."""

@@ -5,6 +5,7 @@ caught.
 import copy
 import json
 import random
+from itertools import product
 
 import pytest
 
@@ -15,11 +16,12 @@ from exactspline.errors import ReductionError, ShapeError
 from exactspline.geometry.constructions import all_constructions
 from exactspline.interchange.examples import example
 from exactspline.verification.minimality import attained, bezout_combination, certificate, witness
+from tests.support.sampled import sample
 
 
-@pytest.mark.parametrize("polynomial", [False, True], ids=["rational", "polynomial"])
-@pytest.mark.parametrize("d", [2, 3, 4, 5, 6])
-@pytest.mark.parametrize("name", all_constructions())
+@pytest.mark.parametrize(
+    ("name", "d", "polynomial"), sample([*product(all_constructions(), range(2, 7), (False, True))], 60), ids=str
+)
 def test_the_witness_attains_the_proved_degree(name, d, polynomial):
     found = attained(name, d, polynomial=polynomial)
     assert found.agrees

@@ -35,7 +35,7 @@ class Piece(NamedTuple):
 
     def spots(self) -> Iterator[tuple[Spot, int]]:
         """Its points on the border of the patch, in the parameters of the surface, and how many arcs end at each."""
-        ends = Counter(vertex for arc in self.part.arcs for vertex in (arc.first, arc.last))
+        ends = self.part.ends
         for vertex in self.part.vertices:
             if (spot := self._spot(vertex)) is not None:
                 yield spot, ends[vertex]
@@ -118,7 +118,7 @@ def _shape(
         return Shape.OPEN
     if any(pieces[k].part.shape is Shape.CROSSED for k in own):
         return Shape.CROSSED
-    if not any(pieces[k].part.arcs for k in own):
+    if not any(pieces[k].part.ends for k in own):
         return Shape.POINT
     met = {spot: sum(arcs.values()) for spot, arcs in spots.items() if own & arcs.keys()}
     if max(met.values(), default=0) > 2:

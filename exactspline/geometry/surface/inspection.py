@@ -12,6 +12,7 @@ from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained, 
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Pole, closed_along, is_point, pole_at
+from exactspline.geometry.surface.exact_cells import ExactZero
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surface.joints import SurfaceJoint, joints
 from exactspline.geometry.surface.merged import are_one, is_in, merged_places, merged_umbilics
@@ -441,6 +442,8 @@ def _is_known(piece: Piece, inspection: PatchInspection, area: Reduced) -> bool:
     if place.inner is not None:
         if place.exact is not None:
             return vanishes_at(area.whole, place.exact, sides)
+        if isinstance(place.inner.zero, ExactZero):
+            return place.inner.zero.common.is_zero_of(as_polynomial(area.whole))
         # the zero is the only one in its cell
         (cell,) = piece.part.cells
         boxes = [zero.refine(FAR) for zero in inspection.singular.zeros]

@@ -14,18 +14,21 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 from itertools import pairwise, starmap
+from typing import NamedTuple
 
 from flint import fmpz
 
 from exactspline.geometry.surface.borders import EDGES
 from exactspline.geometry.surface.common_factor import rational_lines
 from exactspline.geometry.surface.critical import Cell, Crossing, singular_cells
+from exactspline.geometry.surface.exact_cells import ExactCell, exact_cells
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.bernstein import ONE, from_integers
 from exactspline.polynomials.common_zeros import Zero
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
 from exactspline.reals.real import between
+from exactspline.roots.of_polynomials import Place
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
@@ -90,6 +93,40 @@ class Part:
     vertices: tuple[Vertex, ...] = field(default=(), repr=False)
     #: The certified point, if the part is a single point inside.
     zero: Zero | None = field(default=None, repr=False, compare=False)
+    #: Points that are joined through a singular point.
+    links: tuple[tuple[Vertex, Vertex], ...] = field(default=(), repr=False)
+
+    @property
+    def ends(self) -> Counter[Vertex]:
+        """How many pieces of the curve end at each point."""
+        return _ends(self.arcs, self.links)
+
+
+class _Joint(NamedTuple):
+    """A singular point in a box, and where its branches leave; `corner` is the point itself on the border of the
+    square.
+    """
+
+    box: Box
+    ends: list[Vertex]
+    corner: Vertex | None = None
+
+    @property
+    def vertices(self) -> list[Vertex]:
+        """All its points on lines of the subdivision."""
+        return self.ends if self.corner is None else [*self.ends, self.corner]
+
+    @property
+    def crossed(self) -> bool:
+        """Whether more than two branches meet."""
+        return len(self.ends) > 2
+
+    @property
+    def links(self) -> list[tuple[Vertex, Vertex]]:
+        """The pairs of points that are joined."""
+        if self.corner is not None:
+            return [(self.corner, vertex) for vertex in self.ends]
+        return [] if self.crossed else [(self.ends[0], self.ends[1])]
 
 
 class ZeroCurve:
@@ -108,20 +145,27 @@ class ZeroCurve:
         #: In the order in which they are found, so that answers do not depend on hashes.
         self._vertices: dict[Vertex, None] = {}
         self._arcs: list[Arc] = []
-        self._crossings: list[tuple[Cell, list[Vertex]]] = []
-        self._points: list[Cell] = []
+        self._crossings: list[_Joint] = []
+        self._points: list[Cell | ExactCell] = []
         self._subdivide(singular_cells(form, known))
+        if self.undecided and (cells := exact_cells(form)):
+            self.undecided, self._arcs, self._crossings, self._points = [], [], [], []
+            self._vertices = {}
+            self._subdivide(cells)
 
     # ---- the subdivision
 
-    def _subdivide(self, cells: Sequence[Cell]) -> None:
+    def _subdivide(self, cells: Sequence[Cell] | Sequence[ExactCell]) -> None:
         done = [cell.box for cell in cells]
         for cell in cells:
+            if isinstance(cell, ExactCell):
+                self._exact(cell)
+                continue
             ends = list(dict.fromkeys(self._on_border(cell.box)))
             if cell.crossing is Crossing.POINT:
                 self._points.append(cell)
             elif len(ends) == BRANCHES and not self._vanishes_around(cell.box):
-                self._crossings.append((cell, ends))
+                self._crossings.append(_Joint(cell.box, ends))
             else:
                 self.undecided.append(cell.box)
         todo = deque(Sized(box, [self.form.part(box)], 0) for box in _grid(self.form, done) if box not in done)
@@ -141,6 +185,26 @@ class ZeroCurve:
                 self.undecided.append(part.box)
             else:
                 todo.extend(halved(part))
+
+    def _exact(self, cell: ExactCell) -> None:
+        """The branches that leave a singular point, or that there are none."""
+        ends = [vertex for x in cell.ends for vertex, _ in self._zeros_on(0, x, cell.box.second)]
+        corner = self._on_edge(cell.zero.common.place)
+        if ends:
+            self._crossings.append(_Joint(cell.box, ends, corner))
+        elif corner is None:
+            self._points.append(cell)
+        else:
+            self._vertices[corner] = None
+
+    def _on_edge(self, place: Place) -> Vertex | None:
+        """A zero on the border of the square as a vertex; None for one inside."""
+        direction = next((k for k in (0, 1) if place[k] in (0, 1)), None)
+        if direction is None:
+            return None
+        value = mpq(int(place[direction] == 1))
+        own = self._zeros_on(direction, value, UNIT.second)
+        return next(vertex for vertex, t in own if t == place[1 - direction])
 
     def _vanishes_around(self, box: Box) -> bool:
         """Whether the form vanishes along a whole side of a box: its zeros there are not isolated points."""
@@ -222,9 +286,10 @@ class ZeroCurve:
         joined = _Joined(self._vertices)
         for arc in self._arcs:
             joined.join(arc.first, arc.last)
-        for _, ends in self._crossings:
-            for vertex in ends[1:]:
-                joined.join(ends[0], vertex)
+        links: dict[Vertex, list[tuple[Vertex, Vertex]]] = {}
+        for joint in self._crossings:
+            for vertex in joint.vertices[1:]:
+                joined.join(joint.vertices[0], vertex)
         groups: dict[Vertex, list[Arc]] = {}
         members: dict[Vertex, list[Vertex]] = {}
         for vertex in joined.parents:
@@ -232,18 +297,21 @@ class ZeroCurve:
             members.setdefault(joined.root(vertex), []).append(vertex)
         for arc in self._arcs:
             groups[joined.root(arc.first)].append(arc)
-        crossings: dict[Vertex, list[Box]] = {}
-        for cell, ends in self._crossings:
-            crossings.setdefault(joined.root(ends[0]), []).append(cell.box)
+        crossings: dict[Vertex, list[_Joint]] = {}
+        for joint in self._crossings:
+            crossings.setdefault(joined.root(joint.ends[0]), []).append(joint)
+            links.setdefault(joined.root(joint.ends[0]), []).extend(joint.links)
         parts = []
         for group, arcs in groups.items():
             crossed = crossings.get(group, [])
-            shape = _shape(arcs, bool(crossed))
+            joins = links.get(group, [])
+            shape = _shape(arcs, joins, any(joint.crossed for joint in crossed))
             if self.undecided and any(self._is_open_at(vertex) for vertex in members[group]):
                 if not arcs and not crossed:
                     continue  # the undecided box accounts for it
                 shape = Shape.OPEN
-            parts.append(Part(shape, tuple(_in_order(arcs)), tuple(crossed), tuple(members[group])))
+            boxes = tuple(joint.box for joint in crossed)
+            parts.append(Part(shape, tuple(_in_order(arcs)), boxes, tuple(members[group]), links=tuple(joins)))
         return (*parts, *(Part(Shape.POINT, (), (cell.box,), (), cell.zero) for cell in self._points))
 
     def _is_open_at(self, vertex: Vertex) -> bool:
@@ -336,12 +404,18 @@ def _first_cut(lines: Sequence[mpq]) -> mpq:
     return next((cut for cut in FIRST_CUTS if not any(met(cut, line) for line in lines)), FIRST_CUTS[0])
 
 
-def _shape(arcs: Sequence[Arc], crossed: bool) -> Shape:
+def _ends(arcs: Sequence[Arc], links: Sequence[tuple[Vertex, Vertex]]) -> Counter[Vertex]:
+    ends = Counter(vertex for arc in arcs for vertex in (arc.first, arc.last))
+    ends.update(vertex for pair in links for vertex in pair)
+    return ends
+
+
+def _shape(arcs: Sequence[Arc], links: Sequence[tuple[Vertex, Vertex]], crossed: bool) -> Shape:
     if crossed:
         return Shape.CROSSED
-    if not arcs:
+    ends = _ends(arcs, links)
+    if not ends:
         return Shape.POINT
-    ends = Counter(vertex for arc in arcs for vertex in (arc.first, arc.last))
     return Shape.LOOP if all(count == 2 for count in ends.values()) else Shape.ARC
 
 
