@@ -172,7 +172,7 @@ def _named(rhino: Any, name: str) -> Any:
 
 def _archive(model: Any) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder) / "splines.3dm"
+        place = Path(folder) / "written.3dm"
         if not model.Write(str(place), 7):
             raise CurveFileError("rhino3dm could not write the archive", remedy="check the curves")
         return place.read_bytes()
