@@ -107,7 +107,7 @@ def _inside(surface: NurbsSurface, u: mpq, v: mpq) -> None:
     for t, mesh, name in zip((u, v), surface.meshes, "uv", strict=True):
         if t in mesh.breaks[1:-1]:
             raise QuestionError(
-                f"{name} = {t} is a knot, where derivatives of the two sides may differ", remedy="ask beside it"
+                f"{name} = {t} is a knot, where derivatives of the two sides may differ", remedy="ask inside a patch"
             )
 
 

@@ -106,7 +106,7 @@ def inspect(
     from exactspline.interchange.curve_files import write_json
 
     standard = standard_input() if "-" in curve else None
-    if found_surfaces := surfaces_among(curve, standard, wanted=surfaces):
+    if found_surfaces := surfaces_among(curve, standard, requested=surfaces):
         if len(found_surfaces) < len(curve):
             raise OptionsError("surfaces and curves", remedy="inspect them one after the other")
         if ask:

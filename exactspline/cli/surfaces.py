@@ -47,16 +47,16 @@ def is_surface(name: str, given: bytes | None = None) -> bool:
 Surfaces = Callable[[], "Sequence[NurbsSurface]"]
 
 
-def surfaces_among(names: Sequence[str], given: bytes | None, *, wanted: bool) -> dict[str, Surfaces]:
+def surfaces_among(names: Sequence[str], given: bytes | None, *, requested: bool) -> dict[str, Surfaces]:
     """Those of some names that mean surfaces: examples, our JSON, files that hold surfaces and no curves; files with
-    both where surfaces are `wanted`.
+    both where surfaces are `requested`.
     """
     found: dict[str, Surfaces] = {}
     for name in names:
         if is_surface(name, given):
             found[name] = partial(_one, name, given)
-        elif reading := _with_surfaces(name, given, wanted):
-            found[name] = partial(_told, reading)
+        elif reading := _with_surfaces(name, given, requested):
+            found[name] = partial(_reported, reading)
     return found
 
 
@@ -64,7 +64,7 @@ def _one(name: str, given: bytes | None) -> Sequence[NurbsSurface]:
     return [_loaded(name, given)]
 
 
-def _told(reading: Reading) -> Sequence[NurbsSurface]:
+def _reported(reading: Reading) -> Sequence[NurbsSurface]:
     """The surfaces of a file; what else is in it is named on standard error."""
     if reading.curves:
         leave_out()
@@ -74,7 +74,7 @@ def _told(reading: Reading) -> Sequence[NurbsSurface]:
     return reading.surfaces
 
 
-def _with_surfaces(name: str, given: bytes | None, wanted: bool) -> Reading | None:
+def _with_surfaces(name: str, given: bytes | None, requested: bool) -> Reading | None:
     """What is read of a file whose surfaces are meant; None for any other."""
     from exactspline.interchange.files import holds_surfaces, read
 
@@ -84,7 +84,7 @@ def _with_surfaces(name: str, given: bytes | None, wanted: bool) -> Reading | No
         reading = read(name)
     except ExactSplineError:
         return None
-    return reading if reading.surfaces and (wanted or not reading.curves) else None
+    return reading if reading.surfaces and (requested or not reading.curves) else None
 
 
 def inspect_surfaces(out: Output, names: dict[str, Surfaces], digits: int, plot: str) -> None:
