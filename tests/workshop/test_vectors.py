@@ -26,20 +26,20 @@ RUN = {
 @pytest.fixture(scope="module")
 def pack(tmp_path_factory):
     folder = tmp_path_factory.mktemp("vectors")
-    assert main(["pack", str(folder), "--cases", "2"]) == 0
+    assert main(["pack", str(folder), "--cases", "3"]) == 0
     return folder
 
 
 def test_every_case_is_checked_again(pack):
     assert main(["check", str(pack), "--share", "1"]) == 0
     index = json.loads((pack / "index.json").read_text(encoding="utf-8"))
-    assert {family: entry["cases"] for family, entry in index["families"].items()} == dict.fromkeys(SIZES, 2)
+    assert {family: entry["cases"] for family, entry in index["families"].items()} == dict.fromkeys(SIZES, 3)
 
 
 @pytest.mark.parametrize("what", ["value", "inflection"])
 def test_a_wrong_answer_is_found(pack, what, tmp_path):
     """One double moved, or one inflection taken away, under a digest that fits."""
-    family, number = ("random", 0) if what == "value" else ("near", 1)
+    family, number = ("random", 0) if what == "value" else ("near", 2)
     data = json.loads((pack / f"{family}.json").read_text(encoding="utf-8"))
     case = data["cases"][number]["case"]
     if what == "value":
@@ -47,7 +47,7 @@ def test_a_wrong_answer_is_found(pack, what, tmp_path):
         assert below != above
         case["answers"]["value"]["items"][0]["x"] = [above, above, above]
     else:
-        assert len(case["answers"]["inflections"]["items"]) == 2
+        assert len(case["answers"]["inflections"]["items"]) == 1
         case["answers"]["inflections"]["items"].pop()
     body = json.dumps(case, ensure_ascii=True, separators=(",", ":"))
     data["cases"][number]["digest"] = f"{crc32(body.encode()):08x}"
@@ -80,8 +80,8 @@ def test_a_reader_counts_what_python_counts(program, pack, tmp_path):
 
 
 def test_more_curves_of_a_family(tmp_path):
-    keys = [case.key for case in corpus("near", 8000)]
-    assert len(set(keys)) == len(keys) == 8000
+    keys = [case.key for case in corpus("near", 4000)]
+    assert len(set(keys)) == len(keys) == 4000
     assert [case.curve for case in corpus("integers", 1900)][-1] != next(corpus("integers", 1)).curve
     assert [c.key for c in corpus("cad", 3, seed=9)] == [c.key for c in corpus("cad", 3)]
     assert [c.curve for c in corpus("cad", 3, seed=9)] != [c.curve for c in corpus("cad", 3)]
