@@ -5,7 +5,7 @@ import sys
 import zlib
 
 
-def de_boor(degree, knots, rows, t):
+def de_boor(degree: int, knots: list[float], rows: list[list[float]], t: float) -> list[float]:
     """The homogeneous point at t, in doubles."""
     spans = [j for j in range(degree, len(knots) - degree - 1) if knots[j] < knots[j + 1]]
     j = next((j for j in spans if knots[j] <= t < knots[j + 1]), spans[-1])
@@ -18,7 +18,7 @@ def de_boor(degree, knots, rows, t):
     return d[degree]
 
 
-def main(path):
+def main(path: str) -> None:
     """Count cases, answers by kind, and points that de Boor's recursion in doubles rounds otherwise."""
     counts = {"cases": 0, "damaged": 0, "none": 0, "these": 0, "all": 0, "undefined": 0, "inexact": 0}
     with open(path, encoding="utf-8") as stream:
