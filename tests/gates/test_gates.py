@@ -162,6 +162,7 @@ WAYS = {
     "geometry/space_features.py: SpaceFacts.torsion_numerator": "a form, whose zeros are asked for",
     "geometry/space_features.py: torsion_zeros": "the answer of the question torsion_zeros",
     "geometry/surface/constant.py: constant_curvature": "of a patch of a surface",
+    "geometry/floats.py: curvature_floats": "the doubles of the curvatures at many parameters",
     "geometry/surface/constant.py: has_curvature": "of a patch of a surface",
     "geometry/surface/forms.py: SurfaceForms.curvature": "of a surface: numerator and denominator",
     "geometry/surface/inspection.py: SurfaceInspection.curvature": "of a surface, where it is constant",
