@@ -162,6 +162,7 @@ OPTIONS = {
     "check_certificate": (xs.zeros(T * T - 2).certificate(),),
     "contains": (xs.example("circle"), (0, 0)),
     "curvature": (CUSP, "1/3"),
+    "curvature_floats": (CUSP, [0]),
     "degree": ("f2",),
     "derive": ("evolute", CUSP),
     "claims": ("C4.1a",),

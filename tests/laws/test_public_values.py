@@ -126,7 +126,7 @@ RETURNED = {
 }
 #: Names that return what one of those above returns, plain data, numbers, text, pictures or nothing.
 COVERED = {
-    *("at", "at_floats"),
+    *("at", "at_floats", "curvature_floats"),
     *("complex_quotient", "conjugate", "cross", "det", "dot", "generalized_cross", "join", "norm2", "perp", "triple"),
     *("wronskian", "numerator", "control_point_count", "greville_abscissae", "zeros", "rational", "from_float"),
     *("from_floats", "floats", "features_of_many", "features_of_curves", "check_certificate"),
