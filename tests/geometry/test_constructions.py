@@ -6,7 +6,6 @@ import random
 from functools import cache
 
 import pytest
-from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError, ReductionError
@@ -77,20 +76,6 @@ def test_the_minimal_form_is_the_naive_one_in_lowest_terms(name):
     for i, (p, q) in enumerate(zip(minimal.polynomials, in_lowest_terms(lowest.numerator).polynomials, strict=True)):
         assert p * q.leading_coefficient() == q * p.leading_coefficient(), i
         assert p.leading_coefficient() * q.leading_coefficient() > 0
-
-
-@pytest.mark.parametrize("name", [name for name, c in all_constructions().items() if c.zero_set])
-def test_the_sign_of_the_minimal_form_is_that_of_the_first_form_for_negative_weights_too(name):
-    c = construction(name)
-    plus = generic(3, c.dimension, polynomial=False)
-    minus = Nurbs(3, plus.knots, plus.control_points, [-w for w in plus.weights])
-    forms = [c.on(curve, Variant.MINIMAL) for curve in (plus, minus)]
-    assert forms[0] == forms[1]
-    first = c.formula(next(iter(c.variants)))(minus)
-    for i in range(1, 12):
-        a, b = forms[1](mpq(i, 13)), first(mpq(i, 13))
-        assert (a > 0, a < 0) == (b > 0, b < 0)
-        assert (c.sign(minus, Variant.LIFTED) < 0) == (c.power_of_w(Variant.LIFTED) % 2 == 1)
 
 
 def test_the_minimal_form_loses_what_it_shares_with_the_weight_function():

@@ -2,7 +2,6 @@
 
 from itertools import pairwise
 from math import comb
-from types import SimpleNamespace
 
 import pytest
 from flint import arb, fmpz_poly
@@ -15,9 +14,8 @@ from exactspline import BSpline, Nurbs, NurbsSurface, zeros
 from exactspline.errors import FormulaError, OpenError
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.bisector import cusps
-from exactspline.geometry.bisector.components import Cause, PairEquation, PlaneComponent, Solutions
-from exactspline.geometry.bisector.conditions import cells_between
-from exactspline.geometry.bisector.correspondence import graph_intervals, value_at
+from exactspline.geometry.bisector.components import Solutions
+from exactspline.geometry.bisector.correspondence import graph_intervals
 from exactspline.geometry.bisector.lines import Path, along
 from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.single_pairs import zeros_of_vector
@@ -30,7 +28,7 @@ from exactspline.geometry.derived import derive
 from exactspline.geometry.domain import intervals_where
 from exactspline.geometry.floats import at_floats
 from exactspline.geometry.joints import curvature_of
-from exactspline.geometry.surface import critical, singular
+from exactspline.geometry.surface import singular
 from exactspline.geometry.surface.borders import is_inside, vanishes_at
 from exactspline.geometry.surface.forms import SurfaceForms, lowest
 from exactspline.geometry.surface.inspection import inspect_surface
@@ -184,40 +182,12 @@ def test_a_derived_object_has_the_values_of_its_pieces():
 # ---- bisectors
 
 
-def test_kept_intervals_that_meet_are_one_but_for_a_pole_between_them():
-    """Candidates may come in any order, and twice."""
-    low, high = mpq(0), mpq(1)
-    third, half = mpq(1, 3), mpq(1, 2)
-    poles = zeros(BSpline.bezier([-1, 1]))
-    assert cells_between([half, third, third], [], (low, high), lambda t: True) == [(low, high)]
-    assert cells_between([third], poles, (low, high), lambda t: True) == [(low, half), (half, high)]
-    assert cells_between([third, half], [], (low, high), lambda t: t > third) == [(third, high)]
-    assert cells_between([third, half], [], (low, high), lambda t: not third < t < half) == [(low, third), (half, high)]
-
-
 @pytest.mark.parametrize("root", range(-6, 7))
 @pytest.mark.parametrize("degree", [1, 2])
 def test_the_discriminant_of_a_quadratic_is_known_wherever_it_is_none(root, degree):
     """b² − 4ac, also where a vanishes at an integer."""
     a, b, c = fmpz_poly([-root, 1]) ** degree, fmpz_poly([2, 0, 3][: degree + 1]), fmpz_poly([1, -1, 5])
     assert discriminant([c, b, a]) == b * b - 4 * a * c
-
-
-def test_exchanging_the_curves_twice_changes_nothing():
-    sides = Box(Interval(mpq(0), mpq(1)), Interval(mpq(2), mpq(3)))
-    for of in (0, 1):
-        for cause in Cause:
-            one = PlaneComponent(Solutions.PLANE, cause, sides, PairEquation.of(S * S - T), of=of)
-            other = one.transposed()
-            assert other.transposed() == one
-            assert (other.of, other.sides) == (1 - of, sides[::-1])
-
-
-def test_values_of_polynomials_are_those_of_their_terms():
-    x = mpq(-3, 7)
-    assert value_at(fmpz_poly([]), x) == 0
-    assert value_at(fmpz_poly([5]), x) == 5
-    assert value_at(fmpz_poly([1, 2, 0, 4]), x) == 1 + 2 * x + 4 * x**3
 
 
 @pytest.mark.parametrize(("meet", "expected"), [(True, Solutions.SPACE), (False, Solutions.PLANE), (None, None)])
@@ -331,42 +301,6 @@ def test_a_polygon_runs_on_where_its_sides_have_one_direction(direction, speed):
 # ---- surfaces
 
 
-def test_a_cell_around_a_singular_point_lies_inside_the_patch():
-    """Of (x − a)² + (y − ½)²: where its cell would reach the border, smaller ones are needed."""
-    bits = critical.CELL_BITS[0]
-    x, y = PatchForm.of_net([[0], [1]]), mpq(1, 2)
-
-    def cells(distance, more):
-        a = 1 - distance
-        zero = SimpleNamespace(refine=lambda n: Box.point(a, y), box=Box.point(a, y), region=UNIT)
-        net = [[a * a + z for z in row] for row in ([mpq(1, 4), mpq(-1, 4), mpq(1, 4)],) * 3]
-        net = [[z - 2 * a * mpq(i, 2) + (i == 2) for z in row] for i, row in enumerate(net)]
-        return critical._cells(PatchForm.of_net([[int(z * 4**20) for z in row] for row in net]), [zero], bits + more)[0]
-
-    edge = mpq(1, 1 << bits)
-    assert x.degree == (1, 0)
-    assert not cells(edge, 0)
-    (cell,) = cells(edge, 1)
-    assert cell.crossing is critical.Crossing.POINT
-    assert cell.box == ((1 - edge - edge / 2, 1 - edge / 2), (y - edge / 2, y + edge / 2))
-    assert cells(2 * edge, 0)
-
-
-def test_cells_hold_their_points_where_the_box_of_one_spans_that_of_another(monkeypatch):
-    monkeypatch.setattr(critical, "_kind", lambda form, box: critical.Crossing.POINT)
-
-    def zero(a, b, y):
-        box = Box(Interval(mpq(a), mpq(b)), Interval.point(mpq(y)))
-        return SimpleNamespace(refine=lambda n: box, box=box, region=UNIT)
-
-    zeros_at = [zero("2/5", "3/5", "1/5"), zero("1/2", "1/2", "4/5"), zero("1/8", "1/8", "1/2")]
-    cells, left = critical._cells(PatchForm.of_net([[1]]), zeros_at, critical.CELL_BITS[0])
-    assert not left
-    assert len(cells) == len(zeros_at)
-    for cell, one in zip(cells, zeros_at, strict=True):
-        assert all(c < a and b < d for (a, b), (c, d) in zip(one.box, cell.box, strict=True))
-
-
 def test_a_patch_is_regular_where_its_normal_vanishes_along_edges_at_most():
     edge, place = singular.EDGES[0], Place(((0, 0),), None, mpq(0), mpq(0))
     assert SingularPoints(edges=(edge,)).regular
@@ -460,9 +394,3 @@ def test_boxes_that_touch_are_one_cluster():
     for boxes in ([near[0], far[0], *near[1:], far[1]], [far[1], *near, far[0]]):
         assert sorted(hull for hull, _ in clusters(boxes)) == [((0, 3), (0, 2)), ((7, 9), (7, 9))]
     assert sorted(hull for hull, _ in clusters([near[0], *far])) == [near[0], ((7, 9), (7, 9))]
-
-
-def test_points_of_a_patch_have_parameters_of_the_surface():
-    sides = Box(Interval(mpq(0), mpq(4)), Interval(mpq(-1), mpq(1)))
-    assert sides.at(mpq(1, 4), mpq(3, 4)) == (1, mpq(1, 2))
-    assert sides.local(sides.part(UNIT)) == UNIT

@@ -16,7 +16,7 @@ from exactspline.geometry.bisector import conditions as module
 from exactspline.geometry.bisector.trimmed import trimmed_bisector
 from exactspline.interchange.examples import example
 from exactspline.papers import find
-from exactspline.polynomials.elimination import discriminant, through
+from exactspline.polynomials.elimination import discriminant
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from tests.support.dials import factors, over_dials
@@ -274,19 +274,6 @@ def test_the_infinite_end_of_a_piece_is_a_pole():
         end(2 * infinite)
 
 
-@over_cases
-def test_certain_answers_in_front_change_nothing(curve, point, monkeypatch):
-    """With every condition decided exactly on the whole segment the pieces are the same."""
-    result = trimmed_bisector(curve, point)
-    monkeypatch.setattr(module, "possible_parts", lambda *_: [(mpq(0), mpq(1))])
-    monkeypatch.setattr(module, "holds_certainly", lambda *_: False)
-    monkeypatch.setattr(module, "keeps_sign", lambda *_: False)
-    exact = trimmed_bisector(curve, point)
-    assert [(p.kind, p.low, p.high, p.foot) for p in result.pieces] == [
-        (p.kind, p.low, p.high, p.foot) for p in exact.pieces
-    ]
-
-
 @pytest.mark.parametrize("weights", [None, (2, 3), (-1, -1)])
 def test_a_curve_that_is_one_point_has_the_line_between(weights):
     """The points as far from Q as from that point: all of the perpendicular bisector."""
@@ -311,11 +298,6 @@ def test_discriminants_by_values_are_those_by_elimination():
         wanted = p.discriminant(1)
         found = discriminant(rows)
         assert sum((x * z**i for i, x in enumerate(found.coeffs())), context.constant(0)) == wanted
-
-
-def test_a_polynomial_is_that_through_its_values():
-    p = fmpz_poly([3, -1, 0, 7, 2])
-    assert through([int(p(k)) for k in range(9)]) == p
 
 
 def test_an_arc_between_two_poles_beside_a_long_curve():

@@ -18,9 +18,7 @@ from exactspline.polynomials.isolation import LocalPolynomial
 from exactspline.polynomials.refinement import enclosures
 from exactspline.reals.real import Real, between
 from exactspline.roots.root import knot_root
-from exactspline.roots.values import narrowed, sign_at, signed_root, value_at
-
-T = BSpline.identity(0, 1)
+from exactspline.roots.values import sign_at, signed_root, value_at
 
 
 def test_enclosures_are_rounded_outwards_and_say_their_middle():
@@ -30,18 +28,6 @@ def test_enclosures_are_rounded_outwards_and_say_their_middle():
     assert [Real(t).decimal(0) for t in ("5/2", "-5/2")] == ["3", "-2"]
     assert float(Real("1/3")) == 1 / 3
     assert Interval(mpq(0), mpq(1)).middle == mpq(1, 2)
-
-
-def test_values_at_roots_are_as_narrow_as_asked():
-    t = BSpline.identity(0, 2)
-    (root,) = zeros(t * t - 2)
-    for digits in (3, 12, 40):
-        square = value_at(t * t * t, t.constant(1), root).enclosure(digits)
-        assert square.high - square.low <= mpq(1, 10**digits)
-        assert square.low**2 <= 8 <= square.high**2
-        quotient = value_at(t, t * t, root).enclosure(digits)
-        assert quotient.low**2 <= mpq(1, 2) <= quotient.high**2
-        assert quotient.high - quotient.low <= mpq(1, 10**digits)
 
 
 def test_signs_at_roots_are_exact():
@@ -75,23 +61,6 @@ def test_a_root_is_one_of_exactly_the_polynomials_that_it_satisfies():
     assert not at_zero.is_root_of(fmpz_poly([1, 1]))
 
 
-@pytest.mark.parametrize("exponent", [1, 50, 120, 400])
-def test_roots_that_nearly_coincide_are_told_apart(exponent):
-    """(t − 1/3)(t − 1/3 − ε) with ε = 2⁻ᵉ, and (t − 1/3)² − ε: enclosed to any number of digits."""
-    tiny = mpq(1, 2**exponent)
-    f = (T - mpq(1, 3)) * (T - mpq(1, 3) - tiny) if exponent > 1 else (T - mpq(1, 3)) * (T - mpq(5, 6))
-    assert len(zeros(f)) == 2
-    close = (T - mpq(1, 3)) ** 2 - tiny / 16
-    found = zeros(close)
-    assert len(found) == 2
-    for digits in (5, 60, 300):
-        for root, sign in zip(found, (-1, 1), strict=True):
-            low, high = root.refine(digits)
-            assert low < high <= low + mpq(1, 10**digits) or low == high
-            ends = sorted([(low - mpq(1, 3)) * sign, (high - mpq(1, 3)) * sign])
-            assert ends[0] ** 2 <= tiny / 16 <= ends[1] ** 2
-
-
 @pytest.mark.parametrize("sign", [1, -1, 0])
 def test_the_root_of_a_quotient_at_a_root(sign):
     """√(t/3) and its negative at t = √2: the fourth power times 81/... is 2/9."""
@@ -118,20 +87,6 @@ def test_enclosures_are_narrow_enough_whatever_the_slope(power):
     value = value_at(t.scaled(3**power), t.constant(1), root).enclosure(40)
     assert value.high - value.low <= mpq(1, 10**40)
     assert value.low**2 <= 2 * mpq(9) ** power <= value.high**2
-
-
-@pytest.mark.parametrize("slope", [2**k for k in range(0, 120, 8)])
-@pytest.mark.parametrize("digits", [1, 12, 30])
-def test_enclosures_are_as_narrow_as_asked_whatever_the_root_gives(slope, digits):
-    """A zero at 1/7 that is refined to exactly the digits asked for."""
-
-    class Zero:
-        def enclosure(self, precision):
-            return mpq(1, 7) - mpq(1, 2 * 10**precision), mpq(1, 7) + mpq(1, 2 * 10**precision)
-
-    told = narrowed(lambda low, high: Interval(slope * low, slope * high), Zero(), digits)
-    assert told.low <= mpq(slope, 7) <= told.high
-    assert told.high - told.low <= mpq(1, 10**digits)
 
 
 @pytest.mark.parametrize("powers", [(1,), (2,), (3, 1), (1, 2), (2, 2), (0, 3, 1), (1, 2, 3)])
@@ -193,38 +148,6 @@ def test_a_knot_as_a_root():
     assert not told.sign_change
 
 
-def test_bernstein_coefficients_tell_signs():
-    assert cells.bernstein_signs(fmpq_poly([]), mpq(0), mpq(1)) == (True, True)
-    assert cells.bernstein_signs(fmpq_poly([1]), mpq(0), mpq(1)) == (True, False)
-    assert cells.bernstein_signs(fmpq_poly([-1]), mpq(0), mpq(1)) == (False, True)
-    assert cells.bernstein_signs(fmpq_poly([-1, 1]), mpq(0), mpq(1)) == (False, True)
-    assert cells.bernstein_signs(fmpq_poly([-1, 1]), mpq(1), mpq(2)) == (True, False)
-    assert cells.bernstein_signs(fmpq_poly([-1, 1]), mpq(0), mpq(2)) == (False, False)
-    assert cells.bernstein_signs(fmpq_poly([1, -2, 4]), mpq(0), mpq(1)) == (True, False)  # 1, 0, 3
-    assert cells.bernstein_signs(fmpq_poly([1, -4, 4]), mpq(0), mpq(1)) == (False, False)  # 1, −1, 1
-
-
-def test_cells_cover_an_interval_and_say_what_is_so():
-    f = fmpq_poly([-1, 2]) * fmpq_poly([-2, 3]) ** 2 * fmpq_poly([1, 0, 1])
-    found = cells.cells_of(f, mpq(0), mpq(1))
-    assert [c.low for c in found] == [mpq(0), *[c.high for c in found[:-1]]]
-    assert found[-1].high == 1
-    for cell in found:
-        places = [cell.low + (cell.high - cell.low) * mpq(k, 40) for k in range(1, 40)]
-        values = [f(fmpq(int(t.numerator), int(t.denominator))) for t in places]
-        if not cell.one:
-            assert all((v > 0) == cell.sign for v in values)
-        else:
-            assert sum(cell.low < z < cell.high for z in (mpq(1, 2), mpq(2, 3))) == 1
-            told = cell.factor or f
-            assert (told(fmpq(int(cell.low.numerator), int(cell.low.denominator))) > 0) == cell.sign
-        if cell.factor is not None:
-            assert cell.power == 2
-            assert cell.factor**2 * cell.rest == f
-            assert all((cell.rest(fmpq(int(t.numerator), int(t.denominator))) > 0) == cell.rest_sign for t in places)
-    assert any(cell.factor is not None for cell in found)
-
-
 def test_halving_that_finds_no_end_is_given_up(monkeypatch):
     """Two zeros 2⁻⁴⁰ apart take some forty halvings."""
     third, near = fmpq(1, 3), fmpq(1, 3) + fmpq(1, 2**40)
@@ -278,18 +201,6 @@ def test_a_denominator_that_is_zero_at_the_end_of_the_interval_is_waited_for():
     value = signed_root(1, value_at(t.constant(1), t - near, zeros(t * t - 2).roots[0])).enclosure(1)
     ends = sorted(1 / end**2 + near for end in (value.low, value.high))
     assert ends[0] ** 2 <= 2 <= ends[1] ** 2
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_a_root_of_a_quotient_is_compared_exactly(sign):
-    """±√√2 = ±1.189207115002721…"""
-    t = BSpline.identity(0, 2)
-    told = signed_root(sign, value_at(t, t.constant(1), zeros(t * t - 2).roots[0]))
-    near = mpq(1189207115002721, 10**15)
-    assert (told - (sign * near)).sign == sign
-    assert (told - (sign * (near + mpq(1, 10**15)))).sign == -sign
-    assert (told - (mpq(0))).sign == sign
-    assert (told - (mpq(-sign))).sign == sign
 
 
 def test_a_polynomial_with_a_rational_zero_is_never_said_to_have_none():

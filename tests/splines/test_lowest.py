@@ -7,7 +7,7 @@ from itertools import product
 
 import pytest
 from gmpy2 import mpq
-from hypothesis import assume, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
@@ -33,7 +33,6 @@ from exactspline.verification.generic_proof import minimum_at, symbolic_minimum
 from tests.support.sampled import sample
 from tests.support.strategies import nurbs, splines_on_one_domain
 
-PLANE = [name for name in example_names() if example(name).dimension == 2]
 SPACE = [name for name in example_names() if example(name).dimension == 3]
 
 
@@ -209,17 +208,6 @@ def test_the_degree_falls_where_it_should():
         assert lowest(formula("here", on="plane")(OPERATIONS[name]), c).degree == degree
 
 
-@pytest.mark.parametrize("name", ["evolute", "focal_curve", "torsion", "circle_centres"])
-def test_constructions_have_the_lowest_form_by_default(name):
-    c = example("rational_cubic" if name == "evolute" else "rational_space_cubic")
-    lowest, naive = derive(name, c), derive(name, c, "naive")
-    assert lowest.variant == Variant.MINIMAL
-    assert lowest.pieces[0].value == naive.pieces[0].value
-    assert lowest.pieces[0].value.degree < naive.pieces[0].value.degree
-    proved = symbolic_minimum(construction(lowest.name), c.dimension)
-    assert lowest.pieces[0].value.degree == proved.at({"d": 3})
-
-
 def test_inflections_do_not_depend_on_the_form():
     for name in ("rational_cubic_s", "cubic_s", "six_segment_cubic"):
         facts = analyse(example(name))
@@ -229,28 +217,3 @@ def test_inflections_do_not_depend_on_the_form():
         ]
         assert found[0]
         assert all(other == found[0] for other in found[1:])
-
-
-@settings(max_examples=20)
-@given(data=st.data())
-def test_a_projective_change_of_parameter_moves_the_zeros(data):
-    """t ↦ at/(at + b(1 − t)) of one Bézier segment: the roots of the vertex form move with it, and their number
-    stays.
-    """
-    d = data.draw(st.integers(2, 3))
-    a, b = data.draw(st.integers(1, 4)), data.draw(st.integers(1, 4))
-    numbers = st.integers(-9, 9)
-    rows = [data.draw(st.lists(numbers, min_size=d + 1, max_size=d + 1)) for _ in range(3)]
-
-    def curve(rows):
-        return Curve(Vector(BSpline.bezier(rows[0]), BSpline.bezier(rows[1])), BSpline.bezier(rows[2]))
-
-    moved = [[x * b ** (d - i) * a**i for i, x in enumerate(row)] for row in rows]
-    old, new = find("vertices_lifted")(curve(rows)), find("vertices_lifted")(curve(moved))
-    assume(not old.is_zero)
-    n = 8 * d - 12
-    old, new = old.reduce_degree(old.degree - n), new.reduce_degree(new.degree - n)
-    for i in range(1, 5):
-        s = mpq(i, 5)
-        t = a * s / (a * s + b * (1 - s))
-        assert new(s) == old(t) * (a * s + b * (1 - s)) ** n * (mpq(a) * b) ** 6

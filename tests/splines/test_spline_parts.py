@@ -5,31 +5,16 @@ from flint import fmpz, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline
-from exactspline.errors import ReductionError
 from exactspline.interchange.examples import example, load, load_surface
-from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.bernstein import LONG, value
 from exactspline.polynomials.patch_forms import PatchForm, Sized
-from exactspline.polynomials.tensor_bernstein import evaluated
 from exactspline.programs.compiled import needed
 from exactspline.programs.instructions import Instruction
-from exactspline.reals.real import square_root
 from exactspline.splines.lowest_terms import primitive_part
 from exactspline.splines.surface import DEPTH, zero_at_corners
-from exactspline.splines.tensor import lifted
-from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
-
-
-@pytest.mark.parametrize("a", [2, -2, 3, -12, mpq(1, 2)])
-@pytest.mark.parametrize("b", [2, -3, 8, -8, mpq(-2, 9)])
-def test_products_of_roots_have_the_signs_of_both(a, b):
-    """±√|a| · ±√|b| = ±√|ab|."""
-    first, second = (square_root(abs(mpq(x))) * (1 if x > 0 else -1) for x in (a, b))
-    told = first * second
-    assert told == square_root(abs(mpq(a) * b)) * (1 if a * b > 0 else -1)
-    assert (told > 0) == (a * b > 0)
+from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed
 
 
 def test_polynomials_and_forms_are_equal_piece_by_piece():
@@ -108,12 +93,6 @@ def test_bounds_grow_with_the_roundings():
     assert bounded_by(masses, masses * 0, Known(1, 5, 3)).errors.tolist() == [[SLACK * 3 * UNDERFLOW] * 2]
 
 
-def test_a_root_times_nothing_is_nothing():
-    assert square_root(mpq(2)) * 0 == 0
-    assert 0 * square_root(mpq(3)) == 0
-    assert square_root(mpq(2)) * 3 == square_root(mpq(18))
-
-
 def test_parameters_are_located_in_the_segment_on_the_side_asked_for():
     mesh = BSpline(1, [0, 0, 1, 2, 4, 4], [0, 1, 2, 3]).mesh
     inside = [(mpq(1, 2), 0), (mpq(3, 2), 1), (mpq(3), 2)]
@@ -143,16 +122,6 @@ def test_a_primitive_part_vanishes_nowhere():
     assert (a > 0, b) == (True, 0)
 
 
-def test_the_zero_patch_has_the_value_zero_and_a_constant_its_own():
-    """Degree −1 in either parameter is the zero of that degree."""
-    half = mpq(1, 2)
-    assert evaluated(fmpz_poly([3]), fmpz(2), (0, 0), 1, half, half) == mpq(3, 2)
-    assert evaluated(fmpz_poly([1, 2]), fmpz(1), (1, 0), 2, half, mpq(1, 3)) == mpq(3, 2)
-    assert evaluated(fmpz_poly([1, 2]), fmpz(1), (0, 1), 1, half, mpq(1, 3)) == mpq(4, 3)
-    for degrees in ((-1, -1), (-1, 2), (2, -1)):
-        assert evaluated(fmpz_poly([]), fmpz(1), degrees, 4, half, half) == 0
-
-
 def test_a_zero_of_a_weight_lies_in_the_box_that_is_told():
     """Of −1 + 2x, of (2x − 1)(2y − 1) + ε with a corner at 0, and where no corner is negative none is told."""
     for net in ([[-1], [1]], [[1, 1], [-1, 1]], [[3, -1], [1, 1]], [[-1, -1], [-1, 2]]):
@@ -170,27 +139,6 @@ def test_a_zero_of_a_weight_lies_in_the_box_that_is_told():
         box = (mpq(1), mpq(2)), (mpq(3), mpq(5))
         (x, _), (y, _) = zero_at_corners(Sized(box, [PatchForm.of_net([values[:2], values[2:]])], 0))
         assert (x, y) == (box[0][int(place[0])], box[1][int(place[1])])
-
-
-def test_quotients_in_lowest_terms_are_the_same_functions():
-    """Over patches with unequal denominators, and refused where the denominator vanishes on one."""
-    first, second = BSpline(1, [0, 0, 1, 2, 2], ["1/2", "2/3", 3]), BSpline(2, [0, 0, 0, 1, 1, 1], ["1/5", 2, "3/7"])
-    meshes = first.mesh, second.mesh
-    s, t = lifted(first, meshes, 0), lifted(second, meshes, 1)
-    common, w = s * t + s, s + 2
-    value = in_lowest_terms(Rational(Vector(common * t, common * s * s), common * w))
-    assert value.denominator.degree == (2, 2)
-    single = in_lowest_terms(Rational(common * t, common * w))
-    assert (single.is_vector, single.denominator.degree) == (False, (1, 2))
-    for a in (mpq(1, 3), mpq(5, 4)):
-        for b in (mpq(1, 7), mpq(3, 5)):
-            x, y, below = t(a, b), s(a, b) ** 2, w(a, b)
-            told = [f(a, b) / value.denominator(a, b) for f in value.vector]
-            assert told == [x / below, y / below]
-            assert single.scalar(a, b) / single.denominator(a, b) == x / below
-    gone = lifted(BSpline(1, [0, 0, 1, 1, 2, 2], [1, 2, 0, 0]), meshes, 0)
-    with pytest.raises(ReductionError, match=r"all of \[1, 2\] × \[0, 1\]"):
-        in_lowest_terms(Rational(s, gone))
 
 
 @pytest.mark.parametrize("n", [LONG - 1, LONG, LONG + 1, 3 * LONG])

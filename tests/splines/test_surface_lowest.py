@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from exactspline.errors import ReductionError
 from exactspline.language import Vector
 from exactspline.language.rational import Rational
-from exactspline.splines.tensor import TensorSpline, lifted
-from exactspline.splines.tensor_lowest_terms import as_mpoly, as_packed, in_lowest_terms
+from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.tensor_lowest_terms import in_lowest_terms
 from tests.support import oracles
 from tests.support.strategies import DOMAINS, numbers, positive_numbers, tensor_splines
 
@@ -103,10 +103,3 @@ def test_a_denominator_that_vanishes_names_the_patch():
     step = TensorSpline((0, 0), [0, "1/2", 1], [0, 1, 2], [[1, 1], [1, 0]])
     with pytest.raises(ReductionError, match=r"\[1/2, 1\] × \[1, 2\]"):
         in_lowest_terms(Rational(step.constant(1), step))
-
-
-@given(tensor_splines())
-def test_packed_patches_as_polynomials_and_back(f):
-    f = f if f.profile is None else lifted(f.profile[1], f.meshes, f.profile[0])
-    for c in f.polynomials:
-        assert as_packed(as_mpoly(c, f.stride), f.stride) == c

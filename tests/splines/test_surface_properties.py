@@ -74,17 +74,6 @@ def test_degrees_and_knots_of_computed_splines(fs):
                 assert x.knots[i].multiplicity(t) == max(inherited, default=0)
 
 
-@given(st.data(), st.integers(0, 3), st.integers(0, 3))
-def test_partition_of_unity(data, m, n):
-    knots = [data.draw(knot_vectors(k, data.draw(st.sampled_from(DOMAINS)))) for k in (m, n)]
-    one = TensorSpline((m, n), *knots, [[1] * (len(knots[1]) - n - 1)] * (len(knots[0]) - m - 1))
-    assert one == one.constant(1)
-    assert one.true_degree == (0, 0)
-    assert one.partial(1, 0).is_zero
-    assert one.partial(0, 1).is_zero
-    assert (one * one - 1).is_zero
-
-
 # ---- laws
 
 

@@ -15,7 +15,6 @@ from exactspline.language import Rational, Vector, cross, dot
 from exactspline.papers.chen_riesenfeld_cohen_2007 import table1
 from exactspline.papers.chen_riesenfeld_cohen_2007.table1 import T17
 from exactspline.readings.degree import Degree
-from tests.support import oracles
 from tests.support.strategies import DOMAINS, knot_vectors, numbers, positive_numbers
 
 ROWS = {name: getattr(table1, name) for name in (f"T{i}" for i in range(1, 18))}
@@ -278,10 +277,3 @@ def test_a_pole_is_a_division_by_zero():
     with pytest.raises(ZeroDivisionError):
         (1 / t)(0)
     assert (1 / t)("1/2") == 2
-
-
-def test_formula_oracles_stand_apart():
-    """The oracles of these tests see a difference where there is one."""
-    f = BSpline.bezier([0, 1, 0])
-    assert oracles.value(*oracles.data(f), mpq(1, 2)) == mpq(1, 2)
-    assert VALUES["T17"](1, 2, 0, 0, 0, 0, 3, 5) == mpq(1, 4)

@@ -6,11 +6,10 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError, ReachError, ShapeError
-from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.examples import example
 from exactspline.language import Vector, cross, det, dot, formula, norm2, perp
 from exactspline.language.kinds import CURVE
 from exactspline.language.parts import split
-from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.differential_order import order_of
@@ -267,22 +266,6 @@ def test_generators_lose_any_factor():
     assert part.role == GENERATOR
     assert part.text == "D1"
     assert "may have zeros" in next(p.meaning for p in part.powers if p.name.startswith("("))
-
-
-@pytest.mark.parametrize(
-    "name", [n for n in example_names() if example(n).dimension == 2 and not find("f2")(example(n)).is_zero]
-)
-def test_lowest_terms_by_jets_and_by_division_agree(name):
-    """The value in lowest terms from the jets, on a curve, is the naive one."""
-    curve = example(name)
-    numerator, denominator = reduction("evolute", 2, curve.polynomial).main.lowest
-    from exactspline.symbolic.substitution import substitute
-
-    value = Rational(Vector(*[substitute(jet, curve) for jet in numerator]), substitute(denominator, curve))
-    naive = find("evolute")(curve)
-    assert all(
-        p * naive.denominator == q * value.denominator for p, q in zip(value.numerator, naive.numerator, strict=True)
-    )
 
 
 @pytest.mark.parametrize(
