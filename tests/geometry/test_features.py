@@ -184,11 +184,18 @@ def test_a_thousand_digits_enclose_the_root(monkeypatch):
     assert f(low) * f(high) < 0
 
 
-def test_certificates_are_written_and_checked(tmp_path):
+@pytest.mark.parametrize(
+    ("name", "functions"),
+    [
+        ("rational_quartic", ["critical_curvature", "zero_curvature"]),
+        ("space_quartic", ["space_critical_curvature", "zero_curvature", "zero_torsion"]),
+    ],
+)
+def test_certificates_are_written_and_checked(name, functions, tmp_path):
     file = tmp_path / "certificate.json"
-    assert invoke("inspect", "rational_quartic", "--certificate", file).exit_code == 0
+    assert invoke("inspect", name, "--certificate", file).exit_code == 0
     written = json.loads(file.read_text())
-    assert {part["function"] for part in written} == {"zero_curvature", "critical_curvature"}
+    assert sorted(part["function"] for part in written) == functions
     for part in written:
         check_certificate(part["certificate"])
     written[1]["certificate"]["segments"][0]["coefficients"][0] = "12345"
@@ -196,12 +203,13 @@ def test_certificates_are_written_and_checked(tmp_path):
         check_certificate(written[1]["certificate"])
 
 
-def test_a_picture_is_written(tmp_path):
+@pytest.mark.parametrize("name", ["ellipse", "rational_space_cubic_spline"])
+def test_a_picture_is_written(name, tmp_path):
     pytest.importorskip("matplotlib")
-    file = tmp_path / "ellipse.svg"
-    assert invoke("inspect", "ellipse", "--plot", file).exit_code == 0
+    file = tmp_path / "curve.svg"
+    assert invoke("inspect", name, "--plot", file).exit_code == 0
     assert file.read_text().lstrip().startswith("<?xml")
-    assert invoke("inspect", "ellipse", "--plot", tmp_path / "ellipse.doc").exit_code != 0
+    assert invoke("inspect", name, "--plot", tmp_path / "curve.doc").exit_code != 0
 
 
 def test_what_cannot_be_inspected_says_why():

@@ -11,16 +11,12 @@ from exactspline.geometry.inspection import Approach, inspect_curve
 from exactspline.interchange.examples import example
 from exactspline.verification.claims import select
 from exactspline.verification.ledger import audit
-
-
-def bezier(points, weights=None):
-    n = len(points)
-    return Nurbs(n - 1, [0] * n + [1] * n, points, weights)
+from tests.support.bisector_oracle import bezier
 
 
 def test_a_negative_weight_function_changes_no_maximum_into_a_minimum():
     points, weights = [(0, 0), (1, 3), (3, -2), (4, 1)], [1, 2, 3, 1]
-    plus, minus = bezier(points, weights), bezier(points, [-w for w in weights])
+    plus, minus = bezier(*points, weights=weights), bezier(*points, weights=[-w for w in weights])
     for approach in Approach:
         found = [
             [(f.kind, f.of_absolute, f.root) for f in inspect_curve(c, approach).critical_points] for c in (plus, minus)
@@ -30,12 +26,12 @@ def test_a_negative_weight_function_changes_no_maximum_into_a_minimum():
 
 
 def test_a_singular_seam_is_counted_once():
-    curve = bezier([(0, 0), (0, 0), (3, 0), (1, 4), (0, 0), (0, 0)])
+    curve = bezier((0, 0), (0, 0), (3, 0), (1, 4), (0, 0), (0, 0))
     assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("corner", 0)]
 
 
 def test_a_curve_that_starts_from_rest_is_singular_there():
-    curve = bezier([(0, 0), (0, 0), (1, 1), (2, 0)])
+    curve = bezier((0, 0), (0, 0), (1, 1), (2, 0))
     assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("singular end", 0)]
     assert not [f for f in analyse(curve).inflections if f.root == 0]
     assert not [f for f in analyse(curve).critical_points if f.root == 0]
@@ -43,8 +39,8 @@ def test_a_curve_that_starts_from_rest_is_singular_there():
 
 def test_squaring_keeps_an_extremum_where_the_curvature_vanishes():
     """y = x⁴: κ = κ′ = 0 at 0, a minimum; y = x³: κ = 0 there but κ′ is not."""
-    quartic = bezier([(-1, 1), ("-1/2", -1), (0, 1), ("1/2", -1), (1, 1)])
-    cubic = bezier([(-1, -1), ("-1/3", 1), ("1/3", -1), (1, 1)])
+    quartic = bezier((-1, 1), ("-1/2", -1), (0, 1), ("1/2", -1), (1, 1))
+    cubic = bezier((-1, -1), ("-1/3", 1), ("1/3", -1), (1, 1))
     for approach in Approach:
         assert ("minimum", mpq(1, 2)) in [
             (f.kind, f.root.exact) for f in inspect_curve(quartic, approach).critical_points
@@ -100,7 +96,7 @@ def test_what_does_not_exist_is_not_verified(name, ids):
 
 
 def test_unnamed_curves_are_judged_like_named_ones():
-    rows = list(audit(select(["C4.1"]), [bezier([(0, 0), (1, 2), (3, 1)], [1, 2, 1])]))
+    rows = list(audit(select(["C4.1"]), [bezier((0, 0), (1, 2), (3, 1), weights=[1, 2, 1])]))
     assert all(row.as_recorded for row in rows)
-    line = list(audit(select(["C3b"]), [bezier([(0, 0), (1, 2)], [1, 2])]))
+    line = list(audit(select(["C3b"]), [bezier((0, 0), (1, 2), weights=[1, 2])]))
     assert all(row.as_recorded for row in line)

@@ -10,7 +10,6 @@ from gmpy2 import mpq
 from hypothesis import assume, given
 
 from exactspline import Nurbs
-from exactspline.certificates import check_certificate
 from exactspline.errors import DomainError, FormulaError, ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
@@ -191,23 +190,3 @@ def test_inspect_prints_curvature_and_torsion(monkeypatch):
     (flat,) = data["inflections"]["points"]
     assert (flat["kind"], flat["parameter"], flat["curvature"], flat["torsion"]) == ("inflection", "1/2", "0", "2.0")
     assert data["torsion_zeros"]["points"] == []
-
-
-def test_certificates_of_all_that_was_solved(tmp_path):
-    file = tmp_path / "certificate.json"
-    assert invoke("inspect", "space_quartic", "--certificate", file).exit_code == 0
-    written = json.loads(file.read_text())
-    assert [part["function"] for part in written] == ["zero_torsion", "space_critical_curvature", "zero_curvature"]
-    for part in written:
-        check_certificate(part["certificate"])
-    coefficients = written[1]["certificate"]["segments"][0]["coefficients"]
-    coefficients[0] = str(-int(coefficients[0]))
-    with pytest.raises(ValueError, match=r"."):
-        check_certificate(written[1]["certificate"])
-
-
-def test_a_picture_of_a_space_curve_is_written(tmp_path):
-    pytest.importorskip("matplotlib")
-    file = tmp_path / "curve.svg"
-    assert invoke("inspect", "rational_space_cubic_spline", "--plot", file).exit_code == 0
-    assert file.read_text().lstrip().startswith("<?xml")

@@ -89,7 +89,7 @@ def in_mpmath(x):
 
 
 @pytest.mark.parametrize("dial", DIAL)
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 def test_arithmetic_agrees_with_mpmath(dial, seed):
     """Enclosures hold the true value, signs and doubles are right: `root + 1` was a TypeError."""
     chance = random.Random(f"{dial} {seed}")
@@ -118,7 +118,7 @@ def test_arithmetic_agrees_with_mpmath(dial, seed):
 
 
 @pytest.mark.parametrize("dial", ["integers", "thirds", "decimals", "doubles"])
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 def test_minimal_polynomials_vanish_and_are_irreducible(dial, seed):
     """A polynomial of too high a degree, or of another number, would be told."""
     chance = random.Random(f"{dial} {seed} minimal")
@@ -137,7 +137,7 @@ def test_minimal_polynomials_vanish_and_are_irreducible(dial, seed):
         assert not made.is_root_of(fmpz_poly(p) + 1)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(6))
 def test_minimal_polynomials_agree_with_sympy(seed):
     chance = random.Random(seed)
     p, q = chance.choice([2, 3, 5, 6, 7]), chance.choice([2, 3, 5, 6, 7, 8])
@@ -302,15 +302,15 @@ def test_what_would_take_too_high_a_degree_is_refused_by_name():
 def test_a_long_expression_needs_no_deep_recursion():
     x = ROOT_2 + ROOT_3
     total = x
-    for _ in range(600):
+    for _ in range(300):
         total = total + x
     with mp.workdps(4000):
-        assert close(total, 601 * in_mpmath(x))
-    assert total.minimal_polynomial() == (601 * x).minimal_polynomial()
-    assert total == 601 * x
+        assert close(total, 301 * in_mpmath(x))
+    assert total.minimal_polynomial() == (301 * x).minimal_polynomial()
+    assert total == 301 * x
     t = xs.zeros(xs.BSpline.bezier([-1, -1, 1])).roots[0]
     chain = t
-    for k in range(2000):
+    for k in range(1200):
         chain = chain + t if k % 2 else chain - t
     assert chain == t
     assert hash(chain) == hash(t)
@@ -367,13 +367,12 @@ def test_integers_and_decimals_of_a_number(x):
 @pytest.mark.parametrize(
     "question", [lambda x: x < 10, lambda x: x == 1, repr, lambda x: float(1 / (1 + x)), lambda x: x.decimal(3)]
 )
-@pytest.mark.parametrize("squared", [5, 200])
 @pytest.mark.parametrize("first", ["large", "small"])
-def test_no_number_is_too_large_or_too_small_to_be_asked(question, squared, first):
+def test_no_number_is_too_large_or_too_small_to_be_asked(question, first):
     """Was a MemoryError for numbers of 2⁶⁰ digits."""
     a, b = high(3, 4), high(4, 5)
     x = abs(a) + abs(b) + 2 if first == "large" else (abs(a) - abs(b)) / (abs(a) + abs(b))
-    for _ in range(squared):
+    for _ in range(200):
         x = x * x
     started = time.process_time()
     with suppress(ReachError):
@@ -453,7 +452,7 @@ def test_largest_and_smallest():
 # ---- polynomials
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", range(10))
 def test_polynomials_of_sums_and_products_vanish_there(seed):
     chance = random.Random(seed)
     p, q = (

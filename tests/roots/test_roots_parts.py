@@ -148,6 +148,27 @@ def test_a_knot_as_a_root():
     assert not told.sign_change
 
 
+def test_cells_cover_an_interval_and_say_what_is_so():
+    f = fmpq_poly([-1, 2]) * fmpq_poly([-2, 3]) ** 2 * fmpq_poly([1, 0, 1])
+    found = cells.cells_of(f, mpq(0), mpq(1))
+    assert [c.low for c in found] == [mpq(0), *[c.high for c in found[:-1]]]
+    assert found[-1].high == 1
+    for cell in found:
+        places = [cell.low + (cell.high - cell.low) * mpq(k, 40) for k in range(1, 40)]
+        values = [f(fmpq(int(t.numerator), int(t.denominator))) for t in places]
+        if not cell.one:
+            assert all((v > 0) == cell.sign for v in values)
+        else:
+            assert sum(cell.low < z < cell.high for z in (mpq(1, 2), mpq(2, 3))) == 1
+            told = cell.factor or f
+            assert (told(fmpq(int(cell.low.numerator), int(cell.low.denominator))) > 0) == cell.sign
+        if cell.factor is not None:
+            assert cell.power == 2
+            assert cell.factor**2 * cell.rest == f
+            assert all((cell.rest(fmpq(int(t.numerator), int(t.denominator))) > 0) == cell.rest_sign for t in places)
+    assert any(cell.factor is not None for cell in found)
+
+
 def test_halving_that_finds_no_end_is_given_up(monkeypatch):
     """Two zeros 2⁻⁴⁰ apart take some forty halvings."""
     third, near = fmpq(1, 3), fmpq(1, 3) + fmpq(1, 2**40)

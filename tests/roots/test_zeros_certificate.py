@@ -13,6 +13,7 @@ from exactspline import BSpline, Nurbs, certificates, zeros
 from exactspline.certificates import check_certificate
 from exactspline.geometry.inspection import solved
 from exactspline.numbers.exact import mpq
+from tests.support.sampled import sample
 
 T = BSpline.identity(0, 1)
 LINE = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 2, 3)])
@@ -150,7 +151,7 @@ def test_what_is_accepted_is_true(name, sturm):
     """
     tried = accepted = 0
     given = written(name)
-    for path, other in changes(given):
+    for path, other in sample([*changes(given)], 250, seed=f"{name} {sturm}"):
         tried += 1
         certificate = changed(given, path, other)
         try:
@@ -159,7 +160,7 @@ def test_what_is_accepted_is_true(name, sturm):
             continue
         accepted += 1
         assert still_true(certificate), (path, other)
-    assert tried > 130
+    assert tried > 100
     assert accepted < tried / 4
 
 

@@ -3,7 +3,6 @@
 import copy
 import json
 import pickle
-from fractions import Fraction
 from importlib import resources
 
 import jsonschema
@@ -23,38 +22,15 @@ from exactspline.errors import (
 )
 from exactspline.interchange.curve_files import looks_like_surface, surface_data, surface_from_text
 from exactspline.interchange.examples import load_surface
+from tests.support.surface_oracle import jets
 
 UNIT = [0, 0, 1, 1]
 SQUARE = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]]
 
 
-def basis(i, degree, knots, t):
-    """N_i by the recursion of Cox and de Boor, in Fractions: right-continuous, the last interval closed."""
-    if degree == 0:
-        last = t == knots[-1] and knots[i] < knots[i + 1] == t
-        return Fraction(int(knots[i] <= t < knots[i + 1] or last))
-    value = Fraction(0)
-    if knots[i + degree] > knots[i]:
-        value += (t - knots[i]) / (knots[i + degree] - knots[i]) * basis(i, degree - 1, knots, t)
-    if knots[i + degree + 1] > knots[i + 1]:
-        value += (
-            (knots[i + degree + 1] - t) / (knots[i + degree + 1] - knots[i + 1]) * basis(i + 1, degree - 1, knots, t)
-        )
-    return value
-
-
 def by_definition(surface, u, v):
     """The point ``Σ w P N N / Σ w N N``."""
-    knots = [[Fraction(int(t.numerator), int(t.denominator)) for t in own] for own in surface.knots]
-    total = [Fraction(0)] * surface.dimension
-    bottom = Fraction(0)
-    for i, (row, weights) in enumerate(zip(surface.control_points, surface.weights, strict=True)):
-        for j, (point, weight) in enumerate(zip(row, weights, strict=True)):
-            factor = basis(i, surface.degree[0], knots[0], u) * basis(j, surface.degree[1], knots[1], v)
-            scale = 1 if isinstance(point, Direction) else weight
-            total = [x + factor * Fraction(str(scale * y)) for x, y in zip(total, point, strict=True)]
-            bottom += factor * Fraction(str(weight))
-    return tuple(rational(x / bottom) for x in total)
+    return tuple(rational(x.c[0, 0]) for x in jets(surface, u, v))
 
 
 numbers = st.fractions(min_value=-5, max_value=5, max_denominator=4)

@@ -27,7 +27,7 @@ from tests.support.strategies import (
 )
 
 #: Every example of these looks at every patch at many places.
-FEWER = settings(max_examples=20)
+FEWER = settings(max_examples=12)
 
 # ---- what is printed is the function
 
