@@ -2,6 +2,7 @@
 curve's value.
 """
 
+import pickle
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from random import Random
@@ -106,9 +107,12 @@ def test_roots_are_compared_a_bounded_number_of_times_a_segment(monkeypatch):
 
 def test_an_analysis_belongs_to_one_curve_and_is_no_part_of_it():
     curve, same = spline(4, 2), spline(4, 2)
-    assert curve._analysis is None
     found = analyse(curve)
     assert analyse(curve) is found
+    assert curve == same
+    for other in (pickle.loads(pickle.dumps(curve)), curve.elevate_degree()):
+        assert other == curve
+        assert analyse(other) is not found
     assert analyse(same) is not found
     assert analyse(same).critical_points is not found.critical_points
 

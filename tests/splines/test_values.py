@@ -243,20 +243,7 @@ def test_eight_threads_refine_one_root():
         assert (low**3 - low - 1) < 0 < (high**3 - high - 1)
 
 
-# ---- the slot of the analysis
-
-
-def test_the_slot_of_the_analysis_is_set_once_and_no_part_of_the_value():
-    curve = pickle.loads(pickle.dumps(CURVE))
-    assert curve._analysis is None
-    curve._analysis = "first"
-    curve._analysis = "second"
-    assert curve._analysis == "first"
-    assert curve == CURVE
-    assert pickle.loads(pickle.dumps(curve))._analysis is None
-    assert curve.elevate_degree()._analysis is None
-    with pytest.raises(AttributeError, match="is a value"):
-        curve.degree = 4
+# ---- what is pickled, and what is handed out
 
 
 def test_a_curve_that_is_wrong_is_not_unpickled():
