@@ -5,7 +5,7 @@ from math import prod
 from random import Random
 
 import pytest
-from flint import Ordering, fmpq_mpoly_ctx, fmpz, fmpz_mpoly_ctx, fmpz_poly, nmod_poly
+from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly, fmpz, fmpz_mpoly_ctx, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
@@ -240,3 +240,21 @@ def test_what_need_not_be_done_is_paid_for_or_left():
     with pytest.raises(ReachError, match="about 999999 s"):
         check_reach(10**15 - 1, lambda: "this")
     assert (height_bits([]), height_bits([fmpz(0)]), height_bits([fmpz(3), fmpz(-8)])) == (0, 0, 4)
+
+
+@pytest.mark.parametrize("powers", [(1,), (2,), (3, 1), (1, 2), (2, 2), (0, 3, 1), (1, 2, 3)])
+def test_square_free_factors_with_their_multiplicities(powers):
+    bases = [fmpq_poly([-1, 2]), fmpq_poly([1, 0, 1]), fmpq_poly([-3, 1, 5])]
+    f = fmpq_poly([fmpq(7, 3)])
+    for base, power in zip(bases, powers, strict=False):
+        f = f * base**power
+    found = sorted(((fmpq_poly(p), m) for p, m in factorize_square_free(f.numer()).powers), key=lambda pair: pair[1])
+    expected = {
+        m: [base for base, power in zip(bases, powers, strict=False) if power == m] for m in sorted({*powers} - {0})
+    }
+    assert [m for _, m in found] == list(expected)
+    for factor, m in found:
+        together = fmpq_poly([1])
+        for base in expected[m]:
+            together = together * base
+        assert factor / factor.leading_coefficient() == together / together.leading_coefficient()

@@ -12,6 +12,7 @@ import time
 from contextlib import suppress
 from decimal import Decimal
 from fractions import Fraction
+from math import isqrt
 
 import mpmath
 import pytest
@@ -21,6 +22,7 @@ from gmpy2 import mpq, mpz
 from mpmath import mp
 
 import exactspline as xs
+from exactspline import BSpline, zeros
 from exactspline.errors import NumberError, ReachError, ShapeError
 from exactspline.numbers.exact import from_float, to_fmpq
 from exactspline.polynomials import annihilating
@@ -428,12 +430,6 @@ def test_integers_near_a_number(x):
             )
 
 
-def test_between():
-    assert between(ROOT_2, ROOT_3) == mpq(13, 8)
-    x = ROOT_2 + ROOT_3
-    assert x < between(x, x + mpq(1, 10**30)) < x + mpq(1, 10**30)
-
-
 def test_largest_and_smallest():
     among = [ROOT_2, ROOT_3, ROOT_2 + mpq(1, 10**40), Real(1)]
     assert Extreme(1, among) == ROOT_3
@@ -523,3 +519,21 @@ def test_a_power_has_a_bound(x):
     assert (x**-3) * x**3 == 1
     assert Real(-1) ** (10**12 + 1) == -1
     assert Real(0) ** 10**12 == 0
+
+
+@pytest.mark.parametrize("k", range(1, 12))
+def test_a_number_between_is_strictly_between(k):
+    """√2 and its decimals cut after k digits, from both sides."""
+    t = BSpline.identity(0, 2)
+    (root,) = zeros(t * t - 2)
+    below = mpq(isqrt(2 * 100**k), 10**k)
+    above = below + mpq(1, 10**k)
+    assert below < between(below, root) < root < between(root, above) < above
+    (other,) = zeros(t * t - (2 + mpq(1, 10**k)))
+    middle = between(root, other)
+    assert 2 < middle**2 < 2 + mpq(1, 10**k)
+    assert bin(middle.denominator).count("1") == 1
+    assert between(mpq(1), mpq(5, 4)) == mpq(9, 8)
+    assert between(ROOT_2, ROOT_3) == mpq(13, 8)
+    x = ROOT_2 + ROOT_3
+    assert x < between(x, x + mpq(1, 10**30)) < x + mpq(1, 10**30)

@@ -11,6 +11,7 @@ import pytest
 
 from exactspline import BSpline, Nurbs, certificates, zeros
 from exactspline.certificates import check_certificate
+from exactspline.certificates.zeros import product_of, sturm_count
 from exactspline.geometry.inspection import solved
 from exactspline.numbers.exact import mpq
 from tests.support.sampled import sample
@@ -287,3 +288,21 @@ def test_a_proof_of_something_else_is_refused():
             check_certificate(written("everything") | {field: "zero"})
     with pytest.raises(ValueError, match="not a certificate"):
         check_certificate(written("everything") | {"what": "degree"})
+
+
+@pytest.mark.parametrize(
+    ("zeros_of", "expected"),
+    [([], 0), ([1], 1), ([-1], 0), ([1, 2], 2), ([1, 1, 2], 2), ([-3, 5, 7, -2], 2), ([3] * 4, 1)],
+)
+def test_a_sturm_sequence_counts_the_distinct_positive_zeros(zeros_of, expected):
+    for complex_pairs in ([], [[1, 0, 1]], [[1, 0, 1], [5, 4, 1]], [[5, -4, 1]]):
+        c = [-2]
+        for factor in [*[[-z, 1] for z in zeros_of], *complex_pairs]:
+            c = product_of(c, factor)
+        assert sturm_count(c) == expected
+
+
+def test_a_certificate_of_a_spline_that_vanishes():
+    nothing = BSpline(0, [0, 1, 2], [0, 0])
+    told = zeros(nothing).certificate()
+    assert check_certificate(told) == {"roots": 0, "jumps": 0, "intervals": 1}

@@ -26,7 +26,7 @@ from exactspline.papers import find
 from exactspline.programs.given import operands_of
 from exactspline.programs.program import program_of
 from exactspline.splines.knots import Mesh
-from exactspline.splines.lowest_terms import primitive, true_degree, without_factor
+from exactspline.splines.lowest_terms import primitive, primitive_part, true_degree, without_factor
 from exactspline.splines.refinement import over
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification.generic_proof import minimum_at, symbolic_minimum
@@ -217,3 +217,31 @@ def test_inflections_do_not_depend_on_the_form():
         ]
         assert found[0]
         assert all(other == found[0] for other in found[1:])
+
+
+def test_a_primitive_part_points_where_the_vector_does():
+    """(t, t²) on [0, 1] and (2, 2 t) on [1, 2]: parts of degree 1 and unequal content."""
+    x = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, "1/2", 1, 2, 2, 2])
+    y = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 1, 2, 3, 4])
+    z = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 2, 1, 3, 9])
+    for vector in (Vector(x, y), Vector(x, y, z), Vector(x, x, x * 3)):
+        part = primitive_part(vector)
+        for i in range(9):
+            t = mpq(2 * i + 1, 10) if i != 4 else mpq(19, 10)
+            own, told = [f(t) for f in vector], [f(t) for f in part]
+            k = next(i for i, a in enumerate(own) if a)
+            assert [told[k] * a for a in own] == [own[k] * b for b in told]
+            assert (told[k] > 0) == (own[k] > 0)
+    assert primitive_part(Vector(x, x, x * 3)).degree == 0
+
+
+def test_a_primitive_part_vanishes_nowhere():
+    """(t, 2t²) on [0, 1] is t (1, 2t), of lower degree than what follows: it stays (1, 2) at the end."""
+    x = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, "1/2", 1, 2, 2, 2])
+    z = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 2, 1, 3, 9])
+    part = primitive_part(Vector(x, z))
+    assert part.degree == 2
+    a, b = (f(1, "left") for f in part)
+    assert b == 2 * a > 0
+    a, b = (f(0) for f in part)
+    assert (a > 0, b) == (True, 0)

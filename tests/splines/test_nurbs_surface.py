@@ -7,6 +7,7 @@ from importlib import resources
 
 import jsonschema
 import pytest
+from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -22,6 +23,9 @@ from exactspline.errors import (
 )
 from exactspline.interchange.curve_files import looks_like_surface, surface_data, surface_from_text
 from exactspline.interchange.examples import load_surface
+from exactspline.numbers.intervals import UNIT as SQUARE_OF_PARAMETERS
+from exactspline.polynomials.patch_forms import PatchForm, Sized
+from exactspline.splines.surface import DEPTH, zero_at_corners
 from tests.support.surface_oracle import jets
 
 UNIT = [0, 0, 1, 1]
@@ -272,3 +276,22 @@ def test_calls_that_are_refused():
             call()
     assert isinstance(f.isocurve("v", 0), Nurbs)
     assert issubclass(WeightError, ExactSplineError)
+
+
+def test_a_zero_of_a_weight_lies_in_the_box_that_is_told():
+    """Of −1 + 2x, of (2x − 1)(2y − 1) + ε with a corner at 0, and where no corner is negative none is told."""
+    for net in ([[-1], [1]], [[1, 1], [-1, 1]], [[3, -1], [1, 1]], [[-1, -1], [-1, 2]]):
+        form = PatchForm.of_net(net)
+        (a, b), (c, d) = found = zero_at_corners(Sized(SQUARE_OF_PARAMETERS, [form], 0))
+        values = [form.value(x, y) for x in (a, b) for y in (c, d)]
+        assert min(values) <= 0 <= max(values), net
+        assert found == ((a, a), (c, c)) or (b - a) * (d - c) == mpq(1, 2**DEPTH)
+    for net in ([[1, 2], [3, 4]], [[1, -1, 1], [1, -1, 1]]):
+        assert zero_at_corners(Sized(SQUARE_OF_PARAMETERS, [PatchForm.of_net(net)], 0)) is None
+    for corner in range(4):
+        values = [5, 1, 2, 3]
+        values[corner] = 0
+        place = mpq(corner // 2), mpq(corner % 2)
+        box = (mpq(1), mpq(2)), (mpq(3), mpq(5))
+        (x, _), (y, _) = zero_at_corners(Sized(box, [PatchForm.of_net([values[:2], values[2:]])], 0))
+        assert (x, y) == (box[0][int(place[0])], box[1][int(place[1])])

@@ -1,6 +1,7 @@
 """B-splines at the edge: jumps, zero forms below degree 0, bad input."""
 
 import pytest
+from gmpy2 import mpq
 
 from exactspline import BSpline, KnotVector
 from exactspline.errors import DomainError, ExactSplineError, KnotError, NumberError, ShapeError
@@ -118,3 +119,23 @@ def test_arithmetic_with_strangers_is_refused(stranger):
     ):
         with pytest.raises(TypeError):
             operation(stranger)
+
+
+def test_polynomials_and_forms_are_equal_piece_by_piece():
+    f, g = BSpline(1, [0, 0, 1, 2, 2], [1, 2, 5]), BSpline(1, [0, 0, 1, 2, 2], [1, 2, 4])
+    for own, same, other in ((f.polynomials, f.polynomials, g.polynomials), (f.forms, f.forms, g.forms)):
+        assert own == same
+        assert own == tuple(same)
+        assert own != other
+        assert own != tuple(own)[:1]
+        assert own != (*own, own[0])
+        assert own != 2
+
+
+def test_parameters_are_located_in_the_segment_on_the_side_asked_for():
+    mesh = BSpline(1, [0, 0, 1, 2, 4, 4], [0, 1, 2, 3]).mesh
+    inside = [(mpq(1, 2), 0), (mpq(3, 2), 1), (mpq(3), 2)]
+    for t, i in inside:
+        assert mesh.locate(t) == mesh.locate(t, left=True) == i
+    assert [mesh.locate(mpq(t)) for t in (0, 1, 2, 4)] == [0, 1, 2, 2]
+    assert [mesh.locate(mpq(t), left=True) for t in (0, 1, 2, 4)] == [0, 0, 1, 2]
