@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from random import Random
 
 import pytest
+from gmpy2 import mpq
 
 from exactspline import Nurbs
 from exactspline.geometry import facts as facts_module
@@ -19,6 +20,7 @@ from exactspline.geometry.joints import Ends
 from exactspline.interchange.examples import example, example_names
 from exactspline.polynomials import isolation as isolation_module
 from exactspline.programs import accelerator
+from exactspline.questions.answers import CurvePiece
 from exactspline.roots import zero_set as zero_set_module
 
 
@@ -166,3 +168,10 @@ def test_what_is_handed_out_is_nobody_elses(name):
     again = Nurbs(*[getattr(found.curve, n) for n in ("degree", "knots", "control_points", "weights")])
     for asked in ("inflections", "singular_points", "curvature_extrema", "joints", "corners", "straight_pieces"):
         assert getattr(found, asked) == getattr(analyse(again), asked)
+
+
+def test_a_piece_across_the_seam_contains_its_ends():
+    piece = CurvePiece(((mpq(3), mpq(4)), (mpq(0), mpq(1, 2))))
+    assert (piece.start, piece.end, piece.across_seam) == (3, mpq(1, 2), True)
+    assert not CurvePiece(piece.parts[:1]).across_seam
+    assert [t in piece for t in map(mpq, (0, "1/4", "1/2", "3/4", 2, 3, 4))] == [True] * 3 + [False] * 2 + [True] * 2

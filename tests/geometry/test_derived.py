@@ -1,13 +1,18 @@
 """Derived objects on degenerate input: a clear answer each."""
 
+from itertools import pairwise
+
 import pytest
 from gmpy2 import mpq
+from hypothesis import given
+from hypothesis import strategies as st
 
-from exactspline import Nurbs
+from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.constructions import Absence, Variant
 from exactspline.geometry.curvature import curvature_function
 from exactspline.geometry.derived import derive
+from exactspline.geometry.domain import intervals_where
 from exactspline.interchange.examples import example
 from exactspline.papers import find
 
@@ -91,3 +96,37 @@ def test_names_forms_and_dimensions_are_checked():
         derive("evolute", example("twisted_cubic"))
     with pytest.raises(ShapeError, match="in the plane"):
         curvature_function(example("twisted_cubic"))
+
+
+@given(st.lists(st.booleans(), min_size=1, max_size=8))
+def test_intervals_are_maximal(holds):
+    """Neighbours are one; what is inside is exactly where it holds."""
+    breaks = [mpq(k * k) for k in range(len(holds) + 1)]
+    found = intervals_where(breaks, holds)
+    assert all(a[1] < b[0] for a, b in pairwise(found))
+    for (a, b), here in zip(pairwise(breaks), holds, strict=True):
+        assert here == any(low <= a and b <= high for low, high in found)
+
+
+def test_curvature_where_the_speed_is_a_polynomial_and_where_it_is_none():
+    """Of (t − t³/3, t²) it is 2/(1 + t²)²; with γ′ = t (1 − t², 2t) there is a pole, and a cubic has no such speed."""
+    t = BSpline.identity(-1, 1)
+
+    def on(x, y):
+        return curvature_function(Nurbs.from_splines([x, y]))[0]
+
+    for sign in (1, -1):
+        told = on(t - t**3 * mpq(1, 3), t * t * sign)
+        assert [told.value(x) for x in (-1, 0, mpq(1, 2))] == [mpq(sign, 2), 2 * sign, sign * mpq(32, 25)]
+        assert told.radicand == 1
+    for none in (on(t**2 * mpq(1, 2) - t**4 * mpq(1, 4), t**3 * mpq(2, 3)), *curvature_function(example("cubic_s"))):
+        assert (none.radicand, none.value) == (0, None)
+        assert none.reason
+
+
+def test_a_derived_object_has_the_values_of_its_pieces():
+    curve = example("rational_cubic")
+    point, number = derive("evolute", curve)(mpq(1, 3)), derive("zero_curvature", curve)(mpq(1, 3))
+    assert isinstance(point, tuple)
+    assert len(point) == 2
+    assert number == derive("zero_curvature", curve).pieces[0].value(mpq(1, 3))

@@ -13,7 +13,7 @@ from mpmath import mp
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisector import conditions as module
-from exactspline.geometry.bisector.trimmed import trimmed_bisector
+from exactspline.geometry.bisector.trimmed import PieceKind, trimmed_bisector
 from exactspline.interchange.examples import example
 from exactspline.papers import find
 from exactspline.polynomials.elimination import discriminant
@@ -331,3 +331,18 @@ def test_a_similar_curve_has_the_similar_bisector(number):
         assert [(p.kind, p.foot, p.low, p.high) for p in one.pieces] == [
             (p.kind, p.foot, p.low, p.high) for p in other.pieces
         ]
+
+
+def test_the_line_of_a_corner_runs_from_its_middle_to_both_sides_alike():
+    """At −u and u as far from the middle of the point and the corner, and everywhere as far from both."""
+    polygon = Nurbs(1, [0, 0, 1, 2, 2], [(1, 0), (3, 1), (1, 2)])
+    found = [one for one in trimmed_bisector(polygon, (6, 1)).pieces if one.kind is PieceKind.CORNER]
+    assert found
+    corner, q = (mpq(3), mpq(1)), (mpq(6), mpq(1))
+    for one in found:
+        for k in range(8):
+            ends = [[f(u) / one.value.denominator(u) for f in one.value.vector] for u in (mpq(k, 8), mpq(-k, 8))]
+            assert [a + b for a, b in zip(*ends, strict=True)] == [a + b for a, b in zip(corner, q, strict=True)]
+            for end in ends:
+                to_corner, to_q = (sum((x - y) ** 2 for x, y in zip(end, each, strict=True)) for each in (corner, q))
+                assert to_corner == to_q

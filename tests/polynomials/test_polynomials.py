@@ -11,8 +11,10 @@ from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials import elimination, factors
 from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
+from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factorization import Factorization, power_text
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
+from exactspline.polynomials.two_parameters import S, T
 from exactspline.verification.coq.denominators import factored
 from exactspline.verification.coq.proofs import Nonzero
 
@@ -258,3 +260,11 @@ def test_square_free_factors_with_their_multiplicities(powers):
         for base in expected[m]:
             together = together * base
         assert factor / factor.leading_coefficient() == together / together.leading_coefficient()
+
+
+@pytest.mark.parametrize("root", range(-6, 7))
+@pytest.mark.parametrize("degree", [1, 2])
+def test_the_discriminant_of_a_quadratic_is_known_wherever_it_is_none(root, degree):
+    """b² − 4ac, also where a vanishes at an integer."""
+    a, b, c = fmpz_poly([-root, 1]) ** degree, fmpz_poly([2, 0, 3][: degree + 1]), fmpz_poly([1, -1, 5])
+    assert discriminant([c, b, a]) == b * b - 4 * a * c

@@ -17,15 +17,21 @@ from math import isqrt
 import mpmath
 import pytest
 import sympy
-from flint import fmpq_poly, fmpz, fmpz_poly
+from flint import arb, fmpq_poly, fmpz, fmpz_poly
 from gmpy2 import mpq, mpz
+from hypothesis import given
+from hypothesis import strategies as st
 from mpmath import mp
+from mpmath.libmp import to_rational
 
 import exactspline as xs
 from exactspline import BSpline, zeros
-from exactspline.errors import NumberError, ReachError, ShapeError
+from exactspline.errors import NumberError, OpenError, ReachError, ShapeError
 from exactspline.numbers.exact import from_float, to_fmpq
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials import annihilating
+from exactspline.reals.ball import InBalls
+from exactspline.reals.digits import Digits
 from exactspline.reals.real import Extreme, Quadratic, RationalNumber, Real, between, real, square_root
 from exactspline.roots.root import Root
 
@@ -537,3 +543,31 @@ def test_a_number_between_is_strictly_between(k):
     assert between(ROOT_2, ROOT_3) == mpq(13, 8)
     x = ROOT_2 + ROOT_3
     assert x < between(x, x + mpq(1, 10**30)) < x + mpq(1, 10**30)
+
+
+@given(st.integers(1, 10**9), st.integers(0, 40), st.integers(1, 12), st.sampled_from([1, -1]), st.integers(0, 8))
+def test_significant_digits_are_certain(top, power, digits, sign, shift):
+    """However small the number, and wherever it lies in its enclosures, which are 10⁻ⁿ wide."""
+    exact, asked = mpq(sign * top, 10**power * 7), []
+
+    class Given(Digits):
+        def _enclosed(self, n):
+            asked.append(n)
+            width = mpq(1, 10**n)
+            return Interval(exact - width * mpq(shift, 9), exact + width * mpq(9 - shift, 9))
+
+        def _against_number(self, t):
+            return (exact > t) - (exact < t)
+
+    told = mpq(*to_rational(Given().significant(digits)._mpf_))
+    assert asked == sorted(asked)
+    assert abs(told - exact) * 10**digits <= abs(exact)
+
+
+def test_a_ball_is_not_told_from_what_it_may_be():
+    """1/2 is neither above nor below itself."""
+    half = mpq(1, 2)
+    with pytest.raises(OpenError, match="undecided at"):
+        InBalls(lambda bits: arb("0.5")) > half  # noqa: B015
+    for other, sign in ((mpq(1, 2) + mpq(1, 10**30), -1), (mpq(1, 2) - mpq(1, 10**30), 1), (mpq(0), 1), (mpq(1), -1)):
+        assert (InBalls(lambda bits: arb("0.5")) - other).sign == sign
