@@ -14,7 +14,6 @@ from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_o
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factorization import Factorization, power_text
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
-from exactspline.polynomials.two_parameters import S, T
 from exactspline.verification.coq.denominators import factored
 from exactspline.verification.coq.proofs import Nonzero
 
