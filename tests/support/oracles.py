@@ -10,6 +10,16 @@ from exactspline import BSpline
 from exactspline.splines.tensor import TensorSpline
 
 
+def basis(knots, n, i, t, side="right"):
+    """The B-spline N_{i,n} at t by the recursion of Cox and de Boor; at a knot the limit from the side."""
+    if n == 0:
+        return mpq(knots[i] <= t < knots[i + 1] if side == "right" else knots[i] < t <= knots[i + 1])
+    low, high = knots[i + n] - knots[i], knots[i + n + 1] - knots[i + 1]
+    left = (t - knots[i]) / low * basis(knots, n - 1, i, t, side) if low else mpq(0)
+    right = (knots[i + n + 1] - t) / high * basis(knots, n - 1, i + 1, t, side) if high else mpq(0)
+    return left + right
+
+
 def span(knots, n, t, side="right"):
     """Index j of the non-empty span [t_j, t_{j+1}] of the domain that holds t."""
     spans = [j for j in range(n, len(knots) - n - 1) if knots[j] < knots[j + 1]]
