@@ -65,9 +65,11 @@ def test_a_stop_at_a_knot_has_a_direction_from_both_sides(ahead, degrees):
 
 
 def test_a_gap_is_as_wide_as_it_is():
-    """Passed by a mutant: the distance of the left side from the origin."""
+    """Passed by mutants: the distance of the left side from the origin; a TypeError for curves of degree 0."""
     joint = analyse(Nurbs(1, [0, 0, 1, 1, 2, 2], [(0, 0), (1, 2), (4, 6), (5, 5)])).joint(mpq(1))
     assert (joint.kind, joint.order, joint.gap) == ("gap", -1, 5)
+    points = Nurbs(0, [0, 1, 2], [(0, 0), (3, 4)])
+    assert (analyse(points).joint(mpq(1)).kind, analyse(points).joint(mpq(1)).gap) == ("gap", 5)
     here, there = (((x, 0), (1, 0), (0, 0), (0, 0)) for x in (0, 1))
     assert geometric_order(here, there) == -1
 
