@@ -1,15 +1,21 @@
-"""``convert``: curves from one format to another, exactly."""
+"""``convert``: curves and surfaces from one format to another, exactly."""
 
 from __future__ import annotations
 
 import sys
-from typing import Annotated, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from exactspline.cli.common import check_output, tell_notes, tell_skipped
-from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
+from exactspline.errors import counted
+
+if TYPE_CHECKING:
+    from exactspline.interchange.records import NamedCurve, Reading
+    from exactspline.splines.surface import NurbsSurface
 
 
 @printing
@@ -29,59 +35,90 @@ def convert(
     only: Annotated[
         list[str] | None, Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")
     ] = None,
+    surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
     degree: Annotated[int | None, Option("--degree", metavar="N", help="For files of control points alone.")] = None,
     knots: Annotated[
         str, Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
     ] = "",
 ) -> None:
-    """Convert curves between formats without rounding; whatever is skipped is named on standard error, and
+    """Convert curves or surfaces between formats without rounding; whatever is skipped is named on standard error, and
     where a curve is among it, the exit status is 2.
     """
-    from exactspline.errors import CurveFileError, counted
-    from exactspline.interchange.files import encoded, read, write
+    from exactspline.errors import CurveFileError
+    from exactspline.interchange.files import read, write
 
     check_output(target, source.rpartition(":")[0] or source, source)
     reading = read(source, from_format or None, degree=degree, knots=knots.replace(",", " ").split() or None)
-    tell_skipped(reading)
+    as_surfaces = bool(reading.surfaces) and (surfaces or not reading.curves)
+    if as_surfaces and reading.curves:
+        leave_out()
+        sys.stderr.write(f"skipped: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n")
+    tell_skipped(reading, surfaces=not as_surfaces)
     tell_notes(reading)
-    curves = [named for named in reading.curves if not only or named.name in only]
-    if not curves:
-        names = ", ".join(named.name for named in reading.curves[:10]) or "none"
-        raise CurveFileError("no curves to convert", where=source, remedy=f"the curves that are read: {names}")
+    known = [NamedSurface(each.name, each) for each in reading.surfaces] if as_surfaces else [*reading.curves]
+    chosen = [named for named in known if not only or named.name in only]
+    what = "surface" if as_surfaces else "curve"
+    if not chosen:
+        names = ", ".join(named.name for named in known[:10]) or "none"
+        raise CurveFileError(f"no {what}s to convert", where=source, remedy=f"the {what}s that are read: {names}")
     if target == "-":
         if not out.for_people:
             raise OptionsError("a report and the curves, both on standard output", remedy="name a file for the curves")
-        data, notes = encoded(curves, to_format or "json", rounding=rounding)
+        data, notes = _encoded(chosen, to_format or "json", rounding)
         sys.stdout.buffer.write(data)
     else:
-        notes = write(curves, target, to_format or None, rounding=rounding)
-    skipped = [f"{s.where}: {s.what}: {s.why}" for s in reading.skipped]
-    rows: list[dict[str, Any]] = [
-        {
-            "key": named.name,
-            "format": reading.format,
-            "target": target,
-            **picked(named.curve, "degree", "dimension"),
-            "control_points": len(named.curve.control_points),
-            "notes": [*named.notes, *reading.notes, *notes],
-            "skipped": [] if i else skipped,
-        }
-        for i, named in enumerate(curves)
-    ]
+        notes = write([_written(each) for each in chosen], target, to_format or None, rounding=rounding)
+    rows = [_row(each, reading, target, notes) | {"skipped": []} for each in chosen]
+    rows[0]["skipped"] = [f"{s.where}: {s.what}: {s.why}" for s in reading.skipped]
     numbers = ("degree", "dimension", "control points")
     cells = [
-        (row["key"], row["format"], *(row[each.replace(" ", "_")] for each in numbers), "; ".join(row["notes"]))
+        (row["key"], row["format"], *(_cell(row[each.replace(" ", "_")]) for each in numbers), "; ".join(row["notes"]))
         for row in rows
     ]
-    columns = ("curve", "read as", *numbers, "notes")
+    columns = (what, "read as", *numbers, "notes")
     out.give(
-        "convert",
+        "convert surface" if as_surfaces else "convert",
         rows,
         [Sheet(*columns, rows=cells, numbers=numbers, prose=["notes"])],
-        lambda: _report(out, [*notes], f"{counted(len(curves), 'curve')} from {reading.format} to {target}"),
+        lambda: _report(out, [*notes], f"{counted(len(chosen), what)} from {reading.format} to {target}"),
     )
     if not reading.complete:
         raise Exit(2)
+
+
+class NamedSurface(NamedTuple):
+    """A surface with its name in the file."""
+
+    name: str
+    surface: NurbsSurface
+
+
+def _written(named: NamedCurve | NamedSurface) -> Any:
+    return named.surface if isinstance(named, NamedSurface) else named
+
+
+def _encoded(chosen: Sequence[NamedCurve | NamedSurface], format: str, rounding: bool) -> tuple[bytes, tuple[str, ...]]:
+    from exactspline.interchange.files import encoded, encoded_surfaces
+
+    surfaces = [each.surface for each in chosen if isinstance(each, NamedSurface)]
+    if surfaces:
+        return encoded_surfaces(surfaces, format, rounding=rounding)
+    return encoded([_written(each) for each in chosen], format, rounding=rounding)
+
+
+def _row(named: NamedCurve | NamedSurface, reading: Reading, target: str, notes: Sequence[str]) -> dict[str, Any]:
+    if isinstance(named, NamedSurface):
+        made, net = picked(named.surface, "degree", "dimension"), named.surface.control_points
+        count, own = sum(map(len, net)), list[str]()
+    else:
+        made, own = picked(named.curve, "degree", "dimension"), [*named.notes]
+        count = len(named.curve.control_points)
+    row: dict[str, Any] = {"key": named.name, "format": reading.format, "target": target, **made}
+    return row | {"control_points": count, "notes": [*own, *reading.notes, *notes]}
+
+
+def _cell(value: object) -> object:
+    return " × ".join(map(str, value)) if isinstance(value, list) else value
 
 
 def _report(out: Output, notes: list[str], summary: str) -> None:

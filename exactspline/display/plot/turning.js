@@ -294,9 +294,16 @@ export function turning(element, scenes) {
   const draw = () => {
     asked = asked || requestAnimationFrame(() => {
       asked = 0;
+      if (!element.contains(views[0].canvas)) return forget(); // other scenes have taken the place
       views.forEach((view) => view.draw());
       samples.forEach((color, sample) => (sample.style.background = `rgb(${onGround(color, views[0].dark).map((x) => 255 * x)})`));
     });
+  };
+  const night = matchMedia("(prefers-color-scheme: dark)");
+  const theme = new MutationObserver(draw);
+  const forget = () => {
+    theme.disconnect();
+    night.removeEventListener("change", draw);
   };
   const turn = (dx, dy) => {
     camera.turn -= dx;
@@ -363,8 +370,8 @@ export function turning(element, scenes) {
     made("div", { className: "views" }, ...views.map((v) => v.element)),
     made("div", { className: "switches" }, ...switches, made("label", {}, "opacity", opacity), back),
   );
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
-  new MutationObserver(draw).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  theme.observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  night.addEventListener("change", draw);
   draw();
   return { camera, draw, views };
 }
