@@ -48,6 +48,7 @@ def main() -> int:
     source.mkdir(parents=True)
     play = source / "_extra" / "play"
     shutil.copytree(DOCS / "play", play, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(PROJECT / "exactspline" / "display" / "page.css", play / "site.css")
     for kind in ("js", "css"):
         shutil.copy(PROJECT / "exactspline" / "display" / "plot" / f"turning.{kind}", play / "js")
     shutil.copytree(HERE / "templates", source / "_templates")

@@ -269,7 +269,7 @@ class Circle(Answer):
     @property
     def form(self) -> str:
         """How the answer is to be written."""
-        return "no, or centre x, centre y, radius squared"
+        return "no, or centre x, centre y, radius²"
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -294,7 +294,7 @@ class Circle(Answer):
                 numbers(answer)
                 yield Shape.NOT_A_CIRCLE
             return
-        yield from Numbers(("centre x", "centre y", "radius squared"), self.values).differences(answer)
+        yield from Numbers(("centre x", "centre y", "radius²"), self.values).differences(answer)
 
 
 def _values_of(p: Polynomial) -> Callable[[mpq], Point]:

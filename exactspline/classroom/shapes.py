@@ -186,7 +186,7 @@ def osculating(rng: Random) -> Drawn:
         Math("", (centre,)),
         ", a point of the evolute.",
     )
-    return task, Numbers(("centre x", "centre y", "radius squared"), (*centre, square)), solution
+    return task, Numbers(("centre x", "centre y", "radius²"), (*centre, square)), solution
 
 
 def circle(rng: Random) -> Drawn:

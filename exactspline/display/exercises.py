@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import singledispatch
 from html import escape
@@ -135,8 +136,8 @@ def _value_latex(value: Value) -> str:
 
 
 def _symbol_latex(name: str) -> str:
-    if " " in name and "=" not in name:
-        return rf"\text{{{name}}}"
+    if re.search("[a-z]{3}", name):
+        return rf"\text{{{''.join(_LATEX.get(sign, sign) for sign in name)}}}"
     return "".join(_SYMBOLS.get(sign, sign) for sign in name)
 
 
@@ -182,7 +183,7 @@ def latex_document(made: Sequence[Exercise], *, solutions: bool) -> str:
 
 #: Lines to write on.
 LINES = """
-.line{border-bottom:1px solid #777;margin:1.6rem 0 .6rem;display:flex}.line span{margin-left:60%}
+.line{border-bottom:1px solid var(--soft);margin:1.6rem 0 .6rem;display:flex}.line span{margin-left:60%}
 """
 
 

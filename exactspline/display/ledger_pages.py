@@ -20,16 +20,16 @@ from exactspline.verification.claim import Claim
 from exactspline.verification.rows import Row, count_statements
 
 _LEDGER_STYLE = """
-body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:80rem;padding:0 1rem;color:#1a1a1a;background:#fff}
+body{max-width:80rem;font-size:15px}
 table{border-collapse:collapse;width:100%}th,td{text-align:left;vertical-align:top;padding:.3rem .8rem .3rem 0}
-th{border-bottom:1px solid #999;position:sticky;top:0;background:#fff}
-td{border-bottom:1px solid #eee;overflow-wrap:anywhere}
-.PROVED{color:#00694d}.VERIFIED{color:#0060a0}.REFUTED{color:#b34700}.UNDECIDED,.VACUOUS,.INAPPLICABLE{color:#666}
-.CONTRADICTION{color:#b00020}
+th{border-bottom:1px solid var(--soft);position:sticky;top:0;background:var(--paper)}
+td{border-bottom:1px solid var(--line);overflow-wrap:anywhere}
+.UNDECIDED,.VACUOUS,.INAPPLICABLE{color:var(--soft)}.CONTRADICTION{color:var(--orange)}
 td:first-child{font-weight:600}form{display:flex;flex-wrap:wrap;gap:1rem;margin:1rem 0}label{display:flex;gap:.4rem}
-input,select{font:inherit;max-width:100%}dt{font-weight:600}
+input,select{max-width:100%}dt{font-weight:600}
 @media(max-width:800px){thead{display:none}tr:not([hidden]),td{display:block}
-td{border:0;padding:.1rem 0}tr{border-bottom:1px solid #eee;padding:.4rem 0}}
+td{border:0;padding:.1rem 0}td:nth-child(6)::before{content:"found: "}
+td:nth-child(7):not(:empty)::before{content:"witness: "}tr{border-bottom:1px solid var(--line);padding:.4rem 0}}
 """
 _SCRIPT = """
 const form=document.querySelector("form"),rows=[...document.querySelectorAll("tbody tr")];
@@ -90,16 +90,15 @@ def _row(row: Row) -> str:
 
 
 _REPORT_STYLE = """
-body{font:16px/1.5 Georgia,serif;margin:2rem auto;max-width:52rem;padding:0 1rem;color:#1a1a1a;background:#fff}
-h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.2rem;margin-top:2.2rem;border-bottom:1px solid #bbb}
-article{margin:1.4rem 0;padding-left:1rem;border-left:.3rem solid #bbb}article h3{font-size:1rem;margin:0}
-article.PROVED,article.VERIFIED{border-color:#00694d}article.REFUTED{border-color:#b34700}
+body{max-width:52rem}h2{margin-top:2.2rem;border-bottom:1px solid var(--line)}
+article{margin:1.4rem 0;padding-left:1rem;border-left:.3rem solid var(--line)}article h3{font-size:1rem;margin:0}
+article.PROVED{border-color:var(--green)}article.VERIFIED{border-color:var(--blue)}
+article.REFUTED{border-color:var(--orange)}
 dl{display:grid;grid-template-columns:fit-content(12rem) minmax(0,1fr);gap:.1rem 1rem;margin:.3rem 0}
-dt{color:#555}dt,dd,td{overflow-wrap:anywhere}dd{margin:0}
-code{font:13px/1.4 ui-monospace,monospace;overflow-wrap:anywhere}table{border-collapse:collapse}
+dt{color:var(--soft)}dt,dd,td{overflow-wrap:anywhere}dd{margin:0}
+code{overflow-wrap:anywhere}table{border-collapse:collapse}
 td,th{text-align:left;vertical-align:top;padding:.1rem 1.2rem .1rem 0}.verdict{font-weight:700}
 @media(max-width:600px){dl{grid-template-columns:minmax(0,1fr)}dd{margin:0 0 .4rem}}
-.PROVED .verdict,.VERIFIED .verdict{color:#00694d}.REFUTED .verdict{color:#b34700}
 """
 #: The other packages on which a verdict relies.
 PACKAGES = ("exactspline", "python-flint", "gmpy2", "sympy")

@@ -9,10 +9,9 @@ from exactspline.numbers.exact import mpq, text
 
 #: Shared by pages for print.
 STYLE = """
-body{font:17px/1.5 Georgia,serif;margin:2rem auto;max-width:48rem;padding:0 1rem;color:#1a1a1a;background:#fff}
-h1{font-size:1.5rem;margin-bottom:.2rem}h2{font-size:1.15rem;margin:1.6rem 0 .4rem}p{margin:.4rem 0}
+body{max-width:48rem;font-size:17px}h2{margin:1.6rem 0 .4rem}p{margin:.4rem 0}
 math{font-size:1.05em}mtd{padding:.25em .7em}.wide{overflow-x:auto}ol>li{margin:1.1rem 0}
-section.solutions{break-before:page}@media print{body{margin:0;max-width:none}li{break-inside:avoid}}
+section.solutions{break-before:page}@media print{li{break-inside:avoid}}
 """
 
 

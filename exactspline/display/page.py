@@ -4,6 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from html import escape
+from importlib.resources import files
+
+#: The colours and letters that these pages share with the site, and what they share with each other.
+SHARED = files("exactspline.display").joinpath("page.css").read_text(encoding="utf-8")
+BASE = """
+body{font:16px/1.5 var(--letters);margin:2rem auto;padding:0 1rem;color:var(--ink);background:var(--paper)}
+h1{font-size:1.6rem;line-height:1.2;margin-bottom:.3rem}h2{font-size:1.2rem}a{color:var(--blue)}
+code{font:.85em/1.4 var(--code)}input,select{font:inherit;color:inherit;background:var(--card)}
+.PROVED .verdict,td.PROVED{color:var(--green)}.VERIFIED .verdict,td.VERIFIED{color:var(--blue)}
+.REFUTED .verdict,td.REFUTED{color:var(--orange)}
+@media print{:root{color-scheme:light}body{margin:0;max-width:none}}
+"""
 
 
 def page(title: str, body: str, style: str) -> str:
@@ -15,7 +27,7 @@ def page(title: str, body: str, style: str) -> str:
     return (
         '<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{escape(title)}</title>\n<style>{style}</style>\n{body}\n</html>\n"
+        f"<title>{escape(title)}</title>\n<style>{SHARED}{BASE}{style}</style>\n{body}\n</html>\n"
     )
 
 

@@ -120,7 +120,22 @@ def breakable(text: str) -> str:
     return "".join(escape(part) + "<wbr>" * (i % 2) for i, part in enumerate(parts))
 
 
-class Verdicts(Grid):
+class Decided(Grid):
+    """A table of what was decided, with a column of verdicts."""
+
+    def html(self) -> str:
+        """The table as HTML: rows that hold are folded away where others are refuted or there are many of them."""
+        rows = list(zip(self.rows, self["verdict"], strict=True))
+        holds = [cells for cells, verdict in rows if verdict in (PROVED, VERIFIED)]
+        others = [cells for cells, verdict in rows if verdict not in (PROVED, VERIFIED)]
+        if not holds or not (others or len(holds) > FEW):
+            return super().html()
+        verb = "holds" if len(holds) == 1 else "hold"
+        summary = f"<summary>{counted(len(holds), 'statement')} {verb}</summary>"
+        return f"{self._table(others) if others else ''}<details>{summary}{self._table(holds)}</details>"
+
+
+class Verdicts(Decided):
     """The rows of a ledger as a table; `rows_of_ledger` are the rows themselves."""
 
     def __init__(self, rows: Iterable[Row]) -> None:
@@ -134,17 +149,6 @@ class Verdicts(Grid):
             super().__init__(columns, cells)
         else:
             super().__init__([*columns[:2], *columns[3:]], [(*c[:2], *c[3:]) for c in cells], "for all curves")
-
-    def html(self) -> str:
-        """The table as HTML: rows that hold are folded away where others are refuted or there are many of them."""
-        rows = list(zip(self.rows, self.rows_of_ledger, strict=True))
-        holds = [cells for cells, row in rows if row.verdict in (PROVED, VERIFIED)]
-        others = [cells for cells, row in rows if row.verdict not in (PROVED, VERIFIED)]
-        if not holds or not (others or len(holds) > FEW):
-            return super().html()
-        verb = "holds" if len(holds) == 1 else "hold"
-        summary = f"<summary>{counted(len(holds), 'statement')} {verb}</summary>"
-        return f"{self._table(others) if others else ''}<details>{summary}{self._table(holds)}</details>"
 
     @property
     def as_recorded(self) -> bool:
@@ -257,7 +261,7 @@ def reduction_table(*names: str) -> Grid:
     return Grid(["formula", "part", "naive", "cancelled", "remaining factor", "its degree", "true degree"], rows)
 
 
-class Numbers(Grid):
+class Numbers(Decided):
     """Printed numbers next to the computed ones."""
 
     def __init__(self, statements: Iterable[Statement]) -> None:

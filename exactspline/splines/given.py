@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import cast
 
 from exactspline.errors import DomainError, NumberError, ShapeError, shown
 from exactspline.numbers.exact import Number, mpq, rational
@@ -34,7 +33,7 @@ def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
     """A row of exact numbers; an error names the invalid one."""
     given = tuple(values)
     try:
-        return tuple([cast(mpq, x) if type(x) is RATIONAL else rational(x) for x in given])
+        return tuple([x if type(x) is RATIONAL else rational(x) for x in given])
     except NumberError:
         for i, value in enumerate(given):
             try:

@@ -189,18 +189,19 @@ class Mesh(Immutable):
 
         Raises `DomainError` outside the domain.
         """
-        a, b = self.domain
-        if not a <= t <= b:
+        breaks = self.breaks
+        if not breaks[0] <= t <= breaks[-1]:
+            a, b = self.domain
             raise DomainError(
                 f"the parameter {short_text(t)} is outside the domain [{text(a)}, {text(b)}]",
                 remedy="stay inside",
                 parameter=t,
                 domain=(a, b),
             )
-        i = bisect_right(self.breaks, t) - 1
-        if left and i > 0 and self.breaks[i] == t:
+        i = bisect_right(breaks, t) - 1
+        if left and i > 0 and breaks[i] == t:
             i -= 1
-        return min(i, len(self) - 1)
+        return min(i, len(breaks) - 2)
 
     def local(self, i: int, t: mpq) -> mpq:
         """Local parameter of t on segment i."""

@@ -284,6 +284,25 @@ def named_values(ring: JetRing) -> Iterator[tuple[str, object]]:
         yield from _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
 
 
+def naming_formulas(factor: Factor) -> Iterator[Formula]:
+    """The formulas from which the factors of a quotient have their names.
+
+    >>> from exactspline.papers.chen_riesenfeld_cohen_2007.space import rectifying_along_tangent, torsion
+    >>> c = jets_for(("rectifying_along_tangent", "torsion"), 3)
+    >>> [each.name for each in naming_formulas(find_factor(rectifying_along_tangent(c), torsion(c)))]
+    ['D1_squared']
+    """
+    ring = factor.ring
+    key = (ring.kind, ring.dimension, ring.order, ring.polynomial)
+    remaining = set(factor.names) - {name for name, _ in _denominators(*key)}
+    for source in naming():
+        names = _named_values(source, *key)
+        for name, _ in names if remaining else ():
+            if name in remaining:
+                remaining.remove(name)
+                yield names.formulas[name]
+
+
 #: The paper whose names take precedence; None if there is no current paper.
 _NAMED_BY: ContextVar[Paper | None] = ContextVar("named by", default=None)
 
@@ -328,6 +347,7 @@ class _Names:
         self._dimension, self._order, self._of_library = dimension, order, bool(source.package)
         self._argument = argument.remembering()
         self._known: list[tuple[str, object] | None] = []
+        self.formulas: dict[str, Formula] = {}
         self._lock = RLock()
 
     def __iter__(self) -> Iterator[tuple[str, object]]:
@@ -358,7 +378,9 @@ class _Names:
             return None
         value = formula(self._argument)
         least = SUM if isinstance(value, Vector) else POWER  # scalars are factors of products
-        return symbol_text(formula.symbol) or print_text.at(trace(formula, n), least), value
+        name = symbol_text(formula.symbol) or print_text.at(trace(formula, n), least)
+        self.formulas.setdefault(name, formula)
+        return name, value
 
 
 @cache

@@ -22,11 +22,13 @@ from exactspline.readings.expression import Operation
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import Node, nodes, trace
+from exactspline.symbolic.factorization import Factor, named_by, naming_formulas
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
 from exactspline.verification.combined import combined
 from exactspline.verification.generic_proof import degree_in_table_1
 from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Name, Scope
 
@@ -105,7 +107,7 @@ def statements(claim_id: str) -> Iterator[Statement]:
 def statement(claim: Claim) -> Statement:
     """A claim written out, with its combined verdict: the proof, compared with the example curves."""
     reading, finding = combined(claim)
-    return Statement(claim, claim.latex, sides(claim), definitions(claim), reading, finding)
+    return Statement(claim, claim.latex, sides(claim), definitions(claim, finding), reading, finding)
 
 
 def sides(claim: Claim) -> tuple[Side, ...]:
@@ -121,14 +123,19 @@ def sides(claim: Claim) -> tuple[Side, ...]:
     return tuple(_side(name, roles.get(name, "formula"), claim) for name in ranked)
 
 
-def definitions(claim: Claim) -> tuple[Definition, ...]:
-    """What the letters stand for that are in the formulas of a claim, or in these definitions.
+def definitions(claim: Claim, finding: Finding) -> tuple[Definition, ...]:
+    """What the letters stand for that are in the formulas of a claim, in the factor that was found, or in these
+    definitions.
 
-    >>> sorted(each.text for each in definitions(select(["C4.1a"])[0]))
+    >>> sorted(each.text for each in statement(select(["C4.1a"])[0]).defined)
     ['D1 = p′ w − p w′', 'D2 = p″ w − p w″']
     """
     found: dict[str, Definition | None] = {symbol_text(claim.shown(name)): None for name in claim.named}
-    for node in chain.from_iterable(nodes(_tree(name, claim)) for name in dict.fromkeys(claim.named)):
+    trees = [_tree(name, claim) for name in dict.fromkeys(claim.named)]
+    if isinstance(claim, Identity) and isinstance(finding.factor, Factor):
+        with named_by(claim.source_paper):
+            trees += [trace(each, dimension_of(each, claim)) for each in naming_formulas(finding.factor)]
+    for node in chain.from_iterable(map(nodes, trees)):
         if node.op not in DEFINED:
             continue
         text = print_text(node)

@@ -98,8 +98,8 @@ def test_a_sheet_of_several_topics_has_headings_and_lines_for_name_date_and_answ
     made = [exercise("circle", 0), exercise("circle", 1), exercise("power", 0)]
     text = text_lines(made, 80, solutions=False)
     assert [line for line in text if line.startswith(("Whether", "Conversion"))] == [about("circle"), about("power")]
-    for written in (html_page(made, solutions=False), latex_document(made, solutions=False)):
-        assert all(word in written for word in ("Name:", "Date:", "no, or centre x, centre y, radius squared"))
+    for written, square in ((html_page(made, solutions=False), "²"), (latex_document(made, solutions=False), "$^2$")):
+        assert all(word in written for word in ("Name:", "Date:", f"no, or centre x, centre y, radius{square}"))
     assert invoke("teach", "exercise", "circle", "power", "--count", 2).output.count("[") >= 4
 
 

@@ -79,7 +79,7 @@ def test_every_text_of_every_claim_is_latex_that_can_be_set():
 def test_a_theorem_of_any_verdict_can_be_set(verdict):
     for claim in claims_in(papers())[::40]:
         finding = Finding(verdict, witness=Fact.NOWHERE if verdict == REFUTED else None)
-        told = theorem(Statement(claim, claim.latex, sides(claim), definitions(claim), claim.reading, finding))
+        told = theorem(Statement(claim, claim.latex, sides(claim), definitions(claim, finding), claim.reading, finding))
         assert can_be_set(told)
         assert ("conjecture" in told) == (verdict == UNDECIDED)
 
@@ -97,7 +97,8 @@ def test_a_theorem_is_complete_in_itself():
 
 def test_every_letter_of_a_formula_is_defined_with_it():
     (_, _, along_tangent, *_) = statements("C5.4a")
-    assert [each.text for each in along_tangent.defined] == ["B = γ′ × γ″"]
+    assert [each.text for each in along_tangent.defined] == ["B = γ′ × γ″", "D1 = p′ w − p w′"]
+    assert str(along_tangent.finding.factor) == "w⁻⁴·‖D1‖²"
     assert "where: B = γ′ × γ″" in show(along_tangent.claim.key)
 
 

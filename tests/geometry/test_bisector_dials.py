@@ -11,10 +11,14 @@ import pytest
 from click.testing import CliRunner
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, zeros
 from exactspline.cli import app
+from exactspline.errors import ShapeError
 from exactspline.geometry.bisector import two_curves
 from exactspline.geometry.bisector.components import Solutions, SpecialPairs
+from exactspline.geometry.bisector.missing import STILL, THROUGH
+from exactspline.geometry.bisector.point_and_curve import point_bisector
+from exactspline.geometry.bisector.single_pairs import shown
 from exactspline.geometry.bisector.special_pairs import special_pairs
 from exactspline.geometry.bisector.trimmed import trimmed_bisector
 from exactspline.geometry.bisector.two_curves import curve_bisector
@@ -228,3 +232,20 @@ def test_a_sample_of_the_campaign():
     """`python -m tests.campaigns.bisectors` runs more of them, and records the result."""
     found = bisector_campaign.run(60, 30, 9000)
     assert not [case for case in found["cases"] if case["flag"] in ("different", "slow", "left out")]
+
+
+def test_every_reason_for_which_there_is_no_surface_is_named():
+    """Passed before: "the curve stands still here" of a curve that does so on its first segment alone."""
+    knots, still, through = [0] * 3 + [1] * 3 + [2] * 3, [(0, 0, 0)] * 3, [(0, 0, 0), (5, 5, 5), (9, 9, 9)]
+    with pytest.raises(ShapeError) as caught:
+        point_bisector(Nurbs(2, knots, still + through), (5, 5, 5))
+    first, second = caught.value.problem.removeprefix("there is no bisector surface: ").split("; ")
+    assert first == f"[0, 1]: {STILL}"
+    assert second == f"[1, 2]: {THROUGH}"
+
+
+def test_parameters_that_are_left_out_are_shown_with_their_exponents():
+    """Passed before: "(5.7742e-7…)", two wrong digits, and "(5.7735e-1…)" for 5.7735e-13."""
+    t = BSpline.identity(0, 1)
+    assert shown(tuple(zeros(3 * 10**12 * t * t - 1))) == "(5.7735e-7…)"
+    assert shown(tuple(zeros(3 * 10**24 * t * t - 1))) == "(5.7735e-13…)"

@@ -140,6 +140,9 @@ STATEFUL = ("play/curve.html",)
 #: The pages that compute: what they keep of their first answer.
 ANSWERS = {"curve": "degrees", "reduce": "reduced", "bisector": "pieces", "de-boor": "product", "surface": "surface"}
 
+#: These pages, and the one with a frame.
+COMPUTING = ("index.html", *(f"play/{name}.html" for name in ANSWERS))
+
 
 def ready(tab: Any, page: str) -> None:
     """Wait for the first answer of a page that computes, and open what is folded."""
@@ -175,7 +178,7 @@ def looked_at(browser: Any, folder: Path, prepare: Ready | None = None) -> Seen:
     """All pages of a folder; those of other projects in it are theirs."""
     pages = sorted(file.relative_to(folder).as_posix() for file in folder.rglob("*.html") if "vendor" not in file.parts)
     with served(folder) as address:
-        found = look(browser, address, pages, prepare)
+        found = look(browser, address, pages, prepare, [page for page in COMPUTING if page in pages])
         found.wrong["links"] = broken_links(found, address, folder, STATEFUL)
     return found
 

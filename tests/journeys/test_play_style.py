@@ -1,11 +1,11 @@
-"""The colours of the moving pages: words in any of them can be read, by day and by night."""
+"""The colours of all pages: words in any of them can be read, by day and by night."""
 
 import re
-from pathlib import Path
+from importlib.resources import files
 
 import pytest
 
-STYLE = (Path(__file__).parents[2] / "docs" / "play" / "site.css").read_text(encoding="utf-8")
+STYLE = files("exactspline.display").joinpath("page.css").read_text(encoding="utf-8")
 GROUNDS = {"paper", "card", "side", "line"}
 
 

@@ -277,6 +277,10 @@ def test_surfaces_turn_together_by_mouse_and_keys_and_come_back(browser, address
         canvas = tab.locator("canvas").first
         start = pictures(tab)
         assert len(start) == 2
+        tab.emulate_media(color_scheme="dark")
+        assert all(a != b for a, b in zip(start, pictures(tab), strict=True))
+        tab.emulate_media(color_scheme="light")
+        assert pictures(tab) == start
         canvas.press("ArrowLeft")
         turned = pictures(tab)
         assert all(a != b for a, b in zip(start, turned, strict=True))
@@ -315,6 +319,16 @@ def test_the_curve_stands_in_a_page_of_somebody_else(browser, address, tmp_path)
         assert frame.locator("header").is_hidden()
         assert tab.locator("p").all_inner_texts() == ["before", "after"]
         tab.close()
+
+
+def test_a_page_has_more_than_one_frame(browser, address):
+    """The second script of a page declared a name again, and nothing stood in its place."""
+    with opened(browser, address, "first-hour.html") as tab:
+        pages = [frame.get_attribute("src") for frame in tab.locator("iframe").all()]
+        assert [urlsplit(page).path.rpartition("/")[2] for page in pages] == ["curve.html", "de-boor.html"]
+        frame = tab.frame_locator("iframe >> nth=1")
+        frame.locator("#triangle td").first.wait_for(timeout=PATIENCE)
+        assert frame.locator(".more").is_hidden()
 
 
 @pytest.mark.parametrize("width", [1280, 390])

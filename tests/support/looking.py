@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from collections import defaultdict
+from collections import defaultdict, deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -68,33 +68,61 @@ class Seen:
             del self.wrong[check][page]
 
 
-def look(browser: Any, address: str, pages: Iterable[str], ready: Ready | None = None) -> Seen:
+def look(
+    browser: Any, address: str, pages: Iterable[str], ready: Ready | None = None, slow: Iterable[str] = ()
+) -> Seen:
     """Visit each page once, wide and narrow, by day and by night; `ready` waits for what a page itself computes, and
-    opens what is folded.
+    opens what is folded. While one page is looked at the next one loads in another tab, and all along the `slow` ones.
     """
-    seen = Seen()
-    tab = browser.new_page(viewport={"width": WIDE, "height": HEIGHT}, color_scheme="light", reduced_motion="reduce")
-    tab.set_default_timeout(PATIENCE)
+    seen, slow = Seen(), set(slow)
+    pages = [*(page for page in pages if page not in slow), *slow]
+    computing = {page: _opened(_tab(browser), address, page) for page in slow}
+    idle, loading = [_tab(browser), _tab(browser)], deque[tuple[str, Any]]()
     for page in pages:
-        tab.set_viewport_size({"width": WIDE, "height": HEIGHT})
-        tab.emulate_media(color_scheme="light")
-        tab.goto(f"{address}/{page}")
-        if ready:
-            ready(tab, page)
-        tab.evaluate(SCRIPT)
-        tab.evaluate("looking.settled()")
-        for scheme, checks in (("light", (*ONCE, *BY_WIDTH, *BY_COLOUR)), ("dark", BY_COLOUR)):
-            tab.emulate_media(color_scheme=scheme)
-            for check, lines in _asked(tab, checks).items():
-                seen.note(check, page, lines, f"{scheme}: " if check in BY_COLOUR else "")
-        tab.set_viewport_size({"width": NARROW, "height": HEIGHT})
-        tab.evaluate("looking.settled()")
-        for check, lines in _asked(tab, BY_WIDTH).items():
-            seen.note(check, page, lines, f"at {NARROW}: ")
-        seen.links[page], seen.anchors[page] = tab.evaluate("[looking.links(), looking.anchors()]")
-        seen.anchors[page] = set(seen.anchors[page])
-    tab.close()
+        loading.append((page, computing.get(page) or _opened(idle.pop(), address, page)))
+        if len(loading) > 1:
+            idle.append(_looked_at(*loading.popleft(), seen, ready))
+    for page, tab in loading:
+        _looked_at(page, tab, seen, ready)
+    for tab in {*idle, *(tab for _, tab in loading)}:
+        tab.context.close()
     return seen
+
+
+def _tab(browser: Any) -> Any:
+    """A tab whose pages are laid out in a process of their own."""
+    tab = browser.new_context(reduced_motion="reduce").new_page()
+    tab.set_default_timeout(PATIENCE)
+    return tab
+
+
+def _opened(tab: Any, address: str, page: str) -> Any:
+    """The tab, in which a page begins to load; the last one is not laid out again for the wide window."""
+    tab.goto("about:blank")
+    tab.set_viewport_size({"width": WIDE, "height": HEIGHT})
+    tab.emulate_media(color_scheme="light")
+    tab.goto(f"{address}/{page}", wait_until="commit")
+    return tab
+
+
+def _looked_at(page: str, tab: Any, seen: Seen, ready: Ready | None) -> Any:
+    """Note what is seen on the page of a tab, and leave the tab to another."""
+    tab.wait_for_load_state("load")
+    if ready:
+        ready(tab, page)
+    tab.evaluate(SCRIPT)
+    tab.evaluate("looking.settled()")
+    for scheme, checks in (("light", (*ONCE, *BY_WIDTH, *BY_COLOUR)), ("dark", BY_COLOUR)):
+        tab.emulate_media(color_scheme=scheme)
+        for check, lines in _asked(tab, checks).items():
+            seen.note(check, page, lines, f"{scheme}: " if check in BY_COLOUR else "")
+    tab.set_viewport_size({"width": NARROW, "height": HEIGHT})
+    tab.evaluate("looking.settled()")
+    for check, lines in _asked(tab, BY_WIDTH).items():
+        seen.note(check, page, lines, f"at {NARROW}: ")
+    seen.links[page], anchors = tab.evaluate("[looking.links(), looking.anchors()]")
+    seen.anchors[page] = set(anchors)
+    return tab
 
 
 def _asked(tab: Any, checks: Iterable[str]) -> dict[str, list[str]]:

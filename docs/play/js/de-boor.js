@@ -6,13 +6,15 @@ import { Kernel } from "./kernel.js";
 import { Plane } from "./plane.js";
 import { preview, samples } from "./preview.js";
 import { double } from "./numbers.js";
-import { data, element, statusLine } from "./site.js";
+import { data, element, embedded, reportHeight, statusLine } from "./site.js";
 import { html } from "./svg.js";
 
 const STEPS = 60;
 const MOST_POINTS = 24;
 const SHAPES = ["square", "diamond", "triangle", "disc"];
 
+embedded();
+reportHeight();
 const say = statusLine(element("status"));
 const kernel = new Kernel(say);
 const plane = new Plane(element("plane"), { label: "a curve, its control points and de Boor's points", height: 460 });

@@ -2,7 +2,9 @@
 
 // Within a page of others: no side bar; tell it how high this one is, so that its frame grows with what is shown.
 export function embedded() {
-  if (new URLSearchParams(location.search).has("embed")) document.body.classList.add("embedded");
+  const view = new URLSearchParams(location.search).get("embed");
+  if (view !== null) document.body.classList.add("embedded");
+  if (view === "short") document.body.classList.add("short");
 }
 
 export function reportHeight() {

@@ -24,9 +24,7 @@ ISOLINES, DARK = (7, 24), "#24556F"
 #: The margin around a scene, as a fraction of its longest side.
 ROOM = mpq(1, 20)
 #: The text of a page around its scenes.
-STYLE = """
-body{color-scheme:light dark;font:1rem/1.5 system-ui,sans-serif;margin:1rem auto;max-width:80rem;padding:0 1rem}
-"""
+STYLE = "body{max-width:80rem}"
 #: Significant digits of the coordinates on a page.
 DIGITS = 5
 #: A point: exact, or from a grid of doubles.

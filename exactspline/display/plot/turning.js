@@ -40,6 +40,14 @@ const DOT = [
 const minus = (a, b) => a.map((x, i) => x - b[i]);
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const rgb = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16) / 255);
+const isDark = (element) => Math.max(...getComputedStyle(element).backgroundColor.match(/[\d.]+/g).slice(0, 3)) < 128;
+
+// Colours are chosen for white paper: on a dark ground dark ones are as light as they were dark, hues kept.
+function onGround(text, dark) {
+  const parts = rgb(text);
+  const more = dark ? Math.max(0, 1 - Math.max(...parts) - Math.min(...parts)) : 0;
+  return parts.map((x) => x + more);
+}
 
 function made(name, attributes = {}, ...children) {
   const element = Object.assign(document.createElement(name), attributes);
@@ -142,6 +150,7 @@ class View {
 
   draw() {
     const { gl, canvas, camera } = this;
+    this.dark = isDark(canvas.parentElement);
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((x) => Math.max(1, Math.round(x * ratio)));
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
@@ -154,7 +163,8 @@ class View {
     gl.depthMask(true);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const rows = (this.rows = rotation(camera));
-    const size = (camera.zoom * Math.min(width, height)) / (2.1 * this.radius);
+    // beside the box there is room for the numbers at its edges
+    const size = (camera.zoom * Math.min(width - 70 * ratio, height)) / (2.1 * this.radius);
     this.scale = [(2 * size) / width, (2 * size) / height];
     const common = { turned: rows[0].flatMap((_, i) => rows.map((row) => row[i])), pixel: [1 / width, 1 / height], ratio };
     for (const line of this.lines) if (this.#isShown(line)) this.#drawLine(line, common);
@@ -191,7 +201,7 @@ class View {
 
   #drawLine(line, common) {
     const program = this.programs[1];
-    this.#use(program, common, { width: line.width * common.ratio, color: [...rgb(line.color), 1] });
+    this.#use(program, common, { width: line.width * common.ratio, color: [...onGround(line.color, this.dark), 1] });
     this.#attribute(program, "place", line.buffer, 3, 28, 0);
     this.#attribute(program, "other", line.buffer, 3, 28, 12);
     this.#attribute(program, "side", line.buffer, 1, 28, 24);
@@ -200,7 +210,7 @@ class View {
 
   #drawDots(dot, common) {
     const program = this.programs[2];
-    this.#use(program, common, { width: dot.size * common.ratio, color: [...rgb(dot.color), 1] });
+    this.#use(program, common, { width: dot.size * common.ratio, color: [...onGround(dot.color, this.dark), 1] });
     this.#attribute(program, "place", dot.buffer, 3);
     this.gl.drawArrays(this.gl.POINTS, 0, dot.count);
   }
@@ -212,7 +222,7 @@ class View {
     const far = surface.middles.map((m) => m[0] * eye[0] + m[1] * eye[1] + m[2] * eye[2]);
     const order = far.map((_, i) => i).sort((a, b) => far[a] - far[b]);
     const indices = new Uint16Array(order.flatMap((i) => surface.corners[i]));
-    this.#use(program, common, { color: [...rgb(surface.color), this.camera.opacity] });
+    this.#use(program, common, { color: [...onGround(surface.color, this.dark), this.camera.opacity] });
     this.#attribute(program, "place", surface.places, 3);
     this.#attribute(program, "normal", surface.normals, 3);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, surface.indices);
@@ -278,13 +288,22 @@ class View {
 export function turning(element, scenes) {
   const camera = { ...START, opacity: 0.72 };
   const shown = new Map();
+  const samples = new Map();
   let asked = 0;
   const views = scenes.map((scene) => new View(scene, camera, shown));
   const draw = () => {
     asked = asked || requestAnimationFrame(() => {
       asked = 0;
+      if (!element.contains(views[0].canvas)) return forget(); // other scenes have taken the place
       views.forEach((view) => view.draw());
+      samples.forEach((color, sample) => (sample.style.background = `rgb(${onGround(color, views[0].dark).map((x) => 255 * x)})`));
     });
+  };
+  const night = matchMedia("(prefers-color-scheme: dark)");
+  const theme = new MutationObserver(draw);
+  const forget = () => {
+    theme.disconnect();
+    night.removeEventListener("change", draw);
   };
   const turn = (dx, dy) => {
     camera.turn -= dx;
@@ -342,7 +361,7 @@ export function turning(element, scenes) {
   const switches = [...named].map(([label, color]) => {
     const box = made("input", { type: "checkbox", checked: true, onchange: () => draw(shown.set(label, box.checked)) });
     const sample = made("i");
-    sample.style.background = color;
+    samples.set(sample, color);
     return made("label", {}, box, sample, label);
   });
   const opacity = made("input", { type: "range", min: 0.2, max: 1, step: 0.01, value: camera.opacity, oninput: () => draw((camera.opacity = Number(opacity.value))) });
@@ -351,6 +370,8 @@ export function turning(element, scenes) {
     made("div", { className: "views" }, ...views.map((v) => v.element)),
     made("div", { className: "switches" }, ...switches, made("label", {}, "opacity", opacity), back),
   );
+  theme.observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  night.addEventListener("change", draw);
   draw();
   return { camera, draw, views };
 }

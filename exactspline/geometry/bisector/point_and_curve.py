@@ -100,8 +100,10 @@ def point_bisector(
             good.append(segment)
     if not good:
         refuse_point(curve)
+        reasons = {why: [segment.shortly for segment, own in missing if own == why] for _, why in missing}
+        named = [why if len(reasons) == 1 else f"{', '.join(on)}: {why}" for why, on in reasons.items()]
         raise ShapeError(
-            "there is no bisector surface: " + missing[0][1], remedy="choose another point, or another curve"
+            "there is no bisector surface: " + "; ".join(named), remedy="choose another point, or another curve"
         )
     parts = [
         part for a, b in good for part in (_cover(generator, a, b) if chosen is PointVariant.DIRECT else [(a, b, -1)])

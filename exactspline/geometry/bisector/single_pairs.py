@@ -71,7 +71,7 @@ def _undecided(zeros: CommonZeros, sides: Box) -> list[str]:
 
 def shown(place: Sequence[Parameter]) -> str:
     """Parameters as text."""
-    return "(" + ", ".join(f"{x.mpf(6)}…"[:9] + "…" if isinstance(x, Root) else short_text(x) for x in place) + ")"
+    return "(" + ", ".join(x.shortly() if isinstance(x, Root) else short_text(x) for x in place) + ")"
 
 
 def crossings(system: System) -> Found:

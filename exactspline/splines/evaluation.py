@@ -1,0 +1,96 @@
+"""Points of a curve at many parameters: integer polynomials in the parameter, by Horner's rule over one denominator."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import accumulate, repeat
+from math import gcd
+from operator import mul
+
+from exactspline.numbers.exact import mpq, mpz, over_one_denominator
+from exactspline.polynomials.bernstein import Form, in_parameter, over_common_denominator
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
+
+#: This many parameters are brought over one denominator, if that has no more bits than this; otherwise each is alone.
+TOGETHER, BITS = 64, 256
+#: The integer coefficients of numerators and denominator on one segment, the highest first.
+Rows = list[list[int]]
+
+
+class Evaluation:
+    """A curve as quotients of integer polynomials in its parameter; those of a segment are made when it is first
+    needed. Without a weight function its components are polynomials.
+    """
+
+    def __init__(self, p: Sequence[BSpline], w: BSpline | None) -> None:
+        self.splines: Sequence[BSpline] = p if w is None else [*p, w]
+        self.polynomial = w is None
+        self._rows: dict[int, Rows] = {}
+
+    @property
+    def mesh(self) -> Mesh:
+        """The breakpoints of the curve."""
+        return self.splines[0].mesh
+
+    def points(self, ts: Sequence[mpq], *, left: bool = False) -> list[tuple[mpq, ...]]:
+        """The points at exact parameters, at a breakpoint the limits from the right, or from the left.
+
+        >>> half = BSpline.bezier([0, "1/2", 0])
+        >>> Evaluation([half, half], None).points([mpq(1, 2), mpq(1, 3)])
+        [(mpq(1,4), mpq(1,4)), (mpq(2,9), mpq(2,9))]
+
+        Raises `DomainError` outside the domain.
+        """
+        found: list[tuple[mpq, ...]] = []
+        for start in range(0, len(ts), TOGETHER):
+            some = ts[start : start + TOGETHER]
+            numerators, q = over_one_denominator(some)
+            if q.bit_length() <= BITS:
+                found += self._points(some, numerators, q, left)
+            else:
+                for t in some:
+                    found += self._points([t], [int(t.numerator)], int(t.denominator), left)
+        return found
+
+    def _points(self, ts: Sequence[mpq], numerators: Sequence[int], q: int, left: bool) -> list[tuple[mpq, ...]]:
+        """The points at parameters over the denominator q."""
+        breaks, found = self.mesh.breaks, []
+        powers = [*accumulate(repeat(q, self.splines[0].degree), mul, initial=1)]
+        rows, low, high = Rows(), 0, 0
+        for t, a in zip(ts, numerators, strict=True):
+            if not low <= a < high:
+                i = self.mesh.locate(t, left=left)
+                rows = [[*map(mul, row, powers)] for row in self._rows_of(i)]
+                low, high = [_next(x.numerator * q, x.denominator, left) for x in breaks[i : i + 2]]
+            values = []
+            for row in rows:
+                value = 0
+                for c in row:
+                    value = value * a + c
+                values.append(value)
+            below = values.pop()
+            found.append(tuple([mpq(value, below) for value in values]))
+        return found
+
+    def _rows_of(self, i: int) -> Rows:
+        rows = self._rows.get(i)
+        if rows is None:
+            rows = self._rows[i] = self._made(i)
+        return rows
+
+    def _made(self, i: int) -> Rows:
+        n, ends = self.splines[0].degree, self.mesh.breaks[i : i + 2]
+        forms: list[Form] = [(f._polynomials[i], f.denominators[i]) for f in self.splines]
+        polynomials, common = over_common_denominator(forms)
+        parts = [in_parameter(c, n, ends) for c in polynomials]
+        rows = [[int(c[k]) for k in range(n, -1, -1)] for c, _ in parts]
+        if self.polynomial:
+            rows.append([0] * n + [int(common * parts[0][1])])
+        shared = gcd(*[x for row in rows for x in row])
+        return [[x // shared for x in row] for row in rows]
+
+
+def _next(numerator: mpz, denominator: mpz, left: bool) -> int:
+    """The least integer that is not less than a quotient (with `left`, that is greater)."""
+    return int(numerator // denominator) + 1 if left else -int(-numerator // denominator)
