@@ -18,7 +18,7 @@ WRITTEN = "written"
 def distance(epsilon: Number, curve: Nurbs) -> mpq:
     """A distance that is given as a number, or, by `WRITTEN`, that of `written_precision`.
 
-    Raises `ShapeError` for a distance that is not positive, `NumberError` for what is no number.
+    Raises `ShapeError` for a distance that is not positive, `NumberError` for what is not a number.
     """
     if epsilon == WRITTEN:
         return written_precision(curve)
@@ -32,8 +32,8 @@ def written_precision(curve: Nurbs) -> mpq:
     """Half a unit of the last digit that the coordinates and weights of a curve were written with.
 
     All are thought to be written with as many decimal digits as the longest of them. The last digit is that of the
-    largest of those with so many, or with one less, as a zero at the end is not seen. More than 17 are those of a
-    double: then it is half of a unit in the last of 53 bits. Fractions such as 1/3 count as exact.
+    largest of those with that number of digits, or one less, as a zero at the end is not seen. More than 17 are those
+    of a double: then it is half of a unit in the last of 53 bits. Fractions such as 1/3 count as exact.
 
     >>> arc, knots = [(1, 0), (1, 1), (0, 1)], [0, 0, 0, 1, 1, 1]
     >>> written_precision(Nurbs(2, knots, arc, [1, "0.7071", 1]))
