@@ -151,12 +151,17 @@ def _of_file(place: str) -> Iterator[Part]:
     """The curves of a file followed by what was skipped in it, or the problem of the whole file. No reference to a
     returned curve is kept here, since a curve stores everything computed from it.
     """
-    curves_read, skipped = 0, list[Skipped]()
+    curves_read, surfaces, skipped = 0, 0, list[Skipped]()
     try:
         if place in example_names() and not os.path.exists(place):
             yield place, place, example(place), (1, 1), ()
             return
         for reading, done, count in read_in_pieces(place):
+            skipped += [
+                Skipped("surface", f"surface {surfaces + i}", f"{surface.name} is not a curve", curve=False)
+                for i, surface in enumerate(reading.surfaces, 1)
+            ]
+            surfaces += len(reading.surfaces)
             skipped += reading.skipped
             kept, notes = [*reversed(reading.curves)], reading.notes
             size = len(kept)

@@ -2,29 +2,80 @@
 
 from __future__ import annotations
 
-from typing import Any
+import json
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
-from exactspline.cli.common import Read, distinguish, read_curves
+from exactspline.cli.common import Read, distinguish, each_read, read_curves
 from exactspline.cli.output import OptionsError, Output
 from exactspline.cli.parameters import Exit
 from exactspline.display.sheet import Sheet
+
+if TYPE_CHECKING:
+    from exactspline.splines.surface import NurbsSurface
+
+    #: Reads the surfaces that a name means.
+    Surfaces = Callable[[], Sequence[NurbsSurface]]
 
 #: The most digits of the certified intervals of an answer.
 DIGITS = 1000
 
 
-def answer_questions(out: Output, curves: list[str], asked: list[str], digits: int, certificates: bool) -> None:
+def answer_questions(
+    out: Output, curves: list[str], asked: list[str], digits: int, certificates: bool, standard: bytes | None = None
+) -> None:
     """Print the answers to questions about curves: the exact value, a certified interval, the correctly rounded
     double.
     """
-    if digits > DIGITS:
-        raise OptionsError(f"--digits {digits}", remedy=f"answers have at most {DIGITS}")
-    given, good = read_curves(curves)
+    _check_digits(digits)
+    given, good = read_curves(curves, standard)
     rows = [_answered(read, question, digits, certificates) for read in given for question in asked]
     distinguish(rows)
     out.give("oracle", rows, (_sheet(row, digits) for row in rows), by="answer")
     if not good or any(row["error"] for row in rows):
         raise Exit(2)
+
+
+def _check_digits(digits: int) -> None:
+    if digits > DIGITS:
+        raise OptionsError(f"--digits {digits}", remedy=f"answers have at most {DIGITS}")
+
+
+def answer_about_surfaces(out: Output, names: dict[str, Surfaces], asked: list[str], digits: int) -> None:
+    """Print the answers to questions about surfaces, as data: the values at places, and questions of the registry."""
+    from exactspline.batch.surface_oracle import surface_answer, surface_question
+    from exactspline.errors import ExactSplineError
+
+    _check_digits(digits)
+    for each in asked:
+        surface_question(each)
+    given, good = each_read(names, lambda name: names[name]())
+    rows: list[dict[str, Any]] = []
+    for surface in (each for surfaces in given for each in surfaces):
+        for each in asked:
+            row = {"key": f"{surface.name}: {each}", "surface": surface.name, "question": each}
+            try:
+                rows.append(row | {"answer": surface_answer(surface, each, digits), "error": ""})
+            except ExactSplineError as error:
+                rows.append(row | {"answer": None, "error": str(error)})
+    out.give("oracle surface", rows, (_surface_sheet(row) for row in rows), by="answer")
+    if not good or any(row["error"] for row in rows):
+        raise Exit(2)
+
+
+def _surface_sheet(row: dict[str, Any]) -> Sheet:
+    """An answer about a surface: one row per number, or the data."""
+    made = Sheet("what", "value", "double", title=row["key"], name=row["key"], prose=["value"])
+    answer = row["answer"]
+    if row["error"]:
+        made.add_row("no answer", row["error"], "")
+    elif isinstance(answer, dict) and "values" in answer:
+        for name, number in answer["values"].items():
+            exact = number["exact"] or f"{number['low']} … {number['high']}"
+            made.add_row(name, exact, "–" if number["double"] is None else repr(number["double"]))
+    else:
+        made.add_row(row["question"], json.dumps(answer, ensure_ascii=False), "")
+    return made
 
 
 def _answered(read: Read, asked: str, digits: int, certificates: bool) -> dict[str, Any]:

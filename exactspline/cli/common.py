@@ -38,6 +38,7 @@ __all__ = [
     "tell_notes",
     "tell_skipped",
 ]
+G = TypeVar("G")
 V = TypeVar("V")
 
 CURVE_HELP = "A file of curves (JSON, SVG, DXF, STEP, font.ttf:glyph, …), an example curve by its name, or -."
@@ -118,7 +119,7 @@ def read_curves(names: Iterable[str], given: bytes | None = None) -> tuple[list[
     return curves, good and all(complete for *_, complete in found)
 
 
-def each_read(names: Iterable[str], read: Callable[[str], V]) -> tuple[list[V], bool]:
+def each_read(names: Iterable[G], read: Callable[[G], V]) -> tuple[list[V], bool]:
     """What can be read, and whether all could: what is bad is reported, and the rest is read."""
     from exactspline.display.console import show_error
 
@@ -165,7 +166,7 @@ def _found_in(name: str, given: bytes | None = None) -> tuple[list[Nurbs], bool]
     tell_skipped(reading)
     tell_notes(reading)
     if not reading.curves:
-        what = "nothing that is a curve" if reading.skipped else "no curves"
+        what = "nothing that is a curve" if reading.skipped or reading.surfaces else "no curves"
         raise CurveFileError(f"holds {what}", where=name, remedy="name a file of curves")
     return [named.curve for named in reading.curves], reading.complete
 
@@ -227,8 +228,11 @@ def tell_notes(reading: Reading) -> None:
         sys.stderr.write(f"note: {which}: {note}\n")
 
 
-def tell_skipped(reading: Reading) -> None:
-    """Print what a reader skipped on standard error."""
+def tell_skipped(reading: Reading, *, surfaces: bool = True) -> None:
+    """Print what a reader skipped on standard error; `surfaces` says whether surfaces are left out too."""
+    if reading.surfaces and surfaces:
+        leave_out()
+        sys.stderr.write(f"skipped: {counted(len(reading.surfaces), 'surface')}: --surfaces takes these instead\n")
     if reading.skipped:
         leave_out()
     for (what, why), times in Counter((skipped.what, skipped.why) for skipped in reading.skipped).items():

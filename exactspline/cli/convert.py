@@ -1,22 +1,26 @@
-"""``convert``: curves from one format to another, exactly."""
+"""``convert``: curves and surfaces from one format to another, exactly."""
 
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from exactspline.cli.common import check_distance, check_output, tell_notes, tell_skipped
-from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
+from exactspline.errors import counted
 from exactspline.numbers.exact import text
 
 if TYPE_CHECKING:
     from exactspline.geometry.recognition.pieces import RecognizedPiece
     from exactspline.geometry.recognition.snapping import Snapped
+    from exactspline.interchange.records import NamedCurve, Reading
     from exactspline.splines.nurbs import Nurbs
+    from exactspline.splines.surface import NurbsSurface
 
 
 @printing
@@ -36,6 +40,7 @@ def convert(
     only: Annotated[
         list[str] | None, Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")
     ] = None,
+    surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
     degree: Annotated[int | None, Option("--degree", metavar="N", help="For files of control points alone.")] = None,
     knots: Annotated[
         str, Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
@@ -58,12 +63,11 @@ def convert(
         ),
     ] = "",
 ) -> None:
-    """Convert curves between formats without rounding; whatever is skipped is named on standard error, and
+    """Convert curves or surfaces between formats without rounding; whatever is skipped is named on standard error, and
     where a curve is among it, the exit status is 2.
     """
-    from exactspline.display.serialize import described_data
-    from exactspline.errors import CurveFileError, counted
-    from exactspline.interchange.files import encoded, read, write
+    from exactspline.errors import CurveFileError
+    from exactspline.interchange.files import read, write
 
     if epsilon and not snap:
         raise OptionsError("--epsilon without --snap", remedy="say what to replace: --snap line,circle")
@@ -71,57 +75,46 @@ def convert(
         check_distance(epsilon)
     check_output(target, source.rpartition(":")[0] or source, source)
     reading = read(source, from_format or None, degree=degree, knots=knots.replace(",", " ").split() or None)
-    tell_skipped(reading)
+    as_surfaces = bool(reading.surfaces) and (surfaces or not reading.curves)
+    if as_surfaces and reading.curves:
+        leave_out()
+        sys.stderr.write(f"skipped: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n")
+    tell_skipped(reading, surfaces=not as_surfaces)
     tell_notes(reading)
-    chosen = [named for named in reading.curves if not only or named.name in only]
-    repairs = [_repaired(named.curve, snap, epsilon) for named in chosen]
-    curves = [
-        replace(named, curve=repair.curve, notes=(*named.notes, *_told(repair)))
-        for named, repair in zip(chosen, repairs, strict=True)
-    ]
-    if not curves:
-        names = ", ".join(named.name for named in reading.curves[:10]) or "none"
-        raise CurveFileError("no curves to convert", where=source, remedy=f"the curves that are read: {names}")
+    known = [NamedSurface(each.name, each) for each in reading.surfaces] if as_surfaces else [*reading.curves]
+    chosen = [named for named in known if not only or named.name in only]
+    what = "surface" if as_surfaces else "curve"
+    if not chosen:
+        names = ", ".join(named.name for named in known[:10]) or "none"
+        raise CurveFileError(f"no {what}s to convert", where=source, remedy=f"the {what}s that are read: {names}")
+    if snap and as_surfaces:
+        raise OptionsError("--snap and surfaces", remedy="it is for curves")
+    repairs = [None if isinstance(each, NamedSurface) else _repaired(each.curve, snap, epsilon) for each in chosen]
+    told = [f"{each.name}: {x}" for each, repair in zip(chosen, repairs, strict=True) for x in _told(repair)]
+    chosen = list(map(_with_repair, chosen, repairs))
     if target == "-":
         if not out.for_people:
             raise OptionsError("a report and the curves, both on standard output", remedy="name a file for the curves")
-        data, notes = encoded(curves, to_format or "json", rounding=rounding)
+        data, notes = _encoded(chosen, to_format or "json", rounding)
         sys.stdout.buffer.write(data)
     else:
-        notes = write(curves, target, to_format or None, rounding=rounding)
-    skipped = [f"{s.where}: {s.what}: {s.why}" for s in reading.skipped]
-    rows: list[dict[str, Any]] = [
-        {
-            "key": named.name,
-            "format": reading.format,
-            "target": target,
-            **picked(named.curve, "degree", "dimension"),
-            "control_points": len(named.curve.control_points),
-            "notes": [*named.notes, *reading.notes, *notes],
-            "skipped": [] if i else skipped,
-            "replaced": [described_data(piece) for piece in repair.replaced],
-            "kept": [described_data(piece) for piece in repair.kept],
-        }
-        for i, (named, repair) in enumerate(zip(curves, repairs, strict=True))
+        notes = write([_written(each) for each in chosen], target, to_format or None, rounding=rounding)
+    rows = [
+        _row(each, reading, target, notes) | {"skipped": []} | _repair_data(repair)
+        for each, repair in zip(chosen, repairs, strict=True)
     ]
+    rows[0]["skipped"] = [f"{s.where}: {s.what}: {s.why}" for s in reading.skipped]
     numbers = ("degree", "dimension", "control points")
     cells = [
-        (row["key"], row["format"], *(row[each.replace(" ", "_")] for each in numbers), "; ".join(row["notes"]))
+        (row["key"], row["format"], *(_cell(row[each.replace(" ", "_")]) for each in numbers), "; ".join(row["notes"]))
         for row in rows
     ]
-    columns = ("curve", "read as", *numbers, "notes")
+    columns = (what, "read as", *numbers, "notes")
     out.give(
-        "convert",
+        "convert surface" if as_surfaces else "convert",
         rows,
         [Sheet(*columns, rows=cells, numbers=numbers, prose=["notes"])],
-        lambda: _report(
-            out,
-            [
-                *(f"{named.name}: {told}" for named, each in zip(curves, repairs, strict=True) for told in _told(each)),
-                *notes,
-            ],
-            f"{counted(len(curves), 'curve')} from {reading.format} to {target}",
-        ),
+        lambda: _report(out, [*told, *notes], f"{counted(len(chosen), what)} from {reading.format} to {target}"),
     )
     if not reading.complete:
         raise Exit(2)
@@ -135,10 +128,13 @@ def _repaired(curve: Nurbs, snap: str, epsilon: str) -> Snapped:
     return snapped(curve, kinds, epsilon or None) if kinds else Snapped(curve, (), ())
 
 
-def _told(repair: Snapped) -> list[str]:
+def _told(repair: Snapped | None) -> list[str]:
     """What was replaced by what, and what was not, as text."""
     from exactspline.display.features import end_text, shape_text
     from exactspline.display.serialize import described_data
+
+    if repair is None:
+        return []
 
     def place(piece: RecognizedPiece) -> str:
         return f"[{end_text(text(piece.piece.start))}, {end_text(text(piece.piece.end))}]"
@@ -146,6 +142,55 @@ def _told(repair: Snapped) -> list[str]:
     replaced = [f"{place(x)} replaced by a {x.kind}: {shape_text(described_data(x))}" for x in repair.replaced]
     kept = [f"{place(x)} stays: no {x.kind} through its end points is near enough" for x in repair.kept]
     return replaced + kept
+
+
+def _with_repair(named: NamedCurve | NamedSurface, repair: Snapped | None) -> NamedCurve | NamedSurface:
+    if repair is None or isinstance(named, NamedSurface):
+        return named
+    return replace(named, curve=repair.curve, notes=(*named.notes, *_told(repair)))
+
+
+def _repair_data(repair: Snapped | None) -> dict[str, Any]:
+    from exactspline.display.serialize import described_data
+
+    if repair is None:
+        return {}
+    return {name: [described_data(x) for x in getattr(repair, name)] for name in ("replaced", "kept")}
+
+
+class NamedSurface(NamedTuple):
+    """A surface with its name in the file."""
+
+    name: str
+    surface: NurbsSurface
+
+
+def _written(named: NamedCurve | NamedSurface) -> Any:
+    return named.surface if isinstance(named, NamedSurface) else named
+
+
+def _encoded(chosen: Sequence[NamedCurve | NamedSurface], format: str, rounding: bool) -> tuple[bytes, tuple[str, ...]]:
+    from exactspline.interchange.files import encoded, encoded_surfaces
+
+    surfaces = [each.surface for each in chosen if isinstance(each, NamedSurface)]
+    if surfaces:
+        return encoded_surfaces(surfaces, format, rounding=rounding)
+    return encoded([_written(each) for each in chosen], format, rounding=rounding)
+
+
+def _row(named: NamedCurve | NamedSurface, reading: Reading, target: str, notes: Sequence[str]) -> dict[str, Any]:
+    if isinstance(named, NamedSurface):
+        made, net = picked(named.surface, "degree", "dimension"), named.surface.control_points
+        count, own = sum(map(len, net)), list[str]()
+    else:
+        made, own = picked(named.curve, "degree", "dimension"), [*named.notes]
+        count = len(named.curve.control_points)
+    row: dict[str, Any] = {"key": named.name, "format": reading.format, "target": target, **made}
+    return row | {"control_points": count, "notes": [*own, *reading.notes, *notes]}
+
+
+def _cell(value: object) -> object:
+    return " × ".join(map(str, value)) if isinstance(value, list) else value
 
 
 def _report(out: Output, notes: list[str], summary: str) -> None:

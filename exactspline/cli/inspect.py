@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, replace
 from typing import Annotated, Any
 
-from exactspline.cli.answers import answer_questions
+from exactspline.cli.answers import answer_about_surfaces, answer_questions
 from exactspline.cli.common import (
     CURVE_HELP,
     Read,
@@ -78,6 +78,7 @@ def inspect(
             "surface also into an HTML page that turns.",
         ),
     ] = "",
+    surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
     coordinates: Annotated[
         bool, Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design).")
     ] = False,
@@ -106,18 +107,18 @@ def inspect(
     to any number of digits; of surfaces the sign of the Gaussian curvature, parabolic curves, umbilics and poles, of
     maps of the plane the sign of the Jacobian.
     """
-    from exactspline.cli.surfaces import inspect_surfaces, is_surface
+    from exactspline.cli.surfaces import inspect_surfaces, surfaces_among
     from exactspline.display.features import feature_sheet
     from exactspline.geometry.inspection import Approach
     from exactspline.interchange.curve_files import write_json
 
-    if ask:
-        answer_questions(out, curve, ask, digits, certificates)
-        return
     standard = standard_input() if "-" in curve else None
-    if surfaces := [name for name in curve if is_surface(name, standard)]:
-        if len(surfaces) < len(curve):
+    if found_surfaces := surfaces_among(curve, standard, requested=surfaces):
+        if len(found_surfaces) < len(curve):
             raise OptionsError("surfaces and curves", remedy="inspect them one after the other")
+        if ask:
+            answer_about_surfaces(out, found_surfaces, ask, digits)
+            return
         given_options = {
             "--approach": approach,
             "--coordinates": coordinates,
@@ -128,7 +129,10 @@ def inspect(
         }
         if refused := next((option for option, value in given_options.items() if value), ""):
             raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
-        inspect_surfaces(out, surfaces, digits, plot, standard)
+        inspect_surfaces(out, found_surfaces, digits, plot)
+        return
+    if ask:
+        answer_questions(out, curve, ask, digits, certificates, standard)
         return
     approach = approach or MINIMAL
     if approach != ALL:

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import sys
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from exactspline.cli.common import each_read
-from exactspline.cli.output import OptionsError, Output
+from exactspline.cli.common import each_read, tell_notes, tell_skipped
+from exactspline.cli.output import OptionsError, Output, leave_out
 from exactspline.cli.parameters import Exit
-from exactspline.errors import ExactSplineError
+from exactspline.errors import ExactSplineError, counted
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
     from exactspline.geometry.surface.inspection import SurfaceInspection
+    from exactspline.interchange.records import Reading
     from exactspline.splines.surface import NurbsSurface
 
 
@@ -40,11 +43,58 @@ def is_surface(name: str, given: bytes | None = None) -> bool:
         return False
 
 
-def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str, given: bytes | None = None) -> None:
-    """Print what surfaces have; a bad one is reported and the rest goes on. `given` is what stands for ``-``."""
-    if plot and len(names) > 1:
+#: Reads the surfaces that a name means.
+Surfaces = Callable[[], "Sequence[NurbsSurface]"]
+
+
+def surfaces_among(names: Sequence[str], given: bytes | None, *, requested: bool) -> dict[str, Surfaces]:
+    """Those of some names that mean surfaces: examples, our JSON, files that hold surfaces and no curves; files with
+    both where surfaces are `requested`.
+    """
+    found: dict[str, Surfaces] = {}
+    for name in names:
+        if is_surface(name, given):
+            found[name] = partial(_one, name, given)
+        elif reading := _with_surfaces(name, given, requested):
+            found[name] = partial(_reported, reading)
+    return found
+
+
+def _one(name: str, given: bytes | None) -> Sequence[NurbsSurface]:
+    return [_loaded(name, given)]
+
+
+def _reported(reading: Reading) -> Sequence[NurbsSurface]:
+    """The surfaces of a file; what else is in it is named on standard error."""
+    if reading.curves:
+        leave_out()
+        sys.stderr.write(f"skipped: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n")
+    tell_skipped(reading, surfaces=False)
+    tell_notes(reading)
+    return reading.surfaces
+
+
+def _with_surfaces(name: str, given: bytes | None, requested: bool) -> Reading | None:
+    """What is read of a file whose surfaces are meant; None for any other."""
+    from exactspline.interchange.files import holds_surfaces, read
+
+    if name == "-" or not Path(name).is_file() or not holds_surfaces(name):
+        return None
+    try:
+        reading = read(name)
+    except ExactSplineError:
+        return None
+    return reading if reading.surfaces and (requested or not reading.curves) else None
+
+
+def inspect_surfaces(out: Output, names: dict[str, Surfaces], digits: int, plot: str) -> None:
+    """Print what surfaces have; a bad one is reported and the rest goes on."""
+    read, good = each_read(names, lambda name: names[name]())
+    surfaces = [surface for several in read for surface in several]
+    if plot and len(surfaces) > 1:
         raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
-    inspected, good = each_read(names, lambda name: _inspected(_loaded(name, given), digits, plot))
+    inspected, all_good = each_read(surfaces, lambda surface: _inspected(surface, digits, plot))
+    good = good and all_good
     out.give(
         "inspect surface",
         [{"key": str(data["surface"])} | data for data, _ in inspected],

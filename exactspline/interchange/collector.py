@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from typing import TypeVar
 
 from exactspline.errors import ExactSplineError, ShapeError, counted
 from exactspline.interchange.limits import work
@@ -11,10 +12,19 @@ from exactspline.interchange.numbers import decimal
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
 from exactspline.interchange.segments import Segment, joined
 from exactspline.numbers.exact import mpq
+from exactspline.splines.control_points import projected
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
 Points = Sequence[Sequence[mpq]]
+T = TypeVar("T")
+
+
+def _net(entries: Sequence[T], counts: tuple[int, int], u_fastest: bool) -> list[list[T]]:
+    """Entries in rows along u."""
+    m, n = counts
+    steps = (1, m) if u_fastest else (n, 1)
+    return [[entries[i * steps[0] + j * steps[1]] for j in range(n)] for i in range(m)]
 
 
 class Collector:
@@ -113,6 +123,49 @@ class Collector:
             self.skip(what, where, str(error))
             return
         self._keep(curve, notes, rational=homogeneous or weights is not None)
+
+    def add_surface(
+        self,
+        what: str,
+        where: str,
+        degree: tuple[int, int],
+        knots: tuple[Sequence[mpq], Sequence[mpq]],
+        points: Points,
+        weights: Sequence[mpq] | None = None,
+        *,
+        homogeneous: bool = False,
+        u_fastest: bool = True,
+        name: str = "",
+        within: tuple[tuple[mpq, mpq], tuple[mpq, mpq]] | None = None,
+    ) -> None:
+        """Build one surface of control points in the order of the file, along u first or along v first; otherwise as
+        `add`.
+        """
+        self.count(len(points) + sum(map(len, knots)))
+        rows = list(points)
+        if homogeneous:
+            weights, rows = [row[-1] for row in rows], [projected(row) for row in rows]
+        counts = self._check_net(degree, knots, rows, weights or ())
+        plain = None if weights is None else _net(weights, counts, u_fastest)
+        net, source = _net(rows, counts, u_fastest), f"{self.source.name} {where}".strip()
+        name = name or f"{self.format} surface {len(self.surfaces) + 1}"
+        surface = NurbsSurface(degree, *knots, net, plain, name=name, source=source)
+        self.surfaces.append(surface if within in (None, surface.domain) else surface.restrict(*within))
+
+    def _check_net(
+        self, degree: tuple[int, int], knots: Sequence[Sequence[mpq]], points: Points, weights: Sequence[mpq]
+    ) -> tuple[int, int]:
+        """The numbers of control points along u and v; `ShapeError` where there are others, or too many."""
+        m, n = (len(vector) - d - 1 for vector, d in zip(knots, degree, strict=True))
+        if min(m, n) < 1 or m * n != len(points):
+            raise ShapeError(
+                f"{counted(len(points), 'control point')} for {m} × {n}",
+                where="control_points",
+                remedy="there must be as many as the knots require",
+            )
+        for d, vector in zip(degree, knots, strict=True):
+            self._check(d, vector, [*points[: len(vector) - d - 1]], weights)
+        return m, n
 
     def keep(self, curve: Nurbs, notes: Sequence[str] = (), *, rational: bool = False) -> None:
         """Take a curve that is built already, written as rational or not.

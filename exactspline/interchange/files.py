@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import os
 import stat
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import (
@@ -20,7 +20,6 @@ from exactspline.errors import (
     counted,
     written,
 )
-from exactspline.interchange.curve_files import surface_data
 from exactspline.interchange.examples import example_text, examples
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
@@ -67,6 +66,20 @@ def read(
         raise (error.at(name) if name else error) from None
 
 
+def holds_surfaces(place: str | os.PathLike[str]) -> bool:
+    """Whether a file is in a format that can hold surfaces, by its beginning and its suffix.
+
+    >>> holds_surfaces("nothing.here")
+    False
+    """
+    path = as_path(place)
+    try:
+        with open(path, "rb") as stream:
+            return _recognized(stream.read(HEAD), Path(path).name).write_surfaces is not None
+    except (OSError, ExactSplineError):
+        return False
+
+
 def read_in_pieces(place: str) -> Iterator[Piece]:
     """The curves of a file as `read` returns them, piece by piece if the format supports it, so that a large font is
     never in memory as a whole.
@@ -98,13 +111,13 @@ def _format(source: Source, named: str | None) -> Format:
 
 
 def write(
-    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve],
+    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve] | Iterable[NurbsSurface],
     place: str | os.PathLike[str],
     format: str | None = None,
     *,
     rounding: bool = False,
 ) -> tuple[str, ...]:
-    """Write a curve, curves, or (as JSON) a surface in a format (by default chosen by the suffix) and return notes on
+    """Write a curve, curves, a surface, or surfaces in a format (by default chosen by the suffix) and return notes on
     what was lost.
 
     >>> import tempfile
@@ -129,13 +142,28 @@ def write(
 
 
 def _encoded(
-    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve], chosen: Format, rounding: bool
+    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve] | Iterable[NurbsSurface], chosen: Format, rounding: bool
 ) -> tuple[bytes, tuple[str, ...]]:
-    if not isinstance(given, NurbsSurface):
-        return encoded(given, chosen.name, rounding=rounding)
-    if chosen.name != "json":
-        raise CurveFileError(f"{chosen.title}: curves, no surfaces", remedy="surfaces are written as *.json")
-    return (json.dumps(surface_data(given), indent=1, ensure_ascii=False) + "\n").encode(), ()
+    several: Any = [given] if isinstance(given, (Nurbs, NurbsSurface)) else as_items(given, "curves or surfaces")
+    surfaces = [each for each in several if isinstance(each, NurbsSurface)]
+    if not surfaces:
+        return encoded(several, chosen.name, rounding=rounding)
+    if len(surfaces) < len(several):
+        raise CurveFileError("curves and surfaces", remedy="write them into two files")
+    return encoded_surfaces(surfaces, chosen.name, rounding=rounding)
+
+
+def encoded_surfaces(
+    surfaces: Sequence[NurbsSurface], format: str, *, rounding: bool = False
+) -> tuple[bytes, tuple[str, ...]]:
+    """The bytes that `write` writes of surfaces, and notes on what was lost."""
+    chosen = named_format(format)
+    if chosen.write_surfaces is None:
+        able = ", ".join(sorted(known.name for known in FORMATS if known.write_surfaces))
+        raise CurveFileError(f"{chosen.title}: no surfaces are written", remedy=f"these hold surfaces: {able}")
+    numbers = NumberText(rounding)
+    data = chosen.write_surfaces(surfaces, numbers)
+    return data, tuple([f"{numbers.rounded} numbers were rounded to doubles"] if numbers.rounded else [])
 
 
 def encoded(

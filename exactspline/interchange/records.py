@@ -41,8 +41,8 @@ class Skipped:
 
 @dataclass(frozen=True)
 class Reading:
-    """The curves of a file in their order, its surfaces (of our JSON), what was skipped, and notes that apply to all of
-    them (such as the unit of length).
+    """The curves of a file in their order, its surfaces (without their trims), what was skipped, and notes that apply
+    to all of them (such as the unit of length).
     """
 
     format: str
@@ -119,7 +119,7 @@ class Source:
 class Format:
     """A file format: its name, its title, the suffixes of its files, a function that recognizes the beginning of a
     file, its reader and writer, and a note on what is lost in writing; for formats with large files, also a reader that
-    yields piece after piece.
+    yields piece after piece; and a writer of surfaces.
     """
 
     name: str
@@ -130,3 +130,4 @@ class Format:
     write: Callable[[Sequence[NamedCurve], NumberText], bytes] | None = None
     loses: str = ""
     pieces: Callable[[Source], Iterator[Piece]] | None = None
+    write_surfaces: Callable[[Sequence[NurbsSurface], NumberText], bytes] | None = None

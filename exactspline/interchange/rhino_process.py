@@ -34,6 +34,16 @@ def _described(rhino: Any, geometry: Any, where: str, name: str, notes: list[str
         return [
             entry | {"complete": bool(geometry.IsCompleteCircle), "radius": _hex(geometry.Radius), "plane": vectors}
         ]
+    if isinstance(geometry, rhino.NurbsSurface):
+        return [entry | _net(geometry)]
+    if isinstance(geometry, rhino.Brep):
+        under = [(i, geometry.Surfaces[i]) for i in range(len(geometry.Surfaces))]
+        nets = [(i, surface) for i, surface in under if isinstance(surface, rhino.NurbsSurface)]
+        described = [
+            entry | {"kind": "NurbsSurface", "where": f"{where}, surface {i + 1}", "trimmed": True} | _net(surface)
+            for i, surface in nets
+        ]
+        return [*described, entry]
     if not isinstance(geometry, (rhino.NurbsCurve, rhino.LineCurve, rhino.PolylineCurve)):
         return [entry]
     curve = geometry if isinstance(geometry, rhino.NurbsCurve) else geometry.ToNurbsCurve()
@@ -49,6 +59,18 @@ def _described(rhino: Any, geometry: Any, where: str, name: str, notes: list[str
             "points": [_hex(p.X, p.Y, p.Z, p.W) for p in points],
         }
     ]
+
+
+def _net(surface: Any) -> dict[str, Any]:
+    """A surface: two degrees, two knot vectors, the control points along v first."""
+    grid = [(i, j) for i in range(surface.Points.CountU) for j in range(surface.Points.CountV)]
+    points = [surface.Points.GetControlPoint(i, j) for i, j in grid]
+    return {
+        "degrees": [int(surface.OrderU) - 1, int(surface.OrderV) - 1],
+        "rational": bool(surface.IsRational),
+        "knots": [_hex(*surface.KnotsU), _hex(*surface.KnotsV)],
+        "points": [_hex(p.X, p.Y, p.Z, p.W) for p in points],
+    }
 
 
 def entries(data: bytes) -> list[dict[str, object]]:

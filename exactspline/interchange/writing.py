@@ -7,6 +7,7 @@ from itertools import pairwise
 from exactspline.errors import ShapeError, WeightError
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 
 Point = tuple[mpq, ...]
 
@@ -49,3 +50,23 @@ def in_space(curve: Nurbs) -> list[Point]:
     if curve.dimension > 3:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this format holds curves in the plane and in space")
     return [(*point, mpq(0)) if curve.dimension == 2 else point for point in cartesian(curve)]
+
+
+def net_rows(surface: NurbsSurface, *, u_fastest: bool = True) -> list[tuple[Point, mpq]]:
+    """The control points of a surface with their weights, in the order of a file."""
+    rows = [list(zip(*both, strict=True)) for both in zip(surface.control_points, surface.weights, strict=True)]
+    ordered = zip(*rows, strict=True) if u_fastest else rows
+    return [pair for row in ordered for pair in row]
+
+
+def cartesian_net(surface: NurbsSurface, *, u_fastest: bool = True) -> list[tuple[Point, mpq]]:
+    """The same; raises `WeightError` for a weight of zero, because such a point has no Cartesian coordinates."""
+    rows = net_rows(surface, u_fastest=u_fastest)
+    if not all(weight for _, weight in rows):
+        raise WeightError("a control point of weight zero", remedy="use json or a homogeneous format (g2, itd)")
+    return rows
+
+
+def homogeneous_net(surface: NurbsSurface, *, u_fastest: bool = True) -> list[Point]:
+    """The points (w x, w y, …, w) in the order of a file."""
+    return [(*(x * (w or 1) for x in point), w) for point, w in net_rows(surface, u_fastest=u_fastest)]

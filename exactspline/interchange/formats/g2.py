@@ -1,8 +1,9 @@
 """``.g2``, the text format of SISL and GoTools: a sequence of objects, each a header followed by numbers.
 
 A curve (class 100) is ``dimension rational``, ``number order``, the full knot vector, the control points; points of a
-rational curve are homogeneous, weight last. Surfaces, volumes, point and line clouds are skipped, as are objects of
-other classes, whose data are taken to end at the next header.
+rational curve are homogeneous, weight last. A surface (class 200) has ``number order`` and knots of u, then of v, and
+its points along u first. Volumes, point and line clouds are skipped, as are objects of other classes, whose data are
+taken to end at the next header.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.tokens import Tokens
-from exactspline.interchange.writing import homogeneous
+from exactspline.interchange.writing import homogeneous, homogeneous_net, net_rows
+from exactspline.numbers.exact import mpq
+from exactspline.splines.surface import NurbsSurface
 
 CURVE, SURFACE, POINTS, LINES, VOLUME = 100, 200, 400, 410, 700
 CLASSES = {
@@ -39,7 +42,7 @@ def looks_like(head: bytes) -> bool:
 
 
 def read(source: Source) -> Reading:
-    """The spline curves of a file."""
+    """The spline curves and surfaces of a file."""
     collector = Collector("g2", source)
     text, words = source.text, Tokens(source.text, source.limits)
     number = 0
@@ -51,9 +54,12 @@ def read(source: Source) -> Reading:
         if kind == CURVE:
             _curve(collector, words, where)
             continue
+        if kind == SURFACE:
+            _surface(collector, words, where)
+            continue
         collector.skip(CLASSES.get(kind, f"class {kind}"), where, "not a spline curve", curve=kind in OTHER_CURVES)
-        if kind in (SURFACE, VOLUME):
-            _step_over(words, 2 if kind == SURFACE else 3)
+        if kind == VOLUME:
+            _step_over(words, 3)
         elif kind in (POINTS, LINES):
             words.rows(words.count(), 3 if kind == POINTS else 6)
         else:
@@ -68,6 +74,21 @@ def _curve(collector: Collector, words: Tokens, where: str) -> None:
     knots = words.numbers(count + order)
     points = words.rows(count, dimension + (rational != 0))
     collector.add("spline curve", where, order - 1, knots, points, homogeneous=rational != 0)
+
+
+def _surface(collector: Collector, words: Tokens, where: str) -> None:
+    dimension, rational = words.count(), words.whole() != 0
+    (m, knots_u), (n, knots_v) = (_side(words) for _ in range(2))
+    points = words.rows((len(knots_u) - m) * (len(knots_v) - n), dimension + rational)
+    with collector.skipping("spline surface", where, curve=False):
+        degree = m - 1, n - 1
+        collector.add_surface("spline surface", where, degree, (knots_u, knots_v), points, homogeneous=rational)
+
+
+def _side(words: Tokens) -> tuple[int, Sequence[mpq]]:
+    """The order and the knots of one direction."""
+    count, order = words.count(), words.count()
+    return order, words.numbers(count + order)
 
 
 def _step_over(words: Tokens, parameters: int) -> None:
@@ -95,4 +116,17 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     return "\n".join(lines).encode()
 
 
-FORMAT = Format("g2", "SISL and GoTools text", (".g2",), looks_like, read, write)
+def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
+    """The surfaces, one object per surface."""
+    lines = []
+    for surface in surfaces:
+        rational = not surface.polynomial
+        lines += [f"{SURFACE} 1 0 0", f"{surface.dimension} {int(rational)}"]
+        for degree, knots in zip(surface.degree, surface.knots, strict=True):
+            lines += [f"{len(list(knots)) - degree - 1} {degree + 1}", " ".join(map(numbers, knots))]
+        rows = homogeneous_net(surface) if rational else [point for point, _ in net_rows(surface)]
+        lines += [*(" ".join(map(numbers, row)) for row in rows), ""]
+    return "\n".join(lines).encode()
+
+
+FORMAT = Format("g2", "SISL and GoTools text", (".g2",), looks_like, read, write, write_surfaces=write_surfaces)

@@ -17,8 +17,9 @@ from exactspline.interchange.formats.control_points import complete
 from exactspline.interchange.json_files import parsed
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.writing import cartesian
+from exactspline.interchange.writing import cartesian, cartesian_net
 from exactspline.numbers.exact import mpq
+from exactspline.splines.surface import NurbsSurface
 
 
 def looks_like(head: bytes) -> bool:
@@ -35,12 +36,13 @@ def read(source: Source) -> Reading:
         return collector.reading()
     for number, entry in enumerate(_entries(data), 1):
         where = f"shape {number}"
+        surface = isinstance(entry, dict) and "knotvector_u" in entry and "knotvector_w" not in entry
         try:
-            _curve(collector, entry, where)
+            (_surface if surface else _curve)(collector, entry, where)
         except ExactSplineError as error:
-            # surfaces and volumes are also shapes
+            # volumes are also shapes
             kind = entry.get("type", "curve") if isinstance(entry, dict) else "curve"
-            collector.skip("shape", where, str(error), curve=kind not in ("surface", "volume"))
+            collector.skip("shape", where, str(error), curve=not surface and kind not in ("surface", "volume"))
     return collector.reading()
 
 
@@ -54,24 +56,39 @@ def _entries(data: object) -> Iterator[Any]:
         yield entry if kind == "curve" or not isinstance(entry, dict) else entry | {"type": str(kind)}
 
 
-def _curve(collector: Collector, entry: Any, where: str) -> None:
-    if not isinstance(entry, dict) or entry.get("type", "spline") not in ("spline", "curve"):
-        raise CurveFileError("is not a spline curve", remedy="shapes of type curve are read")
+def _surface(collector: Collector, entry: Any, where: str) -> None:
+    points, weights = _points(collector, entry)
+    m, n = (whole(str(entry.get(f"degree_{side}", ""))) for side in "uv")
+    knots_u, knots_v = (_row(collector, entry.get(f"knotvector_{side}")) for side in "uv")
+    if entry.get("trims"):
+        collector.note("trims of surfaces are not read")
+    name = str(entry.get("name", "") or "")
+    parts = (m, n), (knots_u, knots_v), points, weights
+    collector.add_surface("surface", where, *parts, u_fastest=False, name=name)
+
+
+def _points(collector: Collector, entry: Any) -> tuple[list[list[mpq]], list[mpq] | None]:
+    """The control points and the weights of a shape."""
     points = entry.get("control_points")
     if not isinstance(points, dict):
         raise CurveFileError("has no control_points", remedy="geomdl writes control_points: {points, weights}")
-    knots = _row(collector, entry.get("knotvector"))
-    rows = points.get("points")
+    rows, weights = points.get("points"), points.get("weights")
     if not isinstance(rows, list):
         raise CurveFileError("has no points", where="control_points", remedy="write a list of points")
-    weights = points.get("weights")
+    return [_row(collector, row) for row in rows], None if weights is None else _row(collector, weights)
+
+
+def _curve(collector: Collector, entry: Any, where: str) -> None:
+    if not isinstance(entry, dict) or entry.get("type", "spline") not in ("spline", "curve"):
+        raise CurveFileError("is not a spline curve", remedy="shapes of type curve are read")
+    points, weights = _points(collector, entry)
     collector.add(
         "curve",
         where,
         whole(str(entry.get("degree", ""))),
-        knots,
-        [_row(collector, row) for row in rows],
-        None if weights is None else _row(collector, weights),
+        _row(collector, entry.get("knotvector")),
+        points,
+        weights,
         name=str(entry.get("name", "") or ""),
     )
 
@@ -112,4 +129,25 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     return f'{{"shape": {{"type": "curve", "count": {len(entries)}, "data": [\n{body}\n]}}}}\n'.encode()
 
 
-FORMAT = Format("geomdl", "geomdl JSON", (".json",), looks_like, read, write)
+def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
+    """The surfaces as one shape, with numbers as JSON numbers."""
+    entries = []
+    for surface in surfaces:
+        net, sides = cartesian_net(surface, u_fastest=False), zip("uv", surface.degree, surface.knots, strict=True)
+        rows = ", ".join(f"[{', '.join(map(numbers, point))}]" for point, _ in net)
+        weights = "" if surface.polynomial else f', "weights": [{", ".join(numbers(w) for _, w in net)}]'
+        parts = [
+            f'"degree_{side}": {degree}, "size_{side}": {len(list(knots)) - degree - 1}, '
+            f'"knotvector_{side}": [{", ".join(map(numbers, knots))}],'
+            for side, degree, knots in sides
+        ]
+        entries.append(
+            f'  {{"type": "spline", "name": {json.dumps(surface.name)}, "dimension": {surface.dimension}, '
+            f'"rational": {json.dumps(not surface.polynomial)},\n   {" ".join(parts)}\n'
+            f'   "control_points": {{"points": [{rows}]{weights}}}}}'
+        )
+    body = ",\n".join(entries)
+    return f'{{"shape": {{"type": "surface", "count": {len(entries)}, "data": [\n{body}\n]}}}}\n'.encode()
+
+
+FORMAT = Format("geomdl", "geomdl JSON", (".json",), looks_like, read, write, write_surfaces=write_surfaces)

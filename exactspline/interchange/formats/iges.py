@@ -1,5 +1,5 @@
-"""IGES text: rational B-spline curves (126), lines (110), circular arcs (100) and conic arcs (104), moved by their
-transformation (124).
+"""IGES text: rational B-spline curves (126) and surfaces (128, without their trims), lines (110), circular arcs (100)
+and conic arcs (104), moved by their transformation (124).
 
 An arc is exact if its two ends are exactly at the same distance from its centre, a conic if its equation holds exactly
 at its ends; otherwise it is skipped, with the reason. A spline is restricted to the parameter interval that its entity
@@ -19,16 +19,19 @@ from exactspline.interchange.iges_records import Entry, entries, formatted, unit
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped, polynomial
-from exactspline.interchange.writing import in_space
+from exactspline.interchange.writing import cartesian_net, in_space
 from exactspline.numbers.exact import mpq
+from exactspline.splines.surface import NurbsSurface
 
-ARC, COMPOSITE, CONIC, LINE, MATRIX, SPLINE = 100, 102, 104, 110, 124, 126
+ARC, COMPOSITE, CONIC, LINE, MATRIX, SPLINE, SURFACE = 100, 102, 104, 110, 124, 126, 128
 NAMES = {
     COMPOSITE: "composite curve", 106: "copious data", 108: "plane", 112: "parametric spline curve",
     114: "parametric spline surface", 116: "point", 118: "ruled surface", 120: "surface of revolution",
-    122: "tabulated cylinder", 128: "rational B-spline surface", 130: "offset curve", 140: "offset surface",
+    122: "tabulated cylinder", 130: "offset curve", 140: "offset surface",
     141: "boundary", 142: "curve on a surface", 143: "bounded surface", 144: "trimmed surface",
 }  # fmt: skip
+#: Entities that trim a surface, which is read as a whole.
+TRIMS = (141, 142, 143, 144)
 #: Entities that are curves, or that contain curves not read elsewhere.
 CURVES = (106, 112, 130, 308, 320, 408, 412, 414, 420)
 NAMES |= {308: "subfigure definition", 408: "placed subfigure", 412: "rectangular array of subfigures",
@@ -82,9 +85,10 @@ def read(source: Source) -> Reading:
         if reader is None:
             name = NAMES.get(entry.kind, f"entity {entry.kind}")
             why = "its parts are read separately" if entry.kind == COMPOSITE else "this type of entity is not read"
+            why = "trims are not read: the surface is read as a whole" if entry.kind in TRIMS else why
             collector.skip(name, where, why, curve=entry.kind in CURVES)
             continue
-        with collector.skipping(f"entity {entry.kind}", where):
+        with collector.skipping(f"entity {entry.kind}", where, curve=entry.kind != SURFACE):
             reader(collector, entry, where, _placement(collector, directory, entry))
     return collector.reading()
 
@@ -134,6 +138,28 @@ def _used(knots: Sequence[mpq], degree: int, start: mpq, end: mpq) -> tuple[tupl
         ]
     beyond = "" if (low, high) == (start, end) else f", of which only {low_high[0]} to {low_high[1]} is in the domain"
     return (low, high), [f"the entity uses the parameters from {start} to {end}{beyond}"]
+
+
+def _surface(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    values = _Values(entry, collector)
+    last_u, last_v, m, n = (values.whole() for _ in range(4))
+    _closed_u, _closed_v, polynomial, _periodic_u, _periodic_v = (values.whole() for _ in range(5))
+    if min(last_u, last_v, m, n) < 0:
+        raise CurveFileError(f"{last_u + 1} × {last_v + 1} points of degree {m} × {n}", remedy="all must be positive")
+    count = (last_u + 1) * (last_v + 1)
+    collector.room(4 * count)
+    knots = values.numbers(last_u + m + 2), values.numbers(last_v + n + 2)
+    weights, points = values.numbers(count), [placed(point) for point in values.rows(count)]
+    ends = values.numbers(4)
+    sides = [_used(*side) for side in zip(knots, (m, n), ends[::2], ends[1::2], strict=True)]
+    for _, remarks in sides:
+        for remark in remarks:
+            collector.note(f"{where}: {remark}")
+    whole = [(vector[d], vector[-d - 1]) for vector, d in zip(knots, (m, n), strict=True)]
+    used_u, used_v = (part or domain for (part, _), domain in zip(sides, whole, strict=True))
+    plain = None if polynomial and set(weights) == {1} else weights
+    name, within = f"{entry.label or entry.kind} {entry.number}", (used_u, used_v)
+    collector.add_surface(f"entity {SURFACE}", where, (m, n), knots, points, plain, name=name, within=within)
 
 
 Parts = tuple[int, Sequence[mpq], Sequence[Sequence[mpq]], Sequence[mpq] | None]
@@ -191,7 +217,7 @@ def _lifted(segments: Sequence[Segment], placed: Affine) -> list[Segment]:
     return mapped([tuple((x, y, mpq(0), w) for x, y, w in segment) for segment in segments], placed)
 
 
-_READERS = {SPLINE: _spline, LINE: _line, ARC: _arc, CONIC: _conic}
+_READERS = {SPLINE: _spline, SURFACE: _surface, LINE: _line, ARC: _arc, CONIC: _conic}
 
 #: The longest text of a number: it must fit on a line of 64 columns.
 LONGEST_NUMBER = 63
@@ -213,4 +239,21 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     return formatted(entities, "Curves written by exactspline: every number is exact unless rounding was asked for.")
 
 
-FORMAT = Format("iges", "IGES text", (".igs", ".iges"), looks_like, read, write)
+def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
+    """The surfaces as entities 128; a map of the plane is placed at z = 0."""
+    numbers.longest = LONGEST_NUMBER
+    entities = []
+    for i, surface in enumerate(surfaces, 1):
+        net, degrees = cartesian_net(surface), surface.degree
+        lasts = [len(list(knots)) - d - 2 for d, knots in zip(degrees, surface.knots, strict=True)]
+        values = [*lasts, *degrees, 0, 0, int(surface.polynomial), 0, 0]
+        coordinates = [x for point, _ in net for x in (*point, mpq(0))[:3]]
+        weights = [mpq(1) if surface.polynomial else weight for _, weight in net]
+        domain = [end for side in surface.domain for end in side]
+        reals = [*surface.knots[0], *surface.knots[1], *weights, *coordinates, *domain]
+        texts = [*map(str, values), *(with_point(numbers(x)) for x in reals)]
+        entities.append((SURFACE, 0, 0, f"SURF{i}", texts))
+    return formatted(entities, "Surfaces written by exactspline: every number is exact unless rounding was asked for.")
+
+
+FORMAT = Format("iges", "IGES text", (".igs", ".iges"), looks_like, read, write, write_surfaces=write_surfaces)

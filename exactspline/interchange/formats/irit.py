@@ -1,4 +1,5 @@
-"""IRIT ``.itd``: ``[CURVE BSPLINE number order type [KV …] [point] …]`` and ``[CURVE BEZIER number type [point] …]``.
+"""IRIT ``.itd``: ``[CURVE BSPLINE number order type [KV …] [point] …]`` and ``[CURVE BEZIER number type [point] …]``;
+surfaces with two numbers, two orders and two knot vectors, their points along u first.
 
 A point of type E is Cartesian, one of type P homogeneous with the weight first: (w, w x, w y). ``KVP`` marks a periodic
 curve, which repeats its first control points. Free text between brackets is a comment.
@@ -15,15 +16,16 @@ from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import bezier_knots
-from exactspline.interchange.writing import homogeneous
+from exactspline.interchange.writing import homogeneous, homogeneous_net, net_rows
 from exactspline.numbers.exact import mpq
+from exactspline.splines.surface import NurbsSurface
 
 Node: TypeAlias = "list[str | Node]"
 
 # an unclosed string extends to the end of the text, so that matching takes linear time
 _TOKEN = re.compile(r'"(?:[^"\\]|\\[\s\S])*+\\?(?:"|\Z)|[][]|[^][\s"]+|"')
 _POINT = re.compile(r"([EP])(\d)")
-SKIPPED = ("SURFACE", "TRIVAR", "MULTIVAR", "TRISRF", "POLYGON", "POLYLINE", "POINTLIST", "MODEL", "TRIMSRF")
+SKIPPED = ("TRIVAR", "MULTIVAR", "TRISRF", "POLYGON", "POLYLINE", "POINTLIST", "MODEL", "TRIMSRF")
 
 
 def looks_like(head: bytes) -> bool:
@@ -35,7 +37,7 @@ def read(source: Source) -> Reading:
     """The curves of a file."""
     collector = Collector("itd", source)
     waiting: list[tuple[Node, str]] = [(_tree(source, collector), "")]
-    number = 0
+    number = surfaces = 0
     while waiting:
         node, name = waiting.pop()
         keyword = node[0] if node and isinstance(node[0], str) else ""
@@ -46,8 +48,16 @@ def read(source: Source) -> Reading:
             where = f"curve {number}" + (f" ({name})" if name else "")
             with collector.skipping("curve", where):
                 _curve(collector, node, where, name)
+        elif keyword == "SURFACE":
+            surfaces += 1
+            where = f"surface {surfaces}" + (f" ({name})" if name else "")
+            with collector.skipping("surface", where, curve=False):
+                _surface(collector, node, where, name)
         elif keyword in SKIPPED:
-            collector.skip(keyword.lower(), name or "unnamed object", "not a spline curve", curve=keyword == "POLYLINE")
+            if keyword == "TRIMSRF":
+                collector.note("trims of surfaces are not read")
+            why = "neither a spline curve nor a spline surface"
+            collector.skip(keyword.lower(), name or "unnamed object", why, curve=keyword == "POLYLINE")
         else:
             waiting += [(item, name) for item in reversed(node) if isinstance(item, list)]
     return collector.reading()
@@ -112,6 +122,32 @@ def _curve(collector: Collector, node: Node, where: str, name: str) -> None:
     collector.add("curve", where, order - 1, knots, points, homogeneous=homogeneous, name=name, notes=notes)
 
 
+def _surface(collector: Collector, node: Node, where: str, name: str) -> None:
+    words = [item for item in node[1:] if isinstance(item, str)]
+    kind, bezier = (words[0] if words else ""), words[:1] == ["BEZIER"]
+    if kind not in ("BSPLINE", "BEZIER") or len(words) < (4 if bezier else 6):
+        raise CurveFileError(f"a surface of kind {kind[:20]!r}", remedy="BSPLINE and BEZIER are read")
+    m, n = (whole(word) for word in (words[1:3] if bezier else words[3:5]))
+    match = _POINT.fullmatch(words[3] if bezier else words[5])
+    if not match:
+        raise CurveFileError("an unknown type of points", remedy="E2, E3, P2, P3 and the like are read")
+    lists = [item for item in node[1:] if isinstance(item, list) and item]
+    vectors = [item for item in lists if item[0] == "KV"]
+    rows = [row for row in lists if all(isinstance(x, str) and is_decimal(x) for x in row)]
+    points, dimension = [_numbers(collector, row) for row in rows], int(match[2])
+    if any(len(row) != dimension + (match[1] == "P") for row in points):
+        raise CurveFileError(f"points that are not of type {match[0]}", remedy="the two must agree")
+    if len(vectors) != (0 if bezier else 2):
+        raise CurveFileError(f"{counted(len(vectors), 'knot vector')}", remedy="a spline surface has two, by KV")
+    if match[1] == "P":
+        points = [[*row[1:], row[0]] for row in points]
+    knots_u, knots_v = (
+        (bezier_knots(m - 1), bezier_knots(n - 1)) if bezier else (_numbers(collector, each[1:]) for each in vectors)
+    )
+    degree, knots = (m - 1, n - 1), (knots_u, knots_v)
+    collector.add_surface("surface", where, degree, knots, points, homogeneous=match[1] == "P", name=name)
+
+
 def _numbers(collector: Collector, row: Node) -> list[mpq]:
     collector.count(len(row))
     return [decimal(item, collector.limits) if isinstance(item, str) else mpq(0) for item in row]
@@ -135,4 +171,20 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     return "\n".join([*lines, ""]).encode()
 
 
-FORMAT = Format("itd", "IRIT text", (".itd",), looks_like, read, write)
+def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
+    """The surfaces, one object per surface."""
+    lines = []
+    for surface in surfaces:
+        name = re.sub(r"\W+", "_", surface.name, flags=re.ASCII) or "SURFACE"
+        counts = [len(list(knots)) - d - 1 for d, knots in zip(surface.degree, surface.knots, strict=True)]
+        sizes = " ".join(map(str, [*counts, *(d + 1 for d in surface.degree)]))
+        kind = f"{'E' if surface.polynomial else 'P'}{surface.dimension}"
+        lines += [f"[OBJECT {name}", f" [SURFACE BSPLINE {sizes} {kind}"]
+        lines += [f"  [KV {' '.join(map(numbers, knots))}]" for knots in surface.knots]
+        plain = [point for point, _ in net_rows(surface)]
+        rows = plain if surface.polynomial else [(row[-1], *row[:-1]) for row in homogeneous_net(surface)]
+        lines += [*(f"  [{' '.join(map(numbers, row))}]" for row in rows), " ]", "]"]
+    return "\n".join([*lines, ""]).encode()
+
+
+FORMAT = Format("itd", "IRIT text", (".itd",), looks_like, read, write, write_surfaces=write_surfaces)

@@ -14,10 +14,11 @@ from typing import Any
 
 from exactspline.errors import CurveFileError
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.curve_files import curve_data, curve_from_data, surface_from_data
+from exactspline.interchange.curve_files import curve_data, curve_from_data, surface_data, surface_from_data
 from exactspline.interchange.json_files import parsed
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.splines.surface import NurbsSurface
 
 #: The fields of a curve that are long.
 SIZED = "knots", "control_points", "weights"
@@ -81,4 +82,11 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
 
 
-FORMAT = Format("json", "exactspline JSON", (".json",), looks_like, read, write)
+def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
+    """A single surface as an object, several as a list; always exact."""
+    entries = [surface_data(surface) for surface in surfaces]
+    data: Any = entries[0] if len(entries) == 1 else entries
+    return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
+
+
+FORMAT = Format("json", "exactspline JSON", (".json",), looks_like, read, write, write_surfaces=write_surfaces)

@@ -3,8 +3,9 @@ unchanged.
 
 NURBS curves, lines, polylines and every segment of a polycurve are read. Of arcs only full circles are read, exact for
 the plane as written; the ends of other arcs are irrational in general. openNURBS omits the first and the last knot;
-they are added again with arbitrary values, since no point of the domain depends on them. Edges of Breps and all other
-objects are skipped. Copies of block definitions are not placed: their curves are read as the block defines them, with a
+they are added again with arbitrary values, since no point of the domain depends on them. Surfaces are read where they
+are NURBS in the file, also those under the faces of a Brep, as wholes: trims, edges of Breps and all other objects are
+skipped. Copies of block definitions are not placed: their curves are read as the block defines them, with a
 note.
 """
 
@@ -25,8 +26,9 @@ from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import ellipse
-from exactspline.interchange.writing import homogeneous, in_space
+from exactspline.interchange.writing import cartesian_net, homogeneous, in_space
 from exactspline.numbers.exact import mpq, rational
+from exactspline.splines.surface import NurbsSurface
 
 #: Time limit for reading one archive, in seconds.
 SECONDS = 30
@@ -49,7 +51,7 @@ def _rhino() -> Any:
 
 
 def read(source: Source) -> Reading:
-    """The curves of a file."""
+    """The curves and surfaces of a file."""
     collector = Collector("3dm", source)
     _rhino()
     for entry in _entries(source):
@@ -57,8 +59,10 @@ def read(source: Source) -> Reading:
             collector.note(f"lengths in {entry['unit']}: read as written")
             continue
         where, kind = entry["where"], entry["kind"]
-        with collector.skipping(kind, where):
-            if "plane" in entry:
+        with collector.skipping(kind, where, curve="degrees" not in entry):
+            if "degrees" in entry:
+                _surface(collector, entry)
+            elif "plane" in entry:
                 _circle(collector, entry)
             elif "points" in entry:
                 _spline(collector, entry)
@@ -81,6 +85,24 @@ def _entries(source: Source) -> list[dict[str, Any]]:
     except (subprocess.CalledProcessError, ValueError):
         raise CurveFileError("is not an archive readable by rhino3dm", remedy="repair the file") from None
     return entries
+
+
+def _surface(collector: Collector, entry: dict[str, Any]) -> None:
+    u, v = ([rational(knot) for knot in knots] for knots in entry["knots"])
+    if not u or not v:
+        raise CurveFileError("no knots", remedy="repair the object")
+    rows, homogeneous_points = [[rational(x) for x in row] for row in entry["points"]], entry["rational"]
+    points = rows if homogeneous_points else [row[:3] for row in rows]
+    m, n = entry["degrees"]
+    collector.add_surface(
+        entry["kind"], entry["where"], (m, n), ([u[0], *u, u[-1]], [v[0], *v, v[-1]]), points,
+        homogeneous=homogeneous_points, u_fastest=False, name=entry["name"],
+    )  # fmt: skip
+    collector.note(MISSING)
+    if entry.get("trimmed"):
+        collector.note("trims are not read, surfaces are read as wholes: Brep")
+    for note in entry["notes"]:
+        collector.note(f"{entry['where']}: {note}")
 
 
 def _spline(collector: Collector, entry: dict[str, Any]) -> None:
@@ -117,14 +139,43 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
             made.Points[i] = rhino.Point4d(*(numbers.double(x * w) for x in point), numbers.double(w))
         for i, knot in enumerate(list(curve.knots)[1:-1]):
             made.Knots[i] = numbers.double(knot)
-        attributes = rhino.ObjectAttributes()
-        attributes.Name = named.name
-        model.Objects.AddCurve(made, attributes)
+        model.Objects.AddCurve(made, _named(rhino, named.name))
+    return _archive(model)
+
+
+def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
+    """The surfaces as objects of a version 7 archive, a map of the plane at z = 0; numbers that are not doubles require
+    rounding.
+    """
+    rhino = _rhino()
+    model = rhino.File3dm()
+    for surface in surfaces:
+        rational_net, (m, n) = not surface.polynomial, surface.degree
+        counts = len(surface.control_points), len(surface.control_points[0])
+        made = rhino.NurbsSurface.Create(3, rational_net, m + 1, n + 1, *counts)
+        for k, (point, weight) in enumerate(cartesian_net(surface, u_fastest=False)):
+            w = weight if rational_net else mpq(1)
+            row = [numbers.double(x * w) for x in (*point, mpq(0))[:3]]
+            made.Points[divmod(k, counts[1])] = rhino.Point4d(*row, numbers.double(w))
+        for held, knots in zip((made.KnotsU, made.KnotsV), surface.knots, strict=True):
+            for i, knot in enumerate(list(knots)[1:-1]):
+                held[i] = numbers.double(knot)
+        model.Objects.AddSurface(made, _named(rhino, surface.name))
+    return _archive(model)
+
+
+def _named(rhino: Any, name: str) -> Any:
+    attributes = rhino.ObjectAttributes()
+    attributes.Name = name
+    return attributes
+
+
+def _archive(model: Any) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder) / "curves.3dm"
+        place = Path(folder) / "written.3dm"
         if not model.Write(str(place), 7):
             raise CurveFileError("rhino3dm could not write the archive", remedy="check the curves")
         return place.read_bytes()
 
 
-FORMAT = Format("3dm", "openNURBS archive", (".3dm",), looks_like, read, write)
+FORMAT = Format("3dm", "openNURBS archive", (".3dm",), looks_like, read, write, write_surfaces=write_surfaces)

@@ -1,0 +1,1 @@
+"""Vectors: nasty curves with exact answers as plain JSON, for tests in any language; readers in four languages."""

@@ -1,0 +1,123 @@
+"""A pack of vectors: a file per family, a case per line, every number as exact text or as the doubles below, nearest to
+and above it.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+from zlib import crc32
+
+from exactspline.atomic_write import write_text
+from exactspline.batch.oracle import oracle
+from exactspline.batch.oracle_answers import Item
+from exactspline.errors import ExactSplineError
+from exactspline.geometry.analysis import QUESTIONS, questions_about
+from exactspline.numbers.exact import double, mpq, text
+from exactspline.questions.entry import Answered
+from exactspline.reals.real import Real
+from exactspline.splines.nurbs import Nurbs
+from exactspline.testing import Case
+from workshop.grade.questions import PLACES, STRAIGHT, ULPS
+
+#: Increased whenever a field changes its meaning.
+VERSION = 1
+#: Questions at the parameter of the case.
+AT = {
+    "value": f"the point; off by at most {ULPS}",
+    "derivative": f"the first derivative; off by at most degree / (shortest segment) times {ULPS}",
+    "curvature": "the curvature (signed in the plane); off by what follows from the errors allowed for γ′ and γ″",
+    "torsion": "the torsion; off by what follows from the errors allowed for γ′, γ″ and γ‴",
+}
+#: Questions of the registry: those about places, joints, pieces and pairs.
+LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES, Answered.PAIRS)
+_DIAL = re.compile(r"^ε = (−?)2⁻ᵏ, k = (\d+)$")
+
+
+def questions() -> dict[str, dict[str, str]]:
+    """Every question of a pack: its meaning, and when an answer in doubles counts as right."""
+    found = {name: {"meaning": meaning, "right": "see meaning"} for name, meaning in AT.items()}
+    found["bounding_box"] = {"meaning": "the smallest and largest coordinates", "right": f"2¹⁶ times {ULPS}"}
+    for name in _of_registry():
+        found[name] = {"meaning": QUESTIONS[name].meaning, "right": f"{PLACES}; {STRAIGHT}"}
+    return found
+
+
+def _of_registry() -> list[str]:
+    return [name for name, entry in QUESTIONS.items() if entry.about.answered in LISTED and not entry.about.argument]
+
+
+def case_data(case: Case) -> dict[str, Any]:
+    """A case with its answers as data.
+
+    >>> from workshop.vectors.corpus import corpus
+    >>> data = case_data(next(corpus("near", 1)))
+    >>> data["dial"], data["answers"]["cusps"]["answer"], data["answers"]["inflections"]["answer"]
+    ({'sign': 1, 'k': 2}, 'none', 'none')
+    """
+    curve, dial = case.curve, _DIAL.match(case.note)
+    points = [list(map(text, point)) for point in curve.control_points]
+    exact = {"knots": list(map(text, curve.knots)), "points": points, "weights": list(map(text, curve.weights))}
+    return {
+        "key": case.key,
+        "link": case.link,
+        "note": case.note,
+        "dial": {"sign": -1 if dial[1] else 1, "k": int(dial[2])} if dial else None,
+        "degree": curve.degree,
+        "exact": exact,
+        "doubles": {
+            "knots": [double(t).hex() for t in curve.knots],
+            "points": [[double(x).hex() for x in point] for point in curve.control_points],
+            "weights": [double(w).hex() for w in curve.weights],
+        },
+        "parameter": {"exact": text(case.parameter), "double": double(case.parameter).hex()},
+        "answers": dict(_answers(curve, case.parameter)),
+    }
+
+
+def _answers(curve: Nurbs, parameter: mpq) -> Iterator[tuple[str, object]]:
+    asked = {name: f"{name}@{text(parameter)}" for name in AT} | {"bounding_box": "bounding_box"}
+    asked |= {name: name for name in _of_registry() if name in questions_about(curve)}
+    for name, question in asked.items():
+        try:
+            yield name, answer_data(oracle(curve, question).items)
+        except ExactSplineError as error:
+            yield name, {"answer": "undefined", "why": str(error).split(";")[0]}
+
+
+def answer_data(items: Iterable[Item]) -> dict[str, object]:
+    """None, all of a piece, or these; each with its numbers in doubles and its facts."""
+    found = [
+        {"what": item.what}
+        | {name: _rounded(value) for name, value in item.values.items()}
+        | {"facts": dict(item.facts)}
+        for item in items
+    ]
+    everywhere = any(each["what"] == "everywhere" for each in found)
+    return {"answer": "all" if everywhere else "these" if found else "none", "items": found}
+
+
+def _rounded(value: Real) -> list[str] | None:
+    """The double below, the nearest, the one above; None beyond the largest double."""
+    try:
+        return [value.double(way).hex() for way in ("down", "nearest", "up")]
+    except OverflowError:
+        return None
+
+
+def line_of(case: Case) -> str:
+    """A case as a line of a pack: its text and the digest (CRC-32) of that text."""
+    body = json.dumps(case_data(case), ensure_ascii=True, separators=(",", ":"))
+    return f'{{"digest":"{crc32(body.encode()):08x}","case":{body}}}'
+
+
+def write_pack(place: Path, family: str, cases: Iterable[Case]) -> int:
+    """Write the file of a family; returns the number of its cases."""
+    head = {"schema": "exactspline/vectors", "version": VERSION, "family": family, "questions": questions()}
+    lines = [line_of(case) for case in cases]
+    opening = json.dumps(head, ensure_ascii=True)[:-1]
+    write_text(place, f'{opening}, "cases": [\n' + ",\n".join(lines) + "\n]}\n")
+    return len(lines)
