@@ -31,6 +31,7 @@ from .interchange.examples import examples as examples
 # evaluation
 from .roots.values import at as at
 from .geometry.floats import at_floats as at_floats
+from .geometry.floats import curvature_floats as curvature_floats
 from .geometry.floats import floats as floats
 from .geometry.values_along import curvature as curvature
 from .geometry.values_along import torsion as torsion

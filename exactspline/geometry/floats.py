@@ -2,18 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from math import inf, isfinite
-from typing import TYPE_CHECKING, TypeAlias, cast, overload
+from collections.abc import Iterable, Sequence
+from math import inf, isfinite, isnan, nan
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias, cast, overload
 
 from exactspline.errors import NumberError, as_items
 from exactspline.geometry.kinds import Feature
-from exactspline.geometry.values_along import point_at
+from exactspline.geometry.values_along import (
+    curvature,
+    in_plane_or_space,
+    is_singular,
+    point_at,
+    segment_at,
+    signed_square,
+)
 from exactspline.language.operand import checked_order
-from exactspline.numbers.exact import DEEPEST, Number, Rounding, from_float, is_float, mpq
+from exactspline.numbers.exact import (
+    DEEPEST,
+    Number,
+    Rounding,
+    checked_rounding,
+    double,
+    double_root,
+    from_float,
+    is_float,
+    mpq,
+)
+from exactspline.numbers.sides import Side
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import exact_place
 from exactspline.splines.expected import curve_of
+from exactspline.splines.given import checked_side
 
 if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
@@ -78,19 +97,63 @@ def at_floats(
 
     Raises `FormulaError` for a negative order, `DomainError` outside the domain.
     """
-    curve, order = curve_of(curve), checked_order(order)
-    return [
-        tuple(_rounded(x, rounding) for x in point_at(curve, place_of(t, curve), order, side))
-        for t in as_items(ts, "parameters")
-    ]
+    curve, order, rounding = curve_of(curve), checked_order(order), checked_rounding(rounding)
+    found = []
+    for place in [place_of(t, curve) for t in as_items(ts, "parameters")]:
+        point: Sequence[mpq | Real] = (
+            point_at(curve, place, order, side) if isinstance(place, Real) else curve.derivative(order, place, side)
+        )
+        found.append(tuple([_rounded(x, rounding) for x in point]))
+    return found
 
 
-def _rounded(x: Real, rounding: str) -> float:
+class Curvatures(NamedTuple):
+    """Curvatures as doubles, NaN at the parameters where γ′ = 0, whose indices are `singular`."""
+
+    values: list[float]
+    singular: list[int]
+
+
+def curvature_floats(
+    curve: Nurbs, ts: Iterable[float | Number | Real], rounding: str = Rounding.NEAREST, side: Side | str = Side.RIGHT
+) -> Curvatures:
+    """The curvatures at many parameters, each the correctly rounded double: ``nearest``, ``down`` or ``up``. A float
+    among the parameters counts with its binary value. Where γ′ = 0 the value is NaN, and the index is reported.
+
+    >>> from exactspline import example
+    >>> curvature_floats(example("circle"), [0.5, "1/3"])
+    Curvatures(values=[1.0, 1.0], singular=[])
+    >>> curvature_floats(example("cusp"), [0, 0.5])
+    Curvatures(values=[-0.039283710065919304, nan], singular=[1])
+
+    Raises `DomainError` outside the domain, `ShapeError` unless in the plane or in space.
+    """
+    curve, left, values = in_plane_or_space(curve), checked_side(side), list[float]()
+    rounding = checked_rounding(rounding)
+    for place in (place_of(t, curve) for t in as_items(ts, "parameters")):
+        if not isinstance(place, Real):
+            sign, top, bottom = signed_square(curve, place, left=left)
+            values.append(_rounded_root(sign, top, bottom, rounding) if bottom else nan)
+        elif is_singular(curve, segment_at(curve, place, side), place, side):
+            values.append(nan)
+        else:
+            values.append(_rounded(curvature(curve, place, side), rounding))
+    return Curvatures(values, [i for i, value in enumerate(values) if isnan(value)])
+
+
+def _rounded(x: mpq | Real, rounding: str) -> float:
     """The double as IEEE 754 rounds, infinite beyond the largest: one overflow does not end the others."""
     try:
-        return x.double(rounding)
+        return x.double(rounding) if isinstance(x, Real) else double(x, rounding)
     except OverflowError:
-        return inf if x.sign > 0 else -inf
+        return inf if x > 0 else -inf
+
+
+def _rounded_root(sign: int, top: int, bottom: int, rounding: str) -> float:
+    try:
+        return double_root(sign, top, bottom, rounding)
+    except OverflowError:
+        return sign * inf
 
 
 def place_of(t: float | Number | Real, curve: Nurbs) -> mpq | Real:
@@ -101,8 +164,10 @@ def place_of(t: float | Number | Real, curve: Nurbs) -> mpq | Real:
         return exact_place(cast(Number | Real, t))
     low, high = curve.domain
     value = from_float(t)
+    if low <= value <= high:
+        return value
     for end, outside in ((low, value < low), (high, value > high)):
-        nearest = _rounded(Real(end), Rounding.NEAREST)
+        nearest = _rounded(end, Rounding.NEAREST)
         if outside and isfinite(nearest) and value == from_float(nearest):
             return end
     return value

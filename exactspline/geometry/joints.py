@@ -26,7 +26,7 @@ from exactspline.numbers.exact import mpq, ratio
 from exactspline.numbers.sides import Side
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.nurbs import quotient_derivatives
+from exactspline.splines.evaluation import quotient_derivatives
 
 N = TypeVar("N", mpq, fmpz)
 Point = tuple[mpq, ...]

@@ -9,8 +9,9 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.domain import part, space
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
-from exactspline.language.vector import Vector, norm2
+from exactspline.language.vector import Vector, cross, det, norm2
 from exactspline.numbers.exact import Number, mpq, text
+from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.sides import Side
 from exactspline.papers import find
 from exactspline.reals.real import Real
@@ -81,14 +82,45 @@ def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> 
 
     Raises `DomainError` where γ′ = 0 and outside the domain, `ShapeError` unless in the plane or in space.
     """
-    curve, place = curve_of(curve), exact_place(t)
-    if curve.dimension not in (2, 3):
-        raise ShapeError(f"a curve in R{curve.dimension}", remedy="curvature needs a curve in the plane or in space")
-    i = _segment(curve, place, side)
+    curve, place = in_plane_or_space(curve), exact_place(t)
+    if not isinstance(place, Real):
+        sign, top, bottom = signed_square(curve, place, left=checked_side(side))
+        if not bottom:
+            raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
+        return signed_root(sign, Real(mpq(top, bottom)))
+    i = segment_at(curve, place, side)
     _refuse_singular(curve, i, place, side)
     squared, turning = analyse(curve).once(("curvature on a segment", i), lambda: _curvature_forms(curve, i))
     sign = 1 if turning is None else sign_at(turning, place, side)
     return signed_root(sign, _value(squared, place, side))
+
+
+def in_plane_or_space(curve: Nurbs) -> Nurbs:
+    """A curve in the plane or in space."""
+    if curve_of(curve).dimension not in (2, 3):
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="curvature needs a curve in the plane or in space")
+    return curve
+
+
+def signed_square(curve: Nurbs, t: mpq, *, left: bool) -> tuple[int, int, int]:
+    """The sign of κ (in space not negative) and κ² as a quotient of integers at a rational parameter; where γ′ = 0 its
+    denominator is 0.
+
+    For γ = p/w and the vectors ``N = w p′ − w′ p`` and ``M = w p″ − w″ p`` it is γ′ = N/w² and γ″ = M/w² − 2(w′/w) γ′,
+    so that γ′ × γ″ = (N × M)/w⁴.
+
+    >>> from exactspline import Nurbs
+    >>> signed_square(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)]), mpq(1, 2), left=False)
+    (1, 4294967296, 8589934592)
+    """
+    *p, (w, slope, bend) = curve._evaluation.numbers(t, 2, left=left)
+    first, second = (Vector(*[w * row[k] - of_w * row[0] for row in p]) for k, of_w in ((1, slope), (2, bend)))
+    if curve.dimension == 3:
+        sign, turned = 1, norm2(cross(first, second))
+    else:
+        turning = det(first, second)
+        sign, turned = sign_of(turning), turning * turning
+    return sign, turned * w**4, norm2(first) ** 3
 
 
 def _curvature_forms(curve: Nurbs, i: int) -> tuple[Rational[BSpline], BSpline | None]:
@@ -111,7 +143,7 @@ def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Re
     straight there.
     """
     curve, place = curve_of(curve), exact_place(t)
-    i = _segment(space(curve), place, side)
+    i = segment_at(space(curve), place, side)
     _refuse_singular(curve, i, place, side)
     tau = analyse(curve).once(("torsion on a segment", i), lambda: _torsion_form(curve, i))
     if sign_at(tau.denominator, place, side) == 0:
@@ -128,7 +160,7 @@ def _torsion_form(curve: Nurbs, i: int) -> Rational[BSpline]:
     return reduced
 
 
-def _segment(curve: Nurbs, place: mpq | Real, side: Side | str) -> int:
+def segment_at(curve: Nurbs, place: mpq | Real, side: Side | str) -> int:
     """The index of the segment that contains a parameter or a root."""
     left = checked_side(side)
     if not isinstance(place, Real):
@@ -149,9 +181,14 @@ def _value(value: Rational[BSpline], place: mpq | Real, side: Side | str) -> Rea
 
 
 def _refuse_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> None:
-    velocity = analyse(curve).once(("velocity on a segment", i), lambda: tuple(find("D1")(_part(curve, i))))
-    if all(sign_at(x, place, side) == 0 for x in velocity):
+    if is_singular(curve, i, place, side):
         raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
+
+
+def is_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> bool:
+    """Whether γ′ = 0 at a parameter on a segment."""
+    velocity = analyse(curve).once(("velocity on a segment", i), lambda: tuple(find("D1")(_part(curve, i))))
+    return all(sign_at(x, place, side) == 0 for x in velocity)
 
 
 def _named(place: mpq | Real) -> str:

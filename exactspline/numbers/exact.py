@@ -33,6 +33,7 @@ __all__ = [
     "checked_rounding",
     "double",
     "double_between",
+    "double_root",
     "from_float",
     "from_floats",
     "gcd",
@@ -66,6 +67,9 @@ DEEPEST = 8
 #: Polynomials are compared modulo this prime before they are compared over the integers. It fits into 32 bits, the size
 #: of an unsigned long on some platforms (such as WebAssembly).
 PRIME = (1 << 31) - 1
+
+#: More bits than a double or the middle of two doubles has.
+ROOT_BITS = 64
 
 _FRACTION = re.compile(r"\s*([+-]?\d+)\s*/\s*([+-]?\d+)\s*", re.ASCII)
 _DECIMAL = re.compile(r"\s*([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d{1,9}))?\s*", re.ASCII)
@@ -188,6 +192,8 @@ class Rounding(StrEnum):
 
 def checked_rounding(rounding: str) -> Rounding:
     """The rounding mode with this name. Raises `NumberError`, which lists the modes, for an unknown one."""
+    if type(rounding) is Rounding:
+        return rounding
     if isinstance(rounding, str) and rounding in list(Rounding):
         return Rounding(rounding)
     raise NumberError(f"there is no rounding mode called {shown(rounding)}", remedy=f"{', '.join(Rounding)}")
@@ -203,6 +209,23 @@ def double(value: mpq, rounding: str = Rounding.NEAREST) -> float:
     of an int; `NumberError` for an unknown rounding mode.
     """
     return _finite(_rounded(value, checked_rounding(rounding)))
+
+
+def double_root(sign: int, top: int, bottom: int, rounding: str = Rounding.NEAREST) -> float:
+    """The correctly rounded double of ``±√(top/bottom)``, with the given sign: integers ``top ≥ 0`` and ``bottom > 0``.
+
+    >>> double_root(1, 2, 1), double_root(-1, 1, 4), double_root(-1, 2, 1, "up") + double_root(1, 2, 1, "down")
+    (1.4142135623730951, -0.5, 0.0)
+
+    Raises the errors of `double`.
+    """
+    # enough bits that no boundary of rounding is between two neighbouring integers
+    shift = max(ROOT_BITS + (bottom.bit_length() - top.bit_length()) // 2, 0)
+    whole, rest = divmod(top << (2 * shift), bottom)
+    root = int(isqrt(whole))
+    if rest or root * root != whole:
+        root, shift = 2 * root + 1, shift + 1
+    return double(mpq(sign * root, 1 << shift), rounding)
 
 
 def double_between(

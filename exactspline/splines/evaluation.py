@@ -1,10 +1,12 @@
-"""Points of a curve at many parameters: integer polynomials in the parameter, by Horner's rule over one denominator."""
+"""Points and derivatives of a curve at parameters: integer polynomials in the parameter, by Horner's rule over one
+denominator. Only the segments that contain the parameters cost anything.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import accumulate, repeat
-from math import gcd
+from math import comb, gcd
 from operator import mul
 
 from exactspline.numbers.exact import mpq, mpz, over_one_denominator
@@ -18,6 +20,19 @@ TOGETHER, BITS = 64, 256
 Rows = list[list[int]]
 
 
+def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
+    """The derivatives of p/w from those of p and w: p = w · (p/w), differentiated by Leibniz's rule.
+
+    >>> quotient_derivatives([mpq(1), mpq(0), mpq(0)], [mpq(1), mpq(1), mpq(0)])
+    [mpq(1,1), mpq(-1,1), mpq(2,1)]
+    """
+    found: list[mpq] = []
+    for k, value in enumerate(above):
+        rest = value - sum((comb(k, j) * below[k - j] * earlier for j, earlier in enumerate(found)), mpq(0))
+        found.append(rest / below[0])
+    return found
+
+
 class Evaluation:
     """A curve as quotients of integer polynomials in its parameter; those of a segment are made when it is first
     needed. Without a weight function its components are polynomials.
@@ -27,6 +42,7 @@ class Evaluation:
         self.splines: Sequence[BSpline] = p if w is None else [*p, w]
         self.polynomial = w is None
         self._rows: dict[int, Rows] = {}
+        self._slopes: dict[tuple[int, int], list[Rows]] = {}
 
     @property
     def mesh(self) -> Mesh:
@@ -72,6 +88,54 @@ class Evaluation:
             below = values.pop()
             found.append(tuple([mpq(value, below) for value in values]))
         return found
+
+    def jet(self, t: mpq, order: int, *, left: bool = False) -> list[tuple[mpq, ...]]:
+        """The point and the derivatives to an order at an exact parameter, at a breakpoint from the right or the left.
+
+        >>> t = BSpline.identity(0, 1)
+        >>> Evaluation([t, t * t], None).jet(mpq(1, 2), 1)
+        [(mpq(1,2), mpq(1,4)), (mpq(1,1), mpq(1,1))]
+
+        Raises `DomainError` outside the domain.
+        """
+        *numerators, below = self.numbers(t, order, left=left)
+        w = [*map(mpq, below)]
+        return list(zip(*[quotient_derivatives([*map(mpq, row)], w) for row in numerators], strict=True))
+
+    def numbers(self, t: mpq, order: int, *, left: bool = False) -> list[list[int]]:
+        """The same of the numerators and then of the denominator, in integers that have one positive factor in common.
+
+        >>> t = BSpline.identity(0, 1)
+        >>> Evaluation([t, t * t], None).numbers(mpq(1, 2), 1)
+        [[2, 4], [1, 4], [4, 0]]
+
+        Raises `DomainError` outside the domain.
+        """
+        a, q = int(t.numerator), int(t.denominator)
+        powers = [*accumulate(repeat(q, max(self.splines[0].degree, order)), mul, initial=1)]
+        found = []
+        for derivatives in self._slopes_of(self.mesh.locate(t, left=left), order):
+            values = []
+            for c, scale in zip(derivatives, powers, strict=False):
+                value = 0
+                for x, power in zip(c, powers, strict=False):
+                    value = value * a + x * power
+                # every derivative is a quotient by the same power of q
+                values.append(value * scale)
+            found.append(values)
+        return found
+
+    def _slopes_of(self, i: int, order: int) -> list[Rows]:
+        """Of every numerator and the denominator on a segment the coefficients of the derivatives to an order."""
+        key = i, order
+        if key not in self._slopes:
+            made = [[row] for row in self._rows_of(i)]
+            for rows in made:
+                for _ in range(order):
+                    c = rows[-1]
+                    rows.append([x * (len(c) - 1 - k) for k, x in enumerate(c[:-1])])
+            self._slopes[key] = made
+        return self._slopes[key]
 
     def _rows_of(self, i: int) -> Rows:
         rows = self._rows.get(i)

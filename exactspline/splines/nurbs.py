@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property, partial
-from math import comb
 from typing import cast
 
 from exactspline.errors import DomainError, ShapeError, WeightError, as_items
@@ -32,26 +31,18 @@ from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.refinement import insertable
 
 
-def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
-    """The derivatives of p/w from those of p and w: p = w · (p/w), differentiated by Leibniz's rule.
-
-    >>> quotient_derivatives([mpq(1), mpq(0), mpq(0)], [mpq(1), mpq(1), mpq(0)])
-    [mpq(1,1), mpq(-1,1), mpq(2,1)]
-    """
-    found: list[mpq] = []
-    for k, value in enumerate(above):
-        rest = value - sum((comb(k, j) * below[k - j] * earlier for j, earlier in enumerate(found)), mpq(0))
-        found.append(rest / below[0])
-    return found
-
-
 class ValuesAlong:
     """The methods of a `Nurbs` that take a parameter."""
 
     __slots__ = ()
     p: Vector[BSpline]
     w: BSpline
+    polynomial: bool
     dimension: int
+
+    @cached_property
+    def _evaluation(self) -> Evaluation:
+        return Evaluation(self.p.components, None if self.polynomial else self.w)
 
     def derivative(self, order: int, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """The derivative of the given order at a rational parameter, exactly; at a knot the limit from the `side`.
@@ -63,9 +54,7 @@ class ValuesAlong:
 
         Raises `FormulaError` for a negative order, `DomainError` outside the domain.
         """
-        order, t = checked_order(order), rational(t)
-        below, *rows = [[f.d(k)(t, side) for k in range(order + 1)] for f in (self.w, *self.p)]
-        return tuple(quotient_derivatives(row, below)[order] for row in rows)
+        return self._evaluation.jet(rational(t), checked_order(order), left=checked_side(side))[-1]
 
     def tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """γ′ at a rational parameter (see `unit_tangent`).
@@ -270,10 +259,6 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
         Raises `NumberError` for what is not an exact number, `DomainError` outside the domain.
         """
         return self._evaluation.points(exact_row(as_items(ts, "parameters"), "parameters"), left=checked_side(side))
-
-    @cached_property
-    def _evaluation(self) -> Evaluation:
-        return Evaluation(self.p.components, None if self.polynomial else self.w)
 
     @property
     def domain(self) -> Interval:

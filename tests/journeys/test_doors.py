@@ -4,7 +4,6 @@ import contextlib
 import inspect
 import pickle
 from collections.abc import Iterator
-from contextlib import suppress
 from itertools import islice
 
 import numpy
@@ -149,27 +148,6 @@ def raised(name, function, arguments):
         return None if type(error) is OWN_ERRORS.get(name) else error
 
 
-#: Arguments by name that are not options of a picture.
-BY_NAME = [
-    ("degree", ("f2",), "dimension"),
-    ("prove", ("f1", "f2"), "dimension"),
-    ("reduction", ("f2",), "dimension"),
-    ("reduction", ("f2",), "parameter"),
-    ("at", (T, "1/2"), "side"),
-    ("at_floats", (CUSP, [0]), "order"),
-    ("plot_approaches", (CUSP,), "forms"),
-    ("inspection_data", (CUSP,), "approach"),
-]
-
-
-@pytest.mark.parametrize(("name", "arguments", "keyword"), BY_NAME)
-def test_arguments_by_name(name, arguments, keyword):
-    """A TypeError from inside before: ``degree("f2", dimension="3")``."""
-    for value in VALUES.values():
-        with suppress(xs.ExactSplineError):
-            PUBLIC[name](*arguments, **{keyword: value})
-
-
 def curve_file():
     xs.write([CUSP], "cusp.json")
     return ("cusp.json",)
@@ -184,6 +162,7 @@ OPTIONS = {
     "check_certificate": (xs.zeros(T * T - 2).certificate(),),
     "contains": (xs.example("circle"), (0, 0)),
     "curvature": (CUSP, "1/3"),
+    "curvature_floats": (CUSP, [0]),
     "degree": ("f2",),
     "derive": ("evolute", CUSP),
     "claims": ("C4.1a",),

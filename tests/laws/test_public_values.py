@@ -27,7 +27,6 @@ SURFACE = xs.example("torus")
 LINE = xs.Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
 T = xs.BSpline.identity(0, 2)
 ROOT = xs.zeros(T * T - 2).roots[0]
-TEXT = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]]}'
 POINTS = b"100 1 0 0\n2 0\n2 2\n0 0 1 1\n0 0\n0.1 2\n"
 
 
@@ -127,7 +126,7 @@ RETURNED = {
 }
 #: Names that return what one of those above returns, plain data, numbers, text, pictures or nothing.
 COVERED = {
-    *("at", "at_floats"),
+    *("at", "at_floats", "curvature_floats"),
     *("complex_quotient", "conjugate", "cross", "det", "dot", "generalized_cross", "join", "norm2", "perp", "triple"),
     *("wronskian", "numerator", "control_point_count", "greville_abscissae", "zeros", "rational", "from_float"),
     *("from_floats", "floats", "features_of_many", "features_of_curves", "check_certificate"),
