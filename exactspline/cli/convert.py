@@ -90,7 +90,9 @@ def convert(
     if snap and as_surfaces:
         raise OptionsError("--snap and surfaces", remedy="it is for curves")
     repairs = [None if isinstance(each, NamedSurface) else _repaired(each.curve, snap, epsilon) for each in chosen]
-    told = [f"{each.name}: {x}" for each, repair in zip(chosen, repairs, strict=True) for x in _told(repair)]
+    replacements = [
+        f"{each.name}: {x}" for each, repair in zip(chosen, repairs, strict=True) for x in _replacements(repair)
+    ]
     chosen = list(map(_with_repair, chosen, repairs))
     if target == "-":
         if not out.for_people:
@@ -114,7 +116,9 @@ def convert(
         "convert surface" if as_surfaces else "convert",
         rows,
         [Sheet(*columns, rows=cells, numbers=numbers, prose=["notes"])],
-        lambda: _report(out, [*told, *notes], f"{counted(len(chosen), what)} from {reading.format} to {target}"),
+        lambda: _report(
+            out, [*replacements, *notes], f"{counted(len(chosen), what)} from {reading.format} to {target}"
+        ),
     )
     if not reading.complete:
         raise Exit(2)
@@ -128,7 +132,7 @@ def _repaired(curve: Nurbs, snap: str, epsilon: str) -> Snapped:
     return snapped(curve, kinds, epsilon or None) if kinds else Snapped(curve, (), ())
 
 
-def _told(repair: Snapped | None) -> list[str]:
+def _replacements(repair: Snapped | None) -> list[str]:
     """What was replaced by what, and what was not, as text."""
     from exactspline.display.features import end_text, shape_text
     from exactspline.display.serialize import described_data
@@ -147,7 +151,7 @@ def _told(repair: Snapped | None) -> list[str]:
 def _with_repair(named: NamedCurve | NamedSurface, repair: Snapped | None) -> NamedCurve | NamedSurface:
     if repair is None or isinstance(named, NamedSurface):
         return named
-    return replace(named, curve=repair.curve, notes=(*named.notes, *_told(repair)))
+    return replace(named, curve=repair.curve, notes=(*named.notes, *_replacements(repair)))
 
 
 def _repair_data(repair: Snapped | None) -> dict[str, Any]:

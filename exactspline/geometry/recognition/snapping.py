@@ -55,12 +55,12 @@ def snapped(curve: Nurbs, kinds: Collection[ShapeKind | str] = KINDS, epsilon: N
     for an epsilon that is not positive.
     """
     given = curve_of(curve)
-    wanted = {choice(ShapeKind, kind, "shape", raised=ShapeError) for kind in kinds}
-    if other := sorted(wanted - set(KINDS)):
+    requested = {choice(ShapeKind, kind, "shape", raised=ShapeError) for kind in kinds}
+    if other := sorted(requested - set(KINDS)):
         raise ShapeError(f"a piece replaced by a {other[0]}", remedy=f"this needs {' or '.join(KINDS)}")
     replaced, kept = dict[mpq, RecognizedPiece](), list[RecognizedPiece]()
     for piece in recognized(given, epsilon):
-        if piece.kind in wanted and not piece.exact:
+        if piece.kind in requested and not piece.exact:
             tried = (near(given, piece.piece, shape, epsilon) for shape in _between_ends(given, piece))
             if found := next(filter(None, tried), None):
                 replaced[piece.piece.start] = found
