@@ -41,6 +41,15 @@ def convert(
         list[str] | None, Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")
     ] = None,
     surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
+    approximate: Annotated[
+        str,
+        Option(
+            "--approximate",
+            metavar="E",
+            help="Replace an arc of SVG with an irrational centre by a rational one that is nowhere further from it "
+            "than E.",
+        ),
+    ] = "",
     degree: Annotated[int | None, Option("--degree", metavar="N", help="For files of control points alone.")] = None,
     knots: Annotated[
         str, Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
@@ -74,7 +83,13 @@ def convert(
     if epsilon:
         check_distance(epsilon)
     check_output(target, source.rpartition(":")[0] or source, source)
-    reading = read(source, from_format or None, degree=degree, knots=knots.replace(",", " ").split() or None)
+    reading = read(
+        source,
+        from_format or None,
+        degree=degree,
+        knots=knots.replace(",", " ").split() or None,
+        approximate=approximate or None,
+    )
     as_surfaces = bool(reading.surfaces) and (surfaces or not reading.curves)
     if as_surfaces and reading.curves:
         leave_out()

@@ -298,6 +298,16 @@ def test_the_curve_stands_in_a_page_of_somebody_else(browser, address, tmp_path)
         tab.close()
 
 
+def test_the_front_page_opened_as_a_file_says_what_to_do(browser):
+    """It said "Drag a control point" above nothing."""
+    tab = browser.new_page()
+    tab.goto((SITE / "index.html").as_uri())
+    said = tab.locator("article").inner_text()
+    assert "./run serve" in said
+    assert "Drag" not in said
+    tab.close()
+
+
 def test_a_page_has_more_than_one_frame(browser, address):
     """The second script of a page declared a name again, and nothing stood in its place."""
     with opened(browser, address, "first-hour.html") as tab:
