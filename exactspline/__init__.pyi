@@ -57,6 +57,8 @@ from .batch.families import Family as Family
 from .geometry.derived import derive as derive
 from .geometry.constructions import Variant as Variant
 from .geometry.constructions import construction as construction
+from .geometry.ruled_surfaces import as_tensor_product as as_tensor_product
+from .geometry.ruled_surfaces import is_developable as is_developable
 from .geometry.ruled_surfaces import ruled_surface as ruled_surface
 from .geometry.bisector.any_pair import bisector as bisector
 

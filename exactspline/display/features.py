@@ -152,11 +152,12 @@ def _remark(joint: dict[str, Any]) -> str:
     return ", ".join(filter(None, parts)).replace("-", "−")
 
 
-def shape_text(found: dict[str, Any]) -> str:
+def shape_text(found: Mapping[str, object]) -> str:
     """What describes a shape, and how near the curve is to it, as text."""
-    (within,), *_ = found["numbers"].values()
+    numbers_of: Any = found["numbers"]
+    (within,), *_ = numbers_of.values()
     words = []
-    for name, values in list(found["numbers"].items())[1:]:
+    for name, values in list(numbers_of.items())[1:]:
         numbers = [_number(x) for x in values]
         words.append(f"{name} {numbers[0] if len(numbers) == 1 else '(' + ', '.join(numbers) + ')'}")
     near = "exactly" if within == "0" else f"within {decimal(rational(within), 4)}"

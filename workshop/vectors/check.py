@@ -119,7 +119,7 @@ class Curve:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Curve) and (self.knots, self.rows) == (other.knots, other.rows)
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # curves are compared by value
 
     def jets(self, t: Fraction) -> list[Series]:
         """Value and derivatives of the coordinates."""
