@@ -1,9 +1,11 @@
 """How hypothesis searches: the same examples every time; `--hypothesis-profile=search` looks further, with new ones.
 And how often memory is collected: what was loaded before the first test stays, and need not be looked through again.
+And where claims are decided, and generic degrees measured, once for all tests: in rooms that change no engine.
 """
 
 import gc
 
+import pytest
 from hypothesis import HealthCheck, settings
 
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much]
@@ -18,3 +20,14 @@ def pytest_collection_finish():
     gc.collect()
     gc.freeze()
     gc.set_threshold(50_000, 20, 20)
+
+
+@pytest.fixture(autouse=True, scope="module")
+def decided_by_room(request):
+    if request.path.parent.name not in ("cli", "display", "journeys"):
+        yield
+        return
+    from tests.support.decided import decided_once
+
+    with decided_once():
+        yield

@@ -71,7 +71,7 @@ class JetFraction(FieldOperand):
         """``1 / a``; raises `VanishingDivisorError` for zero."""
         if not self.top:
             raise VanishingDivisorError(
-                "division by an expression that vanishes on every curve", remedy="check the formula"
+                "division by an expression that vanishes identically", remedy="check the formula"
             )
         unit = self.top.leading_coefficient()
         return JetFraction(self.ring, self.bottom / unit, self.top / unit)

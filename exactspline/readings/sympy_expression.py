@@ -63,7 +63,7 @@ class SympyExpression(FieldOperand):
     def reciprocal(self) -> Self:
         """``1 / a``; raises `FormulaError` if a vanishes identically."""
         if self.is_zero:
-            raise FormulaError("division by an expression that vanishes on every curve", remedy="check the formula")
+            raise FormulaError("division by an expression that vanishes identically", remedy="check the formula")
         return self._made(1 / self.expression, self.parameters)
 
     def scaled(self, constant: Constant) -> Self:
@@ -211,7 +211,7 @@ class _Product:
     def to_the(self, exponent: int) -> _Product:
         """A power, possibly negative; raises `FormulaError` for 1/0."""
         if not self.unit and exponent < 0:
-            raise FormulaError("division by an expression that vanishes on every curve", remedy="check the formula")
+            raise FormulaError("division by an expression that vanishes identically", remedy="check the formula")
         return _Product(self.unit**exponent, self.powers**exponent)
 
 

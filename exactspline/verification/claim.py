@@ -55,7 +55,7 @@ from exactspline.verification.verdict import (
     sampled,
     undecided,
     vacuous,
-    worst,
+    worst_case,
 )
 from exactspline.verification.vocabulary import ArgumentKind, Name, Scope, Status, Verdict, word
 
@@ -388,11 +388,12 @@ class Claim(Immutable, Displayed):
 
     def prove(self) -> tuple[Name, Finding]:
         """The reading in which it is decided for all curves, and the finding: the worst of all cases, that is of
-        rational and polynomial curves of every dimension to which it applies.
+        rational and polynomial curves of every dimension to which it applies. An error in one case, such as a
+        denominator that vanishes where w = 1, is raised unless another case refutes it.
         """
         with sharing():
-            findings = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
-        return self.reading, worst(findings)
+            found = worst_case(lambda polynomial, n: self.decide(n, polynomial), self.of.worlds, self.dimensions)
+        return self.reading, found
 
     @property
     def equality(self) -> Statement | None:

@@ -23,7 +23,7 @@ from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.ledger import Task
 from exactspline.verification.notation import factor_formulas
 from exactspline.verification.rows import Row, row
-from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, Finding, undecided, worst
+from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, Finding, undecided, worst_case
 from exactspline.verification.vocabulary import Name
 
 
@@ -42,8 +42,9 @@ class Sympy:
         equality = claim.equality
         if equality is None:
             return Finding(UNDECIDED, witness=Fact.NOT_OF_THIS_JUDGE)
-        cases = [(n, polynomial) for polynomial in claim.of.worlds for n in claim.dimensions]
-        return worst([equality.decide(argument_for(claim, n, polynomial)) for n, polynomial in cases])
+        return worst_case(
+            lambda polynomial, n: equality.decide(argument_for(claim, n, polynomial)), claim.of.worlds, claim.dimensions
+        )
 
 
 def argument_for(claim: Claim, dimension: int, polynomial: bool) -> Evaluated:

@@ -4,7 +4,9 @@ sentence.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from itertools import product
 
 from exactspline.errors import ExactSplineError, InapplicableError
 from exactspline.verification.evidence import Evidence, Fact, Found, HeldOn, LeftToTheProof, Refutes, Stopped
@@ -70,6 +72,22 @@ def worst(findings: list[Finding]) -> Finding:
     """
     order = (CONTRADICTION, REFUTED, UNDECIDED, INAPPLICABLE, VACUOUS, VERIFIED, PROVED)
     return min(findings, key=lambda finding: order.index(finding.verdict))
+
+
+def worst_case(decide: Callable[..., Finding], *choices: Iterable[object]) -> Finding:
+    """The least favourable finding over all combinations of choices. An error in one of them is raised unless another
+    one refutes.
+    """
+    findings, errors = [], []
+    for case in product(*choices):
+        try:
+            findings.append(decide(*case))
+        except ExactSplineError as error:
+            errors.append(error)
+    found = worst(findings) if findings else None
+    if found is None or (errors and found.verdict not in (REFUTED, CONTRADICTION)):
+        raise errors[0]
+    return found
 
 
 def compared(proof: Finding, refutation: Finding) -> Finding:

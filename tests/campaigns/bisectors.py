@@ -32,6 +32,10 @@ from tests.support.dials import DIALS
 
 #: Seconds after which an answer counts as slow.
 SLOW = 10
+#: Per mille of the cases with one sort of numbers that may be left out or refused.
+CEILING = 1
+#: What is refused for good: a point on the curve has no bisector of the usual kind.
+ON_THE_CURVE = "lies on the curve"
 
 
 # ---- curves
@@ -266,6 +270,7 @@ def measured(compute, compare):
 def run(pairs, trimmings, seed, report=lambda text: None, dials=tuple(DIALS)):
     """The summary of a campaign, and the cases that are not as they should be."""
     summary, cases, counts = Counter(), [], {"pair": (one_pair, pairs), "trimming": (one_trimming, trimmings)}
+    of_each = Counter()
     slowest = 0.0
     for name, (case, count) in counts.items():
         for k in range(count):
@@ -274,6 +279,7 @@ def run(pairs, trimmings, seed, report=lambda text: None, dials=tuple(DIALS)):
             slow = record["seconds"] > SLOW and not record.get("left_out")
             slowest = max(slowest, record["seconds"])
             summary[f"{name}s"] += 1
+            of_each[f"{name} {dial}"] += 1
             flags = {
                 "different": record.get("different"),
                 "left out": record.get("left_out"),
@@ -286,7 +292,18 @@ def run(pairs, trimmings, seed, report=lambda text: None, dials=tuple(DIALS)):
                     cases.append({"what": name, "seed": seed + k, "dial": dial, "flag": flag} | record)
             if (k + 1) % 100 == 0:
                 report(f"{name} {k + 1} of {count}: {dict(summary)}")
-    return {"seed": seed, "summary": dict(summary), "slowest": round(slowest, 2), "cases": cases}
+    told = {"seed": seed, "summary": dict(summary), "counts": dict(of_each)}
+    return told | {"slowest": round(slowest, 2), "cases": cases}
+
+
+def above_ceiling(found):
+    """The sorts of numbers with more cases left out or refused than may be, each with how many."""
+    cases = Counter(
+        (case["what"], case["dial"])
+        for case in found["cases"]
+        if case["flag"] in ("left out", "refused") and ON_THE_CURVE not in case.get("refused", "")
+    )
+    return {key: n for key, n in cases.items() if 1000 * n > CEILING * found["counts"][f"{key[0]} {key[1]}"]}
 
 
 def main():
@@ -305,7 +322,8 @@ def main():
     for case in found["cases"][:20]:
         print(case)
     print(found["summary"], f"the slowest answer took {found['slowest']} s")
-    sys.exit(any(case["flag"] in ("different", "slow") for case in found["cases"]))
+    wrong = any(case["flag"] in ("different", "slow") for case in found["cases"])
+    sys.exit(wrong or bool(above_ceiling(found)))
 
 
 if __name__ == "__main__":

@@ -182,7 +182,7 @@ def test_bad_files_give_one_line_and_status_2(tmp_path):
 
 
 def test_one_bad_curve_in_a_batch_is_reported_and_the_rest_goes_on(tmp_path):
-    done = run_alone("prove", "--claim", "C4.1", "--curve", tmp_path / "none.json", "--curve", "cusp")
+    done = run("prove", "--claim", "C4.1", "--curve", tmp_path / "none.json", "--curve", "cusp")
     assert done.returncode == 2
     assert "cusp: polynomial" in done.stdout
     assert "none.json" in done.stderr
@@ -230,27 +230,29 @@ not_a_function = 3
 def test_reduce_on_a_function_of_a_stranger(tmp_path, monkeypatch):
     (tmp_path / "strange_formulas.py").write_text(OWN)
     monkeypatch.chdir(tmp_path)
+    monkeypatch.syspath_prepend(tmp_path)
     for target in (
         "strange_formulas.py:pedal",
         "strange_formulas:pedal",
         str(tmp_path / "strange_formulas.py") + ":pedal",
     ):
-        done = run_alone("formula", "reduce", target, "--trust")
+        done = run("formula", "reduce", target, "--trust")
         assert done.returncode == 0
         assert "4d − 4" in done.stdout
     (tmp_path / "checked.py").write_text(OWN.partition("def broken")[0])
-    assert "4d − 4" in run_alone("formula", "reduce", "checked.py:pedal").stdout
+    assert "4d − 4" in run("formula", "reduce", "checked.py:pedal").stdout
 
 
 def test_a_module_runs_with_trust_alone_and_it_is_said(tmp_path, monkeypatch):
     """Before: any module was imported without --trust, and nothing said that it ran unchecked."""
     (tmp_path / "mine.py").write_text("open('ran', 'w').close()\n\n\ndef speed(c):\n    return c.gamma.d(1)\n")
     monkeypatch.chdir(tmp_path)
-    done = run_alone("formula", "reduce", "mine:speed")
+    monkeypatch.syspath_prepend(tmp_path)
+    done = run("formula", "reduce", "mine:speed")
     assert (done.returncode, done.stdout) == (2, "")
     assert "--trust" in done.stderr
     assert not (tmp_path / "ran").exists()
-    done = run_alone("formula", "reduce", "mine:speed", "--trust")
+    done = run("formula", "reduce", "mine:speed", "--trust")
     assert done.returncode == 0
     assert "formulas that ran unchecked (--trust): mine" in done.stdout
 

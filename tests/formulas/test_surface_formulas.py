@@ -230,6 +230,11 @@ def test_every_verdict_is_as_recorded():
         ("S11-parabolic-polynomial-v", {"claimed": "6d_v - 4"}),
         ("S11-L_lifted-rational-v", {"claimed": "4d_v - 6"}),
         ("PM1-umbilicity-u", {"claimed": "10d_u - 7"}),
+        ("S15-point_bisector_of_surface_divided-rational-u", {"claimed": "5d_u − 2"}),
+        ("S15-point_bisector_of_surface_divided-rational-u-lowest", {"claimed": "5d_u − 1"}),
+        ("S15-curve_condition_lifted-rational-v-lowest", {"claimed": "5d_v − 3"}),
+        ("S15-surface_condition-surface_condition_lifted", {"factor": "1/2 w^-4 third_coordinate^-1"}),
+        ("S15-surface_condition_lifted-rational-lowest", {"claimed": "4d − 1"}),
     ],
 )
 def test_false_statements_are_refuted(key, change):

@@ -1,7 +1,6 @@
 """The house: which room may import which, what a formula may contain, and how heavy an import is."""
 
 import ast
-import os
 import re
 import subprocess
 import sys
@@ -9,10 +8,8 @@ from pathlib import Path
 
 import pytest
 
-import exactspline
 from tests.support import import_graph
 
-ROOT = Path(exactspline.__file__).parent
 ARCHITECTURE = Path(__file__).parents[2] / "docs" / "architecture.md"
 
 #: Above every floor: the front door and the two ways to start the command line.
@@ -82,57 +79,6 @@ def test_only_the_front_door_names_modules_of_other_rooms_in_texts():
     named = {name: import_graph.named(tree, set(trees)) - {"papers"} for name, tree in trees.items()}
     found = {name for name, targets in named.items() if {t.split(".")[0] for t in targets} - {name.split(".")[0]}}
     assert found == {"", "cli.output", "papers.formula_check"}
-
-
-def linted(folder: Path) -> subprocess.CompletedProcess[str]:
-    """The contracts of import-linter, checked on the package in a folder."""
-    code = (
-        "from importlinter.cli import lint_imports\n"
-        f"raise SystemExit(lint_imports(config_filename={str(import_graph.CONTRACTS_FILE)!r}, no_cache=True))"
-    )
-    environment = os.environ | {"PYTHONPATH": str(folder)}
-    command = [sys.executable, "-c", code]
-    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder, env=environment)
-
-
-def test_the_contracts_of_the_imports_are_kept():
-    """Passed before: `language` imports the types of `splines`, `roots` and `papers`."""
-    done = linted(ROOT.parent)
-    assert done.returncode == 0, done.stdout + done.stderr
-
-
-PLANTED_FILES = {
-    "nothing": ({}, ""),
-    "a type from above": (
-        {"language": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from exactspline.splines import x"},
-        "exactspline.language is not allowed to import exactspline.splines",
-    ),
-    "a room beside": ({"roots": "from exactspline.symbolic import x"}, "not allowed to import exactspline.symbolic"),
-    "a room that nobody named": ({"services": ""}, "exactspline.services"),
-    "a circle of types": (
-        {
-            "splines": "",
-            "splines/a": "from exactspline.splines.b import x",
-            "splines/b": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from exactspline.splines.a import x",
-        },
-        "No cycles are allowed in exactspline.splines",
-    ),
-}
-
-
-@pytest.mark.parametrize(("files", "told"), PLANTED_FILES.values(), ids=PLANTED_FILES)
-def test_what_breaks_a_contract_is_found(files, told, tmp_path):
-    """Passed before: each of these but "a room beside"."""
-    rooms = {room: "" for row in import_graph.ORDER for room in row} | {"__main__": ""}
-    for name, text in (rooms | files).items():
-        inside = any(other.startswith(f"{name}/") for other in files)
-        file = tmp_path / "exactspline" / (f"{name}/__init__.py" if inside else f"{name}.py")
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text + "\n", encoding="utf-8")
-    (tmp_path / "exactspline" / "__init__.py").write_text("", encoding="utf-8")
-    done = linted(tmp_path)
-    assert done.returncode == (1 if files else 0), done.stdout + done.stderr
-    assert told in " ".join(done.stdout.split())
 
 
 @pytest.mark.skipif(not ARCHITECTURE.exists(), reason="the documents are in the checkout only")

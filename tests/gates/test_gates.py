@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-import exactspline as xs
 from exactspline.cli.commands import leaves
 from exactspline.geometry.registry import ASKED, REGISTRY
 from exactspline.questions.entry import Answered, questions_of
@@ -395,12 +394,3 @@ def test_what_only_developers_run_is_not_in_the_wheel():
 def test_a_module_that_only_tests_import_is_found():
     graph = {"": {"a"}, "a": {"b.c"}, "b": set(), "b.c": set(), "only_for_tests": {"a"}}
     assert graph.keys() - gates.reached(graph, [""]) == {"only_for_tests"}
-
-
-@pytest.mark.skipif(not (CHECKOUT / "docs").exists(), reason="the documents are in the checkout only")
-def test_every_public_name_is_used_in_a_page():
-    pages = [CHECKOUT / "README.md", *CHECKOUT.glob("docs/**/*.md"), *CHECKOUT.glob("notebooks/*.ipynb")]
-    text = "\n".join(page.read_text(encoding="utf-8") for page in pages)
-    public = [name for name in xs.__all__ if not name.startswith("__")]
-    assert not gates.unused(public, text)
-    assert gates.unused(["a_name_that_nobody_shows", "zeros"], text) == {"a_name_that_nobody_shows"}

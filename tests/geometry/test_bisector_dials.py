@@ -232,6 +232,15 @@ def test_a_sample_of_the_campaign():
     """`python -m tests.campaigns.bisectors` runs more of them, and records the result."""
     found = bisector_campaign.run(60, 30, 9000)
     assert not [case for case in found["cases"] if case["flag"] in ("different", "slow", "left out")]
+    assert not bisector_campaign.above_ceiling(found)
+
+
+def test_what_is_left_out_is_counted_by_the_sort_of_numbers():
+    """Passed before: doubles of which every tenth pair is left out or refused; the campaign counted all together."""
+    told = {"what": "pair", "dial": "thirds", "flag": "refused"}
+    cases = [told | {"refused": f"the point {bisector_campaign.ON_THE_CURVE}"}, told | {"refused": "too large"}]
+    assert bisector_campaign.above_ceiling({"counts": {"pair thirds": 1000}, "cases": cases}) == {}
+    assert bisector_campaign.above_ceiling({"counts": {"pair thirds": 999}, "cases": cases}) == {("pair", "thirds"): 1}
 
 
 def test_every_reason_for_which_there_is_no_surface_is_named():

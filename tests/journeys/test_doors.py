@@ -4,7 +4,6 @@ import contextlib
 import inspect
 import pickle
 from collections.abc import Iterator
-from contextlib import suppress
 from itertools import islice
 
 import numpy
@@ -130,7 +129,7 @@ def test_every_public_name(name, tmp_path, monkeypatch):
     if name.startswith(("from_", "to_")) and name not in ("from_float", "from_floats", "to_arrays"):
         pytest.importorskip(name.partition("_")[2])
     function = PUBLIC[name]
-    calls = sample(list(handed(function)), 150, seed=name)
+    calls = sample(list(handed(function)), 100, seed=name)
     wrong = [error for _, arguments in calls if (error := raised(name, function, arguments)) is not None]
     assert not wrong
 
@@ -147,27 +146,6 @@ def raised(name, function, arguments):
         return None if error.__traceback__.tb_next is None else error  # Python's own: too many arguments
     except Exception as error:
         return None if type(error) is OWN_ERRORS.get(name) else error
-
-
-#: Arguments by name that are not options of a picture.
-BY_NAME = [
-    ("degree", ("f2",), "dimension"),
-    ("prove", ("f1", "f2"), "dimension"),
-    ("reduction", ("f2",), "dimension"),
-    ("reduction", ("f2",), "parameter"),
-    ("at", (T, "1/2"), "side"),
-    ("at_floats", (CUSP, [0]), "order"),
-    ("plot_approaches", (CUSP,), "forms"),
-    ("inspection_data", (CUSP,), "approach"),
-]
-
-
-@pytest.mark.parametrize(("name", "arguments", "keyword"), BY_NAME)
-def test_arguments_by_name(name, arguments, keyword):
-    """A TypeError from inside before: ``degree("f2", dimension="3")``."""
-    for value in VALUES.values():
-        with suppress(xs.ExactSplineError):
-            PUBLIC[name](*arguments, **{keyword: value})
 
 
 def curve_file():
@@ -261,7 +239,7 @@ def test_every_option_of_every_function(name, tmp_path, monkeypatch):
     arguments = OPTIONS[name]() if callable(OPTIONS[name]) else OPTIONS[name]
     function, wrong = PUBLIC[name], []
     for option in options(name):
-        for label, value in sample(list(VALUES.items()), 15, seed=f"{name} {option}"):
+        for label, value in sample(list(VALUES.items()), 10, seed=f"{name} {option}"):
             error = raised(name, lambda: drained(function(*arguments, **{option: value})), ())  # noqa: B023
             wrong += [(option, label, error)] if error is not None else []
     assert not wrong

@@ -15,7 +15,6 @@ from rich.cells import cell_len
 from exactspline.cli.commands import leaves
 from exactspline.display.wrapping import code_lines
 from exactspline.papers import default_papers
-from exactspline.verification.claims import all_claims
 from tests.support.command import run
 from tests.support.decided import errors_in_print, remarks
 
@@ -81,15 +80,6 @@ def test_the_page_of_commands_names_every_command():
     text = COMMANDS.read_text(encoding="utf-8")
     missing = [name for name in leaves() if f"`./run {name}" not in text and f"`{name.split()[-1]}`" not in text]
     assert not missing
-
-
-def test_every_refuted_claim_of_a_paper_belongs_to_one_error_that_says_what_is_true():
-    found = list(errors_in_print())
-    printed = {claim.key for claim in all_claims() if claim.expected == "REFUTED" and claim.status == "printed"}
-    keys = [each.key for entry in found for each in entry.statements]
-    assert set(keys) == printed
-    assert len(keys) == len(printed)
-    assert all(entry.truth for entry in found)
 
 
 def test_every_error_of_a_paper_is_listed_once_and_a_remark_is_none():

@@ -8,14 +8,10 @@ from __future__ import annotations
 import base64
 import json
 import re
-import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from threading import Thread
 from typing import Any
 from urllib.parse import unquote, urldefrag, urlsplit
 
@@ -23,33 +19,16 @@ import pytest
 
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_in
+from tests.support.looking import CHROMIUM, PATIENCE, served, started
 
 ROOT = Path(__file__).parents[2]
 SITE = ROOT / "build" / "site" / "html"
-CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
-PATIENCE = 120_000
 
 pytestmark = [
     pytest.mark.browser,
     pytest.mark.skipif(not (SITE / "index.html").exists(), reason="the site is not built: ./run site"),
     pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here"),
 ]
-
-
-class Quiet(SimpleHTTPRequestHandler):
-    """A server that does not print every request."""
-
-    def log_message(self, *_: object) -> None:
-        """Nothing."""
-
-
-@contextmanager
-def served(folder: Path) -> Iterator[str]:
-    """The address of a local server of a folder."""
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder))) as server:
-        Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
 
 
 @pytest.fixture(scope="module")
@@ -61,10 +40,8 @@ def address() -> Iterator[str]:
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
     playwright = pytest.importorskip("playwright.sync_api")
-    with playwright.sync_playwright() as player:
-        started = player.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        yield started
-        started.close()
+    with playwright.sync_playwright() as player, started(player) as found:
+        yield found
 
 
 @contextmanager
@@ -321,6 +298,16 @@ def test_the_curve_stands_in_a_page_of_somebody_else(browser, address, tmp_path)
         tab.close()
 
 
+def test_the_front_page_opened_as_a_file_says_what_to_do(browser):
+    """It said "Drag a control point" above nothing."""
+    tab = browser.new_page()
+    tab.goto((SITE / "index.html").as_uri())
+    said = tab.locator("article").inner_text()
+    assert "./run serve" in said
+    assert "Drag" not in said
+    tab.close()
+
+
 def test_a_page_has_more_than_one_frame(browser, address):
     """The second script of a page declared a name again, and nothing stood in its place."""
     with opened(browser, address, "first-hour.html") as tab:
@@ -329,14 +316,6 @@ def test_a_page_has_more_than_one_frame(browser, address):
         frame = tab.frame_locator("iframe >> nth=1")
         frame.locator("#triangle td").first.wait_for(timeout=PATIENCE)
         assert frame.locator(".more").is_hidden()
-
-
-@pytest.mark.parametrize("width", [1280, 390])
-@pytest.mark.parametrize("page", ["curve", "reduce", "claims", "bisector", "degrees", "de-boor", "surface"])
-def test_no_page_is_wider_than_its_window(browser, address, page, width):
-    with opened(browser, address, f"play/{page}.html", width) as tab:
-        tab.wait_for_selector("main")
-        assert tab.evaluate("document.documentElement.scrollWidth") <= width
 
 
 def test_no_link_leads_nowhere_and_none_loads_from_elsewhere():

@@ -13,7 +13,7 @@ from exactspline.errors import ClaimError, FormulaError
 from exactspline.interchange.examples import example
 from exactspline.language.adjoined_root import Adjoined, framed, root_of
 from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT, kind_of
-from exactspline.language.vector import cross, det, dot, norm2
+from exactspline.language.vector import cross, det, norm2
 from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
 from exactspline.readings.rational_jet import RationalJetReading
@@ -23,11 +23,6 @@ from exactspline.verification.judges import Sympy
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.ledger import proved
 from tests.support.numeric_reading import numeric_curve
-
-
-@pytest.fixture(scope="module")
-def space():
-    return framed(RationalJetReading(3).argument(CURVE, 3, polynomial=True)).remembering()
 
 
 @pytest.fixture(scope="module")
@@ -72,71 +67,10 @@ def test_elements_of_two_extensions_do_not_mix():
         root_of(c.w) + root_of(c.p[0])
 
 
-def test_the_frenet_frame_is_orthonormal_and_right_handed(space):
-    t, n, b = (f(space) for f in (frames.unit_tangent, frames.unit_normal, frames.unit_binormal))
-    for v in (t, n, b):
-        assert norm2(v) == one(space)
-    for u, v in ((t, n), (n, b), (b, t)):
-        assert dot(u, v).is_zero
-    assert det(t, n, b) == one(space)
-    assert vanishes(cross(t, n) - b)
-    assert vanishes(frames.unit_normal_by_product(space) - n)
-    assert not vanishes(cross(n, t) - b)
-
-
-def test_the_rational_frame_of_14_is_that_of_13_up_to_lengths(space):
-    """T, B, N of eq. (14) are ‖γ′‖, ‖γ′ × γ″‖ and ‖γ′‖ ‖γ′ × γ″‖ times those of eq. (13)."""
-    c = space
-    assert vanishes(c.gamma.d(1) - frames.unit_tangent(c) * c.sigma)
-    assert vanishes(find("binormal")(c) - frames.unit_binormal(c) * c.rho)
-    assert vanishes(find("chen_riesenfeld_cohen_2007:normal")(c) - frames.unit_normal(c) * (c.rho * c.sigma))
-    assert norm2(find("chen_riesenfeld_cohen_2007:normal")(c)) == (c.rho * c.sigma) ** 2
-
-
-def test_the_frenet_equations(space):
-    """T′ = σκN, N′ = σ(τB − κT), B′ = −στN."""
-    c = space
-    t, n, b = (f(c) for f in (frames.unit_tangent, frames.unit_normal, frames.unit_binormal))
-    kappa, tau = frames.curvature_in_space(c), find("torsion")(c)
-    assert vanishes(t.d() - n * (c.sigma * kappa))
-    assert vanishes(b.d() + n * (c.sigma * tau))
-    assert vanishes(n.d() - (b * tau - t * kappa) * c.sigma)
-    assert not vanishes(n.d() - (b * tau + t * kappa) * c.sigma)
-
-
-def test_curvature_and_radius_vectors_are_rational(space):
-    """κN and N/κ, eq. (16), have no root left in them."""
-    c = space
-    kappa, n = frames.curvature_in_space(c), frames.unit_normal(c)
-    assert vanishes(n * kappa - find("curvature_vector")(c))
-    assert vanishes(n / kappa - find("radius_vector")(c))
-    assert kappa**2 == find("space_curvature_squared")(c)
-
-
-def test_the_torsion_term_of_the_rectifying_generator(space):
-    """τT + κB is the generator of §5.4 over ‖γ′‖."""
-    c = space
-    t, b = frames.unit_tangent(c), frames.unit_binormal(c)
-    made = t * find("torsion")(c) + b * frames.curvature_in_space(c)
-    assert vanishes(made * c.sigma - find("rectifying_developable")(c).generator)
-
-
-def test_the_derivative_of_the_radius_is_psi(space):
-    """(1/κ)′ B = ‖γ′‖ Ψ, §5.5."""
-    c = space
-    radius = 1 / frames.curvature_in_space(c)
-    assert vanishes(frames.unit_binormal(c) * radius.d() - find("psi")(c) * c.sigma)
-
-
-def test_plane_frame_curvature_and_evolute(plane):
-    c = plane
-    t, n, kappa = frames.unit_tangent(c), frames.unit_normal_in_plane(c), frames.signed_curvature(c)
-    assert norm2(n) == norm2(t) == one(c)
-    assert vanishes(t.d() - n * (c.sigma * kappa))
-    assert vanishes(n.d() + t * (c.sigma * kappa))
-    assert kappa**2 == find("curvature_squared")(c)
-    assert vanishes(c.gamma + n / kappa - find("evolute")(c))
-    assert kappa.d() * c.sigma**5 == find("g0")(c)
+def test_the_square_of_the_signed_curvature_has_no_root(plane):
+    n, kappa = frames.unit_normal_in_plane(plane), frames.signed_curvature(plane)
+    assert norm2(n) == one(plane)
+    assert kappa**2 == find("curvature_squared")(plane)
 
 
 def test_footnote_b_the_frenet_normal_with_positive_curvature_gives_the_same_evolute(plane):

@@ -92,14 +92,6 @@ def test_features_of_random_plane_curves(curve, change):
     assert_same(curve, other, image, flipped=change in TURNING)
 
 
-@pytest.mark.parametrize("name", [*PLANE, *SPACE])
-def test_elevation_changes_no_feature(name):
-    curve = example(name)
-    columns = [BSpline(curve.degree, list(curve.knots), c).elevate_degree(1) for c in homogeneous(curve)]
-    rows = list(zip(*[c.control_points for c in columns], strict=True))
-    assert_same(curve, from_rows(curve.degree + 1, list(columns[0].knots), rows), lambda t: t)
-
-
 @pytest.mark.parametrize("name", ["rational_cubic", "cubic_s", "rational_space_cubic", "space_quartic"])
 def test_features_of_two_parts_are_those_of_the_whole(name):
     """Split where nothing is."""

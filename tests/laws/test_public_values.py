@@ -27,7 +27,6 @@ SURFACE = xs.example("torus")
 LINE = xs.Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
 T = xs.BSpline.identity(0, 2)
 ROOT = xs.zeros(T * T - 2).roots[0]
-TEXT = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]]}'
 POINTS = b"100 1 0 0\n2 0\n2 2\n0 0 1 1\n0 0\n0.1 2\n"
 
 

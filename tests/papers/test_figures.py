@@ -3,6 +3,7 @@ and every file is whole.
 """
 
 import re
+from functools import cache
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -20,12 +21,22 @@ from exactspline.geometry.analysis import analyse
 from exactspline.interchange.examples import example
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import all_claims
-from tests.support.figures import drawn, figure
 from tests.support.looking import laid_out, unreadable
 
 runner = CliRunner()
 #: What the claims of a caption call what the figure's own caption says in a part of the sentence.
 COUNTED = ("degree", "control points", "roots", "extrema")
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory):
+    return tmp_path_factory.mktemp("figures")
+
+
+@cache
+def drawn(number):
+    """A figure, its caption and its scenes."""
+    return FIGURES[number]()
 
 
 def counts_of(number):
@@ -42,8 +53,8 @@ def counts_of(number):
 
 
 @pytest.mark.parametrize("number", FIGURES)
-def test_a_caption_says_what_was_counted_words_can_be_read_and_files_are_whole(number):
-    made = figure(number)
+def test_a_caption_says_what_was_counted_words_can_be_read_and_files_are_whole(number, place):
+    made = make(number, place, drawn(number))
     assert unreadable(laid_out(drawn(number).figure)) == []
     for part in counts_of(number):
         value, word = re.search(r"\d+", part)[0], re.sub(r"[\d ]+", " ", part).strip()

@@ -2,11 +2,8 @@
 
 import re
 
-import pytest
-
 from exactspline.verification.claims import all_claims
 from reading.cutter import squeezed
-from reading.readings import TEXT, table
 
 PRINTED = [claim for claim in all_claims() if claim.status == "printed"]
 
@@ -14,19 +11,6 @@ PRINTED = [claim for claim in all_claims() if claim.status == "printed"]
 def test_squeezing_keeps_what_distinguishes():
     assert squeezed("polynomial B-\nspline γγγ′") == "polynomialBsplineγ′"
     assert squeezed("[γ′γ′γ′ γ′′γ′′γ′′]") == squeezed("[γ′ γ″]") != squeezed("[γ′ γ‴]")
-
-
-@pytest.mark.skipif(not TEXT.exists(), reason="the text of the paper is not part of the repository")
-def test_every_quotation_stands_on_its_page():
-    pages = [squeezed(page) for page in TEXT.read_text(encoding="utf-8").split(table()["cut"]["header"])]
-    quoted = [claim for claim in all_claims() if claim.words]
-    assert len(quoted) > 200
-    wrong = []
-    for claim in quoted:
-        number = int(re.match(r"p\. (\d+)", claim.place)[1])
-        if squeezed(claim.words) not in pages[number]:
-            wrong.append((claim.key, claim.place))
-    assert wrong == []
 
 
 def test_what_is_printed_is_quoted_or_carries_the_number_of_its_equation():

@@ -13,7 +13,6 @@ from exactspline import BSpline
 from exactspline.errors import FormulaError
 from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, SURFACE, kind_of
 from exactspline.language.vector import Vector, cross, det, dot, join, perp
-from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse_degree
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.factored_jet import divided_out
@@ -25,9 +24,9 @@ from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import FIRST, Fractions, exact_quotient
-from exactspline.readings.taylor import Series, taylor
+from exactspline.readings.taylor import Series
 from exactspline.readings.taylor_surface import DoubleSeries
-from exactspline.readings.tree import TreeReading, trace
+from exactspline.readings.tree import TreeReading
 
 T = BSpline.identity(0, 1)
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=9)
@@ -46,12 +45,6 @@ def test_a_constant_series_is_known_to_as_many_terms(coefficients):
         h.d(len(coefficients))
     assert not (h - h + 1).is_zero
     assert (h - h).is_zero
-
-
-def test_a_series_holds_the_values_and_derivatives_of_the_spline():
-    f = BSpline(3, [0, 0, 0, 0, 1, 1, 1, 1], [1, -2, 5, "1/3"])
-    told = taylor(f, "1/3", 6)
-    assert told.coefficients == (f("1/3"), f.d(1)("1/3"), f.d(2)("1/3") / 2, f.d(3)("1/3") / 6, 0, 0)
 
 
 def test_orders_are_those_of_the_highest_derivative():
@@ -131,13 +124,6 @@ def test_trees_know_which_of_their_nodes_are_vectors():
         _ = c.q
 
 
-def test_of_two_curves_the_second_one_has_a_bar():
-    tree = trace(find("chen_riesenfeld_cohen_2007:chord"))
-    assert print_text(tree) == "p w̄ − p̄ w"
-    assert print_latex(tree) == r"p\,\bar{w} - \bar{p}\,w"
-    assert print_text(trace(find("second_normal"))) != print_text(trace(find("velocity")))
-
-
 def test_symbols_as_text():
     assert symbol_text(r"\mathbf{T}") == "𝐓"
     assert symbol_text(r"\|D_1\|^2") == "‖D1‖²"
@@ -171,12 +157,6 @@ def test_polynomials_are_cut_after_so_many_terms():
     assert polynomial_text(jet, 1).endswith("… (3 terms)")
     assert polynomial_text(jet) in ("−y·w′ + 2·x + 1", "−w′·y + 2·x + 1")
     assert polynomial_text(jet * 0) == "0"
-
-
-def test_plane_and_space_have_their_own_jets():
-    assert len(JetReading(1).argument(PLANE, 2).p) == 2
-    assert LeadingTermsReading(1).argument(CURVE, 3).p[2].leading[1, 0][0] == 0
-    assert fmpq(1) == RationalJetReading(0).argument(CURVE, 2).w.constant(1).top.leading_coefficient()
 
 
 def test_products_of_vectors_are_vectors_or_numbers_in_trees():
@@ -238,18 +218,6 @@ def test_what_does_not_vanish_exactly_is_resolved_by_more_terms():
     assert drop == 1
     assert (c.w - c.w).leading is None
     assert (c.w * 0).leading == {}
-
-
-def test_what_divides_is_never_ruled_out_and_what_does_not_mostly_is():
-    x, y = (sympy.Function(name)(FIRST) for name in "xy")
-    fractions = Fractions(x + y)
-    a, b = fractions.ring.gens
-    for base in (a + b, a - 2 * b, a * b + 1, a**2 + b):
-        for factor in (a + 3, b - a, fractions.ring.one, a**2 * b - 5):
-            assert fractions._may_divide(base, base * factor)
-    assert not fractions._may_divide(a + b, a + 2 * b)
-    assert not fractions._may_divide(a * b + 1, a * b + 2)
-    assert not fractions._may_divide(a - b, (a + b) ** 2)
 
 
 def test_quotients_of_sparse_polynomials_are_exact_or_none():

@@ -1,10 +1,12 @@
 """What takes long to decide, decided once for all tests of a process that read it."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, partial
+from unittest import mock
 
-from exactspline.verification import errata
+from exactspline.display import tables
+from exactspline.verification import degree_tables, errata
 from exactspline.verification.combined import Proofs, computed_once
 from exactspline.verification.errata import Erratum
 
@@ -15,10 +17,25 @@ def proofs() -> Proofs:
     return Proofs()
 
 
+MEASURED = degree_tables.generic_table
+
+
+@cache
+def generic_rows(*, polynomial: bool) -> list[degree_tables.GenericRow]:
+    """The rows of the generic table of degrees."""
+    return [call() for call in MEASURED(polynomial=polynomial)]
+
+
+def generic_table(*, polynomial: bool = False) -> list[Callable[[], degree_tables.GenericRow]]:
+    """The generic table of degrees, measured once."""
+    return [partial(rows.__getitem__, i) for rows in (generic_rows(polynomial=polynomial),) for i in range(len(rows))]
+
+
 @contextmanager
 def decided_once() -> Iterator[None]:
-    """A context in which no claim is decided that was decided in another one."""
-    with computed_once(proofs()):
+    """A context in which no claim is decided, and no generic degree measured, that was so in another one."""
+    generic = [mock.patch.object(each, "generic_table", generic_table) for each in (degree_tables, tables)]
+    with computed_once(proofs()), generic[0], generic[1]:
         yield
 
 

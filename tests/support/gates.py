@@ -430,9 +430,3 @@ def reached(graph: dict[str, set[str]], entrances: Iterable[str]) -> set[str]:
         if "." in name:
             waiting.append(name.rpartition(".")[0])
     return seen
-
-
-def unused(names: Iterable[str], pages: str) -> set[str]:
-    """The public names that stand in none of the pages."""
-    words = set(re.findall(r"\w+", pages))
-    return {name for name in names if name not in words}

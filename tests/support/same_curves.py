@@ -5,7 +5,7 @@ Made from knots, control points and weights alone.
 
 from gmpy2 import mpq
 
-from exactspline import Nurbs
+from exactspline import BSpline, Nurbs
 
 
 def homogeneous(curve):
@@ -107,7 +107,15 @@ def moebius(curve):
     return from_rows(n, [image(t) for t in knots], rows), image
 
 
+def elevated(curve):
+    """Written with a degree more."""
+    columns = [BSpline(curve.degree, list(curve.knots), c).elevate_degree(1) for c in homogeneous(curve)]
+    rows = list(zip(*[c.control_points for c in columns], strict=True))
+    return from_rows(curve.degree + 1, list(columns[0].knots), rows), lambda t: t
+
+
 #: All of them by name, but for a mirror image; reversal changes the sign of the curvature of a plane curve.
 CHANGES = {
-    f.__name__: f for f in (turned, backwards, with_idle_knots, scaled_weights, negated_weights, affine, moebius)
+    f.__name__: f
+    for f in (turned, backwards, with_idle_knots, scaled_weights, negated_weights, affine, moebius, elevated)
 }

@@ -23,9 +23,10 @@ from exactspline.verification.claims import claims_of, select
 from exactspline.verification.combined import combined
 from exactspline.verification.coq.answers import theorem_of
 from exactspline.verification.errata import errata
+from exactspline.verification.judges import Sympy
 from exactspline.verification.kinds.equality import Vanishing
 from exactspline.verification.ledger import proved
-from exactspline.verification.verdict import PROVED, REFUTED
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from tests.support.command import invoke
 from tests.support.decided import errors_in_print
 from tests.verification.test_own_paper import plane_formulas, written
@@ -243,6 +244,18 @@ def test_a_broken_formula_elsewhere_changes_no_verdict(tmp_path):
     assert worded(found[0].factor) == "1/2"
     right = [FALSE | {"factor": "1/2"}]
     assert proved(claims_of(load_paper(written(tmp_path / "p", formulas, right)))[0]).verdict == PROVED
+
+
+def test_a_denominator_that_vanishes_where_w_is_1_does_not_hide_a_refutation(tmp_path):
+    """Before, UNDECIDED, "division by an expression that vanishes on every curve": it does where w = 1 alone, and on
+    rational curves the claim is false.
+    """
+    formulas = plane_formulas(a="c.p[0] / c.w.d(1)", b="(c.p[0] + c.w) / c.w.d(1)", h="(2 * c.p[0]) / (2 * c.w.d(1))")
+    claim = {"id": "1", "kind": "identity", "statement": "a = b", "curve": "plane", "left": "a", "right": "b"}
+    same = claim | {"id": "2", "right": "h"}
+    claims = claims_of(load_paper(written(tmp_path / "p", formulas, [claim, same])))
+    assert [proved(each).verdict for each in claims] == [REFUTED, UNDECIDED]
+    assert Sympy().decide(claims[0]).verdict == REFUTED
 
 
 def test_a_curve_on_which_a_check_fails_does_not_hide_a_refutation(monkeypatch):

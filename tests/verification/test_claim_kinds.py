@@ -11,21 +11,17 @@ from exactspline.errors import ClaimError
 from exactspline.interchange.examples import example
 from exactspline.papers import find
 from exactspline.readings.degree import DegreeReading, parse_degree
-from exactspline.verification.claims import all_claims, select
+from exactspline.verification.claims import all_claims
 from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound
-from exactspline.verification.kinds.degree import held_against, lower_degrees
+from exactspline.verification.kinds.degree import held_against
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.statement import degree_of_cubic, dimension_of, sides
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
+from tests.support.claims import claim
 
 T = BSpline.identity(0, 1)
-
-
-def claim(key):
-    (found,) = select([key])
-    return found
 
 
 def on(one, curve):
@@ -167,10 +163,6 @@ def test_sizes_are_degrees_at_three_and_sides_are_read_in_the_dimension_of_the_c
     assert [side.name for side in sides(claim("C41b-f0-f1-f2"))] == ["f0", "f1", "f2"]
     polynomial = replace(one, of="polynomial")
     assert degree_of_cubic("g2", polynomial) == DegreeReading().of(find("g2"), 2, polynomial=True).degree.at({"d": 3})
-
-
-def test_there_are_no_lower_degrees_of_nothing():
-    assert lower_degrees([]) == {}
 
 
 @pytest.mark.parametrize(

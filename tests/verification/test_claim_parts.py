@@ -9,7 +9,7 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs, zeros
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.examples import example
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
 from exactspline.language.parts import split
@@ -23,33 +23,26 @@ from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification import judges
 from exactspline.verification.check_arguments import with_hodograph
-from exactspline.verification.claims import all_claims, claims_of, select
-from exactspline.verification.curve_check import extra_zero, table_1_splines
+from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.degree_tables import construction_table, formula_degrees
-from exactspline.verification.divisors import divided_by, divisors
+from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import check, unrecorded
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import At, AtKnot, Between, Fact, Isolated
+from exactspline.verification.evidence import AtKnot, Fact, Isolated
 from exactspline.verification.generic_proof import factor_of, factor_of_numerators
 from exactspline.verification.kinds.coefficients import Coefficients, is_decided
 from exactspline.verification.kinds.contact import Contact
 from exactspline.verification.kinds.equality import Identity, IsoCurve, Vanishing
 from exactspline.verification.kinds.examples import Count, place_of_root
-from exactspline.verification.kinds.invariance import times_unit, with_article
+from exactspline.verification.kinds.invariance import times_unit
 from exactspline.verification.kinds.types import Existence
 from exactspline.verification.kinds.zeros import SquareClass, ZeroSet
-from exactspline.verification.ledger import Proofs, checked, proved, tasks
+from exactspline.verification.ledger import Proofs, checked, proved
 from exactspline.verification.questions import proof_of
-from exactspline.verification.rows import row
-from exactspline.verification.statement import degree_of_cubic, sides, telling_tree
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
-from exactspline.verification.vocabulary import ArgumentKind, Counter, Reason
-
-
-def claim(key):
-    (found,) = select([key])
-    return found
-
+from exactspline.verification.statement import telling_tree
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
+from exactspline.verification.vocabulary import Counter, Reason
+from tests.support.claims import claim
 
 T = BSpline.identity(0, 1)
 
@@ -126,23 +119,6 @@ def test_coefficients_of_the_generic_polynomial_curve_are_computed():
     assert worded(told.computed) == ("none vanishes for d = 2…6")
 
 
-def test_what_stands_beside_a_curve():
-    assert Evaluation(example("ellipse")).given("plane").beside is None
-    assert Evaluation(example("ellipse")).given("plane point").beside.point
-    assert Evaluation(table_1_splines()).given(ArgumentKind.TABLE).beside is None
-
-
-def test_operands_of_table_1_have_the_degrees_that_they_are_said_to_have():
-    made = table_1_splines(2, 4)
-    for degree, operands in ((2, (made.p1, made.w1, *made.v1)), (4, (made.p2, made.w2, *made.v2))):
-        assert all(f.degree == degree == f.true_degree for f in operands)
-        assert len({f.control_points for f in operands}) == 5
-    assert min(*made.w1.control_points, *made.w2.control_points) > 0
-    assert tuple(made.p1.breakpoints) == (0, 1, 2, 3)
-    assert tuple(made.p2.breakpoints) == (0, mpq(1, 2), 2, 3)
-    assert tuple(made.p2.continuity) == (3, 2)
-
-
 def test_the_hodograph_of_an_argument_is_made_of_its_operands():
     curve = example("rational_cubic")
     handed = with_hodograph(curve)
@@ -157,12 +133,6 @@ def test_the_hodograph_of_an_argument_is_made_of_its_operands():
 
 def identities(*, roots):
     return [c for c in all_claims() if isinstance(c, Identity) and kind_of(c.curve).adjoins_roots is roots]
-
-
-def test_the_factor_is_printed_where_there_is_one():
-    for one in [c for c in identities(roots=False) if c.curve == "plane"]:
-        factor = factor_of(one.find(one.left), one.find(one.right), one.dimensions[0])
-        assert check(one)[-1].startswith("print(factor)" if factor is not None else "print(claim.")
 
 
 def test_no_factor_is_printed_over_roots_or_of_what_vanishes():
@@ -181,31 +151,15 @@ def test_minimal_forms_are_told_with_their_grading():
     assert {row.grading for row in rows if row.variant != "minimal"} == {"–"}
 
 
-def test_one_claim_makes_its_tasks():
-    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
-    assert len(tasks([one])) == 1 + sum(
-        one.applies_to(example(n).dimension, example(n).polynomial) for n in example_names()
-    )
-
-
 def test_a_curve_with_the_name_of_an_example_is_none():
     """On a line f1 = w f2 says nothing, which is on record for no example: there it would be an alarm."""
-    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    one = claim("C41a-f1-f2")
     line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)], name="circle")
     told = checked(one, Evaluation(line), "circle", Proofs())
     assert told.verdict == VACUOUS
     assert told.as_recorded
     own = checked(one, Evaluation(example("circle")), "circle", Proofs())
     assert (own.verdict, own.expected) == (VERIFIED, (VERIFIED,))
-
-
-def test_contact_of_too_high_an_order_is_refuted_with_the_true_one():
-    one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact) and c.expected == "PROVED")
-    for order in range(4):
-        told = replace(one, order=order, relation="≥").decide(one.dimensions[0], False)
-        assert told.verdict == (PROVED if order <= one.order else REFUTED)
-        if order > one.order:
-            assert worded(told.computed) == str(one.order)
 
 
 # ---- what a text states
@@ -271,13 +225,6 @@ def test_a_formula_is_missing_where_its_denominator_vanishes_on_one_segment():
     assert gone > 3
 
 
-def test_what_is_proved_of_coefficients_is_what_is_linear():
-    one = next(c for c in all_claims() if isinstance(c, Coefficients) and c.curves != "every curve")
-    assert one.decide(2, polynomial=False).verdict == PROVED
-    told = replace(one, formula="f2", curve="plane").decide(2, polynomial=False)
-    assert (told.verdict, told.reason) == (UNDECIDED, Reason.SAMPLED)
-
-
 def test_the_place_of_a_zero():
     t = BSpline.identity(0, 2)
     (at_end,) = zeros(t)
@@ -287,14 +234,8 @@ def test_the_place_of_a_zero():
     assert place_of_root(inside) == Isolated(low, high)
 
 
-def test_a_row_says_of_a_statement_that_it_must_read_so():
-    for one in all_claims():
-        told = row(one, "", Finding(UNDECIDED), 0).statement
-        assert told == one.statement + (" (as it must read)" if one.status == "meant" else "")
-
-
 def test_the_time_of_a_row_is_what_it_took():
-    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    one = claim("C41a-f1-f2")
     start = perf_counter()
     rows = [
         proved(one),
@@ -316,7 +257,7 @@ def test_nothing_is_assumed_of_two_curves():
 
 
 def test_what_fails_and_is_not_recorded_is_an_erratum_of_its_own():
-    good = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    good = claim("C41a-f1-f2")
     wrong = replace(good, factor="w^2", status="ours", note="")
     recorded = replace(wrong, expected="REFUTED")
     (told,) = unrecorded([good, wrong, recorded])
@@ -324,19 +265,6 @@ def test_what_fails_and_is_not_recorded_is_an_erratum_of_its_own():
     assert told.why == ()
     (noted,) = unrecorded([replace(wrong, note="a slip")])
     assert noted.why == ("a slip",)
-
-
-def test_sides_are_naive_and_reduced_where_their_degrees_differ():
-    for one in [c for c in all_claims() if isinstance(c, Identity) and c.curve == "plane"]:
-        told = sides(one)
-        sizes = [degree_of_cubic(side.name, one) for side in told]
-        assert sizes == sorted(sizes, reverse=True)
-        roles = [side.role for side in told]
-        if sizes[0] == sizes[-1]:
-            assert set(roles) == {"formula"}
-        else:
-            assert (roles[0], roles[-1]) == ("naive", "reduced")
-            assert set(roles[1:-1]) <= {"formula"}
 
 
 # ---- formulas made for it
@@ -358,24 +286,6 @@ def test_a_vector_with_a_component_that_vanishes_is_no_zero(monkeypatch):
     other = next(c for c in all_claims() if isinstance(c, Existence))
     assert with_formula(monkeypatch, other, value).decide(2, polynomial=False).verdict == REFUTED
     assert with_formula(monkeypatch, other, zero).decide(2, polynomial=False).verdict == VACUOUS
-
-
-def test_names_have_their_articles():
-    assert [with_article(name) for name in ("affine map", "inversion", "motion", "Möbius map")] == [
-        "an affine map",
-        "an inversion",
-        "a motion",
-        "a Möbius map",
-    ]
-
-
-def test_a_zero_beside_one_at_the_right_end_is_seen():
-    """2t² − 1 in (0, 1), where t − 1 vanishes at 1 alone."""
-    t = BSpline.identity(0, 1)
-    assert isinstance(extra_zero(2 * t * t - 1, t - 1), Between)
-    assert isinstance(extra_zero((2 * t * t - 1) * (t - 1), t - 1), Between)
-    assert extra_zero((t - 1) * (t - 1), t - 1) is None
-    assert extra_zero(t - 1, t) == At(mpq(1), from_left=True)
 
 
 def test_values_in_lowest_terms_are_compared_on_curves_alone():
@@ -445,33 +355,9 @@ def test_numerators_as_they_come_differ_by_their_factor(left, right):
     assert first * bottom == second * top
 
 
-@pytest.mark.parametrize(
-    ("name", "found"),
-    [
-        ("curvature_squared", ["(‖γ′‖²)³"]),
-        ("torsion", ["‖γ′ × γ″‖²"]),
-        ("evolute", ["[γ′ γ″]"]),
-        ("f2", []),
-        ("D1_D2_D3", []),
-    ],
-)
-def test_a_tree_tells_what_it_divides_by(name, found):
-    """A quotient by a number is none."""
-    tree = trace(find(name), find(name).kind.dimensions[-1], expand=True)
-    assert [print_text(node) for node in divided_by(tree)] == found
-
-
 def test_a_claim_on_formulas_in_two_dimensions_divides_by_those_that_it_speaks_of():
     """The right side of an iso-curve is handed the curve in space."""
     assert {divisors(c) for c in all_claims() if isinstance(c, IsoCurve)} == {()}
-
-
-def test_contact_is_verified_on_a_curve_that_is_not_special():
-    one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact) and c.expected == "PROVED")
-    names = [n for n in example_names() if example(n).dimension in one.dimensions and not example(n).polynomial]
-    verdicts = {one.check(example(n)).verdict for n in names if one.applies_to(example(n).dimension, False)}
-    assert VERIFIED in verdicts or not verdicts
-    assert REFUTED not in verdicts
 
 
 def test_what_has_no_unit_has_no_weight():

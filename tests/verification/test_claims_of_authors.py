@@ -2,6 +2,7 @@
 
 import pytest
 
+from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
 from exactspline.interchange.examples import example
 from exactspline.language.formula import formula
@@ -89,6 +90,7 @@ def test_contact_is_exactly_what_it_is(name, order):
     assert_verdict(contact(name, order), PROVED)
     assert combined(contact(name, order, relation="≥"))[1].verdict == PROVED
     assert_verdict(contact(name, order + 1), REFUTED)
+    assert worded(contact(name, order + 1).prove()[1].computed) == str(order)
     if order:
         assert combined(contact(name, order - 1))[1].verdict == REFUTED
         assert combined(contact(name, order - 1, relation="≥"))[1].verdict == PROVED

@@ -338,13 +338,6 @@ def test_vacuous_rows_are_on_record():
     assert (row.verdict, row.as_recorded) == (VERIFIED, False)
 
 
-def test_vacuous_rows_of_every_paper_that_comes_along_are_on_record():
-    (claim,) = [c for c in claims_of("levien_parallel_curves") if c.key == "OC2h-offset_step_derivative-root_velocity"]
-    assert {"straight_cubic", "straight_line"} <= set(claim.vacuous)
-    (row,) = audit([replace(claim, vacuous=())], [example("straight_line")])
-    assert (row.verdict, row.as_recorded) == (VACUOUS, False)
-
-
 def test_what_is_proved_of_the_generic_curve_is_met_by_an_example():
     """Were every curve told to be of lower degree, nothing would be verified and every row would be as recorded."""
     generic = [

@@ -285,8 +285,6 @@ def test_what_says_nothing_is_vacuous(tmp_path, sides):
         ({"assumes": ["curvature_squared ≠ 0"]}, "not a polynomial"),
         ({"assumes": ["nothing ≠ 0"]}, "vanishes on every curve"),
         ({"assumes": ["turnign ≠ 0"]}, "the nearest are turning"),
-        ({"key": "2-left"}, "does not begin with the id"),
-        ({"statement": 7}, "7 is not a text"),
         ({"expected": "TRUE"}, "is unknown"),
         ({"expected": "CONTRADICTION"}, "a contradiction as the recorded verdict"),
         ({"statement": "\\u001b[2J"}, "cannot be printed"),

@@ -13,8 +13,9 @@ from exactspline.language.choices import Parameter
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.papers import find
 from exactspline.polynomials import factors
-from exactspline.verification import degree_tables, generic_proof
+from exactspline.verification import generic_proof
 from exactspline.verification.claims import all_claims
+from exactspline.verification.degree_tables import construction_table, formula_degrees
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.ledger import proved
 from exactspline.verification.verdict import UNDECIDED
@@ -74,9 +75,10 @@ def test_one_formula_out_of_reach_ends_no_table(monkeypatch, error):
     monkeypatch.setattr(generic_proof, "reduce", refuse)
     generic_proof.cached_reduction.cache_clear()
     try:
-        row = degree_tables._degrees_of(find("f2"), False, Parameter.FIRST)
+        row, _ = (call() for call in formula_degrees([find("f2")]))
         assert (row.nominal, row.lowest) == ("3d − 3", error.problem)
-        assert degree_tables._grading(find("evolute"), "minimal", 2, False) == "–"
+        gradings = {row.grading for call in construction_table(xs.example("rational_cubic")) for row in [call()]}
+        assert gradings == {"–"}
     finally:
         generic_proof.cached_reduction.cache_clear()
 

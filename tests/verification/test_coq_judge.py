@@ -1,5 +1,7 @@
 """What the kernel of Coq is asked and what is made of its answers; nothing is compiled here."""
 
+from types import SimpleNamespace
+
 import pytest
 
 from exactspline.display.evidence import opinion
@@ -8,12 +10,6 @@ from exactspline.verification import coq_judge
 from exactspline.verification.claims import all_claims
 from exactspline.verification.evidence import Fact, NoTheorem, Theorem
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding
-
-
-def test_what_coq_says_of_axioms():
-    assert coq_judge._axioms("about x\nClosed under the global context\n") == ()
-    said = "about x\nAxioms:\nfunctional_extensionality_dep : forall A,\n  (B : A)\nclassic\n  : forall P\n"
-    assert coq_judge._axioms(said) == ("functional_extensionality_dep", "classic")
 
 
 def test_the_least_favourable_opinion_counts():
@@ -36,10 +32,10 @@ def test_the_least_favourable_opinion_counts():
 
 
 def test_what_coq_is_asked_to_compile(monkeypatch):
-    """A file of which no theorem is chosen is not compiled; of one that is not accepted every theorem is tried alone;
-    what others are built on is compiled anyhow.
+    """A file of which no theorem is chosen is not compiled; of one that is not accepted every theorem is tried alone,
+    with what it requires; what others are built on is compiled anyhow.
     """
-    asked = []
+    asked, one = [], next(c for c in all_claims() if c.key == "C41a-f1-f2")
 
     class Made:
         files = ("Base", "None", "Good", "Bad")
@@ -48,36 +44,46 @@ def test_what_coq_is_asked_to_compile(monkeypatch):
             asked.append("written")
 
     class Theorem:
-        reason = None
+        claim, reason, text = one, None, "Theorem a : True. exact I. Qed.\n"
 
         def __init__(self, name):
             self.name = name
 
-    monkeypatch.setattr(coq_judge, "compile_file", lambda place, name: asked.append(name) or name != "Bad")
-    monkeypatch.setattr(coq_judge, "_alone", lambda place, name, each: asked.append(each.name) or each.name == "c")
+    def compile_file(place, name):
+        asked.append(name)
+        if name in ("Bad_b", "Bad_c"):
+            alone = (place / f"{name}.v").read_text(encoding="utf-8")
+            assert alone == coq_judge.claims_header(one.paper, Theorem.text) + Theorem.text != Theorem.text
+        return name not in ("Bad", "Bad_b")
+
+    monkeypatch.setattr(coq_judge, "compile_file", compile_file)
     monkeypatch.setattr(coq_judge, "assumptions", lambda place, name, names: dict.fromkeys(names, name))
     chosen = {"None": (), "Good": (Theorem("a"),), "Bad": (Theorem("b"), Theorem("c"))}
     found = coq_judge.compiled_theorems(Made(), chosen)
-    assert asked == ["written", "Base", "Good", "Bad", "b", "c"]
+    assert asked == ["written", "Base", "Good", "Bad", "Bad_b", "Bad_c"]
     assert found == {"a": "Good", "c": "Bad_c"}
 
 
 def test_what_is_asked_of_theorems_and_what_is_told(monkeypatch, tmp_path):
     asked = {}
 
-    def coqc(place, file):
-        asked[file] = (place / file).read_text(encoding="utf-8")
-        return True, "about a\nClosed under the global context\nabout b\nAxioms:\nclassic : forall P, P \\/ ~ P\n"
+    said = "about a\nClosed under the global context\nabout b\nAxioms:\n"
+    said += "functional_extensionality_dep : forall A,\n  (B : A)\nclassic\n  : forall P\n"
 
-    monkeypatch.setattr(coq_judge, "_coqc", coqc)
+    def coqc(command, *, cwd, **options):
+        asked[command[-1]] = (cwd / command[-1]).read_text(encoding="utf-8")
+        return SimpleNamespace(returncode=0, stdout=said)
+
+    monkeypatch.setattr(coq_judge.subprocess, "run", coqc)
     told = coq_judge.assumptions(tmp_path, "papers/one", ["a", "b"])
-    assert told == {"a": (), "b": ("classic",)}
+    assert told == {"a": (), "b": ("functional_extensionality_dep", "classic")}
     text = asked["Ask.v"]
     assert text.startswith(f"Require {coq_judge.ROOT}.papers.one.\n")
     for name in "ab":
         assert f'idtac "about {name}"' in text
         assert f"Print Assumptions {coq_judge.ROOT}.papers.one.{name}.\n" in text
-    monkeypatch.setattr(coq_judge, "_coqc", lambda place, file: (False, "about a\nClosed under the global context"))
+    refused = SimpleNamespace(returncode=1, stdout=said)
+    monkeypatch.setattr(coq_judge.subprocess, "run", lambda *command, **options: refused)
     assert coq_judge.assumptions(tmp_path, "papers/one", ["a", "b"]) == {}
 
 
@@ -110,16 +116,3 @@ def test_opinions_of_the_kernel(monkeypatch):
     monkeypatch.setattr(coq_judge.shutil, "which", lambda name: None)
     found = coq_judge.findings([one, last])
     assert [opinion(found[c.paper, c.key]) for c in (one, last)] == ["Coq is not installed", "not stated, no equality"]
-
-
-def test_a_theorem_alone_is_compiled_with_what_it_requires(monkeypatch, tmp_path):
-    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
-
-    class Theorem:
-        claim, name, text = one, "a", "Theorem a : True. exact I. Qed.\n"
-
-    monkeypatch.setattr(coq_judge, "compile_file", lambda place, name: name)
-    assert coq_judge._alone(tmp_path, "File", Theorem()) == "File_a"
-    written = (tmp_path / "File_a.v").read_text(encoding="utf-8")
-    assert written == coq_judge.claims_header(one.paper, Theorem.text) + Theorem.text
-    assert written != Theorem.text
