@@ -70,6 +70,7 @@ def test_a_gap_is_as_wide_as_it_is():
     assert (joint.kind, joint.order, joint.gap) == ("gap", -1, 5)
     points = Nurbs(0, [0, 1, 2], [(0, 0), (3, 4)])
     assert (analyse(points).joint(mpq(1)).kind, analyse(points).joint(mpq(1)).gap) == ("gap", 5)
+    assert analyse(Nurbs(0, [0, 1, 2], [(3, 4), (3, 4)])).joint(mpq(0)).kind == "standing still"
     here, there = (((x, 0), (1, 0), (0, 0), (0, 0)) for x in (0, 1))
     assert geometric_order(here, there) == -1
 
