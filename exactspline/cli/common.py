@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
-from exactspline.cli.output import is_quiet, leave_out
+from exactspline.cli.output import OptionsError, is_quiet, leave_out
 from exactspline.cli.parameters import Option
-from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, command_name, counted
+from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, NumberError, command_name, counted
+from exactspline.numbers.exact import rational
 
 if TYPE_CHECKING:
     from exactspline.interchange.records import Reading
@@ -267,3 +268,17 @@ def check_output(output: str, *inputs: str) -> None:
     for name in inputs:
         if output and name and Path(output).exists() and Path(name).exists() and Path(output).samefile(name):
             raise CurveFileError("is the curve that is read", where=output, remedy="write to another file")
+
+
+def check_distance(epsilon: str) -> None:
+    """See that an option --epsilon is a distance."""
+    from exactspline.splines.precision import WRITTEN
+
+    if epsilon == WRITTEN:
+        return
+    try:
+        within = rational(epsilon)
+    except NumberError as error:
+        raise error.at("--epsilon") from None
+    if within <= 0:
+        raise OptionsError(f"--epsilon {epsilon}", remedy=f"give a number above 0, such as 1e-9, or {WRITTEN}")

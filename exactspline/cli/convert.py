@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from exactspline.cli.common import check_output, tell_notes, tell_skipped
+from exactspline.cli.common import check_distance, check_output, tell_notes, tell_skipped
 from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
+from exactspline.numbers.exact import text
 
 if TYPE_CHECKING:
+    from exactspline.geometry.recognition.pieces import RecognizedPiece
+    from exactspline.geometry.recognition.snapping import Snapped
     from exactspline.interchange.records import NamedCurve, Reading
+    from exactspline.splines.nurbs import Nurbs
     from exactspline.splines.surface import NurbsSurface
 
 
@@ -36,9 +41,35 @@ def convert(
         list[str] | None, Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")
     ] = None,
     surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
+    approximate: Annotated[
+        str,
+        Option(
+            "--approximate",
+            metavar="E",
+            help="Replace an arc of SVG with an irrational centre by a rational one that is nowhere further from it "
+            "than E.",
+        ),
+    ] = "",
     degree: Annotated[int | None, Option("--degree", metavar="N", help="For files of control points alone.")] = None,
     knots: Annotated[
         str, Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
+    ] = "",
+    snap: Annotated[
+        str,
+        Option(
+            "--snap",
+            metavar="line,circle",
+            help="Replace pieces that are nearly lines or arcs of circles by exact ones with the same end points; each "
+            "is listed with its proved distance.",
+        ),
+    ] = "",
+    epsilon: Annotated[
+        str,
+        Option(
+            "--epsilon",
+            metavar="E",
+            help="With --snap: how near (a number, or written); by default 1e-9 of the curve's size.",
+        ),
     ] = "",
 ) -> None:
     """Convert curves or surfaces between formats without rounding; whatever is skipped is named on standard error, and
@@ -47,8 +78,18 @@ def convert(
     from exactspline.errors import CurveFileError
     from exactspline.interchange.files import read, write
 
+    if epsilon and not snap:
+        raise OptionsError("--epsilon without --snap", remedy="say what to replace: --snap line,circle")
+    if epsilon:
+        check_distance(epsilon)
     check_output(target, source.rpartition(":")[0] or source, source)
-    reading = read(source, from_format or None, degree=degree, knots=knots.replace(",", " ").split() or None)
+    reading = read(
+        source,
+        from_format or None,
+        degree=degree,
+        knots=knots.replace(",", " ").split() or None,
+        approximate=approximate or None,
+    )
     as_surfaces = bool(reading.surfaces) and (surfaces or not reading.curves)
     if as_surfaces and reading.curves:
         leave_out()
@@ -61,6 +102,13 @@ def convert(
     if not chosen:
         names = ", ".join(named.name for named in known[:10]) or "none"
         raise CurveFileError(f"no {what}s to convert", where=source, remedy=f"the {what}s that are read: {names}")
+    if snap and as_surfaces:
+        raise OptionsError("--snap and surfaces", remedy="it is for curves")
+    repairs = [None if isinstance(each, NamedSurface) else _repaired(each.curve, snap, epsilon) for each in chosen]
+    replacements = [
+        f"{each.name}: {x}" for each, repair in zip(chosen, repairs, strict=True) for x in _replacements(repair)
+    ]
+    chosen = list(map(_with_repair, chosen, repairs))
     if target == "-":
         if not out.for_people:
             raise OptionsError("a report and the curves, both on standard output", remedy="name a file for the curves")
@@ -68,7 +116,10 @@ def convert(
         sys.stdout.buffer.write(data)
     else:
         notes = write([_written(each) for each in chosen], target, to_format or None, rounding=rounding)
-    rows = [_row(each, reading, target, notes) | {"skipped": []} for each in chosen]
+    rows = [
+        _row(each, reading, target, notes) | {"skipped": []} | _repair_data(repair)
+        for each, repair in zip(chosen, repairs, strict=True)
+    ]
     rows[0]["skipped"] = [f"{s.where}: {s.what}: {s.why}" for s in reading.skipped]
     numbers = ("degree", "dimension", "control points")
     cells = [
@@ -80,10 +131,50 @@ def convert(
         "convert surface" if as_surfaces else "convert",
         rows,
         [Sheet(*columns, rows=cells, numbers=numbers, prose=["notes"])],
-        lambda: _report(out, [*notes], f"{counted(len(chosen), what)} from {reading.format} to {target}"),
+        lambda: _report(
+            out, [*replacements, *notes], f"{counted(len(chosen), what)} from {reading.format} to {target}"
+        ),
     )
     if not reading.complete:
         raise Exit(2)
+
+
+def _repaired(curve: Nurbs, snap: str, epsilon: str) -> Snapped:
+    """The curve with its pieces near to the shapes that are named replaced by exact ones."""
+    from exactspline.geometry.recognition.snapping import Snapped, snapped
+
+    kinds = [word.strip() for word in snap.split(",")] if snap else []
+    return snapped(curve, kinds, epsilon or None) if kinds else Snapped(curve, (), ())
+
+
+def _replacements(repair: Snapped | None) -> list[str]:
+    """What was replaced by what, and what was not, as text."""
+    from exactspline.display.features import end_text, shape_text
+    from exactspline.display.serialize import described_data
+
+    if repair is None:
+        return []
+
+    def place(piece: RecognizedPiece) -> str:
+        return f"[{end_text(text(piece.piece.start))}, {end_text(text(piece.piece.end))}]"
+
+    replaced = [f"{place(x)} replaced by a {x.kind}: {shape_text(described_data(x))}" for x in repair.replaced]
+    kept = [f"{place(x)} stays: no {x.kind} through its end points is near enough" for x in repair.kept]
+    return replaced + kept
+
+
+def _with_repair(named: NamedCurve | NamedSurface, repair: Snapped | None) -> NamedCurve | NamedSurface:
+    if repair is None or isinstance(named, NamedSurface):
+        return named
+    return replace(named, curve=repair.curve, notes=(*named.notes, *_replacements(repair)))
+
+
+def _repair_data(repair: Snapped | None) -> dict[str, Any]:
+    from exactspline.display.serialize import described_data
+
+    if repair is None:
+        return {}
+    return {name: [described_data(x) for x in getattr(repair, name)] for name in ("replaced", "kept")}
 
 
 class NamedSurface(NamedTuple):

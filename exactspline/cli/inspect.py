@@ -6,11 +6,18 @@ from dataclasses import asdict, replace
 from typing import Annotated, Any
 
 from exactspline.cli.answers import answer_about_surfaces, answer_questions
-from exactspline.cli.common import CURVE_HELP, Read, also_in_their_planes, distinguish, read_curves, standard_input
+from exactspline.cli.common import (
+    CURVE_HELP,
+    Read,
+    also_in_their_planes,
+    check_distance,
+    distinguish,
+    read_curves,
+    standard_input,
+)
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import ticking
-from exactspline.numbers.exact import mpq, rational
 from exactspline.words import choice
 
 #: The word for all approaches, side by side.
@@ -51,7 +58,7 @@ def inspect(
             "--epsilon",
             metavar="E",
             help="Of plane curves: also what all curves have whose control points and weights differ by at most E, and "
-            "what some of them may have; and shapes within E.",
+            "what some of them may have; and shapes within E: a number, or written (half a unit of the last digit).",
         ),
     ] = "",
     stability: Annotated[
@@ -135,7 +142,7 @@ def inspect(
     if emit_coq:
         _see_that_coq_can_name(emit_coq)
     if epsilon:
-        _distance(epsilon)
+        check_distance(epsilon)
     found, good = read_curves(curve, standard)
     given = [read.curve for read in found]
     if emit_coq and given:
@@ -159,19 +166,6 @@ def inspect(
     )
     if not good:
         raise Exit(2)
-
-
-def _distance(epsilon: str) -> mpq:
-    """The number of the option."""
-    from exactspline.errors import NumberError
-
-    try:
-        within = rational(epsilon)
-    except NumberError as error:
-        raise error.at("--epsilon") from None
-    if within <= 0:
-        raise OptionsError(f"--epsilon {epsilon}", remedy="give a number above 0, such as 1e-9")
-    return within
 
 
 def _see_that_coq_can_name(path: str) -> None:
@@ -221,7 +215,9 @@ def _inspected(
     from exactspline.display.serialize import answer_data, coordinate_extrema_data, inspection_data
     from exactspline.geometry.analysis import analyse
     from exactspline.geometry.inspection import compare_approaches, inspect_curve
+    from exactspline.numbers.exact import text
     from exactspline.questions.answers import Places
+    from exactspline.splines.precision import WRITTEN, distance
 
     c = read.curve
     found = inspect_curve(c, "minimal" if approach == ALL else approach)
@@ -230,8 +226,9 @@ def _inspected(
     ) as tick:
         data = {"key": f"{c.name} in R{c.dimension}"} | read.data() | inspection_data(c, found.approach, digits, tick)
     if epsilon:
-        within = _distance(epsilon)
-        data |= {"shapes": answer_data(c, analyse(c).shapes_within(within), digits), "epsilon": epsilon}
+        within = distance(epsilon, c)
+        data |= {"shapes": answer_data(c, analyse(c).shapes_within(within), digits)}
+        data["epsilon"] = text(within) if epsilon == WRITTEN else epsilon
         if c.dimension == 2:
             data["nearby"] = answer_data(c, analyse(c).features_within(within), digits)
     if stability and c.dimension == 2:

@@ -72,7 +72,7 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
         # exact lines are among the straight pieces
         if found["kind"] != ShapeKind.LINE or found["numbers"]["within"] != ["0"]:
             interval = _intervals(found["intervals"])
-            made.add_row(found["kind"], interval, interval, "", *empty, _shape(found))
+            made.add_row(found["kind"], interval, interval, "", *empty, shape_text(found))
     for piece in data.get("planar_pieces", []):
         interval, lies_in = _intervals(piece["intervals"]), f"in the plane {piece['plane']}"
         made.add_row(QUESTIONS["planar_pieces"].about.of_piece, interval, interval, "", *empty, lies_in)
@@ -152,7 +152,7 @@ def _remark(joint: dict[str, Any]) -> str:
     return ", ".join(filter(None, parts)).replace("-", "−")
 
 
-def _shape(found: dict[str, Any]) -> str:
+def shape_text(found: dict[str, Any]) -> str:
     """What describes a shape, and how near the curve is to it, as text."""
     (within,), *_ = found["numbers"].values()
     words = []
@@ -165,12 +165,19 @@ def _shape(found: dict[str, Any]) -> str:
 
 def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """What all curves near a curve have, and what some of them may have."""
-    made = Sheet("what", "curves", "between", "and", title=f"All curves within {data['epsilon']} of {c.name}", heads=2)
+    made = Sheet(
+        "what",
+        "curves",
+        "between",
+        "and",
+        title=f"All curves within {_number(str(data['epsilon']))} of {c.name}",
+        heads=2,
+    )
     rows: Any = data["nearby"]
     for found in rows:
         ((low, high),) = found["intervals"]
         curves = ("all: one" if found["single"] else "all") if found["certain"] else "perhaps some"
-        made.add_row(_kind(found["kind"]), curves, _end(low), _end(high))
+        made.add_row(_kind(found["kind"]), curves, end_text(low), end_text(high))
     return made
 
 
@@ -187,7 +194,7 @@ def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     return made
 
 
-def _end(t: str) -> str:
+def end_text(t: str) -> str:
     """An end of an interval, to as many digits as are read at a glance."""
     return t if len(t) <= DIGITS else decimal(rational(t), DIGITS)
 

@@ -256,7 +256,7 @@ class Analysis(SpaceFacts, Displayed):
 
         Raises `ShapeError` for a distance that is not positive.
         """
-        return recognized(self.curve, rational(epsilon))
+        return recognized(self.curve, epsilon)
 
     @question_with("1/1000000", Of.PLANE_CURVE, answered=Answered.DESCRIBED)
     def features_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:

@@ -19,11 +19,12 @@ from exactspline.errors import ShapeError
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family
 from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, SPEED
-from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Interval, ball_ends
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.precision import distance
 
 #: The narrowest part of a segment that is looked at, in bits.
 NARROWEST = 40
@@ -70,7 +71,7 @@ class _Part:
 def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
     """Inflections, extrema of the curvature, corners and singular points that all curves near a plane curve have, and
     those that some of them may have: all whose coordinates and, for a rational curve, weights differ by at most
-    epsilon.
+    epsilon (a number, or ``written``: see `exactspline.splines.precision`).
 
     Corners stand at knots; an end of the domain is not looked at beyond. In the order of the parameter.
 
@@ -84,11 +85,10 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
     Raises `ShapeError` for a curve that is not in the plane, for an epsilon that is not positive, and where it lets a
     weight function vanish.
     """
-    given, within = curve_of(curve), rational(epsilon)
+    given = curve_of(curve)
     if given.dimension != 2:
         raise ShapeError(f"curves near a curve in R{given.dimension}", remedy="this needs a plane curve")
-    if within <= 0:
-        raise ShapeError(f"the distance {epsilon}", remedy="give a number above 0")
+    within = distance(epsilon, given)
     with ctx.workprec(PRECISION):
         found = list(_Features(given, within).features())
     return tuple(sorted(found, key=lambda feature: (feature.place, feature.kind)))

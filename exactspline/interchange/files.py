@@ -13,6 +13,7 @@ from exactspline.atomic_write import write_atomically
 from exactspline.errors import (
     CurveFileError,
     ExactSplineError,
+    NumberError,
     as_instance,
     as_items,
     as_path,
@@ -25,6 +26,7 @@ from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
+from exactspline.numbers.exact import Number, rational
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
@@ -40,12 +42,14 @@ def read(
     degree: int | None = None,
     knots: Sequence[object] | None = None,
     limits: Limits | None = None,
+    approximate: Number | None = None,
 ) -> Reading:
     """The curves of a file, and the surfaces of our JSON (``-`` for standard input, ``font.ttf:ampersand`` for a part),
     or of bytes.
 
     The format is recognized by the content, then by the suffix, unless it is named. `degree` and `knots` are for
-    formats that hold only control points.
+    formats that hold only control points. With `approximate`, a distance above 0, an arc of SVG with an irrational
+    centre is replaced by a rational one with the same ends that is nowhere further from it; a note says so.
 
     >>> read(b"100 1 0 0\\n2 0\\n2 2\\n0 0 1 1\\n0 0\\n0.1 2\\n").curves[0].curve(1)
     (mpq(1,10), mpq(2,1))
@@ -56,11 +60,14 @@ def read(
     part = as_text(part, "a part of a file")
     given = None if knots is None else tuple(map(written, as_items(knots, "knots")))
     bounds = Limits() if limits is None else as_instance(limits, Limits, "bounds", "give Limits(megabytes=200)")
+    within = None if approximate is None else rational(approximate)
+    if within is not None and within <= 0:
+        raise NumberError(f"a distance of {within}", where="approximate", remedy="give a number above 0, such as 1e-9")
     path, named_part = ("", "") if isinstance(place, bytes) else _parted(as_path(place))
     name = _name(path)
     try:
         data = place if isinstance(place, bytes) else _bytes(path, bounds)
-        source = Source(data, Path(name).name, part or named_part, degree, given, bounds)
+        source = Source(data, Path(name).name, part or named_part, degree, given, bounds, within)
         return _format(source, format).read(source)
     except ExactSplineError as error:
         raise (error.at(name) if name else error) from None

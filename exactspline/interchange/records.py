@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.limits import Limits
+from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
@@ -93,8 +94,8 @@ class Piece(NamedTuple):
 
 @dataclass(frozen=True)
 class Source:
-    """The input of a reader: the bytes, the name of the file, the requested part (a glyph), and, for formats that hold
-    only control points, degree and knots.
+    """The input of a reader: the bytes, the name of the file, the requested part (a glyph), for formats that hold only
+    control points degree and knots, and the distance within which what has no exact representation is replaced.
     """
 
     data: bytes
@@ -103,6 +104,7 @@ class Source:
     degree: int | None = None
     knots: tuple[str, ...] | None = None
     limits: Limits = field(default_factory=Limits)
+    within: mpq | None = None
 
     @property
     def text(self) -> str:

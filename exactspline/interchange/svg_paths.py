@@ -11,7 +11,7 @@ from exactspline.interchange.angles import quarter_turns_of_degrees
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal, square_root
 from exactspline.interchange.segments import Segment, arc_around_origin, mapped, polynomial
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import isqrt, mpq, mpz
 
 Point = tuple[mpq, mpq]
 
@@ -24,16 +24,20 @@ _COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 
 
 @dataclass
 class Subpath:
-    """Connected segments, or the reason why they have no exact representation."""
+    """Connected segments of a subpath, or the reason why an arc has no exact representation."""
 
     segments: list[Segment] = field(default_factory=list)
     problem: str = ""
+    #: Whether an arc next to the segments is left out, and whether an arc among them stands for another.
+    divided: bool = False
+    approximated: bool = False
 
 
 class _Pen:
     """The state of a path."""
 
-    def __init__(self) -> None:
+    def __init__(self, within: mpq | None) -> None:
+        self.within = within
         self.at: Point = (mpq(0), mpq(0))
         self.start = self.at
         self.control: Point | None = None
@@ -63,13 +67,28 @@ class _Pen:
             self.parts[-1].segments.append(polynomial(start, end))
             return
         try:
-            self.parts[-1].segments += elliptic_arc(start, end, radii, degrees, large, sweep)
+            try:
+                self.parts[-1].segments += elliptic_arc(start, end, radii, degrees, large, sweep)
+            except NumberError:
+                if self.within is None:
+                    raise
+                near = elliptic_arc(start, end, radii, degrees, large, sweep, self.within)
+                self.parts[-1].segments += near
+                self.parts[-1].approximated = True
         except ExactSplineError as error:
-            self.parts[-1].problem = self.parts[-1].problem or f"an arc: {error}"
+            self.parts[-1].divided = True
+            self.parts += [Subpath(problem=f"an arc: {error}"), Subpath(divided=True)]
 
 
-def elliptic_arc(start: Point, end: Point, radii: Point, degrees: mpq, large: bool, sweep: bool) -> list[Segment]:
-    """The arc described by the command A; radii that are too small are scaled up, as the standard requires.
+def elliptic_arc(
+    start: Point, end: Point, radii: Point, degrees: mpq, large: bool, sweep: bool, within: mpq | None = None
+) -> list[Segment]:
+    """The arc described by the command A; radii that are too small are scaled up, as the standard requires. Where its
+    centre is irrational, with `within` an arc with the same ends that is nowhere further from it.
+
+    In units of the radii both arcs are parts of circles through the ends, whose centres are δ apart on the bisector of
+    the ends. Their radii differ by at most δ, so points in the same direction from their centres are at most 2 δ apart;
+    where one arc ends before that direction, its end is at most π δ / 2 away.
 
     >>> one, zero = mpq(1), mpq(0)
     >>> [len(elliptic_arc((one, zero), (zero, one), (one, one), zero, large, True)) for large in (False, True)]
@@ -78,7 +97,7 @@ def elliptic_arc(start: Point, end: Point, radii: Point, degrees: mpq, large: bo
     Raises `NumberError` if the centre or the axes are irrational.
     """
     if not sweep:
-        return [segment[::-1] for segment in reversed(elliptic_arc(end, start, radii, degrees, large, True))]
+        return [segment[::-1] for segment in reversed(elliptic_arc(end, start, radii, degrees, large, True, within))]
     rx, ry = abs(radii[0]), abs(radii[1])
     if rx != ry and quarter_turns_of_degrees(degrees) % 2:
         rx, ry = ry, rx
@@ -87,12 +106,21 @@ def elliptic_arc(start: Point, end: Point, radii: Point, degrees: mpq, large: bo
     chord = (q[0] - p[0], q[1] - p[1])
     square = chord[0] ** 2 + chord[1] ** 2
     offset = square_root(1 / square - mpq(1, 4)) if square < 4 else mpq(0)
+    if offset is None and within is not None:
+        # δ is the error of the offset times the chord, which is shorter than 2
+        offset = _root_below(1 / square - mpq(1, 4), within / (4 * max(rx, ry)))
     if offset is None:
         raise NumberError("its centre is irrational", remedy="such an arc has no rational control points")
     side = -offset if large else offset
     centre = ((p[0] + q[0]) / 2 - side * chord[1], (p[1] + q[1]) / 2 + side * chord[0])
     arcs = arc_around_origin(*((x - centre[0], y - centre[1]) for x, y in (p, q)))
     return mapped(arcs, Affine([[rx, 0, rx * centre[0]], [0, ry, ry * centre[1]]]))
+
+
+def _root_below(square: mpq, error: mpq) -> mpq:
+    """The largest multiple of a power of two, at most `error`, below the square root of a number."""
+    scale = mpz(1) << max(int(1 / error).bit_length(), 0)
+    return mpq(isqrt(square.numerator * scale * scale // square.denominator), scale)
 
 
 _COMMAND = re.compile(r"[MLHVCSQTAZ][^MLHVCSQTAZ]*", re.IGNORECASE)
@@ -120,14 +148,16 @@ def least_size(data: str) -> int:
     return total
 
 
-def subpaths(data: str, limits: Limits) -> tuple[list[Subpath], str]:
-    """The subpaths of path data up to the first error, and a description of that error ("" if there is none).
+def subpaths(data: str, limits: Limits, within: mpq | None = None) -> tuple[list[Subpath], str]:
+    """The subpaths of path data up to the first error, and a description of that error ("" if there is none). An arc
+    that has no exact representation divides its subpath; with `within` it is replaced by one that is nowhere further
+    from it, if its axes allow that.
 
     >>> parts, problem = subpaths("M1 2h3v4zM0 0Q1 1 2 0T4 0#", Limits())
     >>> [len(part.segments) for part in parts], problem
     ([3, 2], "'#' at character 25 is not path data")
     """
-    pen = _Pen()
+    pen = _Pen(within)
     problem = _run(pen, data, limits)
     return [part for part in pen.parts if part.segments or part.problem], problem
 

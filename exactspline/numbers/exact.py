@@ -383,6 +383,17 @@ def over_one_denominator(values: Iterable[mpq]) -> tuple[list[int], int]:
     return [int(x.numerator * (common // x.denominator)) for x in numbers], int(common)
 
 
+def decimal_unit(x: mpq) -> mpq:
+    """The largest power of ten up to a positive number.
+
+    >>> decimal_unit(mpq(125)), decimal_unit(mpq(1, 100)), decimal_unit(mpq(1, 300))
+    (mpq(100,1), mpq(1,100), mpq(1,1000))
+    """
+    if x >= 1:
+        return mpq(10) ** (len(str(x.numerator // x.denominator)) - 1)
+    return mpq(1, 10 ** len(str(-(-x.denominator // x.numerator) - 1)))
+
+
 def text(value: mpq | mpz | int) -> str:
     """The shortest exact text of an exact number, which :func:`rational` can read. It can have any length, although
     Python does not convert an int of more than 4,300 digits.

@@ -155,8 +155,8 @@ def _cad(chance: random.Random) -> Iterator[Case | None]:
 SHAPES: dict[str, Callable[[float], list[Row]]] = {
     # γ′ = 0 at 1/2 for ε = 0
     "cusp": lambda e: [(0, 0), (1, 1), (e, 1), (1, 0)],
-    # [a b], [a c] and [b c] vanish together for ε = 1, not near 0: one inflection, at 1/3 (graded under this name)
-    "double inflection": lambda e: [(0, 0), (1, 1), (2, 1 + e), (3, 3)],
+    # one inflection, at 1/3, for every ε but 1, where it is a line
+    "single inflection": lambda e: [(0, 0), (1, 1), (2, 1 + e), (3, 3)],
     # y touches 0 at 1/2 for ε = 0
     "touching": lambda e: [(0, 1 + e), (1, e - 1), (2, 1 + e)],
     # y has a threefold zero at 1/2 for ε = 0

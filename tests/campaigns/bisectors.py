@@ -25,9 +25,20 @@ from exactspline.errors import ExactSplineError
 from exactspline.geometry.bisector.trimmed import trimmed_bisector
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.roots.root import Root
-from tests.geometry.test_bisector_points import power_basis
-from tests.geometry.test_bisector_slices import cross, divisor, dot, flint
-from tests.support.bisector_oracle import circle, dimension, holds, mapped, planes, point_and_tangent, spans
+from tests.support.bisector_oracle import (
+    circle,
+    cross,
+    dimension,
+    divisor,
+    dot,
+    flint,
+    holds,
+    mapped,
+    planes,
+    point_and_tangent,
+    power_basis,
+    spans,
+)
 from tests.support.dials import DIALS
 
 #: Seconds after which an answer counts as slow.
@@ -126,11 +137,18 @@ def near(t, place):
     return bool((arb(flint(low)) - place).contains(0) or (arb(flint(high)) - place).contains(0))
 
 
+def at(equation, s):
+    """An equation between s and t for one s: a polynomial in t, zero where every t solves it."""
+    if equation is None:
+        return fmpq_poly([])
+    return sum((fmpq_poly([0] * j + [flint(x * s**i)]) for (i, j), x in equation.terms), fmpq_poly([]))
+
+
 def said_of(found, sides, s):
     """The parameters t and kinds that the answer gives for the pairs of a patch with this s."""
     said = []
     for line in (x for x in found.lines if x.sides == sides):
-        if line.equation is None:
+        if not at(line.equation, s):
             return "all"
         for t in line.partners(s):
             on_root = line.over_root is not None and line.over_root.other == (s, t)[1 - line.over_root.of]
@@ -140,10 +158,9 @@ def said_of(found, sides, s):
             if on_root or on_piece or (line.over_root is None and not line.pieces):
                 said.append((t, "line"))
     for plane in (x for x in found.planes if x.sides == sides):
-        if plane.equation is None:
+        if not at(plane.equation, s):
             return "all"
-        at_s = sum((fmpq_poly([0] * j + [flint(x * s**i)]) for (i, j), x in plane.equation.terms), fmpq_poly([]))
-        said += [(t, "plane") for t in real_roots(at_s, sides[1])]
+        said += [(t, "plane") for t in real_roots(at(plane.equation, s), sides[1])]
     return said + [(pair.t, str(pair.solutions)) for pair in found.pairs if pair.sides == sides and pair.s == s]
 
 

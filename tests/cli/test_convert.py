@@ -6,6 +6,7 @@ import json
 import pytest
 from click.testing import CliRunner
 
+import exactspline as xs
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, NumberError
 from exactspline.interchange import read
@@ -89,3 +90,18 @@ def test_a_message_names_its_file_and_a_note_its_curve_once(tmp_path):
     curve = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], "note": "drawn by hand"}'
     noted.write_text(f"[{curve}, {curve}]")
     assert "note: 2 curves: drawn by hand\n" in CliRunner().invoke(app, ["inspect", str(noted)]).stderr
+
+
+def test_pieces_are_replaced_on_request_and_each_is_listed(tmp_path):
+    source, target = tmp_path / "arc.json", tmp_path / "exact.json"
+    arc = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], [1, "0.70710678", 1], name="arc")
+    xs.write(arc, source)
+    found = run(source, target, "--snap", "line,circle", "--epsilon", "written", "--json")
+    assert found.exit_code == 0, (found.output, found.exception)
+    (row,) = json.loads(found.output)["rows"]
+    (piece,) = row["replaced"]
+    assert (found.exit_code, piece["kind"], row["kept"]) == (0, "circle", [])
+    assert row["notes"][0] == "[0, 1] replaced by a circle: centre (0, 0), radius 1, within 3.059e-10"
+    assert list(xs.read(target).curves[0].curve.weights) == [2, 1, 1]
+    assert "without --snap" in str(run(source, target, "--epsilon", "1").exception)
+    assert "'helix' is unknown" in str(run(source, target, "--snap", "helix").exception)

@@ -72,11 +72,9 @@ def test_options_that_are_for_curves(option):
 
 
 def test_the_picture(tmp_path):
-    paths = [tmp_path / name for name in ("a.svg", "b.svg")]
-    assert [invoke("inspect", "biquadratic", "--plot", path).exit_code for path in paths] == [0, 0]
-    first, second = (path.read_bytes() for path in paths)
-    assert first == second
-    assert len(first) > 10_000
+    path = tmp_path / "a.svg"
+    assert invoke("inspect", "biquadratic", "--plot", path).exit_code == 0
+    assert len(path.read_bytes()) > 10_000
 
 
 def test_what_is_not_drawn(tmp_path):

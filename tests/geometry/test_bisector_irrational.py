@@ -25,22 +25,17 @@ from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.two_parameters import S, T, least_value, rows_of
 from exactspline.roots.of_polynomials import as_splines, roots_in
 from exactspline.roots.zero_set import zeros
-from tests.support.bisector_oracle import bezier, dot, point_and_tangent, spans
+from tests.support.bisector_oracle import bezier, cross, curve_of, dot, point_and_tangent, spans
 
 U = BSpline.identity(0, 1)
 ZERO, ONE = mpq(0), mpq(1)
 
 
-def polynomial_curve(*coordinates):
-    highest = max(coordinates, key=lambda f: f.degree)
-    return bezier(*zip(*[f.elevated_to(highest).control_points for f in coordinates], strict=True))
-
-
 #: γ′ = (2t² − 1)(1, t, t²): a cusp at r = 1/√2, where γ = (−2r/3, −1/8, −r/15).
-CUSP = polynomial_curve(U**3 * mpq(2, 3) - U, U**4 * mpq(1, 2) - U**2 * mpq(1, 2), U**5 * mpq(2, 5) - U**3 * mpq(1, 3))
+CUSP = curve_of(U**3 * mpq(2, 3) - U, U**4 * mpq(1, 2) - U**2 * mpq(1, 2), U**5 * mpq(2, 5) - U**3 * mpq(1, 3))
 FOOT = [(ZERO, mpq(-2, 3)), (mpq(-1, 8), ZERO), (ZERO, mpq(-1, 15))]
 #: A cusp at r in the origin.
-CUSP_IN_ORIGIN = polynomial_curve((2 * U * U - 1) ** 2, (2 * U * U - 1) ** 2 * U, (2 * U * U - 1) ** 3)
+CUSP_IN_ORIGIN = curve_of((2 * U * U - 1) ** 2, (2 * U * U - 1) ** 2 * U, (2 * U * U - 1) ** 3)
 OTHERS = {
     "a parabola": bezier((0, 0, 1), (1, 2, 0), (2, 1, 1)),
     "a conic with negative weights": bezier((0, 0, 1), (1, 2, 0), (2, 1, 1), weights=[-1, -2, -3]),
@@ -114,10 +109,6 @@ def test_lines_over_an_irrational_cusp_lie_in_both_planes_exactly(name, swap):
         assert not product_of(chord, generator)
         balls, again = lines.line(t), line.line(*((t, line.fixed) if swap else (line.fixed, t)))
         assert all(x.overlaps(y) for x, y in zip(cross(balls.direction, again.direction), [0] * 3, strict=True))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def test_lines_over_a_cusp_at_infinity():

@@ -16,9 +16,8 @@ from exactspline.geometry.bisector.components import Solutions
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.language.rational import Rational
 from exactspline.roots.root import Root
-from exactspline.splines.control_points import Direction
 from tests.geometry.test_bisector_pairs import random_pair
-from tests.support.bisector_oracle import FAMILIES, bezier, spans
+from tests.support.bisector_oracle import FAMILIES, bezier, dot, power_basis, spans
 
 with mpmath.workdps(60):
     NEAR = mpmath.mpf(10) ** -25
@@ -34,37 +33,6 @@ def sixty_digits():
 # ---- the oracle
 
 
-def power_basis(curve, span):
-    """Numerators and denominator on a knot span, coefficients of t⁰, t¹, …: de Boor's algorithm on polynomials."""
-    n, knots = curve.degree, list(curve.knots)
-    # a point at infinity has the coordinates of its direction
-    points = [
-        [*([x * (1 if isinstance(p, Direction) else mpq(w))] for x in p), [mpq(w)]]
-        for p, w in list(zip(curve.control_points, curve.weights, strict=True))[span - n : span + 1]
-    ]
-    for r in range(1, n + 1):
-        for j in range(n, r - 1, -1):
-            low, high = mpq(knots[j + span - n]), mpq(knots[j + 1 + span - r])
-            rising, falling = [-low / (high - low), 1 / (high - low)], [high / (high - low), -1 / (high - low)]
-            points[j] = [
-                plus(times(falling, p), times(rising, q)) for p, q in zip(points[j - 1], points[j], strict=True)
-            ]
-    return points[n]
-
-
-def times(a, b):
-    found = [mpq(0)] * (len(a) + len(b) - 1)
-    for i, x in enumerate(a):
-        for j, y in enumerate(b):
-            found[i + j] += x * y
-    return found
-
-
-def plus(a, b):
-    longer = max(len(a), len(b))
-    return [x + y for x, y in zip(a + [mpq(0)] * (longer - len(a)), b + [mpq(0)] * (longer - len(b)), strict=True)]
-
-
 def derivatives(rows, t, number):
     """γ, γ′ and γ″ in floats or in mpmath's numbers, from w γ = p."""
     taylor = []
@@ -77,10 +45,6 @@ def derivatives(rows, t, number):
     gamma = [p / w for p, _, _ in tops]
     first = [(p1 - g * w1) / w for (_, p1, _), g in zip(tops, gamma, strict=True)]
     return gamma, first, [(p2 - 2 * g1 * w1 - g * w2) / w for (_, _, p2), g, g1 in zip(tops, gamma, first, strict=True)]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b, strict=True))
 
 
 def equations(one, other, line, x, number):

@@ -45,24 +45,8 @@ def places(interval, count=3):
 @pytest.mark.parametrize("variant", [*CURVE_FORMS, "minimal"])
 @pytest.mark.parametrize(("one", "other"), PAIRS)
 def test_a_bisector_point_lies_in_both_normal_planes_and_is_equidistant(one, other, variant):
-    assert_bisector_points(example(one), example(other), variant)
-
-
-@over_dials
-@pytest.mark.parametrize(("one", "other"), PAIRS[:2])
-def test_a_bisector_point_of_curves_at_every_dial(one, other, number):
-    """Before: the curves of the examples alone, whose numbers are short."""
-    random = Random(2)
-    curves = [mapped(example(name), axes_by(factors(number, random, 6))) for name in (one, other)]
-    assert_bisector_points(*curves, "minimal")
-
-
-def axes_by(numbers):
-    """A map that scales and moves along each axis."""
-    return lambda *p: [x * a + b for x, a, b in zip(p, numbers[:3], numbers[3:], strict=True)]
-
-
-def assert_bisector_points(first, second, variant):
+    """At every size of numbers it is so by the sample of `tests.campaigns.bisectors`."""
+    first, second = example(one), example(other)
     found = curve_bisector(first, second, variant)
     assert found.unreduced == ()
     for patch in found.patches:
@@ -246,13 +230,6 @@ def test_a_curve_and_itself_meet_on_the_diagonal():
     assert square(b, c("1/3")) == square(b, c("1/2"))
 
 
-def test_crossing_curves_have_a_bisector():
-    first = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 0, 0)])
-    second = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0, 0), (0, 1, 0), (0, 1, 1)])
-    b = curve_bisector(first, second)("1/2", "1/2")
-    assert square(b, first("1/2")) == square(b, second("1/2"))
-
-
 def test_bad_input_is_refused():
     with pytest.raises(ShapeError, match="R2"):
         curve_bisector(example("circle"), example("helix_like"))
@@ -284,7 +261,8 @@ def test_random_curves_and_points(curve, point):
 def test_a_ruled_bisector_at_every_dial(name, number):
     """Before: the curves of the examples alone, whose numbers are short."""
     random = Random(3)
-    curve = mapped(example(name), axes_by(factors(number, random, 6)))
+    a, b, c, d, e, f = factors(number, random, 6)
+    curve = mapped(example(name), lambda x, y, z: (a * x + b, c * y + d, e * z + f))
     point = tuple(factors(number, random, 3))
     for piece in point_bisector(curve, point).pieces:
         s = places(piece.interval, 1)[0]

@@ -1,13 +1,18 @@
 """Derived objects on degenerate input: a clear answer each."""
 
+from itertools import pairwise
+
 import pytest
 from gmpy2 import mpq
+from hypothesis import given
+from hypothesis import strategies as st
 
-from exactspline import Nurbs
+from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.geometry.constructions import Absence
+from exactspline.geometry.constructions import Absence, Variant
 from exactspline.geometry.curvature import curvature_function
 from exactspline.geometry.derived import derive
+from exactspline.geometry.domain import intervals_where
 from exactspline.interchange.examples import example
 from exactspline.papers import find
 
@@ -30,6 +35,7 @@ def test_a_curve_with_one_straight_segment_has_an_evolute_on_the_others():
     evolute = derive("evolute", example("straight_between_arcs"))
     assert [piece.interval for piece in evolute.pieces] == [(0, 1), (2, 3)]
     assert evolute.missing == (((mpq(1), mpq(2)), Absence.STRAIGHT),)
+    assert evolute.variant is Variant.MINIMAL
     assert evolute("1/2") == derive("evolute", example("straight_between_arcs"), "naive")("1/2")
     with pytest.raises(ShapeError, match="straight"):
         evolute("3/2")
@@ -81,14 +87,6 @@ def test_curvature_with_a_square_root():
     assert piece.radicand == 2
 
 
-def test_a_curve_that_is_no_pythagorean_hodograph_says_so():
-    (piece,) = curvature_function(example("parabola"))
-    assert piece.value is None
-    assert "Pythagorean" in piece.reason
-    (piece,) = curvature_function(Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (0, 0), (1, 0), (3, 1)]))
-    assert piece.value is None
-
-
 def test_names_forms_and_dimensions_are_checked():
     with pytest.raises(FormulaError, match="there is no formula called"):
         derive("involute", example("circle"))
@@ -100,9 +98,35 @@ def test_names_forms_and_dimensions_are_checked():
         curvature_function(example("twisted_cubic"))
 
 
-@pytest.mark.parametrize("variant", ["naive", "paper", "minimal"])
-@pytest.mark.parametrize("name", ["ellipse_skew", "rational_cubic_spline", "rational_quartic", "six_segment_cubic"])
-def test_all_forms_of_the_evolute_are_one_curve(name, variant):
-    a, b = (derive("evolute", example(name), f).pieces[0].value for f in ("naive", variant))
-    for x, y in zip(a.numerator, b.numerator, strict=True):
-        assert x * b.denominator == y * a.denominator
+@given(st.lists(st.booleans(), min_size=1, max_size=8))
+def test_intervals_are_maximal(holds):
+    """Neighbours are one; what is inside is exactly where it holds."""
+    breaks = [mpq(k * k) for k in range(len(holds) + 1)]
+    found = intervals_where(breaks, holds)
+    assert all(a[1] < b[0] for a, b in pairwise(found))
+    for (a, b), here in zip(pairwise(breaks), holds, strict=True):
+        assert here == any(low <= a and b <= high for low, high in found)
+
+
+def test_curvature_where_the_speed_is_a_polynomial_and_where_it_is_none():
+    """Of (t − t³/3, t²) it is 2/(1 + t²)²; with γ′ = t (1 − t², 2t) there is a pole, and a cubic has no such speed."""
+    t = BSpline.identity(-1, 1)
+
+    def on(x, y):
+        return curvature_function(Nurbs.from_splines([x, y]))[0]
+
+    for sign in (1, -1):
+        told = on(t - t**3 * mpq(1, 3), t * t * sign)
+        assert [told.value(x) for x in (-1, 0, mpq(1, 2))] == [mpq(sign, 2), 2 * sign, sign * mpq(32, 25)]
+        assert told.radicand == 1
+    for none in (on(t**2 * mpq(1, 2) - t**4 * mpq(1, 4), t**3 * mpq(2, 3)), *curvature_function(example("cubic_s"))):
+        assert (none.radicand, none.value) == (0, None)
+        assert none.reason
+
+
+def test_a_derived_object_has_the_values_of_its_pieces():
+    curve = example("rational_cubic")
+    point, number = derive("evolute", curve)(mpq(1, 3)), derive("zero_curvature", curve)(mpq(1, 3))
+    assert isinstance(point, tuple)
+    assert len(point) == 2
+    assert number == derive("zero_curvature", curve).pieces[0].value(mpq(1, 3))

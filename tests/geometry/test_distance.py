@@ -7,13 +7,9 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, distance, example
+from exactspline import distance, example
 from exactspline.errors import ShapeError
-
-
-def bezier(*points):
-    n = len(points) - 1
-    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points)
+from tests.support.bisector_oracle import bezier
 
 
 @pytest.mark.parametrize("seed", range(12))

@@ -5,15 +5,22 @@ import json
 import mpmath
 import pytest
 from gmpy2 import mpq
+from hypothesis import given
+from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
 from exactspline.certificates import check_certificate
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.analysis import analyse
+from exactspline.geometry.angles import Angle
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
+from exactspline.geometry.joints import curvature_of, geometric_order
 from exactspline.geometry.values_along import curvature
 from exactspline.interchange.examples import example, example_names
+from exactspline.verification.claims import select
+from exactspline.verification.ledger import audit
 from tests.geometry.test_shared_curves import FILES, read_curve
+from tests.support.bisector_oracle import bezier
 from tests.support.command import invoke
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]
@@ -184,11 +191,18 @@ def test_a_thousand_digits_enclose_the_root(monkeypatch):
     assert f(low) * f(high) < 0
 
 
-def test_certificates_are_written_and_checked(tmp_path):
+@pytest.mark.parametrize(
+    ("name", "functions"),
+    [
+        ("rational_quartic", ["critical_curvature", "zero_curvature"]),
+        ("space_quartic", ["space_critical_curvature", "zero_curvature", "zero_torsion"]),
+    ],
+)
+def test_certificates_are_written_and_checked(name, functions, tmp_path):
     file = tmp_path / "certificate.json"
-    assert invoke("inspect", "rational_quartic", "--certificate", file).exit_code == 0
+    assert invoke("inspect", name, "--certificate", file).exit_code == 0
     written = json.loads(file.read_text())
-    assert {part["function"] for part in written} == {"zero_curvature", "critical_curvature"}
+    assert sorted(part["function"] for part in written) == functions
     for part in written:
         check_certificate(part["certificate"])
     written[1]["certificate"]["segments"][0]["coefficients"][0] = "12345"
@@ -196,12 +210,13 @@ def test_certificates_are_written_and_checked(tmp_path):
         check_certificate(written[1]["certificate"])
 
 
-def test_a_picture_is_written(tmp_path):
+@pytest.mark.parametrize("name", ["ellipse", "rational_space_cubic_spline"])
+def test_a_picture_is_written(name, tmp_path):
     pytest.importorskip("matplotlib")
-    file = tmp_path / "ellipse.svg"
-    assert invoke("inspect", "ellipse", "--plot", file).exit_code == 0
+    file = tmp_path / "curve.svg"
+    assert invoke("inspect", name, "--plot", file).exit_code == 0
     assert file.read_text().lstrip().startswith("<?xml")
-    assert invoke("inspect", "ellipse", "--plot", tmp_path / "ellipse.doc").exit_code != 0
+    assert invoke("inspect", name, "--plot", tmp_path / "curve.doc").exit_code != 0
 
 
 def test_what_cannot_be_inspected_says_why():
@@ -211,3 +226,138 @@ def test_what_cannot_be_inspected_says_why():
             getattr(analyse(four), asked)
     with pytest.raises(FormulaError, match="squaring, direct, reduced, lifted, minimal"):
         inspect_curve(example("circle"), "best")
+
+
+@given(st.tuples(*[st.integers(-5, 5)] * 6), st.integers(1, 4), st.integers(-3, 3))
+def test_curvature_is_that_of_the_plane_and_of_space_whatever_the_speed(jet, k, m):
+    """κ = ‖γ′ × γ″‖/‖γ′‖³; with γ(kt + mt²) for γ(t) it stays the same."""
+    first, second = jet[:3], jet[3:]
+    if not any(first):
+        return
+    faster = [k * x for x in first], [k * k * y + 2 * m * x for x, y in zip(first, second, strict=True)]
+    at = (0, 0, 0)
+    assert curvature_of((at, *faster, at)) == curvature_of((at, first, second, at))
+    (a, b, c), (d, e, f) = first, second
+    across = (b * f - c * e) ** 2 + (c * d - a * f) ** 2 + (a * e - b * d) ** 2
+    assert curvature_of((at, first, second, at)) ** 2 == mpq(across, (a * a + b * b + c * c) ** 3)
+    if a or b:
+        flat = curvature_of((at[:2], first[:2], second[:2], at[:2]))
+        assert flat**2 == curvature_of((at, (a, b, 0), (d, e, 0), at)) ** 2
+        assert (flat > 0, flat < 0) == (a * e > b * d, a * e < b * d)
+
+
+@given(st.integers(1, 9), st.integers(1, 60))
+def test_right_angles_are_whole_numbers_of_degrees(k, digits):
+    one = mpq(1), mpq(0)
+    told = [Angle(one, other).degrees(digits) for other in ((k, 0), (0, k), (-k, 0), (0, -k))]
+    assert told == [0, 90, 180, -90]
+    assert (-1 < Angle(one, (mpq(k), mpq(1, 100))).degrees(digits) < 90) is True
+
+
+def test_a_negative_weight_function_changes_no_maximum_into_a_minimum():
+    points, weights = [(0, 0), (1, 3), (3, -2), (4, 1)], [1, 2, 3, 1]
+    plus, minus = bezier(*points, weights=weights), bezier(*points, weights=[-w for w in weights])
+    for approach in Approach:
+        found = [
+            [(f.kind, f.of_absolute, f.root) for f in inspect_curve(c, approach).critical_points] for c in (plus, minus)
+        ]
+        assert found[0] == found[1]
+        assert found[0]
+
+
+def test_a_singular_seam_is_counted_once():
+    curve = bezier((0, 0), (0, 0), (3, 0), (1, 4), (0, 0), (0, 0))
+    assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("corner", 0)]
+
+
+def test_a_curve_that_starts_from_rest_is_singular_there():
+    curve = bezier((0, 0), (0, 0), (1, 1), (2, 0))
+    assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("singular end", 0)]
+    assert not [f for f in analyse(curve).inflections if f.root == 0]
+    assert not [f for f in analyse(curve).critical_points if f.root == 0]
+
+
+def test_squaring_keeps_an_extremum_where_the_curvature_vanishes():
+    """y = x⁴: κ = κ′ = 0 at 0, a minimum; y = x³: κ = 0 there but κ′ is not."""
+    quartic = bezier((-1, 1), ("-1/2", -1), (0, 1), ("1/2", -1), (1, 1))
+    cubic = bezier((-1, -1), ("-1/3", 1), ("1/3", -1), (1, 1))
+    for approach in Approach:
+        assert ("minimum", mpq(1, 2)) in [
+            (f.kind, f.root.exact) for f in inspect_curve(quartic, approach).critical_points
+        ]
+        assert not [f for f in inspect_curve(cubic, approach).critical_points if f.root == mpq(1, 2)]
+
+
+@pytest.mark.parametrize(
+    ("knots", "points"),
+    [
+        ([0] * 4 + [1] * 4 + [2] * 4, [(0, 0), (0, 1), (1, 1), (2, 1), (12, 0), (13, 0), (14, 0), (14, 5)]),
+        ([0] * 4 + [1] * 3 + [2] * 4, [(0, 0), (0, 1), (1, 1), (2, 1), (2, 0), (2, -1), (3, -1)]),
+    ],
+    ids=["gap", "corner"],
+)
+def test_a_gap_or_a_corner_is_no_inflection(knots, points):
+    assert not [f for f in analyse(Nurbs(3, knots, points)).inflections if f.root == 1]
+
+
+def test_a_rest_is_no_cusp():
+    curve = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (1, 0), (2, 0)])
+    assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("rest", 1), ("rest", 2)]
+
+
+def test_pieces_end_at_corners_and_where_the_curvature_jumps():
+    bent = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+    assert [p.parts for p in analyse(bent).straight_pieces] == [((0, 1),), ((1, 2),)]
+    arcs = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(1, 0), (1, 1), (0, 1), (-2, 1), (-2, -1)], weights=[1, 1, 2, 2, 4])
+    assert [p.parts for p in analyse(arcs).constant_pieces] == [((0, 1),), ((1, 2),)]
+    assert not analyse(arcs).curvature_extrema.points
+
+
+#: Of what these claims speak exists on straight and planar curves, too: nothing is divided by κ or τ.
+EXIST_ALL_THE_SAME = {"C43a-velocity_turned-velocity_turned_by_D1", "C54a-darboux_development", "E19-radius_vector"}
+
+
+@pytest.mark.parametrize(
+    ("name", "ids"),
+    [
+        ("straight_line", ["C4.3a", "E7", "E12"]),
+        ("planar_in_space", ["E19", "C5.5b"]),
+        ("space_line", ["C5.5c", "C5.4a"]),
+    ],
+)
+def test_what_does_not_exist_is_not_verified(name, ids):
+    """x/0 = y/0 is not a success, however true after multiplication."""
+    rows = [
+        row for row in audit(select(ids), [example(name)]) if row.status != "ours" and row.key not in EXIST_ALL_THE_SAME
+    ]
+    assert rows
+    assert {row.verdict for row in rows if row.claim.kind != "degree"} <= {"VACUOUS", "INAPPLICABLE"}
+    assert all(row.as_recorded for row in rows)
+
+
+def test_unnamed_curves_are_judged_like_named_ones():
+    rows = list(audit(select(["C4.1"]), [bezier((0, 0), (1, 2), (3, 1), weights=[1, 2, 1])]))
+    assert all(row.as_recorded for row in rows)
+    line = list(audit(select(["C3b"]), [bezier((0, 0), (1, 2), weights=[1, 2])]))
+    assert all(row.as_recorded for row in line)
+
+
+@pytest.mark.parametrize(("ahead", "degrees"), [((1, 0), None), ((0, 1), 90), ((-1, 0), 180)])
+def test_a_stop_at_a_knot_has_a_direction_from_both_sides(ahead, degrees):
+    """γ = (t³, 0) comes to rest in the direction of x. Passed by mutants: in the opposite one, or in none."""
+    x, y = ahead
+    curve = Nurbs(3, [0] * 4 + [1] * 3 + [2] * 4, [(-1, 0), (0, 0), (0, 0), (0, 0), (x, y), (2 * x, 2 * y), (5, 5)])
+    joint = analyse(curve).joint(mpq(1))
+    assert joint.kind == "singular"
+    assert joint.order == (None if degrees is None else 0)
+    assert (joint.angle and joint.angle.degrees(9)) == degrees
+
+
+def test_a_gap_is_as_wide_as_it_is():
+    """Passed by mutants: the distance of the left side from the origin; a TypeError for curves of degree 0."""
+    joint = analyse(Nurbs(1, [0, 0, 1, 1, 2, 2], [(0, 0), (1, 2), (4, 6), (5, 5)])).joint(mpq(1))
+    assert (joint.kind, joint.order, joint.gap) == ("gap", -1, 5)
+    points = Nurbs(0, [0, 1, 2], [(0, 0), (3, 4)])
+    assert (analyse(points).joint(mpq(1)).kind, analyse(points).joint(mpq(1)).gap) == ("gap", 5)
+    here, there = (((x, 0), (1, 0), (0, 0), (0, 0)) for x in (0, 1))
+    assert geometric_order(here, there) == -1

@@ -16,7 +16,8 @@ from mpmath import libmp, mp
 
 import exactspline as xs
 from exactspline import at_floats
-from exactspline.errors import ExactSplineError, NumberError
+from exactspline.errors import ExactSplineError, FormulaError, NumberError
+from exactspline.interchange.examples import example
 from exactspline.numbers.exact import Rounding, double, is_float
 from exactspline.reals.real import square_root
 from exactspline.roots.values import signed_root, value_at
@@ -264,6 +265,12 @@ def test_a_user_of_scipy_in_three_lines():
     points = np.array([[0, 0], [1, 2], [2, -2], [3, 0]])
     curve = xs.interchange.from_scipy(interpolate.BSpline(np.array([0.0] * 4 + [1] * 4), points, 3))
     assert xs.floats(xs.analyse(curve).inflections) == [0.5]
+
+
+@pytest.mark.parametrize("order", [-1, True, 1.0, "1", None])
+def test_orders_of_derivatives_are_natural_numbers(order):
+    with pytest.raises(FormulaError, match="orders are 0, 1, 2"):
+        at_floats(example("circle"), [0.5], order=order)
 
 
 def test_curvatures_of_many_parameters():

@@ -2,7 +2,6 @@
 curves of many segments.
 """
 
-import pickle
 from fractions import Fraction
 from random import Random
 
@@ -13,12 +12,8 @@ from exactspline import Nurbs, example, intersections, self_intersections
 from exactspline.errors import ShapeError
 from exactspline.numbers.exact import rational
 from tests.campaigns.intersections import FAMILIES, above_ceiling, bezier_rows, campaign, curve, multiplied
+from tests.support.bisector_oracle import bezier
 from tests.support.elimination_oracle import common_points
-
-
-def bezier(*points, weights=None):
-    n = len(points) - 1
-    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points, weights)
 
 
 def kinds(found):
@@ -318,10 +313,7 @@ def test_dimensions_must_agree():
         self_intersections(example("twisted_cubic"))
 
 
-def test_answers_are_values():
-    found = intersections(example("ellipse"), bezier((-4, 1), (4, "1/3")))
-    again = pickle.loads(pickle.dumps([(p.first, p.second) for p in found]))
-    assert again == [(p.first, p.second) for p in found]
+def test_an_answer_without_points_says_so():
     assert not intersections(bezier((0, 0), (1, 0)), bezier((0, 1), (1, 1)))
     assert repr(intersections(bezier((0, 0), (1, 0)), bezier((0, 1), (1, 1)))) == "nowhere"
 

@@ -96,9 +96,3 @@ def test_a_speed_that_vanishes_on_one_side_of_a_knot(bend, kinds, turned, sign):
         sign, curve = -sign, xs.Nurbs(2, curve.knots, curve.control_points[::-1])
     found = [f for f in analyse(curve).offset_cusps(sign) if f.root == 0]
     assert [(f.kind.value, f.by_jump) for f in found] == kinds
-
-
-def test_an_arc_that_meets_another_at_a_knot_is_told_as_an_arc():
-    """1 − dκ = 0 on the whole segment: the interval says it, and no point beside it."""
-    arc = xs.example("circle")
-    assert not list(analyse(arc).offset_cusps(1))

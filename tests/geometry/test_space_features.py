@@ -6,21 +6,30 @@ import json
 
 import mpmath
 import pytest
+from click.testing import CliRunner
 from gmpy2 import mpq
 from hypothesis import assume, given
 
-from exactspline import Nurbs
-from exactspline.certificates import check_certificate
+from exactspline import BSpline, Nurbs
+from exactspline.cli import app
+from exactspline.display.evidence import worded
 from exactspline.errors import DomainError, FormulaError, ShapeError
+from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
+from exactspline.geometry.constructions import Absence
+from exactspline.geometry.derived import derive
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.kinds import JointKind
+from exactspline.geometry.planarity import as_plane_curve, planar_pieces, plane_of
 from exactspline.geometry.values_along import curvature, torsion
 from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
+from exactspline.verification.claims import all_claims
+from exactspline.verification.ledger import audit
 from tests.geometry.test_shared_curves import FILES, read_curve
+from tests.support.answers import places
 from tests.support.command import invoke
-from tests.support.space_curves import MIRRORED, TURNED, moved, power_curve
+from tests.support.space_curves import MIRRORED, TURNED, chained, moved, power_curve
 from tests.support.strategies import nurbs
 
 SPACE = [name for name in example_names() if example(name).dimension == 3]
@@ -193,21 +202,241 @@ def test_inspect_prints_curvature_and_torsion(monkeypatch):
     assert data["torsion_zeros"]["points"] == []
 
 
-def test_certificates_of_all_that_was_solved(tmp_path):
-    file = tmp_path / "certificate.json"
-    assert invoke("inspect", "space_quartic", "--certificate", file).exit_code == 0
-    written = json.loads(file.read_text())
-    assert [part["function"] for part in written] == ["zero_torsion", "space_critical_curvature", "zero_curvature"]
-    for part in written:
-        check_certificate(part["certificate"])
-    coefficients = written[1]["certificate"]["segments"][0]["coefficients"]
-    coefficients[0] = str(-int(coefficients[0]))
-    with pytest.raises(ValueError, match=r"."):
-        check_certificate(written[1]["certificate"])
+def kinds(features):
+    return [(f.kind, f.root.exact, f.by_jump) for f in features]
 
 
-def test_a_picture_of_a_space_curve_is_written(tmp_path):
-    pytest.importorskip("matplotlib")
-    file = tmp_path / "curve.svg"
-    assert invoke("inspect", "rational_space_cubic_spline", "--plot", file).exit_code == 0
-    assert file.read_text().lstrip().startswith("<?xml")
+@pytest.mark.parametrize(
+    ("coordinates", "flat", "torsion", "value"),
+    [
+        # (t, tᵃ, tᵇ): γ′ × γ″ has a zero of order a − 2, τ one of order b − a − 1
+        ([[0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1]], "inflection", None, 2),
+        ([[0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 0, 1]], "inflection", "torsion zero", 0),
+        ([[0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 0, 0, 1]], "inflection", "torsion touch", 0),
+        ([[0, 1], [0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 1]], "undulation", None, mpq(5, 3)),
+        ([[0, 1], [0, 0, 1], [0, 0, 0, 0, 1]], None, "torsion zero", 0),
+        ([[0, 1], [0, 0, 1], [0, 0, 0, 0, 0, 1]], None, "torsion touch", 0),
+    ],
+    ids=lambda x: str(x) if isinstance(x, (str, int)) else None,
+)
+@pytest.mark.parametrize("weights", ["polynomial", "rational"])
+def test_where_the_curvature_vanishes_torsion_itself_decides(coordinates, flat, torsion, value, weights):
+    # three times as large: a third of the torsion
+    curve = moved(power_curve(*coordinates), TURNED, (1, 2, 3))
+    if weights == "rational":
+        # the same curve: numerators and denominator times a linear function
+        w = BSpline.bezier([1, 3], -1, 1)
+        rows = [x * w for x in curve.p] + [w.elevate_degree(curve.degree)]
+        curve = Nurbs.from_homogeneous(
+            curve.degree + 1, rows[0].knots, zip(*[row.control_points for row in rows], strict=True)
+        )
+    assert [(f.kind, f.root == 0) for f in analyse(curve).inflections] == ([(flat, True)] if flat else [])
+    assert [(f.kind, f.root == 0) for f in analyse(curve).torsion_zeros] == ([(torsion, True)] if torsion else [])
+    (root,) = [f.root for f in analyse(curve).inflections[:1]] or [f.root for f in analyse(curve).torsion_zeros]
+    with mpmath.workdps(30):
+        assert abs(9 * values_along.torsion(curve, root).significant(20) - int(3 * value)) < mpmath.mpf(10) ** -18
+    assert (values_along.curvature(curve, root).significant(20) == 0) == (flat is not None)
+    assert not [f for f in analyse(curve).critical_points if flat and f.root == 0]
+
+
+@pytest.mark.parametrize(
+    ("coordinates", "kind"),
+    [
+        ([[0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1]], "cusp"),
+        ([[0, 0, 0, 1], [0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 1]], "stop"),
+    ],
+)
+def test_a_singular_point_is_nothing_else(coordinates, kind):
+    curve = power_curve(*coordinates)
+    assert kinds(analyse(curve).singular_points) == [(kind, 0, False)]
+    for found in (analyse(curve).inflections, analyse(curve).torsion_zeros, analyse(curve).critical_points):
+        assert not [f for f in found if f.root == 0]
+
+
+CUBIC = power_curve([0, 1], [0, 0, 1], [0, 0, 0, 1], domain=(-1, 0))
+
+
+#: What may follow the twisted cubic at t = 0, the joint that it makes, and what happens to the torsion there.
+FOLLOWERS = {
+    "mirrored": ([[0, 1], [0, 0, 1], [0, 0, 0, -1]], "continuous curvature", [("torsion zero", 0, True)]),
+    "more torsion": ([[0, 1], [0, 0, 1], [0, 0, 0, 5]], "continuous curvature", []),
+    "touching zero on one side": ([[0, 1], [0, 0, 1], [0, 0, 0, 0, 1]], "continuous curvature", []),
+    "less curvature": ([[0, 1], [0, 0, mpq(1, 2)], [0, 0, 0, 1]], "jump of the curvature", []),
+    "less curvature, mirrored": (
+        [[0, 1], [0, 0, mpq(1, 2)], [0, 0, 0, -1]],
+        "jump of the curvature",
+        [("torsion zero", 0, True)],
+    ),
+    "bent the other way": ([[0, 1], [0, 0, -1], [0, 0, 0, -1]], "jump of the curvature", []),
+    "another osculating plane": ([[0, 1], [0, 0, 0, 1], [0, 0, 1]], "jump of the osculating plane", []),
+    "planar": ([[0, 1], [0, 0, 1], [0, 0, 0, 0]], "continuous curvature", []),
+    "straight": ([[0, 1], [0], [0, 0, 0, 0]], "jump of the curvature", []),
+    "corner": ([[0, 1], [0, 1], [0, 0, 0, 1]], "corner", []),
+    "singular": ([[0, 0, 1], [0, 0, 0, 1], [0, 0, 0, -1]], "singular", []),
+    "gap": ([[0, 1], [1, 0, 1], [0, 0, 0, -1]], "gap", []),
+}
+
+
+@pytest.mark.parametrize("name", FOLLOWERS)
+def test_joints_and_the_torsion_there(name):
+    coordinates, kind, torsion = FOLLOWERS[name]
+    following = power_curve(*coordinates, domain=(0, 1))
+    n = max(following.degree, 3)
+    curve = chained(*[raised(c, n) for c in (CUBIC, following)])
+    assert analyse(curve).joint(mpq(0)).kind == kind
+    assert kinds(f for f in analyse(curve).torsion_zeros if f.root == 0) == torsion
+
+
+def raised(curve, degree):
+    """The same Bézier curve in a higher degree."""
+    components = [x.elevate_degree(degree - x.degree) for x in curve.p]
+    a, b = curve.domain
+    return Nurbs(
+        degree, [a] * (degree + 1) + [b] * (degree + 1), list(zip(*[c.control_points for c in components], strict=True))
+    )
+
+
+def test_the_curvature_may_have_its_extremum_where_the_osculating_plane_jumps():
+    """Two parabolas with a common vertex and tangent in perpendicular planes: κ is continuous there and greatest."""
+    curve = chained(
+        power_curve([0, 1], [0, 0, 1], [0], domain=(-1, 0)), power_curve([0, 1], [0], [0, 0, 1], domain=(0, 1))
+    )
+    assert kinds(analyse(curve).critical_points) == [("maximum", 0, False)]
+    assert [str(plane) for _, plane in planar_pieces(curve)] == ["z = 0", "y = 0"]
+    assert plane_of(curve) is None
+    assert analyse(curve).torsion_zeros.points == ()
+
+
+def test_the_principal_normal_turned_round_by_a_jump_is_an_inflection():
+    curve = chained(
+        power_curve([0, 1], [0, 0, 1], [0], domain=(-1, 0)), power_curve([0, 1], [0, 0, -2], [0], domain=(0, 1))
+    )
+    assert kinds(analyse(curve).inflections) == [("inflection", 0, True)]
+    assert analyse(curve).inflections[0].of_absolute is None
+
+
+def test_curvature_that_vanishes_on_both_sides_of_a_knot():
+    left = power_curve([0, 1], [0, 0, 0, 1], [0], domain=(-1, 0))
+    for right, kind in (
+        (([0, 0, 0, 1], [0]), "inflection"),
+        (([0, 0, 0, -1], [0]), "undulation"),
+        (([0], [0, 0, 0, 1]), "flat point"),
+    ):
+        curve = chained(left, power_curve([0, 1], *right, domain=(0, 1)))
+        assert kinds(analyse(curve).inflections) == [(kind, 0, False)]
+        assert values_along.curvature(curve, analyse(curve).inflections[0].root).significant(20) == 0
+
+
+def test_a_straight_piece_between_twisted_ones():
+    ends = [
+        power_curve([0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1], domain=(-1, 0)),
+        power_curve([0, 1], [0], [0, 0, 0, 0, 0], domain=(0, 1)),
+    ]
+    third = moved(
+        power_curve([0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1], domain=(0, 1)), [[1, 0, 0], [0, 1, 0], [0, 0, 1]], (1, 0, 0)
+    )
+    last = Nurbs(4, [1] * 5 + [2] * 5, third.control_points)
+    curve = chained(*[raised(c, 4) for c in (*ends, last)])
+    found = analyse(curve)
+    assert [p.parts for p in found.straight_pieces] == [p.parts for p in found.constant_pieces] == [((0, 1),)]
+    assert found.planar_pieces == ()
+    assert not found.torsion_zeros
+    assert found.inflections.points == ()
+    derived = derive("torsion", curve)
+    assert [piece.interval for piece in derived.pieces] == [(-1, 0), (1, 2)]
+    assert derived.missing[0][1] is Absence.STRAIGHT
+
+
+def test_planar_stretches_share_a_straight_piece():
+    arcs = [
+        power_curve([0, 1], [0, 0, 1], [0], domain=(-1, 0)),
+        power_curve([0, 1], [0], [0, 0, 0], domain=(0, 1)),
+        power_curve([0, 1], [0], [1, -2, 1], domain=(1, 2)),
+    ]
+    curve = chained(*[raised(c, 2) for c in arcs])
+    assert [(str(piece), str(plane)) for piece, plane in planar_pieces(curve)] == [
+        ("[-1, 1]", "z = 0"),
+        ("[0, 2]", "y = 0"),
+    ]
+    assert [p.parts for p in analyse(curve).straight_pieces] == [((0, 1),)]
+
+
+@pytest.mark.parametrize(
+    "points", [[(0, 0, 0), (1, 2, 3)], [(0, 0, 0), (1, 1, 1), (2, 5, 2), (0, 0, 1)]], ids=["line", "polyline"]
+)
+def test_degree_one(points):
+    knots = [0, *range(len(points)), len(points) - 1]
+    found = analyse(Nurbs(1, knots, points))
+    assert [p.parts for p in found.straight_pieces] == [((i, i + 1),) for i in range(len(points) - 1)]
+    assert [answer.points for answer in places(found.curve).values()] == [()] * 4
+
+
+@pytest.mark.parametrize("weights", [None, [1, 2, 1], [1, 1, 3]])
+def test_degree_two_is_planar(weights):
+    curve = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0, 1), (1, 3, 2), (2, 0, 5)], weights)
+    found = analyse(curve)
+    assert [p.parts for p, _ in found.planar_pieces] == [((0, 1),)]
+    assert found.torsion_zeros.points == found.inflections.points == ()
+    normal, offset = found.plane.normal, found.plane.offset
+    assert all(sum(a * x for a, x in zip(normal, curve(t), strict=True)) == offset for t in (0, mpq(1, 3), 1))
+    with pytest.raises(ShapeError, match="planar"):
+        derive("focal_curve", curve)
+
+
+def test_a_closed_seam_is_a_knot_like_any_other():
+    """A closed planar curve in space started at a vertex and elsewhere: the same extrema."""
+    ellipse = example("ellipse_skew")
+    curve = Nurbs(2, ellipse.knots, [(x, y, x + y) for x, y in ellipse.control_points], ellipse.weights)
+    assert curve.closed
+    at_vertices = Nurbs(2, ellipse.knots, [(2 * x, y, 3) for x, y in example("circle").control_points], ellipse.weights)
+    assert [f.root.exact for f in analyse(at_vertices).critical_points] == [0, 1, 2, 3]
+    assert len(analyse(curve).critical_points) == 4
+
+
+def test_standing_still_and_starting_from_rest():
+    still = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0, 0), (1, 0, 1), (1, 0, 1), (2, 0, 3)])
+    assert [(f.kind, f.root.exact) for f in analyse(still).singular_points] == [("rest", 1), ("rest", 2)]
+    assert analyse(still).singular_points
+    start = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0, 0), (0, 0, 0), (1, 1, 0), (2, 0, 3)])
+    assert [(f.kind, f.root.exact) for f in analyse(start).singular_points] == [("singular end", 0)]
+    assert not [
+        f
+        for f in (*analyse(start).inflections, *analyse(start).torsion_zeros, *analyse(start).critical_points)
+        if f.root == 0
+    ]
+
+
+def test_a_curve_in_a_coordinate_plane_is_a_plane_curve_too(tmp_path, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "200")
+    for axis, coordinates in ((2, "xy."), (0, ".xy"), (1, "y.x")):
+        flat = example("rational_cubic")
+        points = [tuple({"x": x, "y": y, ".": "1/3"}[c] for c in coordinates) for x, y in flat.control_points]
+        curve = Nurbs(flat.degree, flat.knots, points, flat.weights, name="flat")
+        assert plane_of(curve).axis == axis
+        assert as_plane_curve(curve).control_points == flat.control_points
+    file = tmp_path / "flat.json"
+    file.write_text(
+        json.dumps(
+            {"degree": 3, "knots": [0] * 4 + [1] * 4, "control_points": [[0, 0, 5], [1, 2, 5], [3, -1, 5], [4, 1, 5]]}
+        )
+    )
+    run = CliRunner().invoke
+    assert "flat in the plane z = 5" in run(app, ["inspect", str(file)]).output
+    data, flat = json.loads(run(app, ["inspect", str(file), "--json"]).output)["rows"]
+    assert data["plane"] == "z = 5"
+    assert [f["kind"] for f in flat["inflections"]["points"]] == ["inflection"]
+    assert data["inflections"] == flat["inflections"] | {"points": data["inflections"]["points"]}
+    assert [f["kind"] for f in data["inflections"]["points"]] == ["inflection"]
+    rows = json.loads(run(app, ["prove", "--curve", str(file), "--json"]).output)["rows"]
+    assert {row["curve"] for row in rows if row["id"].startswith("C4.1")} == {"flat in the plane z = 5"}
+    rows = json.loads(run(app, ["formula", "degrees", "--curve", str(file), "--json"]).output)["rows"]
+    assert list(dict.fromkeys(row["curve"] for row in rows)) == ["flat", "flat in the plane z = 5"]
+
+
+@pytest.mark.parametrize("name", sorted(FOLLOWERS))
+def test_every_claim_is_as_recorded_on_curves_with_such_joints(name):
+    following = power_curve(*FOLLOWERS[name][0], domain=(0, 1))
+    curve = chained(*[raised(c, max(following.degree, 3)) for c in (CUBIC, following)])
+    rows = list(audit([claim for claim in all_claims() if claim.curve == "space"], [curve]))
+    assert rows
+    assert [(row.id, row.statement, worded(row.witness)) for row in rows if not row.as_recorded] == []

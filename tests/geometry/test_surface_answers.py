@@ -486,11 +486,3 @@ def test_maps_that_are_degenerate():
     fan = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0), (0, 0)], [(1, 0), (0, 1)]])
     assert analyse(fan).kind is MapKind.SINGULAR
     assert [edge.direction for _, edge in analyse(fan).edges] == [0]
-
-
-def test_the_oracle_itself():
-    sphere = example("sphere")
-    assert gaussian_curvature(sphere, Fraction(1, 3), Fraction(4, 5)) == 1
-    assert umbilicity(sphere, Fraction(1, 3), Fraction(4, 5)) == 0
-    saddle = example("hyperbolic_paraboloid")
-    assert gaussian_curvature(saddle, Fraction(0), Fraction(0)) == -1

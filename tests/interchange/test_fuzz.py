@@ -8,81 +8,27 @@ import time
 import tracemalloc
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from exactspline.errors import ExactSplineError
 from exactspline.interchange import read
 from exactspline.interchange.files import encoded
-from tests.campaigns.readers import NASTY, WORD, fuzz, originals
-from tests.support.interchange_seeds import CURVES, cff, seeds, truetype
+from tests.campaigns.readers import fuzz, originals
+from tests.support.interchange_seeds import CURVES
 
-#: Seconds that a small file may take.
+#: Seconds of processor time that a small file may take.
 SOON = 10
 MEMORY = 200 << 20
 
 
-@st.composite
-def mutated(draw, originals):
-    """A file with a few words replaced, bytes changed, and pieces cut out, doubled or moved."""
-    data = draw(st.sampled_from(originals))
-    for _ in range(draw(st.integers(0, 4))):
-        kind = draw(st.sampled_from(["word", "word", "word", "byte", "cut", "double", "insert", "truncate"]))
-        if kind == "word":
-            words = list(WORD.finditer(data))
-            if words:
-                word = words[draw(st.integers(0, len(words) - 1))]
-                data = data[: word.start()] + draw(st.sampled_from(NASTY)) + data[word.end() :]
-            continue
-        a, b = sorted((draw(st.integers(0, len(data))), draw(st.integers(0, len(data)))))
-        if kind == "byte":
-            data = data[:a] + draw(st.binary(max_size=3)) + data[a + 1 :]
-        elif kind == "cut":
-            data = data[:a] + data[b:]
-        elif kind == "double":
-            data = data[:b] + data[a:b] + data[b:]
-        elif kind == "insert":
-            data = data[:a] + draw(st.sampled_from(NASTY)) + data[a:]
-        else:
-            data = data[:a]
-    return data
-
-
 def survives(data: bytes, name: str) -> None:
-    start = time.perf_counter()
+    start = time.process_time()
     try:
         reading = read(data, name)
     except ExactSplineError:
         reading = None
     for named in reading.curves if reading else ():
         assert len(named.curve.control_points) == len(named.curve.knots) - named.curve.degree - 1
-    assert time.perf_counter() - start < SOON
-
-
-SEEDS = seeds()
-
-
-@pytest.mark.parametrize("name", SEEDS)
-def test_a_damaged_text_file_is_read_or_refused(name):
-    @settings(max_examples=100)
-    @given(mutated(SEEDS[name]))
-    def run(data):
-        survives(data, name)
-
-    run()
-
-
-@pytest.mark.parametrize("build", [truetype, cff])
-def test_a_damaged_font_is_read_or_refused(build):
-    pytest.importorskip("fontTools")
-    original = build()
-
-    @settings(max_examples=60)
-    @given(mutated([original]))
-    def run(data):
-        survives(data, "font")
-
-    run()
+    assert time.process_time() - start < SOON
 
 
 def test_a_damaged_archive_is_read_or_refused():

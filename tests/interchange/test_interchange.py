@@ -15,7 +15,7 @@ from exactspline.cli import app
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError, ShapeError, WeightError
 from exactspline.interchange import Limits, read, write
 from exactspline.interchange.curve_files import curve_from_text
-from exactspline.interchange.examples import example, example_names, load
+from exactspline.interchange.examples import example, example_names, load, load_surface
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.formats.own_json import schema
@@ -506,3 +506,11 @@ def test_the_end_of_a_piece_that_is_no_number_is_named(field, value):
     piece = {"kind": "polynomial", "degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], field: value}
     with pytest.raises(ExactSplineError, match=rf"^{field}.*: .*number"):
         curve_from_text(json.dumps(piece))
+
+
+def test_examples_come_before_files_of_their_names(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("circle", "enneper"):
+        (tmp_path / name).write_text("no curve", encoding="utf-8")
+    assert load("circle") == example("circle")
+    assert load_surface("enneper").degree == (3, 3)

@@ -129,7 +129,7 @@ def test_every_public_name(name, tmp_path, monkeypatch):
     if name.startswith(("from_", "to_")) and name not in ("from_float", "from_floats", "to_arrays"):
         pytest.importorskip(name.partition("_")[2])
     function = PUBLIC[name]
-    calls = sample(list(handed(function)), 150, seed=name)
+    calls = sample(list(handed(function)), 100, seed=name)
     wrong = [error for _, arguments in calls if (error := raised(name, function, arguments)) is not None]
     assert not wrong
 
@@ -239,7 +239,7 @@ def test_every_option_of_every_function(name, tmp_path, monkeypatch):
     arguments = OPTIONS[name]() if callable(OPTIONS[name]) else OPTIONS[name]
     function, wrong = PUBLIC[name], []
     for option in options(name):
-        for label, value in sample(list(VALUES.items()), 15, seed=f"{name} {option}"):
+        for label, value in sample(list(VALUES.items()), 10, seed=f"{name} {option}"):
             error = raised(name, lambda: drained(function(*arguments, **{option: value})), ())  # noqa: B023
             wrong += [(option, label, error)] if error is not None else []
     assert not wrong

@@ -12,9 +12,9 @@ from exactspline.geometry.surface.common_factor import common_factor, odd_part
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import UNIT
+from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.common_zeros import isolate, simplest
-from exactspline.polynomials.patch_forms import PatchForm, of_powers, powers_of
+from exactspline.polynomials.patch_forms import PatchForm, clusters, of_powers, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form
 
 ONE = CONTEXT.from_dict({(0, 0): 1})
@@ -216,3 +216,15 @@ def _crossings(curve, arc, x):
     if arc.direction == 0:
         return sum(1 for y in changes if arc.low <= y <= arc.high)
     return len(changes) if arc.low <= x <= arc.high else 0
+
+
+def test_boxes_that_touch_are_one_cluster():
+    """Of boxes in two groups, each of which touches in a chain."""
+
+    def box(a, b):
+        return Box(Interval(mpq(a), mpq(a + 1)), Interval(mpq(b), mpq(b + 1)))
+
+    near, far = [box(0, 0), box(2, 1), box(1, 0)], [box(7, 7), box(8, 8)]
+    for boxes in ([near[0], far[0], *near[1:], far[1]], [far[1], *near, far[0]]):
+        assert sorted(hull for hull, _ in clusters(boxes)) == [((0, 3), (0, 2)), ((7, 9), (7, 9))]
+    assert sorted(hull for hull, _ in clusters([near[0], *far])) == [near[0], ((7, 9), (7, 9))]

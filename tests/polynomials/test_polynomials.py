@@ -5,12 +5,13 @@ from math import prod
 from random import Random
 
 import pytest
-from flint import Ordering, fmpq_mpoly_ctx, fmpz, fmpz_mpoly_ctx, fmpz_poly, nmod_poly
+from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly, fmpz, fmpz_mpoly_ctx, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials import elimination, factors
 from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
+from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factorization import Factorization, power_text
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
 from exactspline.verification.coq.denominators import factored
@@ -171,16 +172,21 @@ def test_what_is_seen_modulo_a_prime_is_what_flint_finds(monkeypatch, content):
             assert sorted(map(str, told.powers)) == sorted(map(str, before.powers))
 
 
+def at(rows, z):
+    """A polynomial in the second parameter, where the first is an integer."""
+    return fmpz_poly([row(z) for row in rows])
+
+
 @pytest.mark.parametrize("k", range(-6, 7))
 def test_resultants_are_those_of_the_values(k):
     """Wherever the leading rows vanish: there FLINT takes polynomials of another degree. Compared at other places."""
     first, second = [3 * Z + 1, Z**2 - 2, Z - k], [Z + 5, fmpz_poly([2]), Z + k - 1]
     found, discriminant = elimination.resultant(first, second), elimination.discriminant(first)
     for z in (50, -71, 1000, -(10**20)):
-        assert found(z) == elimination._at(first, z).resultant(elimination._at(second, z))
-        assert discriminant(z) == elimination._at(first, z).discriminant()
+        assert found(z) == at(first, z).resultant(at(second, z))
+        assert discriminant(z) == at(first, z).discriminant()
     longer = elimination.resultant([*first, fmpz_poly([k * 7 + 1])], [Z - k, fmpz_poly([5])])
-    assert longer(99) == elimination._at([*first, fmpz_poly([k * 7 + 1])], 99).resultant(fmpz_poly([99 - k, 5]))
+    assert longer(99) == at([*first, fmpz_poly([k * 7 + 1])], 99).resultant(fmpz_poly([99 - k, 5]))
 
 
 def test_values_have_no_more_bits_than_is_said():
@@ -235,3 +241,29 @@ def test_what_need_not_be_done_is_paid_for_or_left():
     with pytest.raises(ReachError, match="about 999999 s"):
         check_reach(10**15 - 1, lambda: "this")
     assert (height_bits([]), height_bits([fmpz(0)]), height_bits([fmpz(3), fmpz(-8)])) == (0, 0, 4)
+
+
+@pytest.mark.parametrize("powers", [(1,), (2,), (3, 1), (1, 2), (2, 2), (0, 3, 1), (1, 2, 3)])
+def test_square_free_factors_with_their_multiplicities(powers):
+    bases = [fmpq_poly([-1, 2]), fmpq_poly([1, 0, 1]), fmpq_poly([-3, 1, 5])]
+    f = fmpq_poly([fmpq(7, 3)])
+    for base, power in zip(bases, powers, strict=False):
+        f = f * base**power
+    found = sorted(((fmpq_poly(p), m) for p, m in factorize_square_free(f.numer()).powers), key=lambda pair: pair[1])
+    expected = {
+        m: [base for base, power in zip(bases, powers, strict=False) if power == m] for m in sorted({*powers} - {0})
+    }
+    assert [m for _, m in found] == list(expected)
+    for factor, m in found:
+        together = fmpq_poly([1])
+        for base in expected[m]:
+            together = together * base
+        assert factor / factor.leading_coefficient() == together / together.leading_coefficient()
+
+
+@pytest.mark.parametrize("root", range(-6, 7))
+@pytest.mark.parametrize("degree", [1, 2])
+def test_the_discriminant_of_a_quadratic_is_known_wherever_it_is_none(root, degree):
+    """b² − 4ac, also where a vanishes at an integer."""
+    a, b, c = fmpz_poly([-root, 1]) ** degree, fmpz_poly([2, 0, 3][: degree + 1]), fmpz_poly([1, -1, 5])
+    assert discriminant([c, b, a]) == b * b - 4 * a * c

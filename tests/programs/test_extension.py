@@ -92,11 +92,6 @@ def test_an_analysed_curve_is_freed_without_the_collector():
         gc.enable()
 
 
-def test_an_analysis_can_be_pickled():
-    analysis = analyse(example("circle"))
-    assert pickle.loads(pickle.dumps(analysis)).curve == analysis.curve
-
-
 SANITIZED = ("-fsanitize=address,undefined", "-fno-sanitize-recover=undefined", "-g")
 
 

@@ -19,8 +19,9 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import det
 from exactspline.papers import find, papers
 from exactspline.programs import evaluated, program_for
+from exactspline.programs.compiled import needed
 from exactspline.programs.given import operands_of
-from exactspline.programs.instructions import Instructions
+from exactspline.programs.instructions import Instruction, Instructions
 from exactspline.programs.program import program_of, values
 from exactspline.splines.tensor import surface_pair
 from tests.support.sampled import sample
@@ -188,3 +189,32 @@ def test_two_curves_without_a_program_are_read_as_splines():
         assert evaluated(find("chen_riesenfeld_cohen_2007:chord"), pair) == find("chen_riesenfeld_cohen_2007:chord")(
             pair
         )
+
+
+def test_what_is_needed_are_instructions_and_their_arguments():
+    listed = [
+        Instruction("load", (), (0,)),
+        Instruction("load", (), (1,)),
+        Instruction("mul", (0, -1)),
+        Instruction("mul", (0, 1)),
+        Instruction("mul", (2, 0)),
+        Instruction("mul", (4, 3)),
+    ]
+    assert needed(listed, [4]) == {0, 2, 4}
+    assert needed(listed, [5]) == {0, 1, 2, 3, 4, 5}
+    assert needed(listed, [-1, 1]) == {1}
+    assert needed(listed, [-2]) == set()
+
+
+def test_bounds_grow_with_the_roundings():
+    np = pytest.importorskip("numpy")
+    from exactspline.polynomials.roundings import ROUNDING, UNDERFLOW
+    from exactspline.programs.doubles import bounded_by
+    from exactspline.programs.masses import SLACK, Known
+
+    masses = np.array([[1.0, 4.0]])
+    for roundings in (1, 8, 64):
+        told = bounded_by(masses, masses, Known(roundings, 5, 0))
+        assert told.values.tolist() == masses.tolist()
+        assert told.errors.tolist() == (masses * (SLACK * roundings * ROUNDING)).tolist()
+    assert bounded_by(masses, masses * 0, Known(1, 5, 3)).errors.tolist() == [[SLACK * 3 * UNDERFLOW] * 2]

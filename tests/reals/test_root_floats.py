@@ -32,11 +32,11 @@ def is_nearest(x, root):
     return low <= root <= high if even else low < root < high
 
 
-def test_ten_thousand_irrational_roots_against_mpmath():
+def test_two_thousand_irrational_roots_against_mpmath():
     random_numbers = random.Random(2007)
     t = xs.BSpline.identity(0, 2)
     mistakes = 0
-    for _ in range(10_000):
+    for _ in range(2000):
         p, q = random_numbers.randrange(1, 1 << 60), random_numbers.randrange(1 << 58, 1 << 60)
         value = mpq(p, q)
         (root,) = xs.zeros(t * t - value) if value < 4 else [None]
@@ -90,7 +90,7 @@ def test_zero_and_what_is_too_small():
 
 def test_square_roots_are_rounded_the_same_way():
     random_numbers = random.Random(1)
-    for _ in range(500):
+    for _ in range(200):
         q = mpq(random_numbers.randrange(1, 10**30), random_numbers.randrange(1, 10**30))
         root = square_root(q)
         assert is_nearest(float(root), root)

@@ -11,8 +11,10 @@ import pytest
 
 from exactspline import BSpline, Nurbs, certificates, zeros
 from exactspline.certificates import check_certificate
+from exactspline.certificates.zeros import product_of, sturm_count
 from exactspline.geometry.inspection import solved
 from exactspline.numbers.exact import mpq
+from tests.support.sampled import sample
 
 T = BSpline.identity(0, 1)
 LINE = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 2, 3)])
@@ -150,7 +152,7 @@ def test_what_is_accepted_is_true(name, sturm):
     """
     tried = accepted = 0
     given = written(name)
-    for path, other in changes(given):
+    for path, other in sample([*changes(given)], 250, seed=f"{name} {sturm}"):
         tried += 1
         certificate = changed(given, path, other)
         try:
@@ -159,7 +161,7 @@ def test_what_is_accepted_is_true(name, sturm):
             continue
         accepted += 1
         assert still_true(certificate), (path, other)
-    assert tried > 130
+    assert tried > 100
     assert accepted < tried / 4
 
 
@@ -286,3 +288,21 @@ def test_a_proof_of_something_else_is_refused():
             check_certificate(written("everything") | {field: "zero"})
     with pytest.raises(ValueError, match="not a certificate"):
         check_certificate(written("everything") | {"what": "degree"})
+
+
+@pytest.mark.parametrize(
+    ("zeros_of", "expected"),
+    [([], 0), ([1], 1), ([-1], 0), ([1, 2], 2), ([1, 1, 2], 2), ([-3, 5, 7, -2], 2), ([3] * 4, 1)],
+)
+def test_a_sturm_sequence_counts_the_distinct_positive_zeros(zeros_of, expected):
+    for complex_pairs in ([], [[1, 0, 1]], [[1, 0, 1], [5, 4, 1]], [[5, -4, 1]]):
+        c = [-2]
+        for factor in [*[[-z, 1] for z in zeros_of], *complex_pairs]:
+            c = product_of(c, factor)
+        assert sturm_count(c) == expected
+
+
+def test_a_certificate_of_a_spline_that_vanishes():
+    nothing = BSpline(0, [0, 1, 2], [0, 0])
+    told = zeros(nothing).certificate()
+    assert check_certificate(told) == {"roots": 0, "jumps": 0, "intervals": 1}

@@ -7,7 +7,6 @@ from functools import reduce
 
 import mpmath
 import pytest
-import sympy
 from flint import fmpq_poly, fmpz_poly
 from gmpy2 import mpq, mpz
 
@@ -135,18 +134,6 @@ def test_values_against_mpmath_and_flint(seed):
     assert all(float(x) == pytest.approx(float(root.mpf(20)), abs=1e-12) for root, x in zip(found, real, strict=True))
 
 
-def test_agrees_with_sympy():
-    p = mignotte(7, 30) * (X**3 - 3 * X + 1)
-    x = sympy.Symbol("x")
-    poly = sympy.Poly([int(c) for c in reversed(p.coeffs())], x)
-    expected = [r for r in poly.real_roots() if 0 < r < 2]
-    found = zeros(spline(p, 0, 2))
-    assert len(found) == len(expected)
-    for root, r in zip(found, expected, strict=True):
-        assert sympy.Poly(sympy.minimal_polynomial(r, x), x).all_coeffs()[::-1] == root.minimal_polynomial()
-        assert abs(root.mpf(30) - r.evalf(40)) < 1e-29
-
-
 def test_million_digit_coefficients():
     big = 10**1_000_000
     # roots near 1/3 and 2/3, moved by 10^-1000000
@@ -179,8 +166,3 @@ def test_refinement_reaches_dyadic_roots_from_wide_intervals():
         low, high = root.refine(100)
         assert low <= t <= high
         assert root == t
-
-
-def test_no_root_on_the_segment():
-    assert len(zeros(spline(X**2 - X + 1))) == 0
-    assert len(zeros(spline(fmpz_poly([7])))) == 0

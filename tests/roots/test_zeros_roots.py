@@ -10,6 +10,7 @@ from gmpy2 import mpq
 from exactspline import BSpline
 from exactspline.errors import NumberError
 from exactspline.roots.of_polynomials import as_splines
+from exactspline.roots.root import knot_root
 from exactspline.roots.zero_set import zeros
 
 T = BSpline.identity(0, 2)
@@ -157,3 +158,29 @@ def test_global_precision_is_left_alone():
     before = flint.ctx.prec
     zeros(BSpline.bezier([1, -2, 1])).refine(500)
     assert flint.ctx.prec == before
+
+
+def test_a_root_is_one_of_exactly_the_polynomials_that_it_satisfies():
+    t = BSpline.identity(0, 2)
+    (root,) = zeros(t * t - 2)
+    assert root.is_root_of(fmpz_poly([-2, 0, 1]))
+    assert root.is_root_of(fmpz_poly([-2, 0, 1]) * fmpz_poly([5, 7, 1]))
+    assert not root.is_root_of(fmpz_poly([-2, 1]))
+    assert not root.is_root_of(fmpz_poly([2, 0, 1]))
+    assert not root.is_root_of(fmpz_poly([1]))
+    (half,) = zeros(2 * t - 1)
+    assert half.is_root_of(fmpz_poly([-1, 2]))
+    assert half.is_root_of(fmpz_poly([0, -1, 2]))
+    assert not half.is_root_of(fmpz_poly([1, 2]))
+    assert not half.is_root_of(fmpz_poly([1]))
+    (at_zero,) = zeros(t)
+    assert at_zero.is_root_of(fmpz_poly([0, 1]))
+    assert not at_zero.is_root_of(fmpz_poly([1, 1]))
+
+
+def test_a_knot_as_a_root():
+    told = knot_root(mpq(5, 3))
+    assert told == mpq(5, 3)
+    assert told.at_knot
+    assert (told.multiplicity, told.left_multiplicity, told.right_multiplicity, told.signs) == (1, 1, 1, (0, 0))
+    assert not told.sign_change

@@ -189,3 +189,24 @@ def test_signs_between_the_zeros_are_constant(f):
             continue
         signs = {(f(a + (b - a) * mpq(k, 7)) > 0) - (f(a + (b - a) * mpq(k, 7)) < 0) for k in range(1, 7)}
         assert len(signs) == 1
+
+
+@pytest.mark.parametrize("periodic", [False, True])
+@pytest.mark.parametrize(
+    ("points", "places", "signs"),
+    [
+        ([0, 0, 1, 1], [(0, 1)], (None, 1)),
+        ([-1, -1, 0, 0], [(2, 3)], (-1, None)),
+        ([1, 0, 0, -2], [(1, 2)], (1, -1)),
+        ([0, 0, 0, 0], [(0, 3)], (None, None)),
+    ],
+)
+def test_intervals_of_zeros_know_the_signs_on_both_sides(points, places, signs, periodic):
+    f = BSpline(1, [0, 0, 1, 2, 3, 3], points)
+    (found,) = zeros(f, periodic=periodic).intervals
+    assert list(found.parts) == places
+    left, right = f(0), f(3)
+    if periodic and any(points):  # beyond an end is the other one
+        beyond = [int(x > 0) - int(x < 0) for x in (right, left)]
+        signs = tuple(beyond[i] if sign is None else sign for i, sign in enumerate(signs))
+    assert found.signs == signs

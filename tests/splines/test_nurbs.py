@@ -186,11 +186,6 @@ def test_the_circle_is_a_circle():
     assert radius.degree == 4
 
 
-def test_a_circle_by_wrong_weights_is_none():
-    wrong = Nurbs(2, CIRCLE.knots, CIRCLE.control_points, [1, 1, 2, 1, 1, 1, 2, 1, 2])
-    assert dot(wrong.p, wrong.p) != wrong.w * wrong.w
-
-
 def test_sides_and_ends():
     jump = Nurbs(1, [0, 0, 1, 1, 2, 2], [(0, 0), (2, 2), (4, 0), (0, 0)], [1, 2, 1, 1])
     assert (jump(1, "left"), jump(1), jump(1, "right")) == ((2, 2), (4, 0), (4, 0))

@@ -250,8 +250,3 @@ def test_a_root_outside_the_domain():
     for ask in (xs.at, curvature):
         with pytest.raises(DomainError):
             ask(PARABOLA, far)
-
-
-def test_plot_is_the_function_of_the_display():
-    pytest.importorskip("matplotlib")
-    assert xs.plot(ARC, label="mine").get_legend().get_texts()[1].get_text() == "mine"

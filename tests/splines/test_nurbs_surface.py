@@ -3,11 +3,11 @@
 import copy
 import json
 import pickle
-from fractions import Fraction
 from importlib import resources
 
 import jsonschema
 import pytest
+from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -23,38 +23,18 @@ from exactspline.errors import (
 )
 from exactspline.interchange.curve_files import looks_like_surface, surface_data, surface_from_text
 from exactspline.interchange.examples import load_surface
+from exactspline.numbers.intervals import UNIT as SQUARE_OF_PARAMETERS
+from exactspline.polynomials.patch_forms import PatchForm, Sized
+from exactspline.splines.surface import DEPTH, zero_at_corners
+from tests.support.surface_oracle import jets
 
 UNIT = [0, 0, 1, 1]
 SQUARE = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]]
 
 
-def basis(i, degree, knots, t):
-    """N_i by the recursion of Cox and de Boor, in Fractions: right-continuous, the last interval closed."""
-    if degree == 0:
-        last = t == knots[-1] and knots[i] < knots[i + 1] == t
-        return Fraction(int(knots[i] <= t < knots[i + 1] or last))
-    value = Fraction(0)
-    if knots[i + degree] > knots[i]:
-        value += (t - knots[i]) / (knots[i + degree] - knots[i]) * basis(i, degree - 1, knots, t)
-    if knots[i + degree + 1] > knots[i + 1]:
-        value += (
-            (knots[i + degree + 1] - t) / (knots[i + degree + 1] - knots[i + 1]) * basis(i + 1, degree - 1, knots, t)
-        )
-    return value
-
-
 def by_definition(surface, u, v):
     """The point ``Σ w P N N / Σ w N N``."""
-    knots = [[Fraction(int(t.numerator), int(t.denominator)) for t in own] for own in surface.knots]
-    total = [Fraction(0)] * surface.dimension
-    bottom = Fraction(0)
-    for i, (row, weights) in enumerate(zip(surface.control_points, surface.weights, strict=True)):
-        for j, (point, weight) in enumerate(zip(row, weights, strict=True)):
-            factor = basis(i, surface.degree[0], knots[0], u) * basis(j, surface.degree[1], knots[1], v)
-            scale = 1 if isinstance(point, Direction) else weight
-            total = [x + factor * Fraction(str(scale * y)) for x, y in zip(total, point, strict=True)]
-            bottom += factor * Fraction(str(weight))
-    return tuple(rational(x / bottom) for x in total)
+    return tuple(rational(x.c[0, 0]) for x in jets(surface, u, v))
 
 
 numbers = st.fractions(min_value=-5, max_value=5, max_denominator=4)
@@ -296,3 +276,22 @@ def test_calls_that_are_refused():
             call()
     assert isinstance(f.isocurve("v", 0), Nurbs)
     assert issubclass(WeightError, ExactSplineError)
+
+
+def test_a_zero_of_a_weight_lies_in_the_box_that_is_told():
+    """Of −1 + 2x, of (2x − 1)(2y − 1) + ε with a corner at 0, and where no corner is negative none is told."""
+    for net in ([[-1], [1]], [[1, 1], [-1, 1]], [[3, -1], [1, 1]], [[-1, -1], [-1, 2]]):
+        form = PatchForm.of_net(net)
+        (a, b), (c, d) = found = zero_at_corners(Sized(SQUARE_OF_PARAMETERS, [form], 0))
+        values = [form.value(x, y) for x in (a, b) for y in (c, d)]
+        assert min(values) <= 0 <= max(values), net
+        assert found == ((a, a), (c, c)) or (b - a) * (d - c) == mpq(1, 2**DEPTH)
+    for net in ([[1, 2], [3, 4]], [[1, -1, 1], [1, -1, 1]]):
+        assert zero_at_corners(Sized(SQUARE_OF_PARAMETERS, [PatchForm.of_net(net)], 0)) is None
+    for corner in range(4):
+        values = [5, 1, 2, 3]
+        values[corner] = 0
+        place = mpq(corner // 2), mpq(corner % 2)
+        box = (mpq(1), mpq(2)), (mpq(3), mpq(5))
+        (x, _), (y, _) = zero_at_corners(Sized(box, [PatchForm.of_net([values[:2], values[2:]])], 0))
+        assert (x, y) == (box[0][int(place[0])], box[1][int(place[1])])

@@ -87,8 +87,8 @@ def joined(chance, dimension):
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_corners_are_those_of_the_joints(dimension):
     chance = random.Random(dimension)
-    found = [same_corners(joined(chance, dimension)) for _ in range(150)]
-    assert sum(found) > 100
+    found = [same_corners(joined(chance, dimension)) for _ in range(80)]
+    assert sum(found) > 50
     assert 0 in found
 
 

@@ -16,17 +16,7 @@ from exactspline.splines.blossom import forms_of
 from tests.support import oracles
 from tests.support.laws import check_ring_axioms
 from tests.support.oracles import assert_function, polar, rebuilt
-from tests.support.strategies import (
-    DOMAINS,
-    HUGE,
-    JUMP,
-    KINK,
-    TINY,
-    knot_vectors,
-    numbers,
-    splines,
-    splines_on_one_domain,
-)
+from tests.support.strategies import HUGE, JUMP, KINK, TINY, numbers, splines, splines_on_one_domain
 
 # ---- what is printed is the function
 
@@ -35,15 +25,6 @@ from tests.support.strategies import (
 def test_values_are_those_of_the_de_boor_algorithm(f):
     knots, n, points = oracles.data(f)
     assert_function(f, lambda t, side: oracles.value(knots, n, points, t, side))
-
-
-@given(splines(high=3))
-def test_values_are_sums_of_basis_functions(f):
-    knots, n, points = oracles.data(f)
-    a, b = f.domain
-    for t, side in oracles.places(f):
-        from_inside = {a: "right", b: "left"}.get(t, side)
-        assert f(t, side) == sum(d * oracles.basis(knots, n, i, t, from_inside) for i, d in enumerate(points))
 
 
 @given(splines_on_one_domain(3, high=3))
@@ -79,17 +60,6 @@ def test_knots_of_computed_splines_are_clamped_and_as_many_as_continuity_asks(f)
             assert g.knots.multiplicity(t) == min(
                 g.degree + max(lost, -g.degree) + (0 if g.degree == 2 * f.degree and f.degree else 1), g.degree + 1
             )
-
-
-@given(st.data(), st.integers(0, 6))
-def test_partition_of_unity(data, n):
-    domain = data.draw(st.sampled_from(DOMAINS))
-    knots = data.draw(knot_vectors(n, domain))
-    one = BSpline(n, knots, [1] * (len(knots) - n - 1))
-    assert one == one.constant(1)
-    assert one.true_degree == 0
-    assert one.d().is_zero
-    assert (one * one - 1).is_zero
 
 
 # ---- laws

@@ -5,9 +5,11 @@ numbers for points and tangents, Gaussian elimination for the three planes, fami
 from dataclasses import dataclass
 from itertools import pairwise
 
+from flint import fmpq, fmpq_poly
 from gmpy2 import mpq
 
 from exactspline import Nurbs
+from exactspline.splines.control_points import Direction
 
 
 @dataclass(frozen=True)
@@ -61,7 +63,45 @@ def point_and_tangent(curve, span, t):
 
 
 def dot(a, b):
-    return sum((x * y for x, y in zip(a, b, strict=True)), mpq(0))
+    return sum(x * y for x, y in zip(a, b, strict=True))
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+# ---- polynomials
+
+
+def power_basis(curve, span):
+    """Numerators and denominator on a knot span, coefficients of t⁰, t¹, …: de Boor's algorithm on polynomials."""
+    n, knots = curve.degree, list(curve.knots)
+    # a point at infinity has the coordinates of its direction
+    points = [
+        [*([x * (1 if isinstance(p, Direction) else mpq(w))] for x in p), [mpq(w)]]
+        for p, w in list(zip(curve.control_points, curve.weights, strict=True))[span - n : span + 1]
+    ]
+    for r in range(1, n + 1):
+        for j in range(n, r - 1, -1):
+            low, high = mpq(knots[j + span - n]), mpq(knots[j + 1 + span - r])
+            rising, falling = [-low / (high - low), 1 / (high - low)], [high / (high - low), -1 / (high - low)]
+            points[j] = [
+                plus(times(falling, p), times(rising, q)) for p, q in zip(points[j - 1], points[j], strict=True)
+            ]
+    return points[n]
+
+
+def times(a, b):
+    found = [mpq(0)] * (len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            found[i + j] += x * y
+    return found
+
+
+def plus(a, b):
+    longer = max(len(a), len(b))
+    return [x + y for x, y in zip(a + [mpq(0)] * (longer - len(a)), b + [mpq(0)] * (longer - len(b)), strict=True)]
 
 
 def planes(first, second):
@@ -94,6 +134,21 @@ def holds(rows, b):
     return all(dot(normal, b) == height for normal, height in rows)
 
 
+def flint(x):
+    return fmpq(int(x.numerator), int(x.denominator))
+
+
+def divisor(polynomials):
+    """The greatest common divisor."""
+    found = fmpq_poly([])
+    for f in polynomials:
+        found = found.gcd(f)
+    return found
+
+
+# ---- curves
+
+
 def line(*points):
     return Nurbs(1, [0, 0, *range(1, len(points) - 1), len(points) - 1, len(points) - 1], points)
 
@@ -101,6 +156,12 @@ def line(*points):
 def bezier(*points, weights=None, domain=(0, 1)):
     n = len(points) - 1
     return Nurbs(n, [domain[0]] * (n + 1) + [domain[1]] * (n + 1), points, weights)
+
+
+def curve_of(*coordinates):
+    """The Bézier curve with these splines for coordinates."""
+    highest = max(coordinates, key=lambda f: f.degree)
+    return bezier(*zip(*[f.elevated_to(highest).control_points for f in coordinates], strict=True))
 
 
 def circle(radius, height, quarters=4):

@@ -168,12 +168,6 @@ def transposed(net):
     return [list(column) for column in zip(*net, strict=True)]
 
 
-def surface_differentiated(knots, degrees, net):
-    """Knots, degrees and net of the derivative by t, row by row."""
-    rows = [differentiated(knots[1], degrees[1], row) for row in net]
-    return (knots[0], rows[0][0]), (degrees[0], degrees[1] - 1), [row for _, row in rows]
-
-
 def surface_places(f):
     """All corners of patches, and in each patch as many places as determine a polynomial of the degrees."""
     sides = []

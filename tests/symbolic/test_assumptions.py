@@ -8,7 +8,10 @@ import pytest
 
 from exactspline import Nurbs
 from exactspline.interchange.examples import example, example_names
-from exactspline.language.kinds import kind_of
+from exactspline.language.kinds import CURVE, PAIR, SPACE, kind_of
+from exactspline.papers import find
+from exactspline.readings.jet import JetReading
+from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.factorization import named_by
 from exactspline.verification.claims import all_claims
 from exactspline.verification.evaluation import Evaluation
@@ -103,3 +106,32 @@ def test_what_every_other_claim_speaks_of_exists_where_its_assumptions_hold():
             own = evaluated(i)
             if claim.applies_to(curve.dimension, curve.polynomial) and claim.missing(own.argument(claim.curve)):
                 assert own.failing(claim.curve, claim.assumes), claim.key
+
+
+def test_assumptions_speak_of_the_curve_that_they_name():
+    pair = JetReading(1).argument(PAIR, 3)
+    assert assumption("w").polynomial(pair) == pair.first.w
+    assert assumption("w̄").polynomial(pair) == pair.second.w
+    assert assumption("γ′").polynomial(pair) == find("D1_squared")(pair.first)
+    assert assumption("γ̄′").polynomial(pair) == find("D1_squared")(pair.second)
+    name = "[γ′ γ̄′ γ−γ̄] ≢ 0"
+    assert assumption(name).polynomial(pair) == find("bisector_determinant_symmetric")(pair)
+    space = JetReading(2).argument(SPACE, 3)
+    bend = find("binormal_form")(space)
+    assert assumption("γ′×γ″").polynomial(space) == sum((x * x for x in bend), space.w.constant(0))
+    assert {each.everywhere for name, each in ASSUMPTIONS.items() if "≢" in name} == {False}
+
+
+def test_what_has_no_zero_is_what_divides_a_polynomial_without_one():
+    plane = JetReading(1).argument(CURVE, 2)
+    assert zero_free(find("D1_squared")(plane)).name == "γ′"
+    assert zero_free(plane.w).name == "w"
+    assert zero_free(plane.p[0]) is None
+    assert zero_free(plane.w, [assumption("γ′")]) is None
+    assert zero_free(plane.w, [assumption("γ′ ≢ 0")]) is None
+    space = JetReading(2).argument(SPACE, 3)
+    assert zero_free(assumption("γ′×γ″").polynomial(space)).name == "γ′×γ″"
+    assert zero_free(find("D1_squared")(JetReading(1).argument(SPACE, 3))).name == "γ′"
+    polynomial = JetReading(1).argument(CURVE, 2, polynomial=True)
+    assert zero_free(find("D1_squared")(polynomial)).name == "γ′"
+    assert zero_free(polynomial.w).name == "γ′"

@@ -13,12 +13,14 @@ from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError, ReachError
 from exactspline.language import Vector
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Parameter
 from exactspline.language.kinds import CURVE
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading
-from exactspline.symbolic.covariants import generic_degree, graded, true_degree
+from exactspline.symbolic import covariants
+from exactspline.symbolic.covariants import TrueDegree, generic_degree, graded, product_of, true_degree
 from exactspline.symbolic.substitution import substitute
 
 DIMENSIONS = {"plane": (2,), "space": (3,), "curve": (2, 3)}
@@ -207,17 +209,10 @@ def test_zero_has_no_degree():
         true_degree(c.w - c.w)
 
 
-@pytest.mark.parametrize(
-    ("order", "value"),
-    [
-        (10, lambda c: c.w.d(10) ** 10),
-        (60, lambda c: c.w.d(60) ** 3),
-        (8, lambda c: (c.w.d(8) * c.p[0].d(8) * c.p[1].d(8)) ** 3),
-    ],
-)
-def test_heights_of_products_of_high_derivatives_are_out_of_reach(order, value):
+def test_heights_of_products_of_high_derivatives_are_out_of_reach():
     """Before: minutes, and gigabytes, in a loop over polynomials of hundreds of thousands of terms."""
-    jet = value(JetReading(order).argument(CURVE, 2))
+    c = JetReading(8).argument(CURVE, 2)
+    jet = (c.w.d(8) * c.p[0].d(8) * c.p[1].d(8)) ** 3
     start = time.process_time()
     with pytest.raises(ReachError, match="the height of a polynomial"):
         true_degree(jet)
@@ -227,3 +222,44 @@ def test_heights_of_products_of_high_derivatives_are_out_of_reach(order, value):
 def test_a_derivative_of_high_order_has_its_degree():
     """Before: minutes, in substitutions of variables that do not occur."""
     assert str(true_degree(JetReading(100).argument(CURVE, 2).w.d(100)).generic) == "d − 100"
+
+
+def test_the_degree_of_a_product_is_the_sum_and_lower_where_a_factor_is():
+    """1·d at every d but 2, where it is 1; 0 at d = 1."""
+    a = TrueDegree(1, 0, 0, ((1, -1), (2, 1)))
+    b = TrueDegree(3, 3, 1, ())
+    told = product_of([(a, 1), (b, 2)])
+    assert (told.k, told.m, told.j) == (7, 6, 2)
+    assert told.lower == ((1, -1), (2, 1 + 2 * b.at(2)))
+    assert [told.at(d) for d in (1, 2, 3)] == [-1, 1 + 2 * b.at(2), 3 + 2 * b.at(3)]
+    assert b.at(5) == 3 * 5 - 6 + 1
+    plain = product_of([(b, 1)])
+    assert plain == b
+    same = TrueDegree(1, 0, 0, ((4, 4),))
+    assert product_of([(same, 1)]).lower == ()
+    assert product_of([(TrueDegree(1, 1, 0, ((4, 2),)), 1)]).lower == ()
+
+
+@pytest.mark.parametrize("name", ["f2", "g2", "D1_squared", "vertices_lifted", "D1_D2_D3"])
+def test_what_lowers_degrees_is_the_same_for_symbols_and_numbers(name):
+    """L = Σ i (d − i + 1) f⁽ⁱ⁻¹⁾ ∂/∂f⁽ⁱ⁾."""
+    n = 3 if name == "D1_D2_D3" else 2
+    jet = find(name)(JetReading(order_of(find(name), n)).argument(CURVE, n))
+    symbolic = covariants.lowered(jet.ring, covariants.with_degree(jet.ring, jet.polynomial), Parameter.FIRST)
+    again = covariants.lowered(jet.ring, symbolic, Parameter.FIRST)
+    gens = [jet.ring.context.gen(i) for i in range(len(jet.ring.gens))]
+    for d in range(1, 9):
+        at = lambda p, d=d: p.compose(jet.ring.context.constant(d), *gens, ctx=jet.ring.context)  # noqa: E731
+        once = covariants.lowered_at(jet.ring, jet.polynomial, d)
+        assert at(symbolic) == once
+        assert at(again) == covariants.lowered_at(jet.ring, once, d)
+
+
+def test_what_lowers_degrees_kills_covariants_and_lowers_one_derivative_at_a_time():
+    c = JetReading(2).argument(CURVE, 2)
+    x, y = c.p
+    d = 7
+    assert covariants.lowered_at(x.ring, (x * y.d(1) - x.d(1) * y).polynomial, d) == 0
+    assert covariants.lowered_at(x.ring, (d * x * x.d(2) - (d - 1) * x.d(1) * x.d(1)).polynomial, d) == 0
+    assert covariants.lowered_at(x.ring, x.d(2).polynomial, d) == (2 * (d - 1) * x.d(1)).polynomial
+    assert covariants.lowered_at(x.ring, x.d(1).polynomial, d) == (d * x).polynomial

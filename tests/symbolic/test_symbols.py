@@ -22,7 +22,7 @@ CLAIMS = sample(
         if claim.kind in ("identity", "zero set", "same surface", "square class")
         or (claim.kind == "degree" and claim.measure != "nominal")
     ],
-    50,
+    30,
 )
 
 

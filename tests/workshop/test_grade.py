@@ -17,11 +17,11 @@ from workshop.grade import runner
 from workshop.grade.__main__ import main
 from workshop.grade.adapters import LIBRARIES
 from workshop.grade.adapters.common import Given, with_weights
-from workshop.grade.judge import CRASHED, DECLINED, INVENTED, MISSED, OFF, RIGHT, judged
+from workshop.grade.judge import CRASHED, DECLINED, INVENTED, MISSED, OFF, RIGHT, WRONG, judged
 from workshop.grade.questions import QUESTIONS
 from workshop.grade.recheck import recheck
 from workshop.grade.report import page, rows
-from workshop.grade.runner import Judged, Report, Truths, curve_data, request_data
+from workshop.grade.runner import Judged, Report, Truths, curve_data, failures, request_data
 from workshop.grade.shrink import Defect, _size, _smaller
 from workshop.grade.truth import truth
 
@@ -251,11 +251,27 @@ def test_the_page_tells_everything():
     assert found["value"]["example"]["note"] == "ValueError: no"
 
 
-def test_the_program_prints_rows_under_its_schema(capsys):
-    assert main(["scipy", "--cases", "1", "--no-examples", "--json"]) == 0
+def test_a_wrong_answer_can_be_tried_again():
+    """Another program finds in the file what the library was given, what it replied, and what is true."""
+    case = CASES["integers 1"]
+    answer = answer_of(case, "value")
+    replies = {"right": {"answer": exact_reply(case, "value", answer)}, "off": {"answer": [9.0, 9.0]}}
+    verdicts = {name: judged(case, "value", answer, reply) for name, reply in replies.items()}
+    assert [verdict.outcome for verdict in verdicts.values()] == [RIGHT, OFF]
+    report = Report("x", "1", [Judged(case, "value", verdicts[name], replies[name], answer) for name in replies])
+    [failure] = json.loads(json.dumps(list(failures([report]))))
+    assert judged(case, failure["question"], failure["truth"], failure["reply"]) == verdicts["off"]
+    assert failure["given"]["points"] == [[float(x) for x in point] for point in case.curve.control_points]
+
+
+def test_the_program_prints_rows_under_its_schema(capsys, tmp_path):
+    place = tmp_path / "failures.jsonl"
+    assert main(["scipy", "--cases", "1", "--no-examples", "--json", "--failures", str(place)]) == 0
+    wrong = [json.loads(line) for line in place.read_text(encoding="utf-8").splitlines()]
     data = json.loads(capsys.readouterr().out)
     jsonschema.validate(data, json.loads((Path(runner.__file__).parent / "schema.json").read_text(encoding="utf-8")))
     assert {row["library"] for row in data["rows"]} == {"scipy"}
+    assert len(wrong) == sum(row[outcome] for row in data["rows"] for outcome in WRONG)
     assert len({row["key"] for row in data["rows"]}) == len(data["rows"]) > 5
     with pytest.raises(FormulaError, match="no library called 'scipi'"):
         main(["scipi"])

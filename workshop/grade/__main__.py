@@ -6,6 +6,7 @@ Every answer is classified as right, off, missed, invented, crashed or declined.
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -19,7 +20,7 @@ from exactspline.testing import all_cases
 from workshop.grade.adapters import LIBRARIES
 from workshop.grade.judge import OUTCOMES
 from workshop.grade.report import page, rows, wrong
-from workshop.grade.runner import grade
+from workshop.grade.runner import failures, grade
 from workshop.grade.shrink import defects_of
 from workshop.printing import add_formats, ended, on_a_terminal, show
 
@@ -35,6 +36,12 @@ def arguments(given: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--cases", metavar="N", type=int, default=0, help="the first N cases of each family; 0 for all")
     parser.add_argument("--cache", metavar="FILE", type=Path, help="keep exact answers with certificates (.jsonl.gz)")
     parser.add_argument("--page", metavar="FILE", default="", help="write the scoreboard in Markdown")
+    parser.add_argument(
+        "--failures",
+        metavar="FILE",
+        default="",
+        help="write every wrong answer with what the library was given and the certified answer (JSON Lines)",
+    )
     parser.add_argument(
         "--examples",
         action=argparse.BooleanOptionalAction,
@@ -60,6 +67,9 @@ def main(given: Sequence[str] | None = None) -> int:
     if options.page:
         written = page(reports, defects, chosen, truths.uncertified)
         write_text(options.page, written)
+    if options.failures:
+        lines = [json.dumps(each, ensure_ascii=False) + "\n" for each in failures(reports)]
+        write_text(options.failures, "".join(lines))
     data = rows(reports, defects)
     show(options.format, "grade", data, _sheet(data))
     return 0

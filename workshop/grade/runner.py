@@ -8,8 +8,9 @@ import json
 import select
 import subprocess
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from math import isfinite
 from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
@@ -18,7 +19,7 @@ from exactspline.splines.control_points import lifted
 from exactspline.splines.nurbs import Nurbs
 from exactspline.testing import VERSION, Case
 from workshop.grade.data import Answer, CurveData, GivenData, Reply
-from workshop.grade.judge import Verdict, judged
+from workshop.grade.judge import WRONG, Verdict, judged
 from workshop.grade.questions import QUESTIONS
 from workshop.grade.recheck import recheck
 from workshop.grade.truth import inserted, truth
@@ -36,6 +37,9 @@ class Judged:
     case: Case
     question: str
     verdict: Verdict
+    #: What the library replied and what is true, kept where the reply is wrong.
+    reply: Reply | None = None
+    answer: Answer | None = None
 
 
 @dataclass
@@ -174,6 +178,28 @@ class Worker:
         self.process.communicate()
 
 
+def failures(reports: Iterable[Report]) -> Iterator[dict[str, object]]:
+    """Every wrong answer: what the library was given, its reply, and the certified answer."""
+    for report in reports:
+        for one in report.judged:
+            if one.verdict.outcome in WRONG:
+                yield {
+                    "library": report.library,
+                    "version": report.version,
+                    "case": one.case.key,
+                    "family": one.case.family,
+                    "note": one.case.note,
+                    "link": one.case.link,
+                    "question": one.question,
+                    "given": request_data(one.case),
+                    "reply": one.reply,
+                    "truth": one.answer,
+                    "outcome": one.verdict.outcome,
+                    "ulps": one.verdict.ulps if isfinite(one.verdict.ulps) else None,
+                    "why": one.verdict.note,
+                }
+
+
 def grade(
     libraries: Iterable[str], cases: Iterable[Case], place: Path | None = None, tick: Callable[[], None] = lambda: None
 ) -> tuple[list[Report], Truths]:
@@ -193,7 +219,8 @@ def grade(
             for worker, report in zip(workers, reports, strict=True):
                 for question, reply in worker.ask(given, asked).items():
                     verdict = judged(case, question, answers[question], reply)
-                    report.judged.append(Judged(case, question, verdict))
+                    kept = (reply, answers[question]) if verdict.outcome in WRONG else ()
+                    report.judged.append(Judged(case, question, verdict, *kept))
             tick()
     finally:
         for worker in workers:

@@ -23,7 +23,7 @@ def corpus(family: str, number: int, seed: int = VERSION) -> Iterator[Case]:
     """The first curves of a family; those of `near` and `named` are finitely many.
 
     >>> [case.key for case in corpus("near", 3)]
-    ['near 2 cusp', 'near 2 cusp −', 'near 2 double inflection']
+    ['near 2 cusp', 'near 2 cusp −', 'near 2 single inflection']
 
     Raises `FormulaError` with the nearest names.
     """

@@ -56,7 +56,7 @@ def case_data(case: Case) -> dict[str, Any]:
     >>> from workshop.vectors.corpus import corpus
     >>> data = case_data(next(corpus("near", 1)))
     >>> data["dial"], data["answers"]["cusps"]["answer"], data["answers"]["inflections"]["answer"]
-    ({'sign': 1, 'k': 2}, 'none', 'none')
+    ({'sign': 1, 'k': 2}, 'none', 'these')
     """
     curve, dial = case.curve, _DIAL.match(case.note)
     points = [list(map(text, point)) for point in curve.control_points]

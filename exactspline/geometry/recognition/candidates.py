@@ -8,7 +8,7 @@ from itertools import pairwise
 import flint
 
 from exactspline.geometry.recognition.shapes import Circle, Conic, Line, Point, Shape, minus, scalar, upper_square_root
-from exactspline.numbers.exact import from_flint, mpq, over_one_denominator, to_fmpq
+from exactspline.numbers.exact import decimal_unit, from_flint, mpq, over_one_denominator, to_fmpq
 
 #: The points from which a shape is guessed, at most.
 MOST_POINTS = 24
@@ -68,12 +68,6 @@ def _box(points: Sequence[Point]) -> tuple[Point, mpq]:
 def _rounded(x: mpq, unit: mpq) -> mpq:
     """The nearest multiple of a number."""
     return (x / unit + mpq(1, 2)) // 1 * unit
-
-
-def _decimal_unit(x: mpq) -> mpq:
-    """The largest power of ten up to a positive number."""
-    ratio = x.numerator // x.denominator
-    return mpq(10) ** (len(str(ratio)) - 1) if ratio else mpq(1, 10 ** len(str(x.denominator // x.numerator)))
 
 
 def _cross(a: Point, b: Point) -> Point:
@@ -144,14 +138,14 @@ def _shortened(circle: Circle, points: Sequence[Point]) -> Circle | None:
     left = max(map(circle.estimate, points))
     if not left:
         return circle
-    unit = _decimal_unit(upper_square_root(left) * FINE)
+    unit = decimal_unit(upper_square_root(left) * FINE)
     centre = tuple(_rounded(x, unit) for x in circle.centre)
     distances = [scalar(minus(point, centre), minus(point, centre)) for point in points]
     radius = _rounded((upper_square_root(min(distances)) + upper_square_root(max(distances))) / 2, unit)
     normal = circle.normal
     if normal:
         largest = max(normal, key=abs)
-        slope = _decimal_unit(unit / upper_square_root(circle.radius_squared))
+        slope = decimal_unit(unit / upper_square_root(circle.radius_squared))
         normal = tuple(_rounded(x / largest, slope) for x in normal)
     return Circle(centre, radius * radius, normal) if radius > 0 else None
 

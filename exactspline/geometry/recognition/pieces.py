@@ -12,7 +12,7 @@ from itertools import chain, count, pairwise
 from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.candidates import candidates
 from exactspline.geometry.recognition.shapes import Circle, Conic, Point, Shape, ShapeKind, upper_square_root
-from exactspline.numbers.exact import Number, mpq, rational, sign
+from exactspline.numbers.exact import Number, decimal_unit, mpq, sign
 from exactspline.numbers.intervals import Interval
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.reals.real import Real, real
@@ -21,6 +21,7 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.precision import distance
 
 #: Where in a segment points are taken to guess a shape.
 PLACES = tuple(mpq(i, 6) for i in range(1, 6))
@@ -104,13 +105,34 @@ def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedP
     given = curve_of(curve)
     if given.dimension not in (2, 3):
         raise ShapeError(f"shapes in R{given.dimension}", remedy="this needs a curve in the plane or in space")
-    points = [
-        [given(a), *[given(a + (b - a) * t) for t in PLACES], given(b, "left")] for a, b in pairwise(given.breakpoints)
-    ]
-    limit = _size(points) / 10**9 if epsilon is None else rational(epsilon)
-    if limit <= 0 and epsilon is not None:
-        raise ShapeError(f"the distance {epsilon}", remedy="give a number above 0")
-    return tuple(_pieces(given, points, limit))
+    points = _points(given)
+    return tuple(_pieces(given, points, _limit(given, points, epsilon)))
+
+
+def near(curve: Nurbs, piece: CurvePiece, shape: Shape, epsilon: Number | None = None) -> RecognizedPiece | None:
+    """A piece of a curve near to a shape that is given, with a distance up to epsilon that is proved; None where that
+    was not proved. Without epsilon, within 10⁻⁹ of the curve's size.
+
+    >>> from exactspline import example
+    >>> s = example("cubic_s")
+    >>> print(near(s, CurvePiece((s.domain,)), Circle((mpq(0), mpq(0)), mpq(1))))
+    None
+    """
+    limit = _limit(curve, _points(curve), epsilon)
+    alone = curve.restrict(piece.start, piece.end)
+    points = _points(alone)
+    return _proved(_Run(alone, 0, len(points) - 1, points), shape, limit)
+
+
+def _points(curve: Nurbs) -> list[list[Point]]:
+    """Points of each segment, from its start to its end."""
+    mesh = pairwise(curve.breakpoints)
+    return [[curve(a), *[curve(a + (b - a) * t) for t in PLACES], curve(b, "left")] for a, b in mesh]
+
+
+def _limit(curve: Nurbs, points: Sequence[Sequence[Point]], epsilon: Number | None) -> mpq:
+    """The largest distance that is asked for."""
+    return _size(points) / 10**9 if epsilon is None else distance(epsilon, curve)
 
 
 def _size(points: Sequence[Sequence[Point]]) -> mpq:
@@ -255,6 +277,5 @@ def rounded_up(x: mpq) -> mpq:
     """
     if not x:
         return x
-    exponent = len(str(x.numerator // x.denominator)) if x >= 1 else 1 - len(str(x.denominator // x.numerator))
-    unit = mpq(10) ** (exponent - 4)
+    unit = decimal_unit(x) / 1000
     return -(-x // unit) * unit

@@ -13,7 +13,6 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from functools import cached_property
 
 from gmpy2 import isqrt
@@ -24,6 +23,7 @@ from exactspline.numbers.exact import mpq, sign
 from exactspline.reals.real import Real, real, square_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+from exactspline.words import Word
 
 Point = tuple[mpq, ...]
 #: Steps along the gradient lead to the shape within this multiple of E.
@@ -32,7 +32,7 @@ ALONG_GRADIENT = mpq(17, 16)
 STEEP = 64
 
 
-class ShapeKind(StrEnum):
+class ShapeKind(Word):
     """The kinds of shapes."""
 
     LINE = "line"

@@ -1,7 +1,8 @@
 """SVG: paths and basic shapes, one curve per subpath, in the coordinates of the outermost ``<svg>``.
 
 Lines, quadratics and cubics are exact. Elliptic arcs are exact if the centre is rational and the axes are parallel to
-the coordinate axes (or the arc is circular); a subpath with any other arc is skipped. Transforms are applied exactly,
+the coordinate axes (or the arc is circular); any other arc is skipped and divides its subpath, or, where an error is
+allowed, one with an irrational centre is replaced by a near one. Transforms are applied exactly,
 about their origin; elements under a transform with an irrational sine, cosine or tangent are skipped. Path data with an
 error are read up to the error, as the standard requires. Copies (`use`) are placed; of a `switch` the first child is
 drawn that requires no extension and no language. Elements that style sheets may move or reshape are skipped; a note
@@ -27,7 +28,7 @@ from exactspline.interchange.svg_styles import HIDING, MOVING, ORIGIN, SHAPING, 
 from exactspline.interchange.svg_transforms import about, length, transform
 from exactspline.interchange.writing import pen_segments
 from exactspline.interchange.xml_tree import Element, attribute, parse
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import mpq, text
 
 DEFINITIONS = (
     "defs", "symbol", "marker", "clipPath", "mask", "pattern", "linearGradient", "radialGradient", "filter", "font",
@@ -43,6 +44,8 @@ SILENT = ("style", "script", "title", "desc", "metadata", "view")
 ANIMATIONS = ("animate", "animateTransform", "animateMotion", "set", "discard")
 IDENTITY = Affine.identity(2)
 
+#: What is said of an arc that stands for another.
+REPLACED = "an arc with an irrational centre is replaced by one with the same ends, nowhere further from it than"
 LOSES = "SVG stores no knots: segments are kept, their parameter intervals are not"
 
 
@@ -238,7 +241,7 @@ def _shape(collector: Collector, element: Element, where: str, place: _Place) ->
     if element.tag == "path":
         data = element.attributes.get("d", "")
         collector.room(least_size(data))
-        parsed, problem = subpaths(data, collector.limits)
+        parsed, problem = subpaths(data, collector.limits, _in_its_coordinates(collector.source.within, place.placed))
         if not parsed:
             raise ShapeError(problem, remedy="correct the path data") if problem else NotDrawnError("no segments")
         notes += [f"{problem}: read up to there"] if problem else []
@@ -252,7 +255,30 @@ def _shape(collector: Collector, element: Element, where: str, place: _Place) ->
             collector.skip("subpath", at, part.problem)
             continue
         placed = mapped(part.segments, place.placed)
-        collector.add_segments(element.tag, at, placed, f"{name}.{i}" if several else name, notes)
+        collector.add_segments(
+            element.tag,
+            at,
+            placed,
+            f"{name}.{i}" if several else name,
+            [*notes, *_of_arcs(part, collector.source.within)],
+        )
+
+
+def _in_its_coordinates(within: mpq | None, placed: Affine) -> mpq | None:
+    """A distance before the transform that is at most the given one after it."""
+    if within is None:
+        return None
+    # the spectral norm is at most the larger one of those by rows and by columns
+    (a, b), (c, d) = ([abs(x) for x in row[:2]] for row in placed.rows)
+    return within / max(a + b, c + d, a + c, b + d, mpq(1))
+
+
+def _of_arcs(part: Subpath, within: mpq | None) -> list[str]:
+    """Notes on arcs that have no exact representation."""
+    return [
+        *(["a part of a subpath: an arc next to it is left out"] if part.divided else []),
+        *([f"{REPLACED} {text(within)}"] if part.approximated and within is not None else []),
+    ]
 
 
 def _basic(collector: Collector, element: Element) -> tuple[list[Segment], list[str]]:

@@ -1,6 +1,7 @@
 """B-splines at the edge: jumps, zero forms below degree 0, bad input."""
 
 import pytest
+from gmpy2 import mpq
 
 from exactspline import BSpline, KnotVector
 from exactspline.errors import DomainError, ExactSplineError, KnotError, NumberError, ShapeError
@@ -30,6 +31,8 @@ def test_zero_forms_of_negative_degree(f):
         assert zero.degree == -k
         assert zero.is_zero
         assert zero.true_degree == -1
+        assert (zero.control_points, len(zero.knots)) == ((), 0)
+        assert repr(zero)
         assert zero(a) == zero(b) == zero((a + b) / 2) == 0
         assert (zero * f).degree == f.degree - k
         assert (zero * f).is_zero
@@ -41,15 +44,6 @@ def test_zero_forms_of_negative_degree(f):
         assert zero.reverse().is_zero
         assert zero.restrict(a, (a + b) / 2).is_zero
         assert (zero * zero).degree == -2 * k
-
-
-@pytest.mark.parametrize("below", [1, 2, 3, 4])
-@pytest.mark.parametrize("f", [BSpline.bezier([4]), JUMP], ids=["constant", "jump"])
-def test_zero_forms_have_no_control_points(f, below):
-    zero = f.d(f.degree + below)
-    assert zero.control_points == ()
-    assert len(zero.knots) == 0
-    assert repr(zero)
 
 
 def test_no_derivative_of_negative_order():
@@ -125,3 +119,23 @@ def test_arithmetic_with_strangers_is_refused(stranger):
     ):
         with pytest.raises(TypeError):
             operation(stranger)
+
+
+def test_polynomials_and_forms_are_equal_piece_by_piece():
+    f, g = BSpline(1, [0, 0, 1, 2, 2], [1, 2, 5]), BSpline(1, [0, 0, 1, 2, 2], [1, 2, 4])
+    for own, same, other in ((f.polynomials, f.polynomials, g.polynomials), (f.forms, f.forms, g.forms)):
+        assert own == same
+        assert own == tuple(same)
+        assert own != other
+        assert own != tuple(own)[:1]
+        assert own != (*own, own[0])
+        assert own != 2
+
+
+def test_parameters_are_located_in_the_segment_on_the_side_asked_for():
+    mesh = BSpline(1, [0, 0, 1, 2, 4, 4], [0, 1, 2, 3]).mesh
+    inside = [(mpq(1, 2), 0), (mpq(3, 2), 1), (mpq(3), 2)]
+    for t, i in inside:
+        assert mesh.locate(t) == mesh.locate(t, left=True) == i
+    assert [mesh.locate(mpq(t)) for t in (0, 1, 2, 4)] == [0, 1, 2, 2]
+    assert [mesh.locate(mpq(t), left=True) for t in (0, 1, 2, 4)] == [0, 0, 1, 2]

@@ -1,0 +1,147 @@
+"""Pieces of a curve that are nearly lines or, in the plane, arcs of circles, replaced by exact ones."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+from exactspline.errors import ShapeError
+from exactspline.geometry.recognition.pieces import RecognizedPiece, near, recognized, signs
+from exactspline.geometry.recognition.shapes import Circle, Line, Point, Shape, ShapeKind, minus, scalar
+from exactspline.interchange.affine import Affine
+from exactspline.interchange.segments import Segment, arc_around_origin, joined, mapped, polynomial
+from exactspline.language.wronskians import wronskians
+from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.sides import Side
+from exactspline.splines.expected import curve_of
+from exactspline.splines.nurbs import Nurbs
+from exactspline.words import choice
+
+#: The shapes that can be written exactly between two given points.
+KINDS = (ShapeKind.LINE, ShapeKind.CIRCLE)
+
+
+@dataclass(frozen=True)
+class Snapped:
+    """A curve with exact pieces in place of some that were near to a shape.
+
+    `replaced`: the pieces of the curve as it was, the exact shape that is there now, and the distance that is proved
+    between both. `kept`: pieces that are as near to a shape as was asked, but not to one through their end points, and
+    arcs of circles in space; they are as they were.
+    """
+
+    curve: Nurbs
+    replaced: tuple[RecognizedPiece, ...]
+    kept: tuple[RecognizedPiece, ...]
+
+
+def snapped(curve: Nurbs, kinds: Collection[ShapeKind | str] = KINDS, epsilon: Number | None = None) -> Snapped:
+    """The curve with its pieces that run along a line or a circle within the distance epsilon (without it, within 10⁻⁹
+    of the curve's size) replaced by exact ones with the same end points; all else, and every piece that lies on its
+    shape exactly, stays as it is, over the same parameters.
+
+    An arc has the tangents of the piece at both ends where there is such an arc near enough; otherwise its centre is
+    the nearest one to that of the recognized circle that is equally far from both end points.
+
+    >>> rounded = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], [1, "0.7071", 1])
+    >>> found = snapped(rounded, ["circle"], "1e-4")
+    >>> found.curve.control_points == rounded.control_points, *found.curve.weights
+    (True, mpq(2,1), mpq(1,1), mpq(1,1))
+    >>> print(found.replaced[0].shape, found.replaced[0].within < mpq(1, 10**5))
+    circle: centre (0, 0), radius 1 True
+
+    Raises `ShapeError` for a curve that is neither in the plane nor in space or jumps, for another kind of shape and
+    for an epsilon that is not positive.
+    """
+    given = curve_of(curve)
+    requested = {choice(ShapeKind, kind, "shape", raised=ShapeError) for kind in kinds}
+    if other := sorted(requested - set(KINDS)):
+        raise ShapeError(f"a piece replaced by a {other[0]}", remedy=f"this needs {' or '.join(KINDS)}")
+    replaced, kept = dict[mpq, RecognizedPiece](), list[RecognizedPiece]()
+    for piece in recognized(given, epsilon):
+        if piece.kind in requested and not piece.exact:
+            tried = (near(given, piece.piece, shape, epsilon) for shape in _between_ends(given, piece))
+            if found := next(filter(None, tried), None):
+                replaced[piece.piece.start] = found
+            else:
+                kept.append(piece)
+    return Snapped(_with(given, replaced) if replaced else given, tuple(replaced.values()), tuple(kept))
+
+
+def _between_ends(curve: Nurbs, piece: RecognizedPiece) -> Iterator[Shape]:
+    """Shapes of the same kind through the end points of a piece: where there is one, with its tangents there."""
+    a, b = _ends(curve, piece)
+    if not isinstance(piece.shape, Circle):
+        yield Line(a, minus(b, a))
+    if not isinstance(piece.shape, Circle) or curve.dimension > 2:
+        return
+    if (tangent := _tangent_circle(curve, piece)) is not None:
+        yield tangent
+    yield _circle(piece.shape, a, b)
+
+
+def _tangent_circle(curve: Nurbs, piece: RecognizedPiece) -> Circle | None:
+    """The circle through both end points with the tangents of the piece there."""
+    a, b = _ends(curve, piece)
+    velocity, sides = wronskians(curve.w, curve.p), (Side.RIGHT, Side.LEFT)
+    (x, y), last = (tuple(f(t, side) for f in velocity) for t, side in zip(piece.piece.parts[0], sides, strict=True))
+    normal, chord = (-y, x), minus(b, a)
+    if not (across := scalar(normal, chord)):
+        return None
+    factor = scalar(chord, chord) / across / 2
+    centre = tuple(c + factor * n for c, n in zip(a, normal, strict=True))
+    radius = minus(b, centre)
+    return None if scalar(radius, last) else Circle(centre, scalar(radius, radius))
+
+
+def _ends(curve: Nurbs, piece: RecognizedPiece) -> tuple[Point, Point]:
+    return curve(piece.piece.start), curve(piece.piece.end, "left")
+
+
+def _circle(found: Circle, a: Point, b: Point) -> Circle:
+    """The circle through two points whose centre is nearest to that of another."""
+    chord, centre = minus(b, a), found.centre
+    if any(chord):
+        middle = tuple((x + y) / 2 for x, y in zip(a, b, strict=True))
+        along = scalar(minus(centre, middle), chord) / scalar(chord, chord)
+        centre = tuple(c - along * u for c, u in zip(centre, chord, strict=True))
+    radius = minus(a, centre)
+    return Circle(centre, scalar(radius, radius))
+
+
+def _with(curve: Nurbs, replaced: dict[mpq, RecognizedPiece]) -> Nurbs:
+    """The curve with exact pieces, by the parameters at which they begin."""
+    parts = list(_parts(curve, replaced))
+    degree, knots, points = joined([segment for _, segments in parts for segment in segments])
+    breaks = [curve.domain[0]]
+    for end, segments in parts:
+        start, n = breaks[-1], len(segments)
+        breaks += [start + (end - start) * mpq(k, n) for k in range(1, n + 1)]
+    places = [tuple(x / point[-1] for x in point[:-1]) for point in points]
+    return Nurbs(degree, [breaks[int(t)] for t in knots], places, [point[-1] for point in points], name=curve.name)
+
+
+def _parts(curve: Nurbs, replaced: dict[mpq, RecognizedPiece]) -> Iterator[tuple[mpq, list[Segment]]]:
+    """The ends of consecutive parts, each with its segments: those of the curve, one by one, and exact pieces."""
+    rows = zip(*[f.segments for f in (*curve.p, curve.w)], strict=True)
+    behind = curve.domain[0]
+    for (start, end), columns in zip(pairwise(curve.breakpoints), rows, strict=True):
+        if start < behind:
+            continue
+        found = replaced.get(start)
+        behind = end if found is None else found.piece.end
+        yield behind, [tuple(zip(*columns, strict=True))] if found is None else _exact(curve, found)
+
+
+def _exact(curve: Nurbs, found: RecognizedPiece) -> list[Segment]:
+    """A piece of a line or a circle between two points, in the direction of the curve."""
+    a, b = _ends(curve, found)
+    if not isinstance(found.shape, Circle):
+        return [polynomial(a, b)]
+    centre = found.shape.centre
+    ends = [minus(a, centre), minus(b, centre)]
+    left = 1 in signs(found.shape.advance(curve.restrict(found.piece.start, found.piece.end)))
+    arcs = arc_around_origin(*(ends if left else ends[::-1]))
+    there = mapped(arcs, Affine([[1, 0, centre[0]], [0, 1, centre[1]]]))
+    return there if left else [segment[::-1] for segment in reversed(there)]

@@ -1,0 +1,67 @@
+"""How precisely the numbers of a curve were written, as a distance."""
+
+from __future__ import annotations
+
+from exactspline.errors import ShapeError
+from exactspline.numbers.exact import Number, decimal_unit, mpq, rational
+from exactspline.splines.expected import curve_of
+from exactspline.splines.nurbs import Nurbs
+
+#: Decimal digits that tell every double from its neighbours, and bits of a double.
+DECIMALS, BITS = 17, 53
+
+
+#: The word for the precision that the numbers of a curve were written with.
+WRITTEN = "written"
+
+
+def distance(epsilon: Number, curve: Nurbs) -> mpq:
+    """A distance that is given as a number, or, by `WRITTEN`, that of `written_precision`.
+
+    Raises `ShapeError` for a distance that is not positive, `NumberError` for what is not a number.
+    """
+    if epsilon == WRITTEN:
+        return written_precision(curve)
+    within = rational(epsilon)
+    if within <= 0:
+        raise ShapeError(f"the distance {epsilon}", remedy=f"give a number above 0, such as 1e-9, or {WRITTEN}")
+    return within
+
+
+def written_precision(curve: Nurbs) -> mpq:
+    """Half a unit of the last digit that the coordinates and weights of a curve were written with.
+
+    All are thought to be written with as many decimal digits as the longest of them. The last digit is that of the
+    largest of those with that number of digits, or one less, as a zero at the end is not seen. More than 17 are those
+    of a double: then it is half of a unit in the last of 53 bits. Fractions such as 1/3 count as exact.
+
+    >>> arc, knots = [(1, 0), (1, 1), (0, 1)], [0, 0, 0, 1, 1, 1]
+    >>> written_precision(Nurbs(2, knots, arc, [1, "0.7071", 1]))
+    mpq(1,20000)
+    >>> written_precision(Nurbs(2, knots, arc, [1, mpq(0.5**0.5), 1])) == mpq(1, 2**54)
+    True
+    >>> written_precision(Nurbs(2, knots, arc))
+    mpq(1,2)
+    """
+    given = curve_of(curve)
+    digits = {abs(x): _digits(x) for row in (*given.control_points, given.weights) for x in row if x}
+    most = max(digits.values())
+    if most > DECIMALS:
+        largest: mpq = max(x for x, count in digits.items() if count > DECIMALS)
+        unit = mpq(2) ** (largest.numerator.bit_length() - largest.denominator.bit_length())
+        return (unit if unit <= largest else unit / 2) / mpq(2) ** BITS
+    return decimal_unit(max(x for x, count in digits.items() if count >= most - 1)) / mpq(10) ** (most - 1) / 2
+
+
+def _digits(x: mpq) -> int:
+    """The number of significant decimal digits of a number that has finitely many; 1 for others."""
+    fives = twos = 0
+    d = x.denominator
+    while d % 5 == 0:
+        d, fives = d // 5, fives + 1
+    while d % 2 == 0:
+        d, twos = d // 2, twos + 1
+    if d != 1:
+        return 1
+    places = max(fives, twos)
+    return len(str(x.numerator * 2 ** (places - twos) * 5 ** (places - fives)).rstrip("0"))

@@ -1,0 +1,93 @@
+"""Arcs of SVG whose centres are irrational: the rest of a path is read, and on request a near arc stands for them."""
+
+from itertools import pairwise
+from math import atan2, cos, hypot, pi, sin, sqrt
+
+import pytest
+
+from exactspline.errors import NumberError
+from exactspline.interchange import read
+from tests.support.command import run
+
+SVG = '<svg xmlns="http://www.w3.org/2000/svg">{}</svg>'
+
+
+def drawn(text, **options):
+    return read(SVG.format(text).encode(), "svg", **options)
+
+
+def test_the_other_segments_of_a_path_survive():
+    """The whole subpath was left out."""
+    reading = drawn('<path id="p" d="M0 0H1A1 1 0 0 1 2 1.5C3 3 1 3 0 0z"/>')
+    assert [(named.name, named.curve.degree, named.curve.segments) for named in reading.curves] == [
+        ("p.1", 1, 1), ("p.3", 3, 1)
+    ]  # fmt: skip
+    assert [named.curve(named.curve.domain[0]) for named in reading.curves] == [(0, 0), (2, 1.5)]
+    assert all("an arc next to it is left out" in named.notes[0] for named in reading.curves)
+    [skipped] = reading.skipped
+    assert "its centre is irrational" in skipped.why
+    assert not reading.complete
+
+
+@pytest.mark.parametrize("large", [0, 1])
+@pytest.mark.parametrize("sweep", [0, 1])
+@pytest.mark.parametrize(("rx", "ry"), [(1, 1), (3, 2), (1, 7)])
+@pytest.mark.parametrize("error", ["1/10", "1e-9"])
+def test_a_near_arc_is_near(large, sweep, rx, ry, error):
+    """Points of either arc, computed here in floats by the formulas of the standard, are that near to the other."""
+    reading = drawn(f'<path d="M0 0A{rx} {ry} 0 {large} {sweep} 1 .5"/>', approximate=error)
+    [named] = reading.curves
+    curve = named.curve
+    a, b = curve.domain
+    assert (curve(a), curve(b), reading.skipped) == ((0, 0), (1, 0.5), ())
+    assert f"nowhere further from it than {'1/1000000000' if error == '1e-9' else error}" in named.notes[0]
+    x, y = 1 / rx, 0.5 / ry
+    square = x * x + y * y
+    offset = sqrt(1 / square - 1 / 4) * (1 if large == sweep else -1)
+    cx, cy = x / 2 + offset * y, y / 2 - offset * x
+    start, end = atan2(-cy, -cx), atan2(y - cy, x - cx)
+    turn = (end - start) % (2 * pi) if sweep else -((start - end) % (2 * pi))
+    assert (abs(turn) > pi) == large
+    exact = [(rx * (cx + cos(start + turn * k / 400)), ry * (cy + sin(start + turn * k / 400))) for k in range(401)]
+    own = [tuple(map(float, curve(a + (b - a) * k / 100))) for k in range(101)]
+    step = max(hypot(p[0] - q[0], p[1] - q[1]) for p, q in pairwise(exact))
+    allowed = 0.1 if error == "1/10" else 1e-9
+    for point in own:
+        # to the chords of the exact arc, which are nearer than step² from it
+        assert min(_distance(point, p, q) for p, q in pairwise(exact)) <= allowed + step * step
+    for p in exact[::20]:
+        assert min(_distance(p, s, t) for s, t in pairwise(own)) <= allowed + 16 * step * step
+    near = max(abs(hypot(px / rx - cx, py / ry - cy) - 1) for px, py in own)
+    assert near <= 2 * allowed + 1e-12
+
+
+def _distance(point, p, q):
+    dx, dy = q[0] - p[0], q[1] - p[1]
+    t = ((point[0] - p[0]) * dx + (point[1] - p[1]) * dy) / ((dx * dx + dy * dy) or 1)
+    t = min(max(t, 0), 1)
+    return hypot(p[0] + t * dx - point[0], p[1] + t * dy - point[1])
+
+
+def test_the_distance_is_that_on_the_page():
+    """Under a transform that enlarges a thousand times, the arc itself must be nearer."""
+    path = '<path transform="scale(1000)" d="M0 0A1 1 0 0 1 1 .5"/>'
+    curve = drawn(path, approximate="1/10").curves[0].curve
+    offset = sqrt(1 / 1.25 - 1 / 4)
+    cx, cy = 1000 * (0.5 - offset * 0.5), 1000 * (0.25 + offset)
+    a, b = curve.domain
+    points = [tuple(map(float, curve(a + (b - a) * k / 50))) for k in range(51)]
+    assert max(abs(hypot(x - cx, y - cy) - 1000) for x, y in points) <= 0.1
+
+
+def test_a_distance_is_positive():
+    with pytest.raises(NumberError, match="above 0"):
+        drawn("", approximate=0)
+
+
+def test_conversion_names_what_it_approximates(tmp_path):
+    place = tmp_path / "arc.svg"
+    place.write_text(SVG.format('<path d="M0 0A1 1 0 0 1 1 .5"/>'), encoding="utf-8")
+    done = run("convert", place, tmp_path / "arc.json", "--approximate", "1e-6")
+    assert done.returncode == 0, done.stderr
+    assert "nowhere further from it than 1/1000000" in done.stderr
+    assert run("convert", place, tmp_path / "other.json").returncode == 2
