@@ -14,6 +14,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from importlib.util import find_spec
+from itertools import chain
 from typing import TypeVar
 
 from exactspline.errors import ExactSplineError, as_text, nearest
@@ -35,6 +36,9 @@ ALONE = HEAVY // FIRST
 #: The limit per process of curves that are pending or whose results have not been fetched; beyond it the results are
 #: fetched first.
 WINDOW = 4096
+#: No processes are started for this many curves of less weight than `HEAVY`: starting two takes the processor time of
+#: some thousand of them.
+FEW = 512
 #: Groups sent to a process before a result is awaited.
 PENDING = 3
 
@@ -64,9 +68,10 @@ def mapped(
 ) -> Iterator[V]:
     """The results of `call` for groups of the input, in order.
 
-    `call` may modify the list it receives. At most `WINDOW` items plus one group per process are held at a time,
-    however long the input is and however slowly the results are consumed; within this process the results of a group
-    are consumed one by one. Closing the generator ends the work when the groups in progress are finished.
+    `call` may modify the list it receives. For a few items (`FEW`) no processes are started. At most `WINDOW` items
+    plus one group per process are held at a time, however long the input is and however slowly the results are
+    consumed; within this process the results of a group are consumed one by one. Closing the generator ends the work
+    when the groups in progress are finished.
 
     >>> list(mapped(lambda group: [2 * x for x in group], [3, 1, 2]))
     [6, 2, 4]
@@ -75,6 +80,9 @@ def mapped(
     """
     check_backend(backend)
     closed = threading.Event()
+    if backend == "processes" and jobs > 1:
+        given, few = _counted(given, weight)
+        backend = "serial" if few else backend
     if backend == "serial" or (backend == "processes" and jobs == 1):
         for group in _groups(given, weight, 1, closed, alone=ALONE):
             yield from call(group)
@@ -96,6 +104,22 @@ def mapped(
         for first in groups:
             window = _window(first, groups, WINDOW * jobs)
             yield from _taken(parallel(delayed(_called)(call, group) for group in window), closed)
+
+
+def _counted(given: Iterable[T], weight: Callable[[T], int]) -> tuple[Iterable[T], bool]:
+    """The input, of which the first items were read, and whether these are all and there is little to do.
+
+    >>> given, few = _counted(iter([3, 1, 2]), lambda _: 1)
+    >>> list(given), few
+    ([3, 1, 2], True)
+    """
+    rest, first, heavy = iter(given), list[T](), 0
+    for each in rest:
+        first.append(each)
+        heavy += weight(each)
+        if len(first) > FEW or heavy >= HEAVY:
+            return chain(first, rest), False
+    return first, True
 
 
 def _groups(

@@ -199,11 +199,16 @@ def _eliminant(polynomials: Sequence[fmpz_mpoly]) -> fmpz_poly:
     while len(found) < (ELIMINANTS if len(others) > 1 else 1):
         # a factor of the first divides two of the combinations only if it divides all
         combined = rows_of(sum((p * k**i for i, p in enumerate(others)), S * 0))
-        eliminant = resultant(rows, combined) if combined else fmpz_poly([])
+        eliminant = _without_t(rows, combined) if combined else fmpz_poly([])
         if eliminant:
             found.append(eliminant)
         k += 1
     return greatest_common_divisor(found)
+
+
+def _without_t(first: list[fmpz_poly], second: list[fmpz_poly]) -> fmpz_poly:
+    """The resultant in t, or the common divisor of polynomials in which t does not occur, whose resultant is 1."""
+    return greatest_common_divisor([*first, *second]) if len(first) == len(second) == 1 else resultant(first, second)
 
 
 def apart(numbers: Sequence[Parameter]) -> list[Parameter]:

@@ -146,9 +146,23 @@ def test_serial_lines_are_in_order_and_a_bad_curve_is_one_of_them(serial):
 
 
 @pytest.mark.parametrize("backend", ["processes", "dask", "ray"])
-def test_all_backends_say_the_same(serial, backend):
+def test_all_backends_say_the_same(serial, backend, monkeypatch):
+    monkeypatch.setattr(backends, "FEW", 0)
     pytest.importorskip({"processes": "joblib", "dask": "distributed", "ray": "ray"}[backend])
     assert list(xs.sweep(SOURCES, backend=backend, jobs=2)) == serial
+
+
+@pytest.mark.parametrize(("count", "each", "pooled"), [(512, 1, False), (513, 1, True), (16, backends.ALONE, True)])
+def test_processes_are_started_only_where_they_pay(count, each, pooled):
+    """Two processes for 200 curves took three times the processor time of one before."""
+    pytest.importorskip("joblib")
+    found = list(backends.mapped(_process_of, range(count), "processes", 2, weight=lambda _: each))
+    assert len(found) == count
+    assert (os.getpid() not in found) is pooled
+
+
+def _process_of(group):
+    return [os.getpid()] * len(group)
 
 
 def test_an_endless_corpus_is_swept_as_far_as_it_is_asked_for():

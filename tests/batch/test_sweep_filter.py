@@ -316,7 +316,8 @@ def test_a_sweep_continued_anywhere_has_the_same_lines_and_counts_what_it_comput
         assert {line.way for line in results.existing()} == {None}
 
 
-def test_what_the_filter_said_comes_back_from_other_processes():
+def test_what_the_filter_said_comes_back_from_other_processes(monkeypatch):
+    monkeypatch.setattr(backends, "FEW", 0)
     given = [Family.parsed("degree=3 count=300 seed=15"), "rational_space_cubic"]
     here, there = (list(xs.sweep(given, backend="processes", jobs=jobs)) for jobs in (1, 2))
     assert here == there

@@ -112,6 +112,13 @@ def test_an_irrational_multiple_singular_point_is_one_point():
     assert [x.minimal_polynomial() for x in place.spot] == [[-1, 0, 2]] * 2
 
 
+def test_polynomials_of_one_parameter_beside_one_of_both():
+    """Passed before: 2s² − 1, its square and a polynomial of both had no zero in common, since a resultant was 1."""
+    (zero,) = common_zeros([2 * S * S - 1, (2 * S * S - 1) ** 2, 3 * T - 1 + 2 * S * S - 1], UNIT)
+    assert zero.s.minimal_polynomial() == [-1, 0, 2]
+    assert zero.t == mpq(1, 3)
+
+
 # ---- curves of zeros: their singular points, also degenerate ones and on the border
 
 P, Q, A, B = 2 * S * S - 1, 2 * T * T - 1, 2 * S - 1, 3 * T - 1
