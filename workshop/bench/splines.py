@@ -23,7 +23,7 @@ def spline_rows(options: Options) -> Iterator[Row]:
     exact = [mpq(t.numerator, t.denominator) for t in places]
     ours: dict[str, Timed] = {
         f"{POINTS} points of a rational cubic, 10 segments": (
-            lambda made: made.points_at(exact),  # type: ignore[operator]  # a curve
+            lambda made: made.points_at(exact),  # type: ignore[attr-defined]  # a curve
             lambda: c,
         ),
         "a knot inserted, rational cubic, 10 segments": (
