@@ -11,8 +11,8 @@ from exactspline.display.evidence import worded
 from exactspline.display.numbers import Numbers
 from exactspline.display.sheet import Sheet
 from exactspline.display.wrapping import code_lines
-from exactspline.errors import counted
-from exactspline.verification.errata import Erratum
+from exactspline.errors import command_name, counted
+from exactspline.verification.errata import Erratum, Refuted
 
 
 def erratum_data(entry: Erratum) -> dict[str, object]:
@@ -33,7 +33,7 @@ def errata_sheet(entries: Sequence[Erratum], numbers: Numbers) -> Sheet:
     """The statements of errors, one per row."""
     columns = ("error", "place", "printed", "which says", "found", "witness", "true", "why")
     cells = [
-        (e.title, each.place, each.words, each.statement, worded(each.found), worded(each.witness, numbers), *reasons)
+        (e.title, each.place, each.words, each.statement, found_text(each), worded(each.witness, numbers), *reasons)
         for e in entries
         for reasons in [("; ".join(e.truth), "; ".join(e.why))]
         for each in e.statements
@@ -63,7 +63,7 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
         where = "printed in" if number[0].isdigit() else "beside"
         console.lines(shown, f"{where} {each.place}{words}", indent=5, first=3)
         console.lines(shown, f"which says: {each.statement} ({each.id})", indent=7, first=5)
-        console.lines(shown, f"found: {worded(each.found)}", indent=7, first=5)
+        console.lines(shown, f"found: {found_text(each)}", indent=7, first=5)
         if each.witness:
             console.lines(shown, f"witness: {worded(each.witness, numbers)}", indent=7, first=5)
     for line in entry.truth:
@@ -75,4 +75,14 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
     for line in dict.fromkeys(line for each in entry.statements for line in each.check):
         for part in code_lines(line, shown.width):
             console.unbroken(shown, part)
+    first, *others = dict.fromkeys(each.key for each in entry.statements)
+    also = f"; likewise {', '.join(others)}" if others else ""
+    console.lines(shown, f"a theorem to cite: {command_name()} show {first} --latex{also}", indent=5, first=3)
     shown.print()
+
+
+def found_text(statement: Refuted) -> str:
+    """What holds instead of a statement, with what its letters stand for."""
+    found = worded(statement.found)
+    letters = [each for each in statement.where if each.partition(" = ")[0] in found]
+    return f"{found}, where {', '.join(letters)}" if letters else found

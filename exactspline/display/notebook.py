@@ -10,6 +10,7 @@ from typing import Any, cast
 
 from exactspline.classroom.exercises import Exercise
 from exactspline.classroom.triangles import ProductTable, Triangle
+from exactspline.display.errata import found_text
 from exactspline.display.evidence import worded
 from exactspline.display.exercises import task_html
 from exactspline.display.latex import fraction, latex, mathematics
@@ -219,7 +220,7 @@ def _(e: Erratum) -> str:
         lines += [
             (each.place, f"“{escape(quoted(each.words))}”" if each.words else ""),
             ("which says", escape(each.statement)),
-            ("found", escape(worded(each.found))),
+            ("found", escape(found_text(each))),
             ("witness", breakable(worded(each.witness, Numbers()))),
             ("check", f"<code>{'<br>'.join(map(breakable, each.check))}</code>"),
         ]

@@ -25,6 +25,7 @@ from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.kinds.examples import Count
 from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.rows import error_of
+from exactspline.verification.statement import definitions
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 
@@ -32,7 +33,7 @@ from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 @dataclass(frozen=True)
 class Refuted:
     """A statement that fails: the verbatim words and their place, the claimed and the computed value, where it fails,
-    and Python code that shows it.
+    and Python code that shows it; `where`: what the letters in it stand for.
     """
 
     id: str
@@ -44,6 +45,7 @@ class Refuted:
     found: Found | None
     witness: Evidence | None
     check: tuple[str, ...]
+    where: tuple[str, ...]
 
     def __repr__(self) -> str:
         return f"<Refuted {self.id}: {self.statement}>"
@@ -119,8 +121,9 @@ def _refuted(claim: Claim) -> Refuted | None:
     place = ", ".join(dict.fromkeys(part for part in (claim.source, claim.place.split(",")[0]) if part))
     relation = true_relation(claim, finding)
     computed, witness = (relation, None) if relation else (finding.computed, finding.witness)
+    where = tuple(each.text for each in definitions(claim, finding))
     return Refuted(
-        claim.id, claim.key, place, claim.words, numbered(claim), claim.claims, computed, witness, check(claim)
+        claim.id, claim.key, place, claim.words, numbered(claim), claim.claims, computed, witness, check(claim), where
     )
 
 
