@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, TypeVar, cast
 
-from exactspline.errors import DomainError, ShapeError
+from exactspline.errors import DomainError, ShapeError, shown
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import space
 from exactspline.language.operand import Operand
@@ -94,8 +94,9 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
     >>> patch.denominator.degree, patch("1/2", "3/2") == point_at(tangents, "1/2", "3/2")
     (Degrees(s=5, t=1), True)
 
-    Raises `DomainError` unless a < b.
+    Raises `DomainError` unless a < b, `ShapeError` for what is not a ruled surface.
     """
+    _check_is_ruled(surface)
     low, high = rational(a), rational(b)
     if not low < high:
         raise DomainError(f"[{text(low)}, {text(high)}] is not an interval of ruling parameters", remedy="give a < b")
@@ -121,11 +122,17 @@ def is_developable(surface: SplineSurface) -> bool:
     >>> [is_developable(ruled_surface(name, curve)) for name in ("rectifying_developable", "binormal_scroll")]
     [True, False]
 
-    Raises `ShapeError` where the generator vanishes on a whole segment: there is no surface.
+    Raises `ShapeError` for what is not a ruled surface, and where the generator vanishes on a whole segment.
     """
+    _check_is_ruled(surface)
     _check_generator(surface)
     lowest = cast("RuledSurface[Vector[BSpline]]", in_lowest_terms(surface))
     return development(lowest).is_zero
+
+
+def _check_is_ruled(surface: object) -> None:
+    if not isinstance(surface, RuledSurface):
+        raise ShapeError(f"{shown(surface)} is not a ruled surface", remedy="make one with exactspline.ruled_surface")
 
 
 def _check_generator(surface: SplineSurface) -> None:

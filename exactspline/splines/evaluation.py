@@ -35,7 +35,8 @@ def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq
 
 class Evaluation:
     """A curve as quotients of integer polynomials in its parameter; those of a segment are made when it is first
-    needed. Without a weight function its components are polynomials.
+    needed. All splines have the same knots and the same degree. Without a weight function its components are
+    polynomials.
     """
 
     def __init__(self, p: Sequence[BSpline], w: BSpline | None) -> None:
@@ -92,8 +93,8 @@ class Evaluation:
     def jet(self, t: mpq, order: int, *, left: bool = False) -> list[tuple[mpq, ...]]:
         """The point and the derivatives to an order at an exact parameter, at a breakpoint from the right or the left.
 
-        >>> t = BSpline.identity(0, 1)
-        >>> Evaluation([t, t * t], None).jet(mpq(1, 2), 1)
+        >>> t, square = BSpline.bezier([0, "1/2", 1]), BSpline.bezier([0, 0, 1])
+        >>> Evaluation([t, square], None).jet(mpq(1, 2), 1)
         [(mpq(1,2), mpq(1,4)), (mpq(1,1), mpq(1,1))]
 
         Raises `DomainError` outside the domain.
@@ -105,8 +106,8 @@ class Evaluation:
     def numbers(self, t: mpq, order: int, *, left: bool = False) -> list[list[int]]:
         """The same of the numerators and then of the denominator, in integers that have one positive factor in common.
 
-        >>> t = BSpline.identity(0, 1)
-        >>> Evaluation([t, t * t], None).numbers(mpq(1, 2), 1)
+        >>> t, square = BSpline.bezier([0, "1/2", 1]), BSpline.bezier([0, 0, 1])
+        >>> Evaluation([t, square], None).numbers(mpq(1, 2), 1)
         [[2, 4], [1, 4], [4, 0]]
 
         Raises `DomainError` outside the domain.

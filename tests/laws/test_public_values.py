@@ -136,7 +136,7 @@ COVERED = {
     *("from_splinepy", "to_splinepy", "to_sympy", "to_mpmath", "to_arrays", "points_at", "Limits", "NamedCurve"),
     *("Reading", "Skipped"),
     *("load_paper", "measurable", "mathematics", "measured", "printed_numbers", "reduction_table"),
-    *("symbolic_table", "verdicts", "winding_number", "contains"),
+    *("symbolic_table", "verdicts", "winding_number", "contains", "as_tensor_product", "is_developable"),
 }
 
 
