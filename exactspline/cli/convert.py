@@ -12,14 +12,13 @@ from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
-from exactspline.errors import counted
+from exactspline.errors import ShapeError, counted
 from exactspline.numbers.exact import text
 
 if TYPE_CHECKING:
     from exactspline.geometry.recognition.pieces import RecognizedPiece
     from exactspline.geometry.recognition.snapping import Snapped
     from exactspline.interchange.records import NamedCurve, Reading
-    from exactspline.splines.nurbs import Nurbs
     from exactspline.splines.surface import NurbsSurface
 
 
@@ -104,10 +103,12 @@ def convert(
         raise CurveFileError(f"no {what}s to convert", where=source, remedy=f"the {what}s that are read: {names}")
     if snap and as_surfaces:
         raise OptionsError("--snap and surfaces", remedy="it is for curves")
-    repairs = [None if isinstance(each, NamedSurface) else _repaired(each.curve, snap, epsilon) for each in chosen]
+    repairs = [_repaired(each, snap, epsilon) for each in chosen]
     replacements = [
         f"{each.name}: {x}" for each, repair in zip(chosen, repairs, strict=True) for x in _replacements(repair)
     ]
+    if snap and not replacements:
+        replacements.append(f"no piece is near enough to a {snap.replace(',', ' or ')}; a larger --epsilon finds more")
     chosen = list(map(_with_repair, chosen, repairs))
     if target == "-":
         if not out.for_people:
@@ -139,12 +140,22 @@ def convert(
         raise Exit(2)
 
 
-def _repaired(curve: Nurbs, snap: str, epsilon: str) -> Snapped:
-    """The curve with its pieces near to the shapes that are named replaced by exact ones."""
-    from exactspline.geometry.recognition.snapping import Snapped, snapped
+def _repaired(named: NamedCurve | NamedSurface, snap: str, epsilon: str) -> Snapped | None:
+    """A curve with its pieces near to the shapes that are named replaced by exact ones. A curve for which that cannot
+    be done is named, and stays as it is.
+    """
+    from exactspline.geometry.recognition.snapping import Snapped, checked_kinds, snapped
 
-    kinds = [word.strip() for word in snap.split(",")] if snap else []
-    return snapped(curve, kinds, epsilon or None) if kinds else Snapped(curve, (), ())
+    if isinstance(named, NamedSurface):
+        return None
+    if snap:
+        kinds = checked_kinds([word.strip() for word in snap.split(",")])
+        try:
+            return snapped(named.curve, kinds, epsilon or None)
+        except ShapeError as error:
+            leave_out()
+            sys.stderr.write(f"not replaced: {named.name}: {error}\n")
+    return Snapped(named.curve, (), ())
 
 
 def _replacements(repair: Snapped | None) -> list[str]:

@@ -105,3 +105,17 @@ def test_pieces_are_replaced_on_request_and_each_is_listed(tmp_path):
     assert list(xs.read(target).curves[0].curve.weights) == [2, 1, 1]
     assert "without --snap" in str(run(source, target, "--epsilon", "1").exception)
     assert "'helix' is unknown" in str(run(source, target, "--snap", "helix").exception)
+
+
+def test_a_curve_that_cannot_be_repaired_is_named_and_the_others_are(tmp_path):
+    """Before, one curve of a file that jumps ended the command, and where nothing was near enough it said nothing."""
+    arc = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], [1, "0.7071067811865476", 1], name="arc")
+    points = [(0, 0), (1, "1e-12"), (2, 0), (5, 5), (6, 6), (7, 9)]
+    gap = xs.Nurbs(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], points, name="gap")
+    source, target = tmp_path / "both.json", tmp_path / "exact.json"
+    xs.write([xs.interchange.NamedCurve("gap", gap), xs.interchange.NamedCurve("arc", arc)], source)
+    done = run(source, target, "--snap", "line,circle")
+    assert "not replaced: gap: " in done.stderr
+    assert "arc: [0, 1] replaced by a circle" in done.stderr
+    assert xs.read(target).curves[0].curve == gap
+    assert "no piece is near enough" in run(source, target, "--only", "arc", "--snap", "line").stderr

@@ -56,6 +56,15 @@ def mpf_of(x):
     return mpf(int(x.numerator)) / int(x.denominator)
 
 
+def test_a_polynomial_curve_of_several_segments():
+    """Passed before: a traceback, as the weight function of a polynomial curve has degree 0."""
+    points = [(0, 0), (1, "1e-12"), (2, 0), (3, 1), (2, 3)]
+    curve = xs.Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], points)
+    found = snapped(curve)
+    assert [str(piece.piece) for piece in found.replaced] == ["[0, 1]"]
+    assert [found.curve(t) for t in ("1/2", "3/2")] == [(1, 0), curve("3/2")]
+
+
 def test_an_arc_runs_in_the_direction_of_the_curve():
     clockwise = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 1), (1, 1), (1, 0)], [1, "0.7071067811865476", 1])
     found = snapped(clockwise)

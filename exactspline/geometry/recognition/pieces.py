@@ -25,6 +25,8 @@ from exactspline.splines.precision import distance
 
 #: Where in a segment points are taken to guess a shape.
 PLACES = tuple(mpq(i, 6) for i in range(1, 6))
+#: The distance that is asked for where none is given, in units of the curve's size.
+SMALL = mpq(1, 10**9)
 #: Factors, at first, by which the bound that is proved may exceed the distance found at these points.
 FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32))
 
@@ -106,33 +108,38 @@ def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedP
     if given.dimension not in (2, 3):
         raise ShapeError(f"shapes in R{given.dimension}", remedy="this needs a curve in the plane or in space")
     points = _points(given)
-    return tuple(_pieces(given, points, _limit(given, points, epsilon)))
+    limit = _size(points) * SMALL if epsilon is None else distance(epsilon, given)
+    return tuple(_pieces(given, points, limit))
 
 
-def near(curve: Nurbs, piece: CurvePiece, shape: Shape, epsilon: Number | None = None) -> RecognizedPiece | None:
-    """A piece of a curve near to a shape that is given, with a distance up to epsilon that is proved; None where that
-    was not proved. Without epsilon, within 10⁻⁹ of the curve's size.
+def near(curve: Nurbs, piece: CurvePiece, shape: Shape, limit: mpq) -> RecognizedPiece | None:
+    """A piece of a curve near to a shape that is given, with a distance up to a limit that is proved; None where that
+    was not proved.
 
     >>> from exactspline import example
     >>> s = example("cubic_s")
-    >>> print(near(s, CurvePiece((s.domain,)), Circle((mpq(0), mpq(0)), mpq(1))))
+    >>> print(near(s, CurvePiece((s.domain,)), Circle((mpq(0), mpq(0)), mpq(1)), mpq(1, 10**9)))
     None
     """
-    limit = _limit(curve, _points(curve), epsilon)
     alone = curve.restrict(piece.start, piece.end)
     points = _points(alone)
     return _proved(_Run(alone, 0, len(points) - 1, points), shape, limit)
+
+
+def small_distance(curve: Nurbs) -> mpq:
+    """The distance within which shapes are sought where none is given: 10⁻⁹ of the size of a curve.
+
+    >>> from exactspline import example
+    >>> small_distance(example("circle"))
+    mpq(1,500000000)
+    """
+    return _size(_points(curve)) * SMALL
 
 
 def _points(curve: Nurbs) -> list[list[Point]]:
     """Points of each segment, from its start to its end."""
     mesh = pairwise(curve.breakpoints)
     return [[curve(a), *[curve(a + (b - a) * t) for t in PLACES], curve(b, "left")] for a, b in mesh]
-
-
-def _limit(curve: Nurbs, points: Sequence[Sequence[Point]], epsilon: Number | None) -> mpq:
-    """The largest distance that is asked for."""
-    return _size(points) / 10**9 if epsilon is None else distance(epsilon, curve)
 
 
 def _size(points: Sequence[Sequence[Point]]) -> mpq:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from exactspline.errors import ShapeError
-from exactspline.geometry.recognition.pieces import RecognizedPiece, near, recognized, signs
+from exactspline.geometry.recognition.pieces import RecognizedPiece, near, recognized, signs, small_distance
 from exactspline.geometry.recognition.shapes import Circle, Line, Point, Shape, ShapeKind, minus, scalar
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.segments import Segment, arc_around_origin, joined, mapped, polynomial
@@ -16,6 +16,7 @@ from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.sides import Side
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.precision import distance
 from exactspline.words import choice
 
 #: The shapes that can be written exactly between two given points.
@@ -54,19 +55,25 @@ def snapped(curve: Nurbs, kinds: Collection[ShapeKind | str] = KINDS, epsilon: N
     Raises `ShapeError` for a curve that is neither in the plane nor in space or jumps, for another kind of shape and
     for an epsilon that is not positive.
     """
-    given = curve_of(curve)
-    requested = {choice(ShapeKind, kind, "shape", raised=ShapeError) for kind in kinds}
-    if other := sorted(requested - set(KINDS)):
-        raise ShapeError(f"a piece replaced by a {other[0]}", remedy=f"this needs {' or '.join(KINDS)}")
+    given, requested = curve_of(curve), checked_kinds(kinds)
     replaced, kept = dict[mpq, RecognizedPiece](), list[RecognizedPiece]()
-    for piece in recognized(given, epsilon):
+    limit = small_distance(given) if epsilon is None else distance(epsilon, given)
+    for piece in recognized(given, limit or None):
         if piece.kind in requested and not piece.exact:
-            tried = (near(given, piece.piece, shape, epsilon) for shape in _between_ends(given, piece))
+            tried = (near(given, piece.piece, shape, limit) for shape in _between_ends(given, piece))
             if found := next(filter(None, tried), None):
                 replaced[piece.piece.start] = found
             else:
                 kept.append(piece)
     return Snapped(_with(given, replaced) if replaced else given, tuple(replaced.values()), tuple(kept))
+
+
+def checked_kinds(kinds: Collection[ShapeKind | str]) -> frozenset[ShapeKind]:
+    """Kinds of shapes, each of which a piece can be replaced by; `ShapeError` for others."""
+    requested = frozenset(choice(ShapeKind, kind, "shape", raised=ShapeError) for kind in kinds)
+    if other := sorted(requested - set(KINDS)):
+        raise ShapeError(f"a piece replaced by a {other[0]}", remedy=f"this needs {' or '.join(KINDS)}")
+    return requested
 
 
 def _between_ends(curve: Nurbs, piece: RecognizedPiece) -> Iterator[Shape]:
@@ -124,14 +131,15 @@ def _with(curve: Nurbs, replaced: dict[mpq, RecognizedPiece]) -> Nurbs:
 
 def _parts(curve: Nurbs, replaced: dict[mpq, RecognizedPiece]) -> Iterator[tuple[mpq, list[Segment]]]:
     """The ends of consecutive parts, each with its segments: those of the curve, one by one, and exact pieces."""
-    rows = zip(*[f.segments for f in (*curve.p, curve.w)], strict=True)
+    rows = zip(*[f.segments for f in curve.p], strict=True)
+    weights = curve.w.segments if not curve.polynomial else [(mpq(1),) * (curve.degree + 1)] * curve.segments
     behind = curve.domain[0]
-    for (start, end), columns in zip(pairwise(curve.breakpoints), rows, strict=True):
+    for (start, end), columns, row in zip(pairwise(curve.breakpoints), rows, weights, strict=True):
         if start < behind:
             continue
         found = replaced.get(start)
         behind = end if found is None else found.piece.end
-        yield behind, [tuple(zip(*columns, strict=True))] if found is None else _exact(curve, found)
+        yield behind, [tuple(zip(*columns, row, strict=True))] if found is None else _exact(curve, found)
 
 
 def _exact(curve: Nurbs, found: RecognizedPiece) -> list[Segment]:
