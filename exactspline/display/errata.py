@@ -84,5 +84,4 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
 def found_text(statement: Refuted) -> str:
     """What holds instead of a statement, with what its letters stand for."""
     found = worded(statement.found)
-    letters = [each for each in statement.where if each.partition(" = ")[0] in found]
-    return f"{found}, where {', '.join(letters)}" if letters else found
+    return f"{found}, where {', '.join(statement.where)}" if statement.where else found

@@ -25,7 +25,7 @@ from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.kinds.examples import Count
 from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.rows import error_of
-from exactspline.verification.statement import definitions
+from exactspline.verification.statement import letters_of_factor
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 
@@ -33,7 +33,7 @@ from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 @dataclass(frozen=True)
 class Refuted:
     """A statement that fails: the verbatim words and their place, the claimed and the computed value, where it fails,
-    and Python code that shows it; `where`: what the letters in it stand for.
+    and Python code that shows it; `where`: what the letters of the factor stand for that was found.
     """
 
     id: str
@@ -121,7 +121,7 @@ def _refuted(claim: Claim) -> Refuted | None:
     place = ", ".join(dict.fromkeys(part for part in (claim.source, claim.place.split(",")[0]) if part))
     relation = true_relation(claim, finding)
     computed, witness = (relation, None) if relation else (finding.computed, finding.witness)
-    where = tuple(each.text for each in definitions(claim, finding))
+    where = tuple(each.text for each in letters_of_factor(claim, finding))
     return Refuted(
         claim.id, claim.key, place, claim.words, numbered(claim), claim.claims, computed, witness, check(claim), where
     )

@@ -130,11 +130,24 @@ def definitions(claim: Claim, finding: Finding) -> tuple[Definition, ...]:
     >>> sorted(each.text for each in statement(select(["C4.1a"])[0]).defined)
     ['D1 = p′ w − p w′', 'D2 = p″ w − p w″']
     """
-    found: dict[str, Definition | None] = {symbol_text(claim.shown(name)): None for name in claim.named}
-    trees = [_tree(name, claim) for name in dict.fromkeys(claim.named)]
-    if isinstance(claim, Identity) and isinstance(finding.factor, Factor):
-        with named_by(claim.source_paper):
-            trees += [trace(each, dimension_of(each, claim)) for each in naming_formulas(finding.factor)]
+    trees = [*(_tree(name, claim) for name in dict.fromkeys(claim.named)), *_trees_of_factor(claim, finding)]
+    return _defined(trees, {symbol_text(claim.shown(name)): None for name in claim.named})
+
+
+def letters_of_factor(claim: Claim, finding: Finding) -> tuple[Definition, ...]:
+    """What the letters stand for that are in the factor that was found."""
+    return _defined(_trees_of_factor(claim, finding), {})
+
+
+def _trees_of_factor(claim: Claim, finding: Finding) -> list[Node]:
+    if not isinstance(claim, Identity) or not isinstance(finding.factor, Factor):
+        return []
+    with named_by(claim.source_paper):
+        return [trace(each, dimension_of(each, claim)) for each in naming_formulas(finding.factor)]
+
+
+def _defined(trees: list[Node], found: dict[str, Definition | None]) -> tuple[Definition, ...]:
+    """The definitions in some trees; not of what is `found` already."""
     for node in chain.from_iterable(map(nodes, trees)):
         if node.op not in DEFINED:
             continue
