@@ -350,6 +350,7 @@ def test_every_costly_call_goes_through_a_bounded_door():
 # ---- no error is hidden
 
 CAUGHT = {
+    "batch/surface_work.py: SurfaceWork.line": "one surface does not end a batch: the type of the error is its answer",
     "batch/work.py: Asked.of": "one curve does not end a batch: the type of the error is its answer",
     "batch/work.py: _ask": "a filter that fails is counted, and the curves are asked exactly",
     "batch/work.py: Work._line": "one curve does not end a batch: the type of the error is its answer",
