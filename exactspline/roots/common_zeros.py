@@ -35,7 +35,8 @@ ELIMINANTS = 2
 #: Nanoseconds, per square of the degree and per bit, to isolate roots on an interval as small as boxes are (measured up
 #: to 11).
 SUBDIVISION = 12
-#: The product of degree and bits of a minimal polynomial beyond which boxes are tried before arithmetic in its field.
+#: The degree of a field, times the bits of the polynomials over it, beyond which boxes are tried before arithmetic in
+#: it.
 LARGE = 60
 #: The first precision (decimal digits) at which a sign is tried.
 DIGITS = 15
@@ -105,11 +106,16 @@ class Fibre:
         """All t in an interval at which they vanish together with one of the roots: by boxes where its field is large,
         and where these do not decide by arithmetic in the field.
         """
-        if isinstance(s, Root) and self.minimal.degree() * height_bits(self.minimal.coeffs()) > LARGE:
+        if isinstance(s, Root) and self._size > LARGE:
             simple = pair.over(s, self.polynomials, side, self.also)
             if simple is not None:
                 return simple
         return [t for t in self._candidates(side) if self.column.contains(s, t)]
+
+    @cached_property
+    def _size(self) -> int:
+        heights = (height_bits(p.coeffs()) for p in (self.minimal, *self.polynomials))
+        return self.minimal.degree() * max(heights)
 
     @cached_property
     def _known(self) -> dict[Interval, list[Parameter]]:
