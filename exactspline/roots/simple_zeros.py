@@ -103,12 +103,17 @@ def _possible(s: Root, given: Sequence[fmpz_mpoly], side: Interval, bits: int) -
             k
             for part in parts
             for k in (2 * part, 2 * part + 1)
-            if all(p(low + step * arb(2 * k + 1, 1) / 2).contains(0) for p in own)
+            if all(_may_vanish(p, low + step * (2 * k + 1) / 2, step / 2) for p in own)
         ]
         if len(parts) > INTERVALS:
             return None
     width = wide.width / (1 << bits)
     return joined((wide.low + k * width, wide.low + (k + 1) * width) for k in parts)
+
+
+def _may_vanish(p: arb_poly, middle: arb, radius: arb) -> bool:
+    """Whether a polynomial may vanish near a number: its value there against the other terms of its Taylor series."""
+    return bool(p(arb(middle, radius)).contains(0)) and bool(p(arb_poly([middle, radius]))(arb(0, 1)).contains(0))
 
 
 def _holds_a_zero(f: fmpz_mpoly, g: fmpz_mpoly, sides: Sequence[arb]) -> bool:
