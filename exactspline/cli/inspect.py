@@ -8,8 +8,10 @@ from typing import Annotated, Any
 from exactspline.cli.answers import answer_about_surfaces, answer_questions
 from exactspline.cli.common import (
     CURVE_HELP,
+    Approximate,
     Read,
     also_in_their_planes,
+    check_approximate,
     check_distance,
     distinguish,
     read_curves,
@@ -29,9 +31,7 @@ MINIMAL = "minimal"
 @printing
 def inspect(
     out: Output,
-    curve: Annotated[
-        list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or a surface (JSON, or -), or an example of one.")
-    ],
+    curve: Annotated[list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or surfaces in the same ways.")],
     ask: Annotated[
         list[str] | None,
         Option(
@@ -79,6 +79,7 @@ def inspect(
         ),
     ] = "",
     surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
+    approximate: Approximate = "",
     coordinates: Annotated[
         bool, Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design).")
     ] = False,
@@ -112,6 +113,7 @@ def inspect(
     from exactspline.geometry.inspection import Approach
     from exactspline.interchange.curve_files import write_json
 
+    check_approximate(approximate)
     standard = standard_input() if "-" in curve else None
     if found_surfaces := surfaces_among(curve, standard, requested=surfaces):
         if len(found_surfaces) < len(curve):
@@ -123,6 +125,7 @@ def inspect(
             "--approach": approach,
             "--coordinates": coordinates,
             "--epsilon": epsilon,
+            "--approximate": approximate,
             "--stability": stability,
             "--certificate": certificate,
             "--emit-coq": emit_coq,
@@ -132,7 +135,7 @@ def inspect(
         inspect_surfaces(out, found_surfaces, digits, plot)
         return
     if ask:
-        answer_questions(out, curve, ask, digits, certificates, standard)
+        answer_questions(out, read_curves(curve, standard, approximate), ask, digits, certificates)
         return
     approach = approach or MINIMAL
     if approach != ALL:
@@ -143,7 +146,7 @@ def inspect(
         _see_that_coq_can_name(emit_coq)
     if epsilon:
         check_distance(epsilon)
-    found, good = read_curves(curve, standard)
+    found, good = read_curves(curve, standard, approximate)
     given = [read.curve for read in found]
     if emit_coq and given:
         _emit(given[0], emit_coq)
