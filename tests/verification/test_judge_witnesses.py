@@ -318,7 +318,7 @@ def test_the_type_of_a_unit_vector():
 
 
 def test_functions_that_stand_for_a_table_are_not_proportional():
-    """The quotient of two of their derivatives is no number."""
+    """The quotient of two of their derivatives varies."""
     c = RationalJetReading(2).argument(CURVE, 2)
     (value,) = split(c.p[0].d(1) / c.p[1].d(1))[0]
     assert not on_cubics(value).bottom.is_constant()
