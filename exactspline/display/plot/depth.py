@@ -103,12 +103,13 @@ class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has n
             line.set_visible(False)
 
     def _image(self, space: Any, surfaces: Sequence[tuple[SurfaceMesh, str]]) -> NDArray[np.uint8]:
-        """What is rendered, once for all files that show the same from the same side in the same resolution."""
-        dpi = space.figure.dpi
-        frame = [round(side / dpi, 6) for side in space.bbox.extents]
-        points = space.transData.transform([(0, 0), (1, 1)]) / dpi
-        shown = [(mesh, color) for mesh, color in surfaces], [_looks(line) for line in self._rendered_lines]
-        seen = max(dpi, RESOLUTION), frame, np.round(points, 6).tolist(), space.M.tolist(), shown
+        """What is rendered, once for all files that show the same from the same side in the same resolution; texts take
+        some millionths of an inch more or less in one than in the other.
+        """
+        dpi, (left, bottom, right, top) = space.figure.dpi, space.bbox.extents
+        points = space.transData.transform([(0, 0), (1, 1)]) - [left, bottom]
+        sides = np.round(np.array([[right - left, top - bottom], *points]) / dpi, 3)
+        seen = max(dpi, RESOLUTION), sides.tolist(), space.M.tolist(), surfaces, list(map(_looks, self._rendered_lines))
         if self._last is None or self._last[0] != seen:
             self._last = seen, rendered(space, surfaces, self._rendered_lines)
         return self._last[1]
