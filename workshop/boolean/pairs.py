@@ -21,7 +21,7 @@ class Pair:
 
 
 def pairs(count: int, seed: int = 1) -> Iterator[Pair]:
-    """So many pairs, the same for the same seed: closed paths of two to four cubics, every second moved up.
+    """This many pairs, the same for the same seed: closed paths of two to four cubics, every second moved up.
 
     >>> next(pairs(1)).exponent
     4
