@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from exactspline.cli.common import each_read, tell_notes, tell_skipped
+from exactspline.cli.common import each_read, tell_notes, tell_skipped, tell_written
 from exactspline.cli.output import OptionsError, Output, leave_out
 from exactspline.cli.parameters import Exit
 from exactspline.errors import ExactSplineError, counted
@@ -56,7 +56,7 @@ def surfaces_among(names: Sequence[str], given: bytes | None, *, requested: bool
         if is_surface(name, given):
             found[name] = partial(_one, name, given)
         elif reading := _with_surfaces(name, given, requested):
-            found[name] = partial(_reported, reading)
+            found[name] = partial(_reported, reading, name)
     return found
 
 
@@ -64,12 +64,14 @@ def _one(name: str, given: bytes | None) -> Sequence[NurbsSurface]:
     return [_loaded(name, given)]
 
 
-def _reported(reading: Reading) -> Sequence[NurbsSurface]:
+def _reported(reading: Reading, name: str) -> Sequence[NurbsSurface]:
     """The surfaces of a file; what else is in it is named on standard error."""
     if reading.curves:
         leave_out()
-        sys.stderr.write(f"skipped: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n")
-    tell_skipped(reading, surfaces=False)
+        sys.stderr.write(
+            f"skipped: {name}: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n"
+        )
+    tell_skipped(reading, name, surfaces=False)
     tell_notes(reading)
     return reading.surfaces
 
@@ -145,8 +147,10 @@ def _drawn(found: SurfaceInspection, plot: str) -> None:
 
         scene = inspected_scene(found)
         write_text(plot, page_of([scene], scene["title"]), PlotError)
+        tell_written(plot)
         return
     from exactspline.display.plot.canvas import save
     from exactspline.display.plot.patches import surface_figure
 
     save(surface_figure(found), plot)
+    tell_written(plot)
