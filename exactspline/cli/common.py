@@ -22,12 +22,14 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CURVE_HELP",
+    "Approximate",
     "CurveFiles",
     "Digits",
     "Exact",
     "Papers",
     "Trust",
     "also_in_their_planes",
+    "at_standard_input",
     "check_output",
     "claims_of_papers",
     "each_read",
@@ -60,6 +62,15 @@ Papers = Annotated[
 ]
 Trust = Annotated[
     bool, Option("--trust", help="Run the formulas of a folder or a file unchanged: any Python, unchecked.")
+]
+Approximate = Annotated[
+    str,
+    Option(
+        "--approximate",
+        metavar="E",
+        help="Replace an arc of SVG that has no rational control points by a rational one that is nowhere further from "
+        "it than E.",
+    ),
 ]
 Digits = Annotated[
     int, Option("--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits too.")
@@ -113,9 +124,11 @@ def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
     return [each.curve for each in found], good
 
 
-def read_curves(names: Iterable[str], given: bytes | None = None) -> tuple[list[Read], bool]:
-    """The curves that can be read, and whether all could. `given` is standard input where it was read before."""
-    found, good = each_read(names, lambda name: (name, *_found_in(name, given)))
+def read_curves(names: Iterable[str], given: bytes | None = None, approximate: str = "") -> tuple[list[Read], bool]:
+    """The curves that can be read, and whether all could. `given` is standard input where it was read before;
+    `approximate` is the distance within which arcs that have no rational control points are replaced.
+    """
+    found, good = each_read(names, lambda name: (name, *_found_in(name, given, approximate)))
     curves = [Read(name, index, curve) for name, own, _ in found for index, curve in enumerate(own)]
     return curves, good and all(complete for *_, complete in found)
 
@@ -142,7 +155,7 @@ def distinguish(rows: list[dict[str, object]]) -> None:
             row["key"] = f"{row['key']} ({row['source']}, curve {row['index']})"
 
 
-def _found_in(name: str, given: bytes | None = None) -> tuple[list[Nurbs], bool]:
+def _found_in(name: str, given: bytes | None = None, approximate: str = "") -> tuple[list[Nurbs], bool]:
     """An example curve by its name, or the curves of a file in any format (``font.ttf:ampersand``; ``-`` for standard
     input, `given` where it was read before), and whether none is missing; whatever is skipped is named on standard
     error, and so are notes.
@@ -159,11 +172,15 @@ def _found_in(name: str, given: bytes | None = None) -> tuple[list[Nurbs], bool]
         raise CurveFileError("is empty", where=name, remedy="name a file of curves")
     if text is not None and _is_one_curve(text, name):
         # this reader takes what `derive` wrote, and its errors say more
-        own = load(name) if given is None else _at_standard_input(lambda: curve_from_text(_text(given), "stdin"))
+        own = load(name) if given is None else at_standard_input(lambda: curve_from_text(_text(given), "stdin"))
         return [own], True
     from exactspline.interchange.files import read  # all formats: what is one of ours comes without them
 
-    reading = read(name) if given is None else _at_standard_input(lambda: read(given))
+    within = approximate or None
+    if given is None:
+        reading = read(name, approximate=within)
+    else:
+        reading = at_standard_input(lambda: read(given, approximate=within))
     tell_skipped(reading, name)
     tell_notes(reading)
     if not reading.curves:
@@ -189,7 +206,8 @@ def _text(data: bytes) -> str:
         raise CurveFileError("is not UTF-8 text", remedy="a curve file is JSON") from None
 
 
-def _at_standard_input(reader: Callable[[], V]) -> V:
+def at_standard_input(reader: Callable[[], V]) -> V:
+    """What a reader makes of standard input, which its errors name."""
     try:
         return reader()
     except ExactSplineError as error:
@@ -215,13 +233,15 @@ def _is_one_curve(head: bytes, name: str) -> bool:
     return (begin == b"{" or (suffix == ".json" and begin != b"[")) and not _SEVERAL.search(head)
 
 
-def tell_notes(reading: Reading) -> None:
-    """Print the notes of a reader on standard error, each once, with the curve or the number of curves it is about."""
+def tell_notes(reading: Reading, *, curves: bool = True) -> None:
+    """Print the notes of a reader on standard error, each once, with the curve or the number of curves it is about;
+    `curves` says whether curves are taken.
+    """
     if is_quiet():
         return
     sys.stderr.writelines(f"note: {note}\n" for note in reading.notes)
     about: dict[str, list[str]] = {}
-    for named in reading.curves:
+    for named in reading.curves if curves else ():
         for note in named.notes:
             about.setdefault(note, []).append(named.name)
     for note, names in about.items():
@@ -300,11 +320,20 @@ def check_distance(epsilon: str) -> None:
     """See that an option --epsilon is a distance."""
     from exactspline.splines.precision import WRITTEN
 
-    if epsilon == WRITTEN:
-        return
+    if epsilon != WRITTEN:
+        _see_that_it_is_positive("--epsilon", epsilon, f", or {WRITTEN}")
+
+
+def check_approximate(within: str) -> None:
+    """See that an option --approximate, if it is given, is a distance."""
+    if within:
+        _see_that_it_is_positive("--approximate", within)
+
+
+def _see_that_it_is_positive(option: str, given: str, otherwise: str = "") -> None:
     try:
-        within = rational(epsilon)
+        number = rational(given)
     except NumberError as error:
-        raise error.at("--epsilon") from None
-    if within <= 0:
-        raise OptionsError(f"--epsilon {epsilon}", remedy=f"give a number above 0, such as 1e-9, or {WRITTEN}")
+        raise error.at(option) from None
+    if number <= 0:
+        raise OptionsError(f"{option} {given}", remedy=f"give a number above 0, such as 1e-9{otherwise}")

@@ -8,8 +8,10 @@ from typing import Annotated, Any
 from exactspline.cli.answers import answer_about_surfaces, answer_questions
 from exactspline.cli.common import (
     CURVE_HELP,
+    Approximate,
     Read,
     also_in_their_planes,
+    check_approximate,
     check_distance,
     distinguish,
     read_curves,
@@ -30,9 +32,7 @@ MINIMAL = "minimal"
 @printing
 def inspect(
     out: Output,
-    curve: Annotated[
-        list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or a surface (JSON, or -), or an example of one.")
-    ],
+    curve: Annotated[list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or surfaces in the same ways.")],
     ask: Annotated[
         list[str] | None,
         Option(
@@ -80,6 +80,7 @@ def inspect(
         ),
     ] = "",
     surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
+    approximate: Approximate = "",
     coordinates: Annotated[
         bool, Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design).")
     ] = False,
@@ -113,6 +114,7 @@ def inspect(
     from exactspline.geometry.inspection import Approach
     from exactspline.interchange.curve_files import write_json
 
+    check_approximate(approximate)
     standard = standard_input() if "-" in curve else None
     if found_surfaces := surfaces_among(curve, standard, requested=surfaces):
         if len(found_surfaces) < len(curve):
@@ -124,6 +126,7 @@ def inspect(
             "--approach": approach,
             "--coordinates": coordinates,
             "--epsilon": epsilon,
+            "--approximate": approximate,
             "--stability": stability,
             "--certificate": certificate,
             "--emit-coq": emit_coq,
@@ -133,7 +136,7 @@ def inspect(
         inspect_surfaces(out, found_surfaces, digits, plot)
         return
     if ask:
-        answer_questions(out, curve, ask, digits, certificates, standard)
+        answer_questions(out, read_curves(curve, standard, approximate), ask, digits, certificates)
         return
     approach = approach or MINIMAL
     if approach != ALL:
@@ -144,7 +147,7 @@ def inspect(
         _see_that_coq_can_name(emit_coq)
     if epsilon:
         check_distance(epsilon)
-    found, good = read_curves(curve, standard)
+    found, good = read_curves(curve, standard, approximate)
     given = [read.curve for read in found]
     if emit_coq and given:
         _emit(given[0], emit_coq)
