@@ -19,7 +19,7 @@ from typing import Any
 import nbformat
 from nbformat.v4 import new_output
 
-LIBRARIES = ["IPython.core.interactiveshell", "matplotlib.pyplot"]
+LIBRARIES = ["IPython.core.interactiveshell", "matplotlib.pyplot", "exactspline.display.notebook", "exactspline.tables"]
 #: A folder with notebooks that were executed before, by the tests of the same sources.
 KEPT = "EXACTSPLINE_NOTEBOOKS"
 

@@ -1,4 +1,6 @@
-"""Corpora: curve files, folders, fonts, families and single curves, read one after the other, never all together."""
+"""Corpora: curve files, folders, fonts, families and single curves, or files of surfaces and surfaces, read one after
+the other, never all together.
+"""
 
 from __future__ import annotations
 
@@ -9,15 +11,17 @@ from hashlib import blake2b
 from pathlib import Path
 
 from exactspline.batch.families import Family
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_flag
 from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import read_in_pieces
 from exactspline.interchange.formats import FORMATS
-from exactspline.interchange.records import Skipped
+from exactspline.interchange.records import Reading, Skipped
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 
-#: The sources of a corpus: curves, families, and the names of files, folders and example curves.
-Source = Nurbs | Family | str
+#: The sources of a corpus: curves, surfaces, families, and the names of files, folders and examples.
+Source = Nurbs | NurbsSurface | Family | str
 #: The weight of a generated curve in the progress, in bytes of a file.
 BYTES_A_CURVE = 1000
 #: The kinds of problem for contents of a file that are not curves, and for curves that its reader skipped.
@@ -40,6 +44,31 @@ class Problem:
         return cls(type(error).__name__, str(error), isinstance(error, ExactSplineError))
 
 
+@dataclass(frozen=True)
+class Taken:
+    """What is taken from sources: curves, or surfaces; and the distance within which an arc that has no rational
+    control points is replaced (see `exactspline.interchange.files.read`), None for no distance.
+    """
+
+    surfaces: bool = False
+    approximate: mpq | None = None
+
+    @classmethod
+    def of(cls, *, surfaces: bool = False, approximate: Number | None = None) -> Taken:
+        """What arguments of a user name; raises `NumberError` for a distance that is not above 0."""
+        within = None if approximate is None else rational(approximate)
+        if within is not None and within <= 0:
+            raise NumberError(f"a distance of {within}", where="approximate", remedy="give a number above 0")
+        return cls(as_flag(surfaces, "whether surfaces are taken"), within)
+
+    def settings(self) -> dict[str, object]:
+        """As data, for the results of a sweep."""
+        return {"surfaces": self.surfaces, "approximate": None if self.approximate is None else str(self.approximate)}
+
+
+CURVES = Taken()
+
+
 def short_digest(text: str) -> str:
     """Sixteen hexadecimal digits that change with the text: a protection against accidents, not against forgery."""
     return blake2b(text.encode("utf-8", "surrogatepass"), digest_size=8).hexdigest()
@@ -49,6 +78,13 @@ def curve_digest(curve: Nurbs) -> str:
     """A digest of a curve's exact data, whatever its name."""
     points = [*curve.knots, *curve.weights, *(x for row in curve.control_points for x in row)]
     return short_digest(f"{curve.degree} {curve.dimension} {' '.join(map(str, points))}")
+
+
+def surface_digest(surface: NurbsSurface) -> str:
+    """A digest of a surface's exact data, whatever its name."""
+    net = (x for row in surface.control_points for point in row for x in point)
+    points = [*surface.knots[0], "|", *surface.knots[1], *(w for row in surface.weights for w in row), *net]
+    return short_digest(f"{surface.degree} {surface.dimension} {' '.join(map(str, points))}")
 
 
 @dataclass(frozen=True)
@@ -61,23 +97,25 @@ class Member:
 
 @dataclass(frozen=True)
 class Item:
-    """A curve of a corpus, or the problem where none can be read; `share` is the fraction of the corpus read so far,
-    this curve included.
+    """A curve or surface of a corpus, or the problem where none can be read; `share` is the fraction of the corpus read
+    so far, this one included.
     """
 
     index: int
     source: str
     name: str
-    given: Nurbs | Member | Problem
+    given: Nurbs | NurbsSurface | Member | Problem
     share: float
     #: Notes of the file's reader about the curve.
     notes: tuple[str, ...] = ()
 
     @property
     def digest(self) -> str:
-        """A digest of the curve's exact data, so that a curve that changes under its name is noticed; empty where the
-        source and the name determine the curve.
+        """A digest of the exact data of the curve or surface, so that one that changes under its name is noticed; empty
+        where the source and the name determine it.
         """
+        if isinstance(self.given, NurbsSurface):
+            return surface_digest(self.given)
         return curve_digest(self.given) if isinstance(self.given, Nurbs) else ""
 
     def curve(self) -> Nurbs:
@@ -88,8 +126,9 @@ class Item:
         return self.given
 
 
-def items(sources: Iterable[Source]) -> Iterator[Item]:
-    """All curves of a corpus in order. An unreadable one is an item with its problem, never an exception.
+def items(sources: Iterable[Source], taken: Taken = CURVES) -> Iterator[Item]:
+    """All curves, or all surfaces, of a corpus in order. An unreadable one is an item with its problem, never an
+    exception.
 
     Sources with a length are scanned first, so that the fraction read so far is known.
 
@@ -99,20 +138,21 @@ def items(sources: Iterable[Source]) -> Iterator[Item]:
 count=1 seed=1', '0')]
     """
     if not isinstance(sources, (list, tuple)):
-        for index, (source, name, given, _, notes) in enumerate(part for each in sources for part in _parts(each)):
+        parts = (part for each in sources for part in _parts(each, taken))
+        for index, (source, name, given, _, notes) in enumerate(parts):
             yield Item(index, source, name, given, 0, notes)
         return
     places = [place for source in sources for place in _places(source)]
     total, before, index = sum(map(_size, places)) or 1, 0, 0
     for place in places:
         size = _size(place)
-        for source, name, given, (done, count), notes in _parts(place):
+        for source, name, given, (done, count), notes in _parts(place, taken):
             yield Item(index, source, name, given, (before + size * done / count) / total, notes)
             index += 1
         before += size
 
 
-Part = tuple[str, str, Nurbs | Member | Problem, tuple[int, int], tuple[str, ...]]
+Part = tuple[str, str, Nurbs | NurbsSurface | Member | Problem, tuple[int, int], tuple[str, ...]]
 
 
 def _places(source: Source) -> list[Source]:
@@ -134,49 +174,73 @@ def _size(source: Source) -> int:
     return BYTES_A_CURVE
 
 
-def _parts(source: Source) -> Iterator[Part]:
-    """The curves of one source, each with the number read so far and the total, and notes of the reader."""
-    if isinstance(source, Nurbs):
-        yield "", source.name, source, (1, 1), ()
+def _parts(source: Source, taken: Taken) -> Iterator[Part]:
+    """The curves, or the surfaces, of one source, each with the number read so far and the total, and notes of the
+    reader.
+    """
+    if isinstance(source, (Nurbs, NurbsSurface)):
+        wrong = isinstance(source, NurbsSurface) != taken.surfaces
+        yield "", source.name, Problem(SKIPPED, _other(taken)) if wrong else source, (1, 1), ()
+    elif isinstance(source, Family) and taken.surfaces:
+        yield str(source), "", Problem(SKIPPED, _other(taken)), (1, 1), ()
     elif isinstance(source, Family):
         said = str(source)
         for number in range(source.count):
             yield said, str(number), Member(source, number), (number + 1, source.count), ()
     else:
         for place in _places(source):
-            yield from _of_file(str(place))
+            yield from _of_file(str(place), taken)
 
 
-def _of_file(place: str) -> Iterator[Part]:
-    """The curves of a file followed by what was skipped in it, or the problem of the whole file. No reference to a
-    returned curve is kept here, since a curve stores everything computed from it.
+def _of_file(place: str, taken: Taken) -> Iterator[Part]:
+    """The curves, or surfaces, of a file followed by what was skipped in it, or the problem of the whole file. No
+    reference to a returned curve is kept here, since a curve stores everything computed from it.
     """
-    curves_read, surfaces, skipped = 0, 0, list[Skipped]()
+    read, others, skipped = 0, 0, list[Skipped]()
     try:
-        if place in example_names() and not os.path.exists(place):
+        if place in example_names() and not os.path.exists(place) and not taken.surfaces:
             yield place, place, example(place), (1, 1), ()
             return
-        for reading, done, count in read_in_pieces(place):
-            skipped += [
-                Skipped("surface", f"surface {surfaces + i}", f"{surface.name} is not a curve", curve=False)
-                for i, surface in enumerate(reading.surfaces, 1)
-            ]
-            surfaces += len(reading.surfaces)
-            skipped += reading.skipped
-            kept, notes = [*reversed(reading.curves)], reading.notes
+        for reading, done, count in read_in_pieces(place, taken.approximate):
+            left = _left(reading, taken, others)
+            others += len(left)
+            skipped += [*left, *reading.skipped]
+            kept, notes = _kept(reading, taken), reading.notes
             size = len(kept)
             del reading
             while kept:
-                named = kept.pop()
-                curves_read += 1
+                name, given, own = kept.pop()
+                read += 1
                 # only a part of the piece read last has been processed
-                yield place, named.name, named.curve, (size * done - len(kept), size * count), (*notes, *named.notes)
-                del named
+                yield place, name, given, (size * done - len(kept), size * count), (*notes, *own)
+                del given
     except ExactSplineError as error:
         yield place, "", Problem.of(error), (1, 1), ()
         return
-    if not curves_read and not skipped:
-        yield place, "", Problem.of(CurveFileError("holds no curve")), (1, 1), ()
+    if not read and not skipped:
+        what = "surface" if taken.surfaces else "curve"
+        yield place, "", Problem.of(CurveFileError(f"holds no {what}")), (1, 1), ()
     for each in skipped:
         kind = NOT_READ if each.curve else SKIPPED
         yield place, each.where, Problem(kind, f"{each.what}: {each.why}"), (1, 1), ()
+
+
+def _kept(reading: Reading, taken: Taken) -> list[tuple[str, Nurbs | NurbsSurface, tuple[str, ...]]]:
+    """What is taken of a file, the last first: its name, the curve or surface, and the notes on it."""
+    if taken.surfaces:
+        return [(surface.name, surface, ()) for surface in reversed(reading.surfaces)]
+    return [(named.name, named.curve, named.notes) for named in reversed(reading.curves)]
+
+
+def _left(reading: Reading, taken: Taken, before: int) -> list[Skipped]:
+    """What is not taken of a file, after this many others."""
+    what = "curve" if taken.surfaces else "surface"
+    names = [each.name for each in (reading.curves if taken.surfaces else reading.surfaces)]
+    return [
+        Skipped(what, f"{what} {i}", f"{name}: {_other(taken)}", curve=False)
+        for i, name in enumerate(names, before + 1)
+    ]
+
+
+def _other(taken: Taken) -> str:
+    return "not a surface" if taken.surfaces else "not a curve; --surfaces takes surfaces"

@@ -1,9 +1,9 @@
-"""The result of a sweep for one curve: a line, as an object and as data under a published schema."""
+"""The result of a sweep for one curve or surface: a line, as an object and as data under a published schema."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from enum import StrEnum
 from typing import Any, get_args, get_origin, get_type_hints
@@ -11,11 +11,13 @@ from typing import Any, get_args, get_origin, get_type_hints
 from exactspline.batch.corpus import Problem, short_digest
 
 #: The version of a line's schema; it is raised when a field changes its meaning or is removed.
-VERSION = 3
+VERSION = 4
 
 
 #: The kind of a piece all of whose points answer a question about points.
 EVERYWHERE = "everywhere"
+#: The kind of a part of a surface in which something is not decided.
+UNDECIDED = "undecided"
 
 
 @dataclass(frozen=True)
@@ -65,8 +67,10 @@ class Judged:
 
 @dataclass(frozen=True)
 class Line:
-    """Everything about one curve. Lines are equal when their results are: the processor time of a line is part of its
-    data, but not compared; the way in which the results were obtained is not part of its data.
+    """Everything about one curve, or one surface: that has `degrees` in place of a degree, `patches` in place of
+    segments, and the `answers` to questions about it as data, as `inspect` has them. Lines are equal when their results
+    are: the processor time of a line is part of its data, but not compared; the way in which the results were obtained
+    is not part of its data.
     """
 
     index: int
@@ -78,6 +82,9 @@ class Line:
     polynomial: bool | None = None
     found: Mapping[str, tuple[Found, ...]] = field(default_factory=dict)
     claims: tuple[Judged, ...] = ()
+    degrees: tuple[int, ...] = ()
+    patches: int | None = None
+    answers: Mapping[str, Any] = field(default_factory=dict)
     error: Problem | None = None
     #: Notes of the file's reader about the curve.
     notes: tuple[str, ...] = ()
@@ -98,8 +105,31 @@ class Line:
             "claims": [dict(vars(each)) for each in self.claims],
             "error": None if self.error is None else dict(vars(self.error)),
             "notes": list(self.notes),
+            "degrees": list(self.degrees),
+            "answers": dict(self.answers),
         }
         return fields | {"digest": digest_of(fields)}
+
+    def kinds(self) -> Iterator[tuple[str, str]]:
+        """All that was found: the question and the kind of each point or piece. What is not decided is of the kind
+        `UNDECIDED`.
+
+        >>> from exactspline import example
+        >>> from exactspline.batch.sweep import sweep
+        >>> [*next(sweep([example("monkey_saddle")], find=["umbilics"], surfaces=True)).kinds()]
+        [('umbilics', 'star')]
+        """
+        for name, points in self.found.items():
+            yield from ((name, each.kind) for each in points)
+        for name, answer in self.answers.items():
+            if isinstance(answer, dict) and "points" in answer:
+                yield from ((name, each.get("kind", "point")) for each in answer["points"])
+                yield from ((name, EVERYWHERE) for _ in answer["everywhere"])
+                yield from ((name, UNDECIDED) for _ in answer["undecided"])
+            elif isinstance(answer, list):
+                yield from ((name, each.get("kind", "")) for each in answer if isinstance(each, dict))
+            elif isinstance(answer, str):
+                yield name, answer
 
     @classmethod
     def from_data(cls, data: Mapping[str, object]) -> Line:
@@ -119,7 +149,8 @@ class Line:
         assert isinstance(claims, list)
         given["found"] = {name: tuple(Found(**each) for each in points) for name, points in found.items()}
         given["claims"] = tuple(Judged(**each) for each in claims)
-        given["notes"] = tuple(given["notes"])  # type: ignore[arg-type]  # a list, as its digest says
+        for name in ("notes", "degrees"):
+            given[name] = tuple(given[name])  # type: ignore[arg-type]  # a list, as its digest says
         given["error"] = Problem(**error) if isinstance(error, dict) else None
         return cls(**given)  # type: ignore[arg-type]  # data just parsed, whose contents the schema checks
 
@@ -140,7 +171,7 @@ def line_schema() -> dict[str, object]:
     """The JSON Schema of a line.
 
     >>> line_schema()["title"]
-    'exactspline/sweep_line, version 3'
+    'exactspline/sweep_line, version 4'
     """
     properties = {name: _form(kind) for name, kind in get_type_hints(Line).items() if name in DATA}
     properties["index"] |= {"minimum": 0}
@@ -157,6 +188,8 @@ _SIMPLE = {str: "string", int: "integer", bool: "boolean", float: "number"}
 def _form(kind: Any) -> dict[str, Any]:
     """The JSON Schema of the type of a field."""
     parts = get_args(kind)
+    if kind is Any:
+        return {}
     if kind in _SIMPLE:
         return {"type": _SIMPLE[kind]}
     if is_dataclass(kind):

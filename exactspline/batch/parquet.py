@@ -80,6 +80,10 @@ class Parquet(Results):
         """One more row, written with its part."""
         data = line.data()
         points_by_name: Any = data.pop("found")
+        if data.pop("answers"):
+            raise ResultsError(
+                "answers about surfaces", where=str(self.place), remedy="write lines: name a .jsonl file"
+            )
         self._kept.append(data | {name: points_by_name.get(name) for name in self._find})
         if len(self._kept) >= ROWS or monotonic() - self._last > SECONDS:
             self._write()
@@ -103,15 +107,17 @@ class Parquet(Results):
 
     def _line(self, row: dict[str, Any]) -> Line:
         found = {name: points for name in self._find if (points := row.pop(name)) is not None}
-        return Line.from_data(row | {"found": found})
+        return Line.from_data(row | {"found": found, "answers": {}})
 
 
 def _schema(pa: Any, find: list[str]) -> pyarrow.Schema:
-    """The columns: the fields of a line, and in place of what was found one column per question."""
+    """The columns: the fields of a line about a curve, and in place of what was found one column per question."""
     fields: Any = line_schema()["properties"]
     found = fields["found"]["additionalProperties"]
     columns: dict[str, Any] = {}
     for name, form in fields.items():
+        if name == "answers":
+            continue
         columns |= dict.fromkeys(find, found) if name == "found" else {name: form}
     return pa.schema([(name, pa.int64() if name == "index" else _type(pa, form)) for name, form in columns.items()])
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from heapq import heappush, heappushpop
 
 from exactspline.batch.corpus import SKIPPED
+from exactspline.batch.lines import UNDECIDED as UNDECIDED_PART
 from exactspline.batch.lines import Line, Way
 
 #: Shown in place of the filter's decision: for lines of a sweep that is continued, and for curves not given to the
@@ -50,6 +51,7 @@ class Summary:
     families: frozenset[str] = frozenset()
     lines: int = 0
     segments: int = 0
+    patches: int = 0
     seconds: float = 0
     degrees: Counter[int] = field(default_factory=Counter)
     errors: Counter[str] = field(default_factory=Counter)
@@ -92,7 +94,8 @@ class Summary:
         if line.source in self.families:
             self.of_family[line.source] += 1
             self.aside.update((line.source, what) for what in _set_aside(line))
-        self.found.update((what, each.kind) for what, points in line.found.items() for each in points)
+        self.found.update(line.kinds())
+        self.patches += line.patches or 0
         self.verdicts.update((each.claim, each.verdict) for each in line.claims)
         for each in line.claims:
             if not each.as_recorded:
@@ -111,14 +114,24 @@ class Summary:
         return not self.differing and not self.alarms
 
     @property
+    def all_decided(self) -> bool:
+        """Whether no answer about a surface has a part that is not decided."""
+        return not any(kind == UNDECIDED_PART for _, kind in self.found)
+
+    @property
     def all_read(self) -> bool:
         """Whether every curve has a result; entities that are not curves are rightly skipped."""
         return set(self.errors) <= {SKIPPED}
 
     def entries(self) -> Iterator[Entry]:
         """The summary in the order in which it is printed."""
-        yield Entry("curves", "", self.lines - self.errors.total())
-        yield Entry("segments", "", self.segments)
+        read = self.lines - self.errors.total()
+        if self.patches:
+            yield Entry("surfaces", "", read)
+            yield Entry("patches", "", self.patches)
+        else:
+            yield Entry("curves", "", read)
+            yield Entry("segments", "", self.segments)
         yield from (Entry("degree", str(degree), count) for degree, count in sorted(self.degrees.items()))
         yield from (Entry(what, kind, count) for (what, kind), count in sorted(self.found.items()))
         yield from (Entry(claim, verdict, count) for (claim, verdict), count in sorted(self.verdicts.items()))

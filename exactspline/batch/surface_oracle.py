@@ -14,7 +14,7 @@ from exactspline.errors import as_text, nearest
 from exactspline.geometry.registry import REGISTRY
 from exactspline.geometry.surface.forms import SurfaceForms
 from exactspline.geometry.surface.inspection import SurfaceInspection
-from exactspline.geometry.surface.planar_maps import jacobian_sign
+from exactspline.geometry.surface.planar_maps import MapInspection, jacobian_sign
 from exactspline.numbers.exact import mpq, rational
 from exactspline.questions.entry import Of
 from exactspline.reals.real import Real, square_root
@@ -41,8 +41,32 @@ def surface_question(asked: str) -> tuple[str, str, str]:
     return name, argument, place
 
 
-def surface_answer(surface: NurbsSurface, asked: str, digits: int) -> object:
-    """The answer to a question about a surface as data.
+def inspection_of(surface: NurbsSurface) -> SurfaceInspection | MapInspection:
+    """What the questions of the registry are asked of: in space the surface, in the plane the map."""
+    return SurfaceInspection(surface) if surface.dimension == 3 else jacobian_sign(surface)
+
+
+def applies(surface: NurbsSurface, asked: str) -> bool:
+    """Whether a question is one about surfaces of this dimension.
+
+    >>> from exactspline import example
+    >>> [applies(example(name), "umbilics") for name in ("torus", "folded_map")]
+    [True, False]
+    """
+    name, _, _ = surface_question(asked)
+    if name in AT_A_PLACE:
+        return name != "curvature" or surface.dimension == 3
+    return name in REGISTRY[_kind(surface)]
+
+
+def _kind(surface: NurbsSurface) -> Of:
+    return Of.SURFACE if surface.dimension == 3 else Of.PLANAR_MAP
+
+
+def surface_answer(
+    surface: NurbsSurface, asked: str, digits: int, found: SurfaceInspection | MapInspection | None = None
+) -> object:
+    """The answer to a question about a surface as data; `found` is its inspection where there is one already.
 
     >>> from exactspline import example
     >>> surface_answer(example("sphere"), "curvature@1/3,1/3", 5)["values"]["K"]["exact"]
@@ -55,12 +79,11 @@ def surface_answer(surface: NurbsSurface, asked: str, digits: int) -> object:
     if name in AT_A_PLACE:
         values = AT_A_PLACE[name](surface, argument, *_place(place))
         return {"values": {each: number_data(value, digits) for each, value in values.items()}}
-    of = Of.SURFACE if surface.dimension == 3 else Of.PLANAR_MAP
+    of = _kind(surface)
     entry = REGISTRY[of].get(name)
     if entry is None:
         raise QuestionError(f"{name} of a surface in R{surface.dimension}", remedy=f"these can be asked: {listed(of)}")
-    found = SurfaceInspection(surface) if of is Of.SURFACE else jacobian_sign(surface)
-    return surface_answer_data(entry.answer(found), digits)
+    return surface_answer_data(entry.answer(found or inspection_of(surface)), digits)
 
 
 def listed(of: Of) -> str:

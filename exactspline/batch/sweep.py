@@ -8,16 +8,20 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import takewhile
 from pathlib import Path
+from typing import Any
 
 from exactspline.batch.backends import check_backend, mapped
-from exactspline.batch.corpus import Item, Problem, Source, items
+from exactspline.batch.corpus import CURVES, Item, Problem, Source, Taken, items
 from exactspline.batch.lines import VERSION, Line
 from exactspline.batch.parquet import Parquet
 from exactspline.batch.results import JsonLines, Results, ResultsError, Settings
 from exactspline.batch.summary import Summary
+from exactspline.batch.surface_work import SurfaceWork
 from exactspline.batch.work import DIGITS, Work
-from exactspline.errors import as_integer, as_text
+from exactspline.errors import ShapeError, as_integer, as_text, as_texts
+from exactspline.numbers.exact import Number
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 
 
 def sweep(
@@ -30,12 +34,16 @@ def sweep(
     jobs: int = 1,
     backend: str = "processes",
     scheduler: str = "",
+    surfaces: bool = False,
+    approximate: Number | None = None,
 ) -> Iterator[Line]:
     """The features of each of many curves, one line per curve, in order, one at a time. A source is a curve, the name
     of a file, a folder, a font or an example, or a `Family` of random curves. `find` names the questions to ask
     (`asked_by_sweeps`), `claims` the claims to check, by id; with `values` every point that is found has its
     coordinates and the curvature, as correctly rounded doubles; `backend` is one of `BACKENDS`. A curve that cannot be
-    read or handled yields a line with its error.
+    read or handled yields a line with its error. With `surfaces` surfaces are taken instead of curves, and `find` names
+    questions about them (all without it). `approximate` is the distance within which arcs of drawings that have no
+    rational control points are replaced (see `exactspline.interchange.read`).
 
     Plane curves are read and computed in groups, the first of 16, later ones of up to 512: the generator computes ahead
     by the rest of a group, with several processes by up to 4096 curves each.
@@ -45,13 +53,29 @@ def sweep(
     circle ['0', '2']
     six_segment_cubic ['1.9264459962', '5.1715728752']
 
-    Raises `FormulaError`, `ClaimError` or `BackendError` for unknown names, before anything is computed.
+    Raises `FormulaError`, `QuestionError`, `ClaimError` or `BackendError` for unknown names, and `ShapeError` for
+    claims or values of surfaces, before anything is computed.
     """
     jobs, scheduler = as_integer(jobs, "a number of processes", 1), as_text(scheduler, "the address of a scheduler")
-    work = Work.of(find, claims, digits, values)
+    taken = Taken.of(surfaces=surfaces, approximate=approximate)
+    work = work_of(taken, find, claims, digits, values)
     check_backend(backend)
-    given = [curves] if isinstance(curves, (Nurbs, str)) or not isinstance(curves, Iterable) else curves
-    return mapped(work.lines, items(given), backend, jobs, scheduler, work.weight)
+    one = isinstance(curves, (Nurbs, NurbsSurface, str)) or not isinstance(curves, Iterable)
+    given: Any = [curves] if one else curves
+    return mapped(work.lines, items(given, taken), backend, jobs, scheduler, work.weight)
+
+
+def work_of(
+    taken: Taken, find: Iterable[str] | None, claims: Iterable[str], digits: int, values: bool
+) -> Work | SurfaceWork:
+    """The work on each curve, or each surface, that the arguments of `sweep` describe."""
+    if not taken.surfaces:
+        return Work.of(find, claims, digits, values)
+    if as_texts(claims, "ids of claims", "the id of a claim"):
+        raise ShapeError("a sweep of surfaces with claims", remedy="prove --surface checks claims on surfaces")
+    if values:
+        raise ShapeError("a sweep of surfaces with values", remedy="ask for them at places, as in value@1/2,1/3")
+    return SurfaceWork.of(find, digits)
 
 
 @dataclass(frozen=True)
@@ -63,27 +87,26 @@ class Where:
     scheduler: str = ""
 
 
-def settings(sources: Sequence[Source], work: Work) -> dict[str, object]:
+def settings(sources: Sequence[Source], work: Work | SurfaceWork, taken: Taken = CURVES) -> dict[str, object]:
     """The settings on which results depend: a sweep may only be continued with the same ones."""
     return {
         "schema": "exactspline/sweep_line",
         "version": VERSION,
-        "corpus": [source.name if isinstance(source, Nurbs) else str(source) for source in sources],
-        "find": list(work.find),
-        "claims": [list(claim) for claim in work.claims],
-        "digits": work.digits,
-        "values": work.values,
+        "corpus": [each.name if isinstance(each, (Nurbs, NurbsSurface)) else str(each) for each in sources],
+        **work.settings(),
+        **taken.settings(),
     }
 
 
 def recorded(
     sources: Sequence[Source],
-    work: Work,
+    work: Work | SurfaceWork,
     where: Where,
     output: str,
     summary: Summary,
     tick: Callable[[float, Line, bool], None] = lambda *_: None,
     stopped: Callable[[], bool] = lambda: False,
+    taken: Taken = CURVES,
 ) -> None:
     """Sweep a corpus into a file (`opened`), or nowhere, and count all of its lines.
 
@@ -93,11 +116,11 @@ def recorded(
 
     Raises `ResultsError` where the results cannot be written or belong to another corpus.
     """
-    given = takewhile(lambda _: not stopped(), items(sources))
+    given = takewhile(lambda _: not stopped(), items(sources, taken))
     if not output:
         _compute(given, work, where, None, summary, tick)
         return
-    with opened(output, settings(sources, work)) as results:
+    with opened(output, settings(sources, work, taken)) as results:
         for line in results.existing():
             item = next(given, None)
             if item is None and stopped():
@@ -132,7 +155,7 @@ def opened(place: str, settings: Settings) -> Results:
 
 def _compute(
     given: Iterator[Item],
-    work: Work,
+    work: Work | SurfaceWork,
     where: Where,
     results: Results | None,
     summary: Summary,

@@ -66,7 +66,7 @@ def weight(item: Item) -> int | None:
     given = item.given
     if isinstance(given, Member):
         return given.family.segments[1] * given.family.degree[1] ** 3 if given.family.dimension == 2 else None
-    if isinstance(given, Problem) or not _spoken_of(given):
+    if not isinstance(given, Nurbs) or not _spoken_of(given):
         return None
     return int(given.segments * given.degree**3)
 
@@ -161,6 +161,15 @@ class Work:
             digits,
             as_flag(values, "whether points get their values"),
         )
+
+    def settings(self) -> dict[str, object]:
+        """On what the lines depend, as data."""
+        return {
+            "find": list(self.find),
+            "claims": [list(claim) for claim in self.claims],
+            "digits": self.digits,
+            "values": self.values,
+        }
 
     def line(self, item: Item) -> Line:
         """The line of one curve, in exact arithmetic. An error is recorded in the line, so that other curves are not

@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from exactspline.cli.common import Read, distinguish, each_read, read_curves
+from exactspline.cli.common import Read, distinguish, each_read
 from exactspline.cli.output import OptionsError, Output
 from exactspline.cli.parameters import Exit
 from exactspline.display.sheet import Sheet
@@ -22,13 +22,13 @@ DIGITS = 1000
 
 
 def answer_questions(
-    out: Output, curves: list[str], asked: list[str], digits: int, certificates: bool, standard: bytes | None = None
+    out: Output, found: tuple[list[Read], bool], asked: list[str], digits: int, certificates: bool
 ) -> None:
-    """Print the answers to questions about curves: the exact value, a certified interval, the correctly rounded
-    double.
+    """Print the answers to questions about curves, which were read, and whether all could be: the exact value, a
+    certified interval, the correctly rounded double.
     """
     _check_digits(digits)
-    given, good = read_curves(curves, standard)
+    given, good = found
     rows = [_answered(read, question, digits, certificates) for read in given for question in asked]
     distinguish(rows)
     out.give("oracle", rows, (_sheet(row, digits) for row in rows), by="answer")

@@ -22,12 +22,14 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CURVE_HELP",
+    "Approximate",
     "CurveFiles",
     "Digits",
     "Exact",
     "Papers",
     "Trust",
     "also_in_their_planes",
+    "at_standard_input",
     "check_output",
     "claims_of_papers",
     "each_read",
@@ -37,6 +39,7 @@ __all__ = [
     "standard_input",
     "tell_notes",
     "tell_skipped",
+    "tell_written",
 ]
 G = TypeVar("G")
 V = TypeVar("V")
@@ -59,6 +62,15 @@ Papers = Annotated[
 ]
 Trust = Annotated[
     bool, Option("--trust", help="Run the formulas of a folder or a file unchanged: any Python, unchecked.")
+]
+Approximate = Annotated[
+    str,
+    Option(
+        "--approximate",
+        metavar="E",
+        help="Replace an arc of SVG that has no rational control points by a rational one that is nowhere further from "
+        "it than E.",
+    ),
 ]
 Digits = Annotated[
     int, Option("--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits too.")
@@ -112,9 +124,11 @@ def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
     return [each.curve for each in found], good
 
 
-def read_curves(names: Iterable[str], given: bytes | None = None) -> tuple[list[Read], bool]:
-    """The curves that can be read, and whether all could. `given` is standard input where it was read before."""
-    found, good = each_read(names, lambda name: (name, *_found_in(name, given)))
+def read_curves(names: Iterable[str], given: bytes | None = None, approximate: str = "") -> tuple[list[Read], bool]:
+    """The curves that can be read, and whether all could. `given` is standard input where it was read before;
+    `approximate` is the distance within which arcs that have no rational control points are replaced.
+    """
+    found, good = each_read(names, lambda name: (name, *_found_in(name, given, approximate)))
     curves = [Read(name, index, curve) for name, own, _ in found for index, curve in enumerate(own)]
     return curves, good and all(complete for *_, complete in found)
 
@@ -141,7 +155,7 @@ def distinguish(rows: list[dict[str, object]]) -> None:
             row["key"] = f"{row['key']} ({row['source']}, curve {row['index']})"
 
 
-def _found_in(name: str, given: bytes | None = None) -> tuple[list[Nurbs], bool]:
+def _found_in(name: str, given: bytes | None = None, approximate: str = "") -> tuple[list[Nurbs], bool]:
     """An example curve by its name, or the curves of a file in any format (``font.ttf:ampersand``; ``-`` for standard
     input, `given` where it was read before), and whether none is missing; whatever is skipped is named on standard
     error, and so are notes.
@@ -158,12 +172,16 @@ def _found_in(name: str, given: bytes | None = None) -> tuple[list[Nurbs], bool]
         raise CurveFileError("is empty", where=name, remedy="name a file of curves")
     if text is not None and _is_one_curve(text, name):
         # this reader takes what `derive` wrote, and its errors say more
-        own = load(name) if given is None else _at_standard_input(lambda: curve_from_text(_text(given), "stdin"))
+        own = load(name) if given is None else at_standard_input(lambda: curve_from_text(_text(given), "stdin"))
         return [own], True
     from exactspline.interchange.files import read  # all formats: what is one of ours comes without them
 
-    reading = read(name) if given is None else _at_standard_input(lambda: read(given))
-    tell_skipped(reading)
+    within = approximate or None
+    if given is None:
+        reading = read(name, approximate=within)
+    else:
+        reading = at_standard_input(lambda: read(given, approximate=within))
+    tell_skipped(reading, name)
     tell_notes(reading)
     if not reading.curves:
         what = "nothing that is a curve" if reading.skipped or reading.surfaces else "no curves"
@@ -188,7 +206,8 @@ def _text(data: bytes) -> str:
         raise CurveFileError("is not UTF-8 text", remedy="a curve file is JSON") from None
 
 
-def _at_standard_input(reader: Callable[[], V]) -> V:
+def at_standard_input(reader: Callable[[], V]) -> V:
+    """What a reader makes of standard input, which its errors name."""
     try:
         return reader()
     except ExactSplineError as error:
@@ -214,13 +233,15 @@ def _is_one_curve(head: bytes, name: str) -> bool:
     return (begin == b"{" or (suffix == ".json" and begin != b"[")) and not _SEVERAL.search(head)
 
 
-def tell_notes(reading: Reading) -> None:
-    """Print the notes of a reader on standard error, each once, with the curve or the number of curves it is about."""
+def tell_notes(reading: Reading, *, curves: bool = True) -> None:
+    """Print the notes of a reader on standard error, each once, with the curve or the number of curves it is about;
+    `curves` says whether curves are taken.
+    """
     if is_quiet():
         return
     sys.stderr.writelines(f"note: {note}\n" for note in reading.notes)
     about: dict[str, list[str]] = {}
-    for named in reading.curves:
+    for named in reading.curves if curves else ():
         for note in named.notes:
             about.setdefault(note, []).append(named.name)
     for note, names in about.items():
@@ -228,15 +249,40 @@ def tell_notes(reading: Reading) -> None:
         sys.stderr.write(f"note: {which}: {note}\n")
 
 
-def tell_skipped(reading: Reading, *, surfaces: bool = True) -> None:
-    """Print what a reader skipped on standard error; `surfaces` says whether surfaces are left out too."""
+def tell_skipped(reading: Reading, name: str, *, surfaces: bool = True) -> None:
+    """Print what a reader skipped of the file with this name on standard error, with its place in the file; `surfaces`
+    says whether surfaces are left out too.
+    """
+    source = "standard input" if name == "-" else name
     if reading.surfaces and surfaces:
         leave_out()
-        sys.stderr.write(f"skipped: {counted(len(reading.surfaces), 'surface')}: --surfaces takes these instead\n")
+        number = counted(len(reading.surfaces), "surface")
+        sys.stderr.write(f"skipped: {source}: {number}: --surfaces takes these instead\n")
     if reading.skipped:
         leave_out()
-    for (what, why), times in Counter((skipped.what, skipped.why) for skipped in reading.skipped).items():
-        sys.stderr.write(f"skipped: {what}{f' ({times} times)' if times > 1 else ''}: {why}\n")
+    places: dict[tuple[str, str], list[str]] = {}
+    for skipped in reading.skipped:
+        places.setdefault((skipped.what, skipped.why), []).append(skipped.where)
+    for (what, why), found in places.items():
+        sys.stderr.write(f"skipped: {source}: {_placed(what, found)}: {why}\n")
+
+
+#: How many places are named of what is skipped for one reason.
+NAMED = 3
+
+
+def _placed(what: str, places: list[str]) -> str:
+    """What is skipped, and where in the file."""
+    first = ", ".join(filter(None, places[:NAMED])) + (", …" if len(places) > NAMED else "")
+    if len(places) == 1:
+        return first if first.startswith(what) else f"{what} ({first})" if first else what
+    return f"{what} ({len(places)} times: {first})"
+
+
+def tell_written(path: str) -> None:
+    """Say on standard error which file was written."""
+    if path and not is_quiet():
+        sys.stderr.write(f"written: {path}\n")
 
 
 def tell_how_surfaces_are_drawn() -> None:
@@ -274,11 +320,20 @@ def check_distance(epsilon: str) -> None:
     """See that an option --epsilon is a distance."""
     from exactspline.splines.precision import WRITTEN
 
-    if epsilon == WRITTEN:
-        return
+    if epsilon != WRITTEN:
+        _see_that_it_is_positive("--epsilon", epsilon, f", or {WRITTEN}")
+
+
+def check_approximate(within: str) -> None:
+    """See that an option --approximate, if it is given, is a distance."""
+    if within:
+        _see_that_it_is_positive("--approximate", within)
+
+
+def _see_that_it_is_positive(option: str, given: str, otherwise: str = "") -> None:
     try:
-        within = rational(epsilon)
+        number = rational(given)
     except NumberError as error:
-        raise error.at("--epsilon") from None
-    if within <= 0:
-        raise OptionsError(f"--epsilon {epsilon}", remedy=f"give a number above 0, such as 1e-9, or {WRITTEN}")
+        raise error.at(option) from None
+    if number <= 0:
+        raise OptionsError(f"{option} {given}", remedy=f"give a number above 0, such as 1e-9{otherwise}")

@@ -7,7 +7,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from exactspline.cli.common import check_distance, check_output, tell_notes, tell_skipped
+from exactspline.cli.common import (
+    Approximate,
+    check_approximate,
+    check_distance,
+    check_output,
+    tell_notes,
+    tell_skipped,
+)
 from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.display.data import picked
@@ -40,15 +47,7 @@ def convert(
         list[str] | None, Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")
     ] = None,
     surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
-    approximate: Annotated[
-        str,
-        Option(
-            "--approximate",
-            metavar="E",
-            help="Replace an arc of SVG with an irrational centre by a rational one that is nowhere further from it "
-            "than E.",
-        ),
-    ] = "",
+    approximate: Approximate = "",
     degree: Annotated[int | None, Option("--degree", metavar="N", help="For files of control points alone.")] = None,
     knots: Annotated[
         str, Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
@@ -81,6 +80,7 @@ def convert(
         raise OptionsError("--epsilon without --snap", remedy="say what to replace: --snap line,circle")
     if epsilon:
         check_distance(epsilon)
+    check_approximate(approximate)
     check_output(target, source.rpartition(":")[0] or source, source)
     reading = read(
         source,
@@ -92,9 +92,11 @@ def convert(
     as_surfaces = bool(reading.surfaces) and (surfaces or not reading.curves)
     if as_surfaces and reading.curves:
         leave_out()
-        sys.stderr.write(f"skipped: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n")
-    tell_skipped(reading, surfaces=not as_surfaces)
-    tell_notes(reading)
+        sys.stderr.write(
+            f"skipped: {source}: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n"
+        )
+    tell_skipped(reading, source, surfaces=not as_surfaces)
+    tell_notes(reading, curves=not as_surfaces)
     known = [NamedSurface(each.name, each) for each in reading.surfaces] if as_surfaces else [*reading.curves]
     chosen = [named for named in known if not only or named.name in only]
     what = "surface" if as_surfaces else "curve"

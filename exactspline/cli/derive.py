@@ -22,8 +22,8 @@ def derive(
     curve: Annotated[
         str,
         Argument(
-            help="A curve file (JSON), the name of an example curve, or - for standard input; for a formula of "
-            "surfaces a surface file or the name of an example surface."
+            help="A file that holds one curve, the name of an example curve, or - for standard input; for a formula of "
+            "surfaces a file that holds one surface, the name of an example surface, or -."
         ),
     ],
     output: Annotated[
@@ -38,11 +38,11 @@ def derive(
     trust: Trust = False,
 ) -> None:
     """Write a derived curve or function as exact control points (JSON)."""
+    from exactspline.cli.surfaces import read_surface
     from exactspline.display.serialize import derived_data
     from exactspline.display.surface_data import surface_value_data
     from exactspline.geometry.derived import derive as derived
     from exactspline.interchange.curve_files import write_json
-    from exactspline.interchange.examples import load_surface
     from exactspline.language.formula import Formula
     from exactspline.language.kinds import PLANAR_MAP, SURFACE
     from exactspline.papers import resolve
@@ -50,7 +50,7 @@ def derive(
     check_output(output, curve)
     requested = resolve(name, trust=trust) if ":" in name else name
     if isinstance(requested, Formula) and requested.kind in (SURFACE, PLANAR_MAP):
-        data = surface_value_data(requested, load_surface(curve), curve)
+        data = surface_value_data(requested, read_surface(curve), curve)
     else:
         data = derived_data(derived(requested, load_curve(curve), variant), curve)
     if output:

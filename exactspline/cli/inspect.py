@@ -8,12 +8,15 @@ from typing import Annotated, Any
 from exactspline.cli.answers import answer_about_surfaces, answer_questions
 from exactspline.cli.common import (
     CURVE_HELP,
+    Approximate,
     Read,
     also_in_their_planes,
+    check_approximate,
     check_distance,
     distinguish,
     read_curves,
     standard_input,
+    tell_written,
 )
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
@@ -29,9 +32,7 @@ MINIMAL = "minimal"
 @printing
 def inspect(
     out: Output,
-    curve: Annotated[
-        list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or a surface (JSON, or -), or an example of one.")
-    ],
+    curve: Annotated[list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or surfaces in the same ways.")],
     ask: Annotated[
         list[str] | None,
         Option(
@@ -79,6 +80,7 @@ def inspect(
         ),
     ] = "",
     surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
+    approximate: Approximate = "",
     coordinates: Annotated[
         bool, Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design).")
     ] = False,
@@ -112,6 +114,7 @@ def inspect(
     from exactspline.geometry.inspection import Approach
     from exactspline.interchange.curve_files import write_json
 
+    check_approximate(approximate)
     standard = standard_input() if "-" in curve else None
     if found_surfaces := surfaces_among(curve, standard, requested=surfaces):
         if len(found_surfaces) < len(curve):
@@ -123,6 +126,7 @@ def inspect(
             "--approach": approach,
             "--coordinates": coordinates,
             "--epsilon": epsilon,
+            "--approximate": approximate,
             "--stability": stability,
             "--certificate": certificate,
             "--emit-coq": emit_coq,
@@ -132,7 +136,7 @@ def inspect(
         inspect_surfaces(out, found_surfaces, digits, plot)
         return
     if ask:
-        answer_questions(out, curve, ask, digits, certificates, standard)
+        answer_questions(out, read_curves(curve, standard, approximate), ask, digits, certificates)
         return
     approach = approach or MINIMAL
     if approach != ALL:
@@ -143,7 +147,7 @@ def inspect(
         _see_that_coq_can_name(emit_coq)
     if epsilon:
         check_distance(epsilon)
-    found, good = read_curves(curve, standard)
+    found, good = read_curves(curve, standard, approximate)
     given = [read.curve for read in found]
     if emit_coq and given:
         _emit(given[0], emit_coq)
@@ -155,8 +159,10 @@ def inspect(
     distinguish([data for *_, data in inspected])
     if certificate:
         write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
+        tell_written(certificate)
     if plot and inspected:
         _draw(inspected, given, plot, ", ".join(curve))
+        tell_written(plot)
     out.give(
         "inspect",
         (data for *_, data in inspected),
@@ -192,18 +198,19 @@ def _emit(curve: Any, path: str) -> None:
 
     text = theorem_of(curve)
     write_text(path, text)
+    tell_written(path)
 
 
 def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:
     from exactspline.display import console
-    from exactspline.display.features import feature_sheet, print_features
+    from exactspline.display.features import print_features, words_of
 
     for i, (c, _, data) in enumerate(inspected):
         if i:
             console.console().print()
         print_features(c, data)
     if inspected and not out.quiet:
-        words = [tag for c, _, data in inspected for tag in feature_sheet(c, data).tags]
+        words = [word for c, _, data in inspected for word in words_of(c, data)]
         in_space = any(c.dimension == 3 for c, _, _ in inspected)
         console.legend(console.console(), ["κ", *["τ"] * in_space, *["exactly"] * bool(words), *words])
 

@@ -51,7 +51,7 @@ Surfaces = Annotated[
     Option(
         "--surface",
         metavar="SURFACE",
-        help="A surface file (JSON) or an example surface, to check claims of surfaces on (of the paper surfaces, "
+        help="A file of surfaces, an example surface or -, to check claims of surfaces on (of the paper surfaces, "
         "unless --paper names others). May be repeated.",
     ),
 ]
@@ -91,17 +91,18 @@ def prove(
     on the curves in its folder, or on the example curves).
     """
     from exactspline.atomic_write import write_text
+    from exactspline.cli.surfaces import read_surfaces
     from exactspline.display.ledger import WORDS
     from exactspline.display.ledger_run import Run
     from exactspline.display.numbers import Numbers
-    from exactspline.interchange.examples import load_surface
     from exactspline.verification.ledger import settled, tasks
 
     requested = [_word(each, WORDS) for each in verdict or []]
     known = claims_of_papers(_papers(paper, curve, surface), trust)
     claims = of_sections(named_claims(claim or [], known), section or [])
     given, good = loaded(curve or [])
-    patches, all_read = each_read(surface or [], load_surface)
+    read, all_read = each_read(surface or [], read_surfaces)
+    patches = [each for several in read for each in several]
     curves: list[Nurbs | NurbsSurface] | None = None
     if curve or surface:
         curves = [*also_in_their_planes(given), *patches]

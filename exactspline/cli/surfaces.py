@@ -1,4 +1,4 @@
-"""``inspect`` of surfaces: which arguments are surfaces, and what is printed of them."""
+"""Surfaces as arguments of commands, and ``inspect`` of surfaces: which arguments are surfaces, and what is printed."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from exactspline.cli.common import each_read, tell_notes, tell_skipped
+from exactspline.cli.common import at_standard_input, each_read, standard_input, tell_notes, tell_skipped, tell_written
 from exactspline.cli.output import OptionsError, Output, leave_out
 from exactspline.cli.parameters import Exit
-from exactspline.errors import ExactSplineError, counted
+from exactspline.errors import CurveFileError, ExactSplineError, command_name, counted
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
@@ -56,21 +56,51 @@ def surfaces_among(names: Sequence[str], given: bytes | None, *, requested: bool
         if is_surface(name, given):
             found[name] = partial(_one, name, given)
         elif reading := _with_surfaces(name, given, requested):
-            found[name] = partial(_reported, reading)
+            found[name] = partial(_reported, reading, name)
     return found
+
+
+def read_surfaces(name: str, given: bytes | None = None) -> Sequence[NurbsSurface]:
+    """The surfaces that a name means: an example, those of a file in any format, or of standard input, `given` where it
+    was read before; whatever is skipped is named on standard error, and so are notes.
+    """
+    given = standard_input() if name == "-" and given is None else given
+    if is_surface(name, given) or not (name == "-" or Path(name).is_file()):
+        return _one(name, given)
+    from exactspline.interchange.files import read
+
+    reading = read(name) if name != "-" or given is None else at_standard_input(lambda: read(given))
+    if not reading.surfaces:
+        tell_skipped(reading, name)
+        where = "standard input" if name == "-" else name
+        raise CurveFileError("holds no surface", where=where, remedy="name a file of surfaces")
+    return _reported(reading, name, "not a surface")
+
+
+def read_surface(name: str) -> NurbsSurface:
+    """The one surface that a name, a file or standard input means."""
+    found = read_surfaces(name)
+    if len(found) > 1:
+        raise CurveFileError(
+            f"{counted(len(found), 'surface')}, where one is expected",
+            where=name,
+            remedy=f"take one: {command_name()} convert {name} one.json --surfaces --only NAME, of "
+            f"{', '.join(surface.name for surface in found[:8])}{', …' if len(found) > 8 else ''}",
+        )
+    return found[0]
 
 
 def _one(name: str, given: bytes | None) -> Sequence[NurbsSurface]:
     return [_loaded(name, given)]
 
 
-def _reported(reading: Reading) -> Sequence[NurbsSurface]:
+def _reported(reading: Reading, name: str, why: str = "without --surfaces these are taken") -> Sequence[NurbsSurface]:
     """The surfaces of a file; what else is in it is named on standard error."""
     if reading.curves:
         leave_out()
-        sys.stderr.write(f"skipped: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n")
-    tell_skipped(reading, surfaces=False)
-    tell_notes(reading)
+        sys.stderr.write(f"skipped: {name}: {counted(len(reading.curves), 'curve')}: {why}\n")
+    tell_skipped(reading, name, surfaces=False)
+    tell_notes(reading, curves=False)
     return reading.surfaces
 
 
@@ -78,10 +108,11 @@ def _with_surfaces(name: str, given: bytes | None, requested: bool) -> Reading |
     """What is read of a file whose surfaces are meant; None for any other."""
     from exactspline.interchange.files import holds_surfaces, read
 
-    if name == "-" or not Path(name).is_file() or not holds_surfaces(name):
+    place = given if name == "-" else name
+    if place is None or (name != "-" and not Path(name).is_file()) or not holds_surfaces(place):
         return None
     try:
-        reading = read(name)
+        reading = read(place)
     except ExactSplineError:
         return None
     return reading if reading.surfaces and (requested or not reading.curves) else None
@@ -145,8 +176,10 @@ def _drawn(found: SurfaceInspection, plot: str) -> None:
 
         scene = inspected_scene(found)
         write_text(plot, page_of([scene], scene["title"]), PlotError)
+        tell_written(plot)
         return
     from exactspline.display.plot.canvas import save
     from exactspline.display.plot.patches import surface_figure
 
     save(surface_figure(found), plot)
+    tell_written(plot)

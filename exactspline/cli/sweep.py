@@ -1,4 +1,4 @@
-"""``sweep``: many curves, a line each."""
+"""``sweep``: many curves, or many surfaces, a line each."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING, Annotated
 
-from exactspline.cli.common import quiet_fonts
-from exactspline.cli.output import Output, leave_out, printing
+from exactspline.cli.common import Approximate, check_approximate, quiet_fonts
+from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import bar
 from exactspline.display.sheet import Sheet
@@ -50,7 +50,7 @@ Corpus = Annotated[
     Argument(
         metavar="CORPUS",
         help="Files of curves in any format that is read, folders of them, fonts (every contour of every glyph), "
-        "names of example curves.",
+        "names of example curves; with --surfaces files of surfaces and names of example surfaces.",
         completion=_completed,
     ),
 ]
@@ -69,8 +69,9 @@ Find = Annotated[
         "--find",
         metavar="WHAT",
         help="A question (see `list questions`: those about points, joints or pieces; an argument follows after a "
-        "colon, as in offset_cusps:1/10), or all of those without an argument. "
-        "May be repeated. [default: inflections, curvature_extrema, corners]",
+        "colon, as in offset_cusps:1/10), or all of those without an argument. With --surfaces those about surfaces, "
+        "also value@1/2,1/3 and the like. May be repeated. "
+        "[default: inflections, curvature_extrema, corners; all about surfaces]",
         completion=_inspections,
     ),
 ]
@@ -83,6 +84,9 @@ Values = Annotated[
     Option(
         "--values", help="Also coordinates and curvature of every point that is found, as correctly rounded doubles."
     ),
+]
+Surfaces = Annotated[
+    bool, Option("--surfaces", help="The surfaces of the corpus instead of its curves, which are named as skipped.")
 ]
 OutputFile = Annotated[
     str,
@@ -112,21 +116,28 @@ def sweep(
     claim: Claims = None,
     digits: Places = 10,
     values: Values = False,
+    surfaces: Surfaces = False,
+    approximate: Approximate = "",
     output: OutputFile = "",
     jobs: Jobs = 1,
     backend: Backend = "processes",
     scheduler: Scheduler = "",
 ) -> None:
-    """Features of many curves, and verdicts of claims on them: one line each, in order, and a summary. A broken curve
-    gives a line with its error. After a kill or an interruption, the same command continues where it stopped.
+    """Features of many curves, and verdicts of claims on them, or what many surfaces have: one line each, in order, and
+    a summary. A broken one gives a line with its error. After a kill or an interruption, the same command continues
+    where it stopped.
     """
     from exactspline.batch.backends import check_backend
+    from exactspline.batch.corpus import Taken
     from exactspline.batch.families import Family
     from exactspline.batch.summary import Summary
-    from exactspline.batch.sweep import Where, recorded
-    from exactspline.batch.work import Work
+    from exactspline.batch.sweep import Where, recorded, work_of
 
-    sources, work = _sources(corpus or [], random or []), Work.of(find, claim or (), digits, values)
+    check_approximate(approximate)
+    taken = Taken.of(surfaces=surfaces, approximate=approximate or None)
+    if surfaces and random:
+        raise OptionsError("--random and --surfaces", remedy="there are no families of random surfaces")
+    sources, work = _sources(corpus or [], random or []), work_of(taken, find, claim or (), digits, values)
     check_backend(backend)
     quiet_fonts()
     families = frozenset(str(source) for source in sources if isinstance(source, Family))
@@ -135,16 +146,16 @@ def sweep(
     with _interruptible() as stopped:
         with _progress() as tick:
             reported = _printing(tick) if to_stdout else tick
-            recorded(sources, work, where, "" if to_stdout else output, summary, reported, stopped)
+            recorded(sources, work, where, "" if to_stdout else output, summary, reported, stopped, taken)
         interrupted = stopped()
     if interrupted:
         goes_on = f"; the same command continues after them in {output}" if output and not to_stdout else ""
-        sys.stderr.write(f"interrupted after {counted(summary.lines, 'curve')}{goes_on}\n")
+        sys.stderr.write(f"interrupted after {counted(summary.lines, 'surface' if surfaces else 'curve')}{goes_on}\n")
         raise Exit(INTERRUPTED)
     if not to_stdout:
         seconds = monotonic() - start
         out.give("sweep", _rows(summary), [_sheet(summary)], lambda: _print(out, summary, seconds))
-    if summary.errors:
+    if summary.errors or not summary.all_decided:
         leave_out()
     if not summary.as_expected:
         raise Exit(1)

@@ -20,7 +20,7 @@ from exactspline.geometry.facts import ZeroForm
 from exactspline.geometry.intersections import Intersections, self_intersections
 from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.kinds import Feature, FeatureKind
-from exactspline.geometry.nearby import NearbyFeature, features_nearby
+from exactspline.geometry.nearby import NearbyFeature, features_nearby, singular_points_nearby
 from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
 from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized
 from exactspline.geometry.space_features import SpaceFacts
@@ -272,6 +272,21 @@ class Analysis(SpaceFacts, Displayed):
         Raises `ShapeError` for a curve that is not in the plane, and for a distance that is not positive.
         """
         return features_nearby(self.curve, epsilon)
+
+    @question_with("1/1000", Of.PLANE_CURVE, answered=Answered.DESCRIBED)
+    def near_cusps(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
+        """Where curves whose control points and weights differ by at most this may have cusps or other singular points;
+        none of them has one elsewhere.
+
+        See `exactspline.geometry.nearby.singular_points_nearby`.
+
+        >>> from exactspline import example
+        >>> len(analyse(example("cusp")).near_cusps("1/1000")), analyse(example("circle")).near_cusps("1/1000")
+        (1, ())
+
+        Raises `ShapeError` like `features_within`.
+        """
+        return singular_points_nearby(self.curve, epsilon)
 
     @question(Of.PLANE_CURVE, answered=Answered.DESCRIBED, on_request=True)
     def stability(self) -> tuple[StableFeature, ...]:

@@ -85,13 +85,31 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
     Raises `ShapeError` for a curve that is not in the plane, for an epsilon that is not positive, and where it lets a
     weight function vanish.
     """
+    with ctx.workprec(PRECISION):
+        found = list(_near(curve, epsilon).features())
+    return tuple(sorted(found, key=lambda feature: (feature.place, feature.kind)))
+
+
+def singular_points_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
+    """Where curves near a plane curve may have singular points, such as cusps: no curve whose coordinates and, for a
+    rational curve, weights differ by at most epsilon has one elsewhere. In the order of the parameter.
+
+    >>> from exactspline import Nurbs, example
+    >>> nearly = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 1), ("-1/1000", 1), (1, 0)])
+    >>> [len(singular_points_nearby(nearly, epsilon)) for epsilon in ("1/10", "1/100000")]
+    [1, 0]
+
+    Raises `ShapeError` like `features_nearby`.
+    """
+    with ctx.workprec(PRECISION):
+        return tuple(_near(curve, epsilon).singular_points())
+
+
+def _near(curve: Nurbs, epsilon: Number) -> _Features:
     given = curve_of(curve)
     if given.dimension != 2:
         raise ShapeError(f"curves near a curve in R{given.dimension}", remedy="this needs a plane curve")
-    within = distance(epsilon, given)
-    with ctx.workprec(PRECISION):
-        found = list(_Features(given, within).features())
-    return tuple(sorted(found, key=lambda feature: (feature.place, feature.kind)))
+    return _Features(given, distance(epsilon, given))
 
 
 class _Features(CurvesNear):
@@ -99,8 +117,9 @@ class _Features(CurvesNear):
 
     def features(self) -> Iterator[NearbyFeature]:
         """Of each kind."""
-        slow = [Interval(part.low, part.high) for part in self._parts(SPEED) if part.sign <= 0]
-        yield from (_feature(FeatureKind.STOP, place, certain=False) for place in slow)
+        singular = self.singular_points()
+        yield from singular
+        slow = [feature.place for feature in singular]
         n = self.curve.degree
         inflections = dict.fromkeys((1, -1), FeatureKind.INFLECTION)
         extrema = {1: FeatureKind.MAXIMUM, -1: FeatureKind.MINIMUM}
@@ -111,6 +130,11 @@ class _Features(CurvesNear):
                 doubtful = _meets_one(feature.place, open_places)
                 yield replace(feature, certain=False, single=False) if doubtful else feature
         yield from self._corners()
+
+    def singular_points(self) -> list[NearbyFeature]:
+        """The parts of the domain in which some of the curves may stand still."""
+        slow = [Interval(part.low, part.high) for part in self._parts(SPEED) if part.sign <= 0]
+        return [_feature(FeatureKind.STOP, place, certain=False) for place in slow]
 
     def _knots(self, least: int) -> list[tuple[int, mpq]]:
         """The inner knots of at least this multiplicity, with the segments that end there."""

@@ -26,7 +26,7 @@ from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
-from exactspline.numbers.exact import Number, rational
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
@@ -60,9 +60,7 @@ def read(
     part = as_text(part, "a part of a file")
     given = None if knots is None else tuple(map(written, as_items(knots, "knots")))
     bounds = Limits() if limits is None else as_instance(limits, Limits, "bounds", "give Limits(megabytes=200)")
-    within = None if approximate is None else rational(approximate)
-    if within is not None and within <= 0:
-        raise NumberError(f"a distance of {within}", where="approximate", remedy="give a number above 0, such as 1e-9")
+    within = _distance(approximate)
     path, named_part = ("", "") if isinstance(place, bytes) else _parted(as_path(place))
     name = _name(path)
     try:
@@ -73,21 +71,35 @@ def read(
         raise (error.at(name) if name else error) from None
 
 
-def holds_surfaces(place: str | os.PathLike[str]) -> bool:
-    """Whether a file is in a format that can hold surfaces, by its beginning and its suffix.
+def _distance(approximate: Number | None) -> mpq | None:
+    """The distance within which arcs are replaced; raises `NumberError` for what is not above 0."""
+    within = None if approximate is None else rational(approximate)
+    if within is not None and within <= 0:
+        raise NumberError(f"a distance of {within}", where="approximate", remedy="give a number above 0, such as 1e-9")
+    return within
+
+
+def holds_surfaces(place: str | os.PathLike[str] | bytes) -> bool:
+    """Whether a file, or what bytes hold, is in a format that can hold surfaces, by its beginning and its suffix.
 
     >>> holds_surfaces("nothing.here")
     False
     """
-    path = as_path(place)
+    path = "" if isinstance(place, bytes) else as_path(place)
     try:
-        with open(path, "rb") as stream:
-            return _recognized(stream.read(HEAD), Path(path).name).write_surfaces is not None
+        return _recognized(_beginning(place), Path(path).name).write_surfaces is not None
     except (OSError, ExactSplineError):
         return False
 
 
-def read_in_pieces(place: str) -> Iterator[Piece]:
+def _beginning(place: str | os.PathLike[str] | bytes) -> bytes:
+    if isinstance(place, bytes):
+        return place[:HEAD]
+    with open(as_path(place), "rb") as stream:
+        return stream.read(HEAD)
+
+
+def read_in_pieces(place: str, approximate: Number | None = None) -> Iterator[Piece]:
     """The curves of a file as `read` returns them, piece by piece if the format supports it, so that a large font is
     never in memory as a whole.
 
@@ -101,7 +113,7 @@ def read_in_pieces(place: str) -> Iterator[Piece]:
     """
     path, part = _parted(place)
     limits = Limits()
-    source = Source(_bytes(path, limits), Path(_name(path)).name, part, None, None, limits)
+    source = Source(_bytes(path, limits), Path(_name(path)).name, part, None, None, limits, _distance(approximate))
     chosen = _format(source, None)
     if chosen.pieces is None:
         yield Piece(chosen.read(source), 1, 1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
 from exactspline.errors import CurveFileError, counted
@@ -21,6 +21,9 @@ _INSTANCE = re.compile(r"\s*#\s*(\d{1,12})\s*=\s*(.*)", re.S)
 _TOKEN = re.compile(r"\s*('(?:[^']|'')*(?:'|\Z)|[(),]|[^\s(),']+)", re.S)
 _REFERENCE = re.compile(r"#\d{1,12}", re.ASCII)
 _KEYWORD = re.compile(r"[A-Z_][A-Z0-9_]*", re.ASCII)
+_FIRST = re.compile(r"\(?\s*([A-Z0-9_]+)", re.ASCII)
+_STRING = re.compile(r"'(?:[^']|'')*(?:'|\Z)", re.S)
+_CALLED = re.compile(r"([A-Z0-9_]+)\s*\(", re.ASCII)
 
 
 def instances(text: str, limits: Limits) -> dict[int, str]:
@@ -45,6 +48,36 @@ def _statements(text: str) -> Iterator[str]:
         elif match[0][0] == "/":
             pieces.append(text[begin : match.start()] + " ")
             begin = match.end()
+
+
+def keywords(text: str) -> list[str]:
+    """The keywords of an instance, without reading its arguments: one, or those of a complex instance, and behind them
+    those of typed values; empty for what is not an instance.
+
+    >>> keywords("LINE('A(',#1)"), keywords("(A(1.) B((#2),'C()'))")
+    (['LINE'], ['A', 'B'])
+    """
+    if text.startswith("("):
+        return _CALLED.findall(_STRING.sub("", text))
+    first = _FIRST.match(text)
+    return [first[1]] if first else []
+
+
+def spline_parts(
+    entity: dict[str, list[Value]], what: str, base: str, kinds: Sequence[str], inherited: int
+) -> tuple[str, list[Value], list[Value], list[Value]]:
+    """The kind of a B-spline curve or surface, the attributes of all kinds, those of this kind, and the list that
+    begins with its name: a simple instance has them in one list, of which the name and `inherited` are those of all
+    kinds.
+
+    Raises `CurveFileError` where no kind, which has knots, is among its keywords.
+    """
+    kind = next((kind for kind in kinds if kind in entity), "")
+    if not kind:
+        raise CurveFileError(f"a B-spline {what} without knots", remedy=f"one of {', '.join(kinds)} is required")
+    if base in entity:
+        return kind, entity[base], entity[kind], entity.get("REPRESENTATION_ITEM", [])
+    return kind, entity[kind][1:], entity[kind][inherited + 1 :], entity[kind]
 
 
 def parts(text: str, limits: Limits) -> dict[str, list[Value]]:

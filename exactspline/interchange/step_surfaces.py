@@ -5,13 +5,12 @@ Faces trim surfaces; the trims are not read.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from exactspline.errors import CurveFileError
 from exactspline.interchange.numbers import whole
 from exactspline.interchange.step_knots import listed_knots, standard_knots
-from exactspline.interchange.step_records import StepFile, Value
+from exactspline.interchange.step_records import StepFile, Value, spline_parts
 from exactspline.interchange.step_text import StepText, name_of, string
 from exactspline.interchange.writing import Point, cartesian_net
 from exactspline.numbers.exact import mpq
@@ -21,7 +20,7 @@ SPLINE = "B_SPLINE_SURFACE"
 WITH_KNOTS, RATIONAL = "B_SPLINE_SURFACE_WITH_KNOTS", "RATIONAL_B_SPLINE_SURFACE"
 KINDS = (WITH_KNOTS, "BEZIER_SURFACE", "UNIFORM_SURFACE", "QUASI_UNIFORM_SURFACE")
 #: Every keyword of a B-spline surface.
-ANY = re.compile(rf"\b(?:{SPLINE}|{'|'.join(KINDS)})\b")
+ANY = frozenset((SPLINE, *KINDS))
 #: Entities that use a part of a surface.
 FACES = ("ADVANCED_FACE", "FACE_SURFACE", "CURVE_BOUNDED_SURFACE", "RECTANGULAR_TRIMMED_SURFACE")
 #: Surfaces that are not splines.
@@ -34,13 +33,7 @@ OTHERS = (
 
 def add_surface(file: StepFile, entity: dict[str, list[Value]], where: str) -> None:
     """Add the surface of an instance."""
-    kind = next((kind for kind in KINDS if kind in entity), "")
-    if not kind:
-        raise CurveFileError("a B-spline surface without knots", remedy=f"one of {', '.join(KINDS)} is required")
-    if SPLINE in entity:
-        base, specific, name = entity[SPLINE], entity[kind], entity.get("REPRESENTATION_ITEM", [])
-    else:
-        base, specific, name = entity[kind][1:], entity[kind][8:], entity[kind]
+    kind, base, specific, name = spline_parts(entity, "surface", SPLINE, KINDS, 7)
     if len(base) < 7 or (kind == WITH_KNOTS and len(specific) < 4):
         raise CurveFileError("attributes are missing", remedy="complete the instance")
     m, n = (whole(text) for text in file.texts(base[:2]))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import zip_longest
-from math import gcd, isqrt, lcm
+from math import gcd, lcm
 
 from flint import fmpq, fmpq_poly, fmpz, fmpz_mpoly, fmpz_poly, nmod_poly
 
@@ -14,6 +14,14 @@ from exactspline.polynomials.two_parameters import rows_of
 ZERO = fmpq_poly([])
 #: Nanoseconds of one step of Euclid's algorithm modulo a prime, per coefficient (measured: 40 to 90).
 IMAGE = 100
+#: Nanoseconds to combine one coefficient with those modulo earlier primes, and per earlier prime (measured: 500 to
+#: 1600, and 10).
+COMBINED, COMBINED_PRIMES = 1500, 10
+#: Nanoseconds per bit of the modulus, and the number of bits for each further nanosecond, to find a rational number
+#: modulo it (measured: 60 to 160, and 150); and for how many coefficients: most have the denominator of an earlier one.
+RATIO, RATIO_BITS, RATIOS = 160, 128, 4
+#: Nanoseconds per product in a field and square of its degree, and per bit of the coefficients (measured: half of it).
+PRODUCT, PRODUCT_BITS = 4000, 4
 
 
 class OverRoot:
@@ -92,16 +100,21 @@ class OverRoot:
             given = self or other
             return given * OverRoot([_inverse(given.coefficients[-1], self.modulus)], self.modulus) if given else given
         images = _Images(self.modulus.degree())
+        spent = 0
         for step, prime in enumerate(_primes()):
-            cost = IMAGE * (self.degree + 1) * (other.degree + 1) * (self.modulus.degree() + 10)
-            check_reach(cost, lambda: "a common divisor over the field of an irrational parameter", QUESTION)
+            is_tried = step & (step + 1) == 0  # after 1, 2, 4, 8, … primes
+            cost = IMAGE * (self.degree + 1) * (other.degree + 1) * (self.modulus.degree() + 10) + images.cost(step)
+            if is_tried:
+                cost += images.cost_of_trial(self.degree + other.degree)
+            check_reach(cost, lambda: "a common divisor over the field of an irrational parameter", QUESTION - spent)
+            spent += cost
             image = _divisor_modulo(self, other, prime)
             if image is None or len(image) > images.length:
                 continue
             if len(image) == 1:
                 return OverRoot([1], self.modulus)
             images.add(image, prime)
-            if step & (step + 1) == 0:  # after 1, 2, 4, 8, … primes
+            if is_tried:
                 found = images.rational(self.modulus)
                 if found is not None and not (divmod(self, found)[1] or divmod(other, found)[1]):
                     return found
@@ -113,27 +126,40 @@ class _Images:
 
     def __init__(self, size: int) -> None:
         self.size, self.length = size, 1 << 60
-        self.values: list[int] = []
-        self.modulus = 1
+        self.values: list[fmpz] = []
+        self.modulus = fmpz(1)
 
     def add(self, image: Sequence[nmod_poly], prime: int) -> None:
         """Combine with a further image; those of a higher degree were wrong."""
-        own = [int(c[k]) for c in image for k in range(self.size)]
+        own = [fmpz(int(c[k])) for c in image for k in range(self.size)]
         if len(image) < self.length:
-            self.length, self.values, self.modulus = len(image), own, prime
+            self.length, self.values, self.modulus = len(image), own, fmpz(prime)
             return
-        inverse = pow(self.modulus, -1, prime)
+        inverse = fmpz(pow(int(self.modulus), -1, prime))
         self.values = [x + self.modulus * ((y - x) * inverse % prime) for x, y in zip(self.values, own, strict=True)]
         self.modulus *= prime
 
+    def cost(self, primes: int) -> int:
+        """Nanoseconds, estimated, to combine with one more image."""
+        return len(self.values) * (COMBINED + COMBINED_PRIMES * primes)
+
+    def cost_of_trial(self, degree: int) -> int:
+        """Nanoseconds, estimated, to find the polynomial and to divide others by it whose degrees have this sum."""
+        bits = self.modulus.bit_length()
+        ratios = bits * (RATIOS * (RATIO + bits // RATIO_BITS) + len(self.values))
+        return ratios + (degree + 2) * len(self.values) * self.size * (PRODUCT + PRODUCT_BITS * bits // 2)
+
     def rational(self, field: fmpq_poly) -> OverRoot | None:
-        """The polynomial with small rational numbers of these images as its coefficients, if there is one."""
-        found = []
+        """The polynomial with small rational numbers of these images as its coefficients, if there is one; their
+        denominators are tried for those that follow.
+        """
+        found, bottom = list[fmpq](), fmpz(1)
         for x in self.values:
-            value = _small_ratio(x, self.modulus)
+            value = _small_ratio(x * bottom % self.modulus, self.modulus)
             if value is None:
                 return None
-            found.append(value)
+            found.append(value / bottom)
+            bottom *= value.q
         rows = [found[k : k + self.size] for k in range(0, len(found), self.size)]
         return OverRoot([fmpq_poly(row) for row in rows], field)
 
@@ -147,13 +173,13 @@ def _primes() -> Iterator[int]:
             yield number
 
 
-def _small_ratio(x: int, modulus: int) -> fmpq | None:
+def _small_ratio(x: fmpz, modulus: fmpz) -> fmpq | None:
     """The rational number with numerator and denominator below the root of half a modulus that is x modulo it."""
-    limit = isqrt(modulus // 2)
-    a, b, p, q = modulus, x, 0, 1
+    limit = (modulus // 2).isqrt()
+    a, b, p, q = modulus, x, fmpz(0), fmpz(1)
     while b > limit:
-        quotient = a // b
-        a, b, p, q = b, a - quotient * b, q, p - quotient * q
+        quotient, rest = divmod(a, b)
+        a, b, p, q = b, rest, q, p - quotient * q
     return fmpq(b, q) if 0 < abs(q) <= limit else None
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import reduce
+from functools import cached_property, reduce
 from itertools import pairwise
 
 from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
@@ -20,19 +20,24 @@ from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Box, Interval, hull
-from exactspline.polynomials.cost import check_reach
+from exactspline.polynomials.cost import check_reach, height_bits
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.two_parameters import S, T, lifted, possible_boxes, rows_of
 from exactspline.roots.of_polynomials import Parameter, Place, ball, exactly, roots_in
 from exactspline.roots.root import Root
+from exactspline.roots.simple_zeros import Pair
+from exactspline.roots.vanishing import is_certainly_not_zero
 
 #: The number of resultants whose common roots are taken, for more than two polynomials.
 ELIMINANTS = 2
 #: Nanoseconds, per square of the degree and per bit, to isolate roots on an interval as small as boxes are (measured up
 #: to 11).
 SUBDIVISION = 12
+#: The degree of a field, times the bits of the polynomials over it, beyond which boxes are tried before arithmetic in
+#: it.
+LARGE = 60
 #: The first precision (decimal digits) at which a sign is tried.
 DIGITS = 15
 
@@ -85,12 +90,50 @@ class Column:
 
 
 @dataclass(frozen=True)
+class Fibre:
+    """Polynomials over the roots of one irreducible polynomial."""
+
+    polynomials: Sequence[fmpz_mpoly]
+    minimal: fmpz_poly
+    also: Sequence[fmpz_mpoly] = ()
+
+    @cached_property
+    def column(self) -> Column:
+        """Their common zeros there, over the field of the roots."""
+        return Column.of(self.polynomials, self.minimal)
+
+    def over(self, s: Parameter, pair: Pair, side: Interval) -> list[Parameter]:
+        """All t in an interval at which they vanish together with one of the roots: by boxes where its field is large,
+        and where these do not decide by arithmetic in the field.
+        """
+        if isinstance(s, Root) and self._size > LARGE:
+            simple = pair.over(s, self.polynomials, side, self.also)
+            if simple is not None:
+                return simple
+        return [t for t in self._candidates(side) if self.column.contains(s, t)]
+
+    @cached_property
+    def _size(self) -> int:
+        heights = (height_bits(p.coeffs()) for p in (self.minimal, *self.polynomials))
+        return self.minimal.degree() * max(heights)
+
+    @cached_property
+    def _known(self) -> dict[Interval, list[Parameter]]:
+        return {}
+
+    def _candidates(self, side: Interval) -> list[Parameter]:
+        if side not in self._known:
+            self._known[side] = self.column.candidates(side)
+        return self._known[side]
+
+
+@dataclass(frozen=True)
 class CommonZero:
     """A common zero: two real numbers, each rational or a certified root."""
 
     s: Parameter
     t: Parameter
-    column: Column = field(repr=False, compare=False)
+    fibre: Fibre = field(repr=False, compare=False)
 
     @property
     def place(self) -> Place:
@@ -104,13 +147,16 @@ class CommonZero:
 
     def is_zero_of(self, p: fmpz_mpoly) -> bool:
         """Whether another polynomial vanishes here too, decided exactly."""
-        (own,) = _over([p], self.column.minimal)
-        return not own or Column(self.column.minimal, self.column.zeros.gcd(own)).contains(self.s, self.t)
+        minimal = self.fibre.minimal
+        (own,) = _over([p], minimal)
+        return not own or Column(minimal, self.fibre.column.zeros.gcd(own)).contains(self.s, self.t)
 
 
-def common_zeros(polynomials: Sequence[fmpz_mpoly], sides: Box, boxes: Sequence[Box] | None = None) -> list[CommonZero]:
+def common_zeros(
+    polynomials: Sequence[fmpz_mpoly], sides: Box, boxes: Sequence[Box] | None = None, also: Sequence[fmpz_mpoly] = ()
+) -> list[CommonZero]:
     """All common zeros on a closed rectangle of polynomials without a common factor; where `boxes` are given, all that
-    are in one of them.
+    are in one of them. Those at which one of the others, `also`, is certainly not zero are left out.
 
     Raises `ReachError` where this would take too long.
 
@@ -122,14 +168,15 @@ def common_zeros(polynomials: Sequence[fmpz_mpoly], sides: Box, boxes: Sequence[
     given = [p for p in polynomials if p]
     if any(p.total_degree() == 0 for p in given):
         return []
-    boxes = possible_boxes(given, sides) if boxes is None else boxes
+    boxes = possible_boxes([*given, *also], sides) if boxes is None else boxes
     if not boxes:
         return []
-    found = []
-    for minimal, roots in _lines(given, [box.first for box in boxes]):
-        column = Column.of(given, minimal)
-        candidates = column.candidates(hull(boxes).second)
-        found += [CommonZero(s, t, column) for s in roots for t in candidates if column.contains(s, t)]
+    found, side = list[CommonZero](), hull(boxes).second
+    eliminant, pair = _eliminant(given)
+    for minimal, roots in _lines(eliminant, [box.first for box in boxes]):
+        fibre = Fibre(given, minimal, also)
+        places = [(s, t) for s in roots for t in fibre.over(s, pair, side)]
+        found += [CommonZero(*x, fibre) for x in places if not any(is_certainly_not_zero(p, *x) for p in also)]
     return sorted(found, key=lambda zero: zero.place)
 
 
@@ -172,10 +219,8 @@ def _over(polynomials: Sequence[fmpz_mpoly], minimal: fmpz_poly) -> list[OverRoo
     return [OverRoot.of(p, modulus) for p in polynomials]
 
 
-def _lines(polynomials: Sequence[fmpz_mpoly], sides: Sequence[Interval]) -> Iterator[tuple[fmpz_poly, list[Parameter]]]:
-    """Irreducible polynomials with roots in some intervals that together have all values s of common zeros there, and
-    these roots.
-    """
+def _lines(eliminant: fmpz_poly, sides: Sequence[Interval]) -> Iterator[tuple[fmpz_poly, list[Parameter]]]:
+    """The irreducible factors of a polynomial that have roots in some intervals, and these roots."""
     whole = Interval(min(side.low for side in sides), max(side.high for side in sides))
 
     def roots(p: fmpz_poly) -> list[Parameter]:
@@ -183,7 +228,7 @@ def _lines(polynomials: Sequence[fmpz_mpoly], sides: Sequence[Interval]) -> Iter
         check_reach(cost, lambda: f"the roots of an eliminant of degree {p.degree()} on a small interval")
         return [exactly(s) for s in roots_in(p, *whole, whole=True) if any(low <= s <= high for low, high in sides)]
 
-    for part, _ in factorize_square_free(_eliminant(polynomials)).powers:
+    for part, _ in factorize_square_free(eliminant).powers:
         # most square-free parts have no root there, and are not factored any further
         if roots(part):
             for minimal in factorize(part).bases:
@@ -191,19 +236,20 @@ def _lines(polynomials: Sequence[fmpz_mpoly], sides: Sequence[Interval]) -> Iter
                     yield minimal, own
 
 
-def _eliminant(polynomials: Sequence[fmpz_mpoly]) -> fmpz_poly:
-    """A polynomial in s, not zero, that vanishes at all common zeros."""
+def _eliminant(polynomials: Sequence[fmpz_mpoly]) -> tuple[fmpz_poly, Pair]:
+    """A polynomial in s, not zero, that vanishes at all common zeros; and the first two combinations that have one."""
     first, *others = sorted(polynomials, key=lambda p: (int(p.degrees()[1]), len(p)))
-    rows, found = rows_of(first), list[fmpz_poly]()
+    rows, found, pairs = rows_of(first), list[fmpz_poly](), list[Pair]()
     k = 0
     while len(found) < (ELIMINANTS if len(others) > 1 else 1):
         # a factor of the first divides two of the combinations only if it divides all
-        combined = rows_of(sum((p * k**i for i, p in enumerate(others)), S * 0))
-        eliminant = _without_t(rows, combined) if combined else fmpz_poly([])
+        combined = sum((p * k**i for i, p in enumerate(others)), S * 0)
+        eliminant = _without_t(rows, rows_of(combined)) if combined else fmpz_poly([])
         if eliminant:
             found.append(eliminant)
+            pairs.append(Pair(first, combined, eliminant))
         k += 1
-    return greatest_common_divisor(found)
+    return greatest_common_divisor(found), pairs[0]
 
 
 def _without_t(first: list[fmpz_poly], second: list[fmpz_poly]) -> fmpz_poly:

@@ -134,7 +134,8 @@ TOGETHER = 16
 
 _met: Counter[tuple[int, Pattern]] = Counter()
 _weights: dict[tuple[int, Pattern], Weights] = {}
-#: The weights along short knot vectors, by degree and knots.
+#: The weights along this many short knot vectors, by degree and knots.
+ALONG = 64
 _along: dict[tuple[int, tuple[mpq, ...]], list[Weights]] = {}
 
 
@@ -184,7 +185,7 @@ def _weights_along(t: Sequence[mpq], n: int, spans: Sequence[int]) -> list[Weigh
     if found is None:
         found = _weights_of([*_patterns(t, n, spans)])
         if found is not None:
-            if len(_along) >= PATTERNS:
+            if len(_along) >= ALONG:
                 _along.clear()
             _along[key] = found
     return found

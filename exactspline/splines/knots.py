@@ -25,7 +25,7 @@ SMOOTH = 1 << 60
 
 #: What is known of this many knot vectors, of at most this many knots each, is shared by all that are equal: most
 #: curves of a file are over the same few.
-KEPT, LONGEST = 1024, 64
+KEPT, LONGEST = 64, 64
 _kept: dict[tuple[mpq, ...], dict[int, MeshOf | None]] = {}
 _set = object.__setattr__
 

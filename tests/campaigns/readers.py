@@ -140,8 +140,9 @@ def _stop(*_: object) -> None:
 def fuzz(name: str, runs: int, seed: int, keep: bool) -> tuple[int, int, float]:
     """Failures in this many runs, how many were read, and the longest of them in seconds of processor time."""
     chance, files = random.Random(f"{name} {seed}"), originals()[name]
-    whole = [data for data in files if said(data, name).startswith("read")]
-    known = {said(data, name) for data in files}
+    answers = [said(data, name) for data in files]
+    whole = [data for data, answer in zip(files, answers, strict=True) if answer.startswith("read")]
+    known = set(answers)
     kept, failures, good, longest = len(list((CORPUS / name).glob("*"))), 0, 0, 0.0
     signal.signal(signal.SIGVTALRM, _stop)
     for _ in range(runs):

@@ -1,6 +1,8 @@
 """Commands on the surfaces of files, alone and beside curves."""
 
+import io
 import json
+import re
 
 import pytest
 
@@ -75,3 +77,97 @@ def test_a_sweep_names_surfaces(mixed, tmp_path):
     assert [(line["error"] or {}).get("kind") for line in lines] == [None, "Skipped", "Skipped"]
     assert "torus" in lines[2]["error"]["message"] or "surface" in lines[2]["error"]["message"]
     assert run("sweep", mixed, "-o", tmp_path / "x.jsonl", "--strict").returncode == 2
+
+
+def test_a_sweep_of_surfaces(mixed, tmp_path):
+    """Sweeps named the surfaces of files and answered nothing about them."""
+    lines = [json.loads(line) for line in run("sweep", mixed, "--surfaces", "-o", "-").stdout.splitlines()]
+    sphere, torus, skipped = lines
+    assert (sphere["degrees"], sphere["patches"], torus["patches"]) == ([2, 2], 8, 16)
+    inspected = rows(run("inspect", mixed, "--surfaces", "--json", "--digits", "10"))
+    for line, row in zip((sphere, torus), inspected, strict=True):
+        assert line["answers"] == {name: row[name] for name in line["answers"]}
+        assert "patches" in line["answers"]
+    assert skipped["error"] == {"kind": "Skipped", "message": "curve: g2 1: not a surface", "bad_input": True}
+    # a sweep that is continued, its summary, and a question at a place
+    place = tmp_path / "lines.jsonl"
+    command = ("sweep", mixed, "--surfaces", "--find", "umbilics", "--find", "value@0,0", "-o", place, "--json")
+    first, again = run(*command), run(*command)
+    counts = {(row["what"], row["name"]): row["count"] for row in rows(first)}
+    assert counts["surfaces", ""] == 2
+    assert counts["patches", ""] == 24
+    assert {("filter", "computed before")} <= {(row["what"], row["name"]) for row in rows(again)}
+    assert run("sweep", mixed, "--find", "inflections", "-o", place).returncode == 2
+
+
+def test_what_a_sweep_of_surfaces_refuses(mixed, tmp_path):
+    for options in (("--claim", "S1.1"), ("--values",), ("--random", "count=2"), ("--find", "inflections")):
+        done = run("sweep", mixed, "--surfaces", *options)
+        assert done.returncode == 2, options
+        assert "Traceback" not in done.stderr
+    assert run("sweep", mixed, "--surfaces", "-o", tmp_path / "x.parquet").returncode == 2
+    # what is not decided counts as left out
+    assert run("sweep", "folded_map", "--surfaces", "--strict").returncode == 2
+    assert run("sweep", "planar_map", "--surfaces", "--strict").returncode == 0
+
+
+@pytest.fixture
+def standard_input_of(monkeypatch):
+    """Standard input that holds these bytes."""
+
+    def given(data):
+        monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(data)))
+
+    return given
+
+
+def test_surfaces_of_any_format_on_standard_input(alone, mixed, standard_input_of):
+    """Only our JSON was taken as surfaces there; of other files it was said that they hold no curves."""
+    standard_input_of(alone.read_bytes())
+    done = run("inspect", "-", "--json")
+    assert [row["surface"] for row in rows(done)] == ["sphere", "torus"], done.stderr
+    standard_input_of(mixed.read_bytes())
+    assert len(rows(run("inspect", "-", "--json", "--surfaces"))) == 2
+    standard_input_of(mixed.read_bytes())
+    assert [row["curve"] for row in rows(run("inspect", "-", "--json"))] == ["g2 1"]
+
+
+def test_formulas_and_claims_on_surfaces_of_files(alone, tmp_path, standard_input_of):
+    """Only our JSON was read."""
+    one = tmp_path / "one.g2"
+    write(example("torus"), one)
+    expected = json.loads(run("derive", "surfaces:gaussian_curvature", "torus").stdout) | {"surface": None}
+    for given in (one, "-"):
+        standard_input_of(one.read_bytes())
+        done = run("derive", "surfaces:gaussian_curvature", given)
+        assert done.returncode == 0, done.stderr
+        assert json.loads(done.stdout) | {"surface": None} == expected
+    several = run("derive", "surfaces:gaussian_curvature", alone)
+    assert several.returncode == 2
+    assert "2 surfaces, where one is expected" in several.stderr
+    done = run("prove", "--surface", alone, "--claim", "S1", "--json")
+    assert {row["curve"] for row in rows(done)} >= {"sphere", "torus"}, done.stderr
+
+
+def test_what_holds_no_surface_is_named(tmp_path):
+    place = tmp_path / "curve.g2"
+    write(example("cusp"), place)
+    done = run("derive", "surfaces:gaussian_curvature", place)
+    assert done.returncode == 2
+    assert "holds no surface" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_notes_on_curves_that_are_not_taken_are_not_told(tmp_path):
+    """`inspect --surfaces` told the notes of the curves that it left out."""
+    place = tmp_path / "both.stp"
+    surface, _ = encoded_surfaces([example("sphere")], "step")
+    curve, _ = encoded([example("circle")], "step")
+    entities = curve.split(b"DATA;")[1].split(b"ENDSEC;")[0]
+    shifted = re.sub(rb"#(\d+)", lambda found: b"#%d" % (int(found[1]) + 10_000), entities)
+    place.write_bytes(surface.replace(b"DATA;", b"DATA;" + shifted, 1))
+    reading = read(place)
+    assert (len(reading.curves), len(reading.surfaces)) == (1, 1)
+    for option, told in ((), True), (("--surfaces",), False):
+        done = run("inspect", place, *option)
+        assert all((note in done.stderr) == told for note in reading.curves[0].notes), done.stderr

@@ -78,6 +78,21 @@ def test_a_picture_is_the_same_twice_and_keeps_its_lines(tmp_path):
     assert files[0].read_bytes() != files[1].read_bytes()
 
 
+def test_a_scene_is_rendered_once_for_all_files_and_again_where_it_changes(tmp_path, monkeypatch):
+    made, render = [], depth.rendered
+    monkeypatch.setattr(depth, "rendered", lambda *given: made.append(given) or render(*given))
+    ax, _ = crossing()
+    ax.plot([0, 1], [0, 1], [1, 1], color="#000000")
+    for name in ("a.svg", "a.png"):
+        save(ax, tmp_path / name)
+    assert len(made) == 1
+    for change in (lambda: ax.view_init(60, -90), lambda: ax.lines[-1].set_color(RED), ax.lines[-1].remove):
+        change()
+        before = len(made)
+        save(ax, tmp_path / "a.png")
+        assert len(made) == before + 1
+
+
 def test_a_file_shows_every_surface(tmp_path):
     from matplotlib.image import imread
 

@@ -85,55 +85,6 @@ def test_every_name_of_a_stub_is_there():
             assert getattr(module, alias.name) is not None
 
 
-SPLINE, VECTOR = "exactspline.splines.bspline.BSpline", "exactspline.language.vector.Vector"
-QUOTIENT = "exactspline.language.rational.Rational"
-PLACES, FEATURE = "exactspline.questions.answers.Places", "exactspline.geometry.kinds.Feature"
-SURFACES = "exactspline.geometry.surface"
-OF_SURFACES = f"{SURFACES}.inspection.SurfaceInspection", f"{SURFACES}.planar_maps.MapInspection"
-
-
-def test_checkers_know_the_types_and_refuse_a_method_that_is_a_function(tmp_path):
-    """Passed before: `curve.plot()`."""
-    asked = {
-        "xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])": "exactspline.splines.nurbs.Nurbs",
-        "xs.zeros(xs.BSpline.bezier([1, -1]))": "exactspline.roots.zero_set.ZeroSet",
-        'xs.example("circle").insert_knot("1/2")': "exactspline.splines.nurbs.Nurbs",
-        'xs.prove("f1", "f2").holds': "bool",
-        "xs.example('circle').split('1/2')[0]": "exactspline.splines.nurbs.Nurbs",
-        "xs.example('circle').w": SPLINE,
-        "xs.example('circle').w * 2 - xs.example('circle').p[0]": SPLINE,
-        "xs.example('circle').w * xs.example('circle').p": f"{VECTOR}[{SPLINE}]",
-        "xs.example('circle').p * xs.example('circle').w": f"{VECTOR}[{SPLINE}]",
-        "xs.example('circle').p[0] / xs.example('circle').w": f"{QUOTIENT}[{SPLINE}]",
-        "xs.example('circle').p / xs.example('circle').w": f"{QUOTIENT}[{SPLINE}]",
-        "xs.zeros(xs.example('circle').w)": "exactspline.roots.zero_set.ZeroSet",
-        "xs.zeros(xs.example('circle').w).roots[0]": "exactspline.roots.root.Root",
-        "xs.analyse(xs.example('circle')).inflections": f"{PLACES}[{FEATURE}]",
-        "xs.analyse(xs.example('circle')).turning_points('0')": f"{PLACES}[{FEATURE}]",
-        "xs.analyse(xs.example('torus'))": " | ".join(OF_SURFACES),
-    }
-    wrong = 'xs.example("circle").plot()\nxs.example("sphere").plot\n'
-    done = checked(tmp_path, "".join(f"reveal_type({code})\n" for code in asked) + wrong)
-    told = [kind.removeprefix("builtins.") for kind in re.findall(r'Revealed type is "(.*?)"', done.stdout)]
-    assert told == list(asked.values()), done.stdout + done.stderr
-    assert re.findall(r"error: (.*?)  \[attr-defined\]", done.stdout) == [
-        '"Nurbs" has no attribute "plot"',
-        '"NurbsSurface" has no attribute "plot"',
-    ]
-
-
-def checked(folder: Path, code: str) -> subprocess.CompletedProcess[str]:
-    """What a type checker says of code that uses the package."""
-    pytest.importorskip("mypy")
-    file = folder / "asks.py"
-    file.write_text(f"import exactspline as xs\n{code}", encoding="utf-8")
-    command = [sys.executable, "-m", "mypy", "--cache-dir", str(folder / "cache"), "--follow-imports=silent", str(file)]
-    installed = ROOT.parent.name == "site-packages"  # a folder in which a checker takes every library for the user's
-    return subprocess.run(
-        command, capture_output=True, text=True, check=False, cwd=folder if installed else ROOT.parent
-    )
-
-
 # ---- functions, not methods of lower rooms
 
 SOURCES = sorted(ROOT.rglob("*.py"))

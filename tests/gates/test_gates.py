@@ -310,7 +310,6 @@ def test_what_rounds_is_found(code):
 #: Where FLINT's own functions may be called: the doors, and what costs nothing.
 UNBOUNDED = {
     "geometry/balls.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
-    "geometry/bisector/common_zeros.py: _certainly_apart": "modulo a prime, in one variable",
     "geometry/bisector/polynomials.py: common_divisor": "over the field of a root: Euclid's algorithm, bounded",
     "numbers/exact.py: common_divisor": "integers",
     "polynomials/bernstein.py: add": "integers",
@@ -350,6 +349,7 @@ def test_every_costly_call_goes_through_a_bounded_door():
 # ---- no error is hidden
 
 CAUGHT = {
+    "batch/surface_work.py: SurfaceWork.line": "one surface does not end a batch: the type of the error is its answer",
     "batch/work.py: Asked.of": "one curve does not end a batch: the type of the error is its answer",
     "batch/work.py: _ask": "a filter that fails is counted, and the curves are asked exactly",
     "batch/work.py: Work._line": "one curve does not end a batch: the type of the error is its answer",

@@ -19,7 +19,6 @@ from exactspline.geometry.values_along import curvature
 from exactspline.interchange.examples import example, example_names
 from exactspline.verification.claims import select
 from exactspline.verification.ledger import audit
-from tests.geometry.test_shared_curves import FILES, read_curve
 from tests.support.bisector_oracle import bezier
 from tests.support.command import invoke
 
@@ -104,49 +103,6 @@ def test_curvature_that_changes_its_sign_by_a_jump():
     (f,) = analyse(curve).inflections
     assert (f.kind, f.root.exact, f.by_jump) == ("inflection", 1, True)
     assert not [f for f in analyse(curve).curvature_extrema if f.root == 1]
-
-
-def check_agreement(curve):
-    rows = {row.name: row for row in compare_approaches(curve)}
-    assert not any(row.missing for row in rows.values())
-    assert not any(rows[name].extraneous for name in ("direct", "reduced"))
-    extra = {f.root for f in (*analyse(curve).inflections, *analyse(curve).singular_points)}
-    true = list(analyse(curve).zero_form("critical_curvature").zeros)
-    assert {
-        root for root in analyse(curve).zero_form("critical_curvature", "squaring").zeros if root not in true
-    } <= extra
-    kinds = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical_points] for approach in Approach]
-    assert all(found == kinds[0] for found in kinds)
-
-
-@pytest.mark.parametrize("name", PLANE)
-def test_all_approaches_agree_on_the_example_curves(name):
-    check_agreement(example(name))
-
-
-@pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
-def test_all_approaches_agree_on_real_curves(file):
-    curve = read_curve(file)
-    if curve.dimension == 2:
-        check_agreement(curve)
-
-
-@pytest.mark.parametrize("name", ["rational_cubic_s", "rational_quartic", "ellipse_turned", "six_segment_cubic"])
-def test_curvature_is_greatest_where_it_says_so(name):
-    """Exactly: κ² on both sides of an extremum of |κ|, at rational parameters nearby, is beyond none."""
-    from exactspline.papers import find
-
-    curve = example(name)
-    kappa = find("curvature_squared")(curve)
-    a, b = curve.domain
-    for f in analyse(curve).curvature_extrema:
-        low, high = f.root.refine(12)
-        h = mpq(1, 1000)
-        if not a < low - h or not high + h < b or f.of_absolute is None:
-            continue
-        centre = kappa((low + high) / 2)
-        for t in (low - h, high + h):
-            assert (kappa(t) < centre) == (f.of_absolute == "maximum")
 
 
 def test_the_curvature_may_vanish_at_its_own_extremum():

@@ -18,7 +18,7 @@ from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import Absence
 from exactspline.geometry.derived import derive
-from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
+from exactspline.geometry.inspection import inspect_curve
 from exactspline.geometry.kinds import JointKind
 from exactspline.geometry.planarity import as_plane_curve, planar_pieces, plane_of
 from exactspline.geometry.values_along import curvature, torsion
@@ -26,7 +26,6 @@ from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from exactspline.verification.claims import all_claims
 from exactspline.verification.ledger import audit
-from tests.geometry.test_shared_curves import FILES, read_curve
 from tests.support.answers import places
 from tests.support.command import invoke
 from tests.support.space_curves import MIRRORED, TURNED, chained, moved, power_curve
@@ -98,48 +97,6 @@ def test_a_plane_curve_in_space_has_the_features_it_has_in_the_plane(name, matri
         (f.kind, f.root) for f in analyse(curve).inflections
     ]
     assert analyse(in_space).torsion_zeros.points == ()
-
-
-def check_agreement(curve):
-    rows = {row.name: row for row in compare_approaches(curve)}
-    assert not any(row.missing for row in rows.values())
-    found = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical_points] for approach in Approach]
-    assert all(one == found[0] for one in found)
-    assert (
-        curve.degree < 3
-        or rows["minimal"].degree <= rows["reduced"].degree <= rows["direct"].degree <= rows["squaring"].degree
-    )
-
-
-@pytest.mark.parametrize("name", SPACE)
-def test_all_approaches_agree_on_the_example_curves(name):
-    check_agreement(example(name))
-
-
-@pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
-def test_all_approaches_agree_on_real_curves(file):
-    curve = read_curve(file)
-    if curve.dimension == 3:
-        check_agreement(curve)
-
-
-@pytest.mark.parametrize(
-    "name", ["rational_space_cubic", "rational_space_cubic_spline", "helix_like", "space_quartic", "flat_point"]
-)
-def test_curvature_is_extremal_where_it_says_so(name):
-    """Exactly: κ² on both sides of an extremum, at rational parameters nearby, is beyond none."""
-    curve = example(name)
-    kappa = find("space_curvature_squared")(curve)
-    a, b = curve.domain
-    found = [f for f in analyse(curve).critical_points if f.kind != "stationary"]
-    assert found
-    for f in found:
-        low, high = f.root.refine(12)
-        h = mpq(1, 1000)
-        if not a < low - h or not high + h < b:
-            continue
-        for t in (low - h, high + h):
-            assert (kappa(t) < kappa((low + high) / 2)) == (f.kind == "maximum")
 
 
 @given(nurbs(dimension=3, low=1, high=4))

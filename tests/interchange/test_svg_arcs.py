@@ -91,3 +91,15 @@ def test_conversion_names_what_it_approximates(tmp_path):
     assert done.returncode == 0, done.stderr
     assert "nowhere further from it than 1/1000000" in done.stderr
     assert run("convert", place, tmp_path / "other.json").returncode == 2
+
+
+def test_every_command_that_reads_drawings_approximates(tmp_path):
+    """Only `convert` and the library did."""
+    place = tmp_path / "arc.svg"
+    place.write_text(SVG.format('<path id="p" d="M0 0A1 1 0 0 1 1 .5"/>'), encoding="utf-8")
+    for command in (("inspect", place), ("inspect", place, "--ask", "value@0"), ("sweep", place)):
+        assert run(*command).returncode == 2
+        done = run(*command, "--approximate", "1e-6")
+        assert done.returncode == 0, done.stderr
+        assert "nowhere further from it than 1/1000000" in done.stderr + done.stdout
+        assert run(*command, "--approximate", "0").returncode == 2

@@ -14,7 +14,8 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.two_parameters import S, T, as_form, value_at
-from exactspline.roots.common_zeros import common_zeros, multiplicity
+from exactspline.roots.common_zeros import Column, common_zeros, multiplicity
+from exactspline.roots.simple_zeros import Pair
 from tests.campaigns.common_zeros import FAMILIES, any_polynomial, difference, run
 
 
@@ -117,6 +118,37 @@ def test_polynomials_of_one_parameter_beside_one_of_both():
     (zero,) = common_zeros([2 * S * S - 1, (2 * S * S - 1) ** 2, 3 * T - 1 + 2 * S * S - 1], UNIT)
     assert zero.s.minimal_polynomial() == [-1, 0, 2]
     assert zero.t == mpq(1, 3)
+
+
+def test_boxes_find_what_arithmetic_in_the_field_finds(monkeypatch):
+    """Simple zeros over roots of large degree, by Krawczyk's test and by common divisors over their fields."""
+    random = Random(7)
+    found, sides = 0, Box(*[Interval(mpq(-2), mpq(2))] * 2)
+    for _ in range(6):
+        f, g = (
+            sum((random.randint(-999, 999) * S**i * T**j for i in range(4) for j in range(4)), S * 0) for _ in range(2)
+        )
+        by_boxes = common_zeros([f, g], sides)
+        with monkeypatch.context() as patch:
+            patch.setattr(Pair, "over", lambda *_: None)
+            by_fields = common_zeros([f, g], sides)
+        with monkeypatch.context() as patch:
+            patch.setattr(Column, "of", lambda *_: pytest.fail("boxes decide here"))
+            assert [one.place for one in common_zeros([f, g], sides)] == [one.place for one in by_boxes]
+        assert [one.place for one in by_boxes] == [one.place for one in by_fields]
+        assert all(len(one.s.minimal_polynomial()) > 10 for one in by_boxes)
+        found += len(by_boxes)
+    assert found > 3
+
+
+def test_others_leave_out_zeros():
+    zeros = common_zeros([2 * S * S - 1, 3 * T * T - 1], Box(Interval(mpq(-1), mpq(1)), UNIT.second))
+    left = common_zeros(
+        [2 * S * S - 1, 3 * T * T - 1], Box(Interval(mpq(-1), mpq(1)), UNIT.second), also=[S - 1 - S * T]
+    )
+    assert (len(zeros), len(left)) == (2, 0)
+    (kept,) = common_zeros([2 * S * S - 1, 3 * T * T - 1], UNIT, also=[6 * S * S * T * T - 1])
+    assert kept.place == zeros[-1].place
 
 
 # ---- curves of zeros: their singular points, also degenerate ones and on the border

@@ -6,49 +6,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Direction, Nurbs
-from exactspline.errors import DomainError, KnotError, NumberError, ShapeError, WeightError
+from exactspline.errors import DomainError, NumberError, ShapeError, WeightError
 from exactspline.language import Rational, Vector, dot
 from tests.support import oracles
 from tests.support.strategies import TINY, nurbs
 
 KNOTS = [0, 0, 0, 1, 1, 1]
 POINTS = [(0, 0), (1, 1), (2, 0)]
-
-BAD = {
-    "too few points": ((2, KNOTS, POINTS[:2]), ShapeError, "control_points"),
-    "too many points": ((2, KNOTS, [*POINTS, (3, 3)]), ShapeError, "control_points"),
-    "no points": ((2, KNOTS, []), ShapeError, "control_points"),
-    "too few weights": ((2, KNOTS, POINTS, [1, 2]), ShapeError, "weights"),
-    "too many weights": ((2, KNOTS, POINTS, [1, 2, 3, 4]), ShapeError, "weights"),
-    "no weights": ((2, KNOTS, POINTS, []), ShapeError, "weights"),
-    "mixed dimensions": ((2, KNOTS, [(0, 0), (1, 1), (2, 0, 0)]), ShapeError, "control_points[2]"),
-    "one coordinate": ((2, KNOTS, [(0,), (1,), (2,)]), ShapeError, "control_points[0]"),
-    "no coordinate": ((2, KNOTS, [(), (), ()]), ShapeError, "control_points[0]"),
-    "a number for a point": ((2, KNOTS, [(0, 0), 1, (2, 0)]), ShapeError, "control_points[1]"),
-    "a text for a point": ((2, KNOTS, [(0, 0), "11", (2, 0)]), ShapeError, "control_points[1]"),
-    "decreasing knots": ((2, [0, 0, 0, 1, "1/2", 1], POINTS), KnotError, "knots[4]"),
-    "multiplicity above degree + 1": ((1, [0, 0, 1, 1, 1, 2, 2], [(0, 0)] * 5), KnotError, "knots[2]"),
-    "empty domain": ((1, [0, 1, 1, 2], [(0, 0), (1, 1)]), KnotError, "knots"),
-    "too few knots": ((2, [0, 0, 1, 1], [(0, 0)]), KnotError, "knots"),
-    "a float knot": ((2, [0, 0, 0, 1, 1, 1.0], POINTS), NumberError, "knots[5]"),
-    "a float coordinate": ((2, KNOTS, [(0, 0), (1, 0.5), (2, 0)]), NumberError, "control_points[1][1]"),
-    "a float weight": ((2, KNOTS, POINTS, [1, 1, 0.5]), NumberError, "weights[2]"),
-    "no number": ((2, KNOTS, POINTS, [1, "1/0", 1]), NumberError, "weights[1]"),
-    "negative degree": ((-1, KNOTS, POINTS), ShapeError, "degree"),
-    "float degree": ((2.0, KNOTS, POINTS), ShapeError, "degree"),
-    "huge degree": ((10**6, KNOTS, POINTS), ShapeError, "degree"),
-}
-
-
-@pytest.mark.parametrize("what", BAD)
-def test_bad_input_names_the_place(what):
-    arguments, kind, where = BAD[what]
-    with pytest.raises(kind) as caught:
-        Nurbs(*arguments)
-    assert caught.value.where == where
-    assert caught.value.remedy
-    assert "\n" not in str(caught.value)
-
 
 #: Weight functions with a zero: degree, knots, weights and the parameters between which it lies (equal where it is
 #: known exactly).

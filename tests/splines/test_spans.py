@@ -43,6 +43,7 @@ def test_weights_are_computed_for_what_is_met_again_and_forgotten_in_time(monkey
     monkeypatch.setattr(blossom, "_weights", {})
     monkeypatch.setattr(blossom, "_along", {})
     monkeypatch.setattr(blossom, "PATTERNS", 5)
+    monkeypatch.setattr(blossom, "ALONG", 5)
     t, column = [mpq(k) for k in (0, 0, 0, 1, 1, 1)], [[mpq(k) for k in (1, 2, 5)]]
     found = [blossom.common_forms(t, 2, column, [2]) for _ in range(4)]
     assert [each is None for each in found] == [True, True, False, False]

@@ -4,7 +4,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import BSpline
-from exactspline.errors import DomainError, FormulaError, KnotError, NumberError, ReductionError, ShapeError
+from exactspline.errors import DomainError, FormulaError, NumberError, ReductionError, ShapeError
 from exactspline.splines.tensor import TensorSpline, lifted
 from tests.support.strategies import HUGE, TINY
 
@@ -75,43 +75,6 @@ def test_huge_and_tiny_coordinates():
 # ---- what is refused
 
 GOOD = ((1, 2), [0, 0, 1, 1], [0, 0, 0, 1, 1, 1], [[0, 1, 2], [3, 4, 5]])
-BAD = {
-    "decreasing knots": ((*GOOD[:2], [0, 0, 0, 1, "1/2", 1], GOOD[3]), KnotError, "knots_t[4]"),
-    "decreasing knots in s": ((GOOD[0], [0, 0, 1, "1/2"], *GOOD[2:]), KnotError, "knots_s[3]"),
-    "multiplicity above degree + 1": (
-        (GOOD[0], [0, 0, "1/2", "1/2", "1/2", 1, 1], GOOD[2], [[0, 1, 2]] * 5),
-        KnotError,
-        "knots_s[2]",
-    ),
-    "empty domain": ((GOOD[0], [0, 1, 1, 2], *GOOD[2:]), KnotError, "knots_s"),
-    "too few knots": ((GOOD[0], [0, 1, 1], *GOOD[2:]), KnotError, "knots_s"),
-    "no knots": ((*GOOD[:2], [], GOOD[3]), KnotError, "knots_t"),
-    "a float knot": ((*GOOD[:2], [0, 0, 0.0, 1, 1, 1], GOOD[3]), NumberError, "knots_t[2]"),
-    "a float knot in s": ((GOOD[0], [0.0, 0, 1, 1], *GOOD[2:]), NumberError, "knots_s[0]"),
-    "no points": ((*GOOD[:3], []), ShapeError, "control_points"),
-    "too few rows": ((*GOOD[:3], [[0, 1, 2]]), ShapeError, "control_points"),
-    "too many rows": ((*GOOD[:3], [[0, 1, 2]] * 3), ShapeError, "control_points"),
-    "a short row": ((*GOOD[:3], [[0, 1, 2], [3, 4]]), ShapeError, "control_points[1]"),
-    "an empty row": ((*GOOD[:3], [[], []]), ShapeError, "control_points[0]"),
-    "a row that is none": ((*GOOD[:3], [[0, 1, 2], 3]), ShapeError, "control_points[1]"),
-    "a net that is none": ((*GOOD[:3], 3), ShapeError, "control_points"),
-    "a float point": ((*GOOD[:3], [[0, 1, 2], [3, 4.5, 5]]), NumberError, "control_points[1][1]"),
-    "a point that is none": ((*GOOD[:3], [[0, 1, None], [3, 4, 5]]), NumberError, "control_points[0][2]"),
-    "a negative degree": (((1, -1), *GOOD[1:]), ShapeError, "degrees[1]"),
-    "a float degree": (((1.0, 2), *GOOD[1:]), ShapeError, "degrees[0]"),
-    "a huge degree": (((10**6, 2), *GOOD[1:]), ShapeError, "degrees[0]"),
-    "one degree": ((3, *GOOD[1:]), ShapeError, "degrees"),
-    "three degrees": (((1, 2, 3), *GOOD[1:]), ShapeError, "degrees"),
-}
-
-
-@pytest.mark.parametrize("what", BAD)
-def test_bad_input_names_the_place(what):
-    arguments, kind, where = BAD[what]
-    with pytest.raises(kind) as caught:
-        TensorSpline(*arguments)
-    assert caught.value.where == where
-    assert caught.value.remedy
 
 
 def test_parameters_outside_and_domains_that_differ():

@@ -112,11 +112,17 @@ window.looking = (() => {
     const [dark, light] = [luminance(a), luminance(b)].sort((x, y) => x - y);
     return (light + 0.05) / (dark + 0.05);
   }
-  function ground(e) {
+  // What an element has from those that it stands in: asked once of each while nothing changes.
+  function inherited(found) {
+    const known = new Map();
+    const ask = (e) => known.get(e) ?? known.set(e, found(e, ask)).get(e);
+    return ask;
+  }
+  const grounds = () => inherited((e, ground) => {
     if (!e) return colour(systemGround()).slice(0, 3);
     const above = colour(getComputedStyle(e).backgroundColor);
     return above[3] === 1 ? above.slice(0, 3) : over(above, ground(e.parentElement));
-  }
+  });
   function systemGround() {
     const probe = document.documentElement.appendChild(document.createElement("i"));
     probe.style.backgroundColor = "Canvas"; // what the theme of the browser gives a page without a colour
@@ -124,12 +130,11 @@ window.looking = (() => {
     probe.remove();
     return found;
   }
-  function opacity(e) {
-    return e ? Number(getComputedStyle(e).opacity) * opacity(e.parentElement) : 1;
-  }
+  const opacities = () => inherited((e, opacity) => (e ? Number(getComputedStyle(e).opacity) * opacity(e.parentElement) : 1));
 
   function poorContrast() {
     const seen = new Map();
+    const [ground, opacity] = [grounds(), opacities()];
     const writers = new Set([...texts(`script, style, template, noscript, ${SPOKEN}`)].map((n) => n.parentElement));
     document.querySelectorAll("mjx-container").forEach((e) => writers.add(e)); // letters drawn as paths
     for (const e of writers) {
@@ -173,6 +178,7 @@ window.looking = (() => {
   // A picture lies on its page like ink on paper: its border is as light or as dark as what is around it.
   function strangeGrounds() {
     const SIDE = 48;
+    const ground = grounds();
     const canvas = Object.assign(document.createElement("canvas"), { width: SIDE, height: SIDE });
     const pen = canvas.getContext("2d", { willReadFrequently: true });
     const found = [];

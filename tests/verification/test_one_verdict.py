@@ -120,7 +120,7 @@ def test_a_question_says_what_the_claim_says():
     """
     curves = [curve for curve in map(example, examples()) if isinstance(curve, Nurbs)]
     told = []
-    for claim in sample([claim for claim in all_claims() if type(claim) is Identity], 60):
+    for claim in sample([claim for claim in all_claims() if type(claim) is Identity], 30):
         rows = {row.curve: row.verdict for row in audit([claim], curves) if row.curve}
         for curve in curves:
             if curve.name not in rows:
@@ -131,4 +131,4 @@ def test_a_question_says_what_the_claim_says():
                 told.append(asked)
                 assert asked == rows[curve.name] or (rows[curve.name] == "INAPPLICABLE" and claim.assumes)
     assert set(told) == {"VERIFIED", "REFUTED", "VACUOUS"}
-    assert len(told) > 300
+    assert len(told) > 150

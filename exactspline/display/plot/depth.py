@@ -71,6 +71,7 @@ class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has n
         self.mesh = mesh
         self.color = color
         self._rendered_lines: list[Line3D] = []
+        self._last: tuple[object, NDArray[np.uint8]] | None = None
         # thousands of faces are a picture inside an SVG, not as many paths
         if not knows_depth():
             self.set_rasterized(True)
@@ -92,7 +93,7 @@ class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has n
     def _draw_all(self, space: Any, surfaces: Sequence[DepthCollection], renderer: RendererBase) -> None:
         lines = [line for line in space.lines if line.get_visible() or line in self._rendered_lines]
         self._rendered_lines = [line for line in lines if _is_rendered(line)]
-        image = rendered(space, [(c.mesh, c.color) for c in surfaces], self._rendered_lines)
+        image = self._image(space, [(c.mesh, c.color) for c in surfaces])
         frame = BboxImage(space.bbox, interpolation="antialiased", origin="upper")
         frame.set_figure(space.figure)
         frame.set_data(image)
@@ -100,6 +101,25 @@ class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has n
         # they are in the image already, so that matplotlib must skip them
         for line in self._rendered_lines:
             line.set_visible(False)
+
+    def _image(self, space: Any, surfaces: Sequence[tuple[SurfaceMesh, str]]) -> NDArray[np.uint8]:
+        """What is rendered, once for all files that show the same from the same side in the same resolution; texts take
+        some millionths of an inch more or less in one than in the other.
+        """
+        dpi, (left, bottom, right, top) = space.figure.dpi, space.bbox.extents
+        points = space.transData.transform([(0, 0), (1, 1)]) - [left, bottom]
+        sides = np.round(np.array([[right - left, top - bottom], *points]) / dpi, 3)
+        seen = max(dpi, RESOLUTION), sides.tolist(), space.M.tolist(), surfaces, list(map(_looks, self._rendered_lines))
+        if self._last is None or self._last[0] != seen:
+            self._last = seen, rendered(space, surfaces, self._rendered_lines)
+        return self._last[1]
+
+
+def _looks(line: Any) -> object:
+    """What is seen of a line."""
+    style = line.get_color(), line.get_linewidth(), line.get_linestyle(), line.get_marker()
+    points = [np.asarray(column, dtype=float).tolist() for column in line.get_data_3d()]
+    return style, line.get_markerfacecolor(), line.get_markersize(), points
 
 
 def _is_rendered(line: Any) -> bool:

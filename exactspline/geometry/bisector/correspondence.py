@@ -8,17 +8,15 @@ from itertools import pairwise
 
 from flint import ctx, fmpz_mpoly, fmpz_poly
 
-from exactspline.geometry.bisector.common_zeros import Place, common_zeros
 from exactspline.geometry.bisector.components import Branch
-from exactspline.geometry.bisector.polynomials import ball, vanish_together
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.elimination import discriminant
-from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.two_parameters import at, enclosed, rows_of
 from exactspline.reals.real import between
-from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
+from exactspline.roots.common_zeros import common_zeros
+from exactspline.roots.of_polynomials import Parameter, Place, ball, exactly, roots_in
 
 
 def graph_intervals(
@@ -114,34 +112,19 @@ def same_place(one: Place, other: Place) -> bool:
     return bool(one[0] == other[0] and one[1] == other[1])
 
 
-def nodes(g: fmpz_mpoly, sides: Box) -> tuple[list[Place], bool]:
-    """The singular pairs of an irreducible equation that need not be limits of branches, and whether these are all.
-
-    Where the Hessian is negative two branches cross. A common factor of both derivatives has no zero in common with the
-    equation, which is constant along it.
+def nodes(g: fmpz_mpoly, sides: Box) -> list[Place]:
+    """The singular pairs of an irreducible equation that need not be limits of branches: where the Hessian is negative
+    two branches cross. Raises `ReachError` where this would take too long.
 
     >>> from exactspline.polynomials.two_parameters import S, T
     >>> side = Interval(mpq(-1, 2), mpq(1, 2))
     >>> nodes(S**3 - S * S - T * T, Box(side, side))
-    ([(mpq(0,1), mpq(0,1))], True)
+    [(mpq(0,1), mpq(0,1))]
     """
     first, second = g.derivative(0), g.derivative(1)
-    shared = greatest_common_divisor([first, second])
-    reduced = first / shared, second / shared
-    if any(p.total_degree() == 0 for p in reduced):
-        return [], True
-    zeros = common_zeros(*reduced, sides, [g])
     crossing = first.derivative(1) ** 2 - first.derivative(0) * second.derivative(1)
-    places: list[Place] = []
-    complete = not zeros.undecided and not zeros.out_of_reach
-    for place in zeros.places:
-        if _certainly_positive(crossing, place):
-            continue
-        verdict = vanish_together([g], *place)
-        if verdict:
-            places.append(place)
-        complete = complete and verdict is not None
-    return places, complete
+    singular = (zero.place for zero in common_zeros([g, first, second], sides))
+    return [place for place in singular if not _certainly_positive(crossing, place)]
 
 
 def _certainly_positive(p: fmpz_mpoly, place: Place) -> bool:

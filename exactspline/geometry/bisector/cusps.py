@@ -9,7 +9,6 @@ from itertools import product
 
 from flint import fmpz_mpoly, fmpz_poly
 
-from exactspline.geometry.bisector.common_zeros import Place
 from exactspline.geometry.bisector.components import (
     Cause,
     Correspondence,
@@ -28,7 +27,7 @@ from exactspline.geometry.bisector.single_pairs import shown, zeros_of_vector
 from exactspline.geometry.bisector.system import Piece, System
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.two_parameters import at, in_one, lifted
-from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, Place, exactly, roots_in
 from exactspline.roots.root import Root
 
 #: The remaining conditions where the first curve has no tangent.

@@ -8,12 +8,11 @@ from typing import Any, Generic, TypeVar
 
 from flint import arb, ctx, fmpz_mpoly
 
-from exactspline.geometry.bisector.polynomials import ball
 from exactspline.geometry.bisector.system import System
 from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.two_parameters import enclosed, lifted
-from exactspline.roots.of_polynomials import Parameter
+from exactspline.roots.of_polynomials import Parameter, ball
 
 Number = TypeVar("Number", mpq, arb)
 

@@ -8,12 +8,12 @@ from flint import arb, ctx, fmpz_poly
 
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisector.flats import Flat
-from exactspline.geometry.bisector.polynomials import ball, vanish_together
+from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.numbers.exact import Number, mpq, rational, short_text, to_fmpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.two_parameters import S, T, lifted, rows_of
-from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, ball, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.values import segment_polynomials
 from exactspline.splines.bspline import BSpline

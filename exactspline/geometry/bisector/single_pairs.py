@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from flint import fmpz_mpoly
 
-from exactspline.geometry.bisector.common_zeros import CommonZeros, Place, common_zeros
+from exactspline.errors import ReachError
 from exactspline.geometry.bisector.components import Cause, SinglePair, Solutions, SpecialPairs
 from exactspline.geometry.bisector.correspondence import same_place
 from exactspline.geometry.bisector.polynomials import vanish_together
@@ -14,8 +14,8 @@ from exactspline.geometry.bisector.system import System
 from exactspline.numbers.exact import short_text
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.factors import greatest_common_divisor
-from exactspline.polynomials.two_parameters import possible_boxes
-from exactspline.roots.of_polynomials import Parameter
+from exactspline.roots.common_zeros import common_zeros
+from exactspline.roots.of_polynomials import Parameter, Place
 from exactspline.roots.root import Root
 
 #: Combinations of the components of a vector, tried one after the other.
@@ -25,48 +25,21 @@ Found = tuple[list[Place], tuple[str, ...]]
 
 
 def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: Box) -> Found:
-    """The pairs at which all components (and f) vanish, proved one component after the other; and what could not be
-    decided.
+    """The pairs at which all components (and f) vanish; and what could not be decided."""
+    given = [p for p in ([f] if f is not None else []) + components if p]
+    if greatest_common_divisor(given).total_degree() > 0:
+        return [], (f"pairs on {sides.shortly}: the conditions have a common factor",)
+    return _decided(given, sides)
+
+
+def _decided(conditions: list[fmpz_mpoly], sides: Box, also: Sequence[fmpz_mpoly] = ()) -> Found:
+    """The common zeros of polynomials without a common factor, except those at which one of the others is certainly
+    not zero; and what could not be decided.
     """
-    polynomials = [p for p in ([f] if f is not None else []) + components if p]
-    if any(p.total_degree() == 0 for p in polynomials) or not possible_boxes(polynomials, sides):
-        return [], ()
-    square = _coprime(f, components)
-    if square is None:
-        return [], (f"pairs on {sides.shortly}: no two coprime conditions",)
-    zeros = common_zeros(*square, sides, polynomials)
-    places, left_out = [], _undecided(zeros, sides)
-    for place in zeros.places:
-        verdict = vanish_together(polynomials, *place)
-        if verdict:
-            places.append(place)
-        elif verdict is None:
-            left_out.append(f"whether the curves meet at {shown(place)}")
-    return places, tuple(left_out)
-
-
-def _coprime(f: fmpz_mpoly | None, components: list[fmpz_mpoly]) -> tuple[fmpz_mpoly, fmpz_mpoly] | None:
-    """Two coprime polynomials among f and the combinations of the components."""
-    combined = [_combined(components, u) for u in COMBINATIONS]
-    candidates = [f, *combined] if f is not None else combined
-    for i, p in enumerate(candidates):
-        for q in candidates[:i]:
-            if p and q and greatest_common_divisor([p, q]).total_degree() == 0:
-                return q, p
-    return None
-
-
-def _combined(components: Sequence[fmpz_mpoly], u: tuple[int, ...]) -> fmpz_mpoly:
-    total = components[0] * u[0]
-    for p, k in zip(components[1:], u[1:], strict=True):
-        total += p * k
-    return total
-
-
-def _undecided(zeros: CommonZeros, sides: Box) -> list[str]:
-    if zeros.out_of_reach:
-        return [f"single pairs on {sides.shortly}: the elimination is out of reach"]
-    return [f"whether the system is singular at {shown(place)}" for place in zeros.undecided]
+    try:
+        return [zero.place for zero in common_zeros(conditions, sides, also=also)], ()
+    except ReachError as error:
+        return [], (f"single pairs on {sides.shortly}: {error.problem}",)
 
 
 def shown(place: Sequence[Parameter]) -> str:
@@ -137,30 +110,35 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
     Where the determinant vanishes, the numerators are a multiple of the normal n of the three planes' normals: they
     vanish when their product with one vector u does, and u·n does not.
     """
-    factor = system.factor
-    determinant, numerators = system.determinant / factor, [f / factor for f in system.numerators]
+    determinant, *numerators = (p / system.factor for p in (system.determinant, *system.numerators))
     conditions = [p for p in (determinant, *numerators) if p]
-    if any(p.total_degree() == 0 for p in conditions) or not possible_boxes(conditions, system.sides):
+    if any(p.total_degree() == 0 for p in conditions):
         return [], ()
-    for u in COMBINATIONS if determinant else ():
-        combined = _combined(numerators, u)
-        if not combined or greatest_common_divisor([determinant, combined]).total_degree() > 0:
-            continue
-        zeros = common_zeros(determinant, combined, system.sides, numerators, meetings)
+    combined = next((p for u in COMBINATIONS if _are_coprime(determinant, p := _combined(numerators, u))), None)
+    pair = conditions if combined is None else [determinant, combined]
+    singular, open_parts = _decided(pair, system.sides, conditions)
+    places, left_out = [], list(open_parts)
+    for place in singular:
         # a pair on an equation has its line already
-        known = [place for place in zeros.undecided if any(_lies_on(g, place) for g in factors)]
-        zeros = zeros._replace(undecided=[place for place in zeros.undecided if not _among(place, known)])
-        places, left_out = [], _undecided(zeros, system.sides)
-        for place in zeros.places:
-            if _among(place, meetings) or any(_lies_on(g, place) for g in factors):
-                continue
-            rank = _has_rank_2(system, place)
-            if rank:
-                places.append(place)
-            elif rank is None:
-                left_out.append(f"the rank of the system at {shown(place)}")
-        return places, tuple(left_out)
-    return [], (f"single pairs on {system.sides.shortly}: no two coprime conditions",)
+        if _among(place, meetings) or any(_lies_on(g, place) for g in factors):
+            continue
+        rank = _has_rank_2(system, place)
+        if rank:
+            places.append(place)
+        elif rank is None:
+            left_out.append(f"the rank of the system at {shown(place)}")
+    return places, tuple(left_out)
+
+
+def _combined(components: Sequence[fmpz_mpoly], u: tuple[int, ...]) -> fmpz_mpoly:
+    total = components[0] * u[0]
+    for p, k in zip(components[1:], u[1:], strict=True):
+        total += p * k
+    return total
+
+
+def _are_coprime(p: fmpz_mpoly, q: fmpz_mpoly) -> bool:
+    return bool(p and q) and greatest_common_divisor([p, q]).total_degree() == 0
 
 
 def _has_rank_2(system: System, place: Place) -> bool | None:

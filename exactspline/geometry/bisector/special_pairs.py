@@ -15,7 +15,6 @@ from itertools import product
 from flint import fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ReachError, counted
-from exactspline.geometry.bisector.common_zeros import Place
 from exactspline.geometry.bisector.components import (
     Cause,
     Correspondence,
@@ -43,7 +42,7 @@ from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.two_parameters import in_one, lifted, possible_boxes, rows_of, value_at
-from exactspline.roots.of_polynomials import Parameter, as_splines, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, Place, as_splines, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 
@@ -224,13 +223,13 @@ def _along_algebraic(system: System, g: fmpz_mpoly) -> SpecialPairs:
         return SpecialPairs()
     # nearly all zeros are on branches: these draw on the budget of the whole answer first
     found_branches, borders = branches(g, sides), border_pairs(g, sides)
+    singular, left_out = list[Place](), tuple[str, ...]()
     try:
-        singular, complete = nodes(g, sides)
+        singular = nodes(g, sides)
     except ReachError:
-        singular, complete = [], False
+        left_out = (f"isolated real pairs of {equation.short_text} on {sides.shortly}, if there are any",)
     real = RealZeros(tuple(found_branches), tuple(borders), tuple(singular))
-    where = f"{equation.short_text} on {sides.shortly}"
-    pairs = SpecialPairs(left_out=() if complete else (f"isolated real pairs of {where}, if there are any",))
+    pairs = SpecialPairs(left_out=left_out)
     if not real:
         return pairs
     if kind == Solutions.PLANE:

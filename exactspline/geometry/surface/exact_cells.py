@@ -94,7 +94,7 @@ class _Cells:
         #: All values t of zeros above singular points.
         self.heights: list[Parameter] = []
         for point in _once(points):
-            column = Column.of([f], point.column.minimal)
+            column = Column.of([f], point.fibre.minimal)
             own = [t for t in column.candidates(UNIT.second) if column.contains(point.s, t)]
             self.heights = _different([*self.heights, *own])
 

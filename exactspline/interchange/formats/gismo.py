@@ -10,7 +10,7 @@ from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.writing import cartesian, cartesian_net
+from exactspline.interchange.writing import Point, cartesian, cartesian_net
 from exactspline.interchange.xml_tree import Element, attribute, parse
 from exactspline.numbers.exact import mpq
 from exactspline.splines.surface import NurbsSurface
@@ -87,50 +87,55 @@ def _side(collector: Collector, vector: Element) -> Side:
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     """The curves, one geometry per curve."""
-    lines = ['<?xml version="1.0" encoding="UTF-8"?>', "<xml>"]
+    geometries = []
     for i, named in enumerate(curves):
         curve = named.curve
-        vector = f'<KnotVector degree="{curve.degree}">{" ".join(map(numbers, curve.knots))}</KnotVector>'
-        basis = [' <Basis type="BSplineBasis">', f"  {vector}", " </Basis>"]
-        if not curve.polynomial:
-            weights = " ".join(map(numbers, curve.weights))
-            basis = [' <Basis type="NurbsBasis">', *basis, f"  <weights>{weights}</weights>", " </Basis>"]
-        kind = "BSpline" if curve.polynomial else "Nurbs"
-        lines += [
-            f'<Geometry type="{kind}" id="{i}" label={attribute(named.name)}>',
-            *basis,
-            f' <coefs geoDim="{curve.dimension}">',
-            *(" ".join(map(numbers, point)) for point in cartesian(curve)),
-            " </coefs>",
-            "</Geometry>",
-        ]
-    return "\n".join([*lines, "</xml>", ""]).encode()
+        basis = [' <Basis type="BSplineBasis">', f"  {_vector(curve.degree, curve.knots, numbers)}", " </Basis>"]
+        head = f'<Geometry type="{CURVES[not curve.polynomial]}" id="{i}" label={attribute(named.name)}>'
+        rational = None if curve.polynomial else ("NurbsBasis", curve.weights)
+        geometries.append([head, *_geometry(basis, rational, cartesian(curve), numbers)])
+    return _document(geometries)
 
 
 def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
     """The surfaces, one geometry per surface."""
-    lines = ['<?xml version="1.0" encoding="UTF-8"?>', "<xml>"]
+    geometries = []
     for i, surface in enumerate(surfaces):
-        rows = cartesian_net(surface)
+        points, weights = zip(*cartesian_net(surface), strict=True)
         vectors = [
-            f'  <Basis type="BSplineBasis" index="{k}"><KnotVector degree="{degree}">'
-            f"{' '.join(map(numbers, knots))}</KnotVector></Basis>"
+            f'  <Basis type="BSplineBasis" index="{k}">{_vector(degree, knots, numbers)}</Basis>'
             for k, (degree, knots) in enumerate(zip(surface.degree, surface.knots, strict=True))
         ]
         basis = [' <Basis type="TensorBSplineBasis2">', *vectors, " </Basis>"]
-        if not surface.polynomial:
-            weights = " ".join(numbers(weight) for _, weight in rows)
-            basis = [' <Basis type="TensorNurbsBasis2">', *basis, f"  <weights>{weights}</weights>", " </Basis>"]
-        kind = SURFACES[not surface.polynomial]
-        lines += [
-            f'<Geometry type="{kind}" id="{i}" label={attribute(surface.name)}>',
+        head = f'<Geometry type="{SURFACES[not surface.polynomial]}" id="{i}" label={attribute(surface.name)}>'
+        rational = None if surface.polynomial else ("TensorNurbsBasis2", weights)
+        geometries.append([head, *_geometry(basis, rational, points, numbers)])
+    return _document(geometries)
+
+
+def _vector(degree: int, knots: Sequence[mpq], numbers: NumberText) -> str:
+    return f'<KnotVector degree="{degree}">{" ".join(map(numbers, knots))}</KnotVector>'
+
+
+def _geometry(
+    basis: list[str], rational: tuple[str, Sequence[mpq]] | None, points: Sequence[Point], numbers: NumberText
+) -> list[str]:
+    """What is in a geometry: the basis, in a rational one with weights where there is one, and the control points."""
+    if rational is not None:
+        kind, weights = rational
+        basis = [
+            f' <Basis type="{kind}">',
             *basis,
-            f' <coefs geoDim="{surface.dimension}">',
-            *(" ".join(map(numbers, point)) for point, _ in rows),
-            " </coefs>",
-            "</Geometry>",
+            f"  <weights>{' '.join(map(numbers, weights))}</weights>",
+            " </Basis>",
         ]
-    return "\n".join([*lines, "</xml>", ""]).encode()
+    rows = [" ".join(map(numbers, point)) for point in points]
+    return [*basis, f' <coefs geoDim="{len(points[0])}">', *rows, " </coefs>", "</Geometry>"]
+
+
+def _document(geometries: Sequence[list[str]]) -> bytes:
+    lines = [line for geometry in geometries for line in geometry]
+    return "\n".join(['<?xml version="1.0" encoding="UTF-8"?>', "<xml>", *lines, "</xml>", ""]).encode()
 
 
 FORMAT = Format("gismo", "G+Smo XML", (".xml",), looks_like, read, write, write_surfaces=write_surfaces)

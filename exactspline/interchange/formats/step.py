@@ -19,11 +19,9 @@ from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.step_edges import EDGE, ELEMENTARY, Edges
 from exactspline.interchange.step_knots import listed_knots, standard_knots
-from exactspline.interchange.step_records import StepFile, Value, parts
+from exactspline.interchange.step_records import StepFile, Value, keywords, parts, spline_parts
 from exactspline.interchange.step_surfaces import ANY as ANY_SURFACE
 from exactspline.interchange.step_surfaces import FACES, OTHERS, add_surface, written
-from exactspline.interchange.step_surfaces import KINDS as SURFACES
-from exactspline.interchange.step_surfaces import SPLINE as SURFACE
 from exactspline.interchange.step_text import StepText, name_of, string
 from exactspline.interchange.writing import cartesian
 from exactspline.numbers.exact import mpq
@@ -34,6 +32,9 @@ SPLINE, WITH_KNOTS, RATIONAL = "B_SPLINE_CURVE", "B_SPLINE_CURVE_WITH_KNOTS", "R
 WIREFRAME = "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION"
 BOUNDED_SURFACES = "GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION"
 KINDS = (WITH_KNOTS, "BEZIER_CURVE", "UNIFORM_CURVE", "QUASI_UNIFORM_CURVE")
+POLYLINE = "POLYLINE"
+#: Every keyword of a curve with control points.
+ANY_CURVE = frozenset((POLYLINE, SPLINE, *KINDS))
 SKIPPED = {
     "PARABOLA": "unbounded", "HYPERBOLA": "unbounded", "TRIMMED_CURVE": "trimming is not applied",
     "COMPOSITE_CURVE": "its parts are read separately", "OFFSET_CURVE_2D": "not rational",
@@ -48,9 +49,7 @@ PLACING = (
 )  # fmt: skip
 _METRE = re.compile(r"\bSI_UNIT\s*\(\s*(\$|\.[A-Z]+\.)\s*,\s*\.METRE\.\s*\)")
 _CONVERSION = re.compile(r"\bCONVERSION_BASED_UNIT\s*\(\s*'([^']{1,40})'")
-_KEYWORD = re.compile(r"\(?\s*([A-Z0-9_]+)")
 _REFERENCE = re.compile(r"#(\d{1,12})", re.ASCII)
-_CURVE = re.compile(rf"\b(?:{SPLINE}|{'|'.join(KINDS)})\b")
 
 
 def looks_like(head: bytes) -> bool:
@@ -66,12 +65,12 @@ def read(source: Source) -> Reading:
     trimmed, others = set[str](), set[str]()
     for number, text in file.instances.items():
         where = f"#{number}"
-        match = _KEYWORD.match(text)
-        keyword = match[1] if match else ""
-        if keyword == "POLYLINE" or (_CURVE.search(text) and (text.startswith("(") or keyword in (SPLINE, *KINDS))):
+        named = keywords(text)
+        keyword = named[0] if named else ""
+        if not ANY_CURVE.isdisjoint(named):
             with collector.skipping(keyword, where):
                 _curve(file, parts(text, source.limits), where, edges.notes(number))
-        elif ANY_SURFACE.search(text) and (text.startswith("(") or keyword in (SURFACE, *SURFACES)):
+        elif not ANY_SURFACE.isdisjoint(named):
             with collector.skipping(keyword, where, curve=False):
                 add_surface(file, parts(text, source.limits), where)
         elif keyword in ELEMENTARY or keyword == EDGE:
@@ -114,18 +113,12 @@ def _units(file: StepFile) -> set[str]:
 
 
 def _curve(file: StepFile, entity: dict[str, list[Value]], where: str, notes: Sequence[str]) -> None:
-    kind = next((kind for kind in ("POLYLINE", *KINDS) if kind in entity), "")
-    if kind == "POLYLINE":
-        points = [file.point(reference) for reference in file.texts(_last(entity[kind]))]
+    if POLYLINE in entity:
+        points = [file.point(reference) for reference in file.texts(_last(entity[POLYLINE]))]
         knots = [mpq(max(0, min(i - 1, len(points) - 1))) for i in range(len(points) + 2)]
-        file.collector.add(kind, where, 1, knots, points, name=name_of(entity[kind], where), notes=notes)
+        file.collector.add(POLYLINE, where, 1, knots, points, name=name_of(entity[POLYLINE], where), notes=notes)
         return
-    if not kind:
-        raise CurveFileError("a B-spline curve without knots", remedy=f"one of {', '.join(KINDS)} is required")
-    if SPLINE in entity:
-        base, specific, name = entity[SPLINE], entity[kind], entity.get("REPRESENTATION_ITEM", [])
-    else:
-        base, specific, name = entity[kind][1:], entity[kind][6:], entity[kind]
+    kind, base, specific, name = spline_parts(entity, "curve", SPLINE, KINDS, 5)
     if len(base) < 5 or not isinstance(base[0], str) or (kind == WITH_KNOTS and len(specific) < 2):
         raise CurveFileError("attributes are missing", remedy="complete the instance")
     degree = whole(base[0])

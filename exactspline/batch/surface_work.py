@@ -1,0 +1,92 @@
+"""The work on each surface of a sweep, picklable, so that it can be done in any process."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from time import process_time
+
+from exactspline.batch.backends import ALONE
+from exactspline.batch.corpus import Item, Problem
+from exactspline.batch.lines import Line
+from exactspline.batch.surface_oracle import applies, inspection_of, surface_answer, surface_question
+from exactspline.batch.work import DIGITS, MOST_DIGITS
+from exactspline.errors import as_integer, as_texts
+from exactspline.geometry.registry import REGISTRY
+from exactspline.questions.entry import Of
+from exactspline.splines.surface import NurbsSurface
+
+
+@dataclass(frozen=True)
+class SurfaceWork:
+    """The questions to ask of each surface, and the digits of irrational parameters.
+
+    >>> from exactspline import example
+    >>> from exactspline.batch.corpus import Taken, items
+    >>> line = SurfaceWork.of(["umbilics"]).line(next(items([example("enneper")], Taken(surfaces=True))))
+    >>> line.degrees, line.patches, line.answers, line.error
+    ((3, 3), 1, {'umbilics': {'points': [], 'everywhere': [], 'undecided': []}}, None)
+    """
+
+    find: tuple[str, ...]
+    digits: int
+
+    @classmethod
+    def of(cls, find: Iterable[str] | None = None, digits: int = DIGITS) -> SurfaceWork:
+        """The work that the arguments describe: questions about surfaces and maps of the plane, all of the registry
+        where none is named or by ``all``.
+
+        Raises `QuestionError` with the nearest names.
+        """
+        every = dict.fromkeys(name for of in (Of.SURFACE, Of.PLANAR_MAP) for name in REGISTRY[of])
+        asked = dict[str, None]()
+        for each in ["all"] if find is None else as_texts(find, "names of questions", "the name of a question"):
+            if each != "all":
+                surface_question(each)
+            asked |= every if each == "all" else {each: None}
+        return cls(tuple(asked), as_integer(digits, "a number of digits", 0, MOST_DIGITS))
+
+    def settings(self) -> dict[str, object]:
+        """On what the lines depend, as data."""
+        return {"find": list(self.find), "claims": [], "digits": self.digits, "values": False}
+
+    def lines(self, group: list[Item]) -> Iterator[Line]:
+        """The lines of several surfaces, which are removed from the list."""
+        while group:
+            yield self.line(group.pop(0))
+
+    def weight(self, item: Item) -> int:
+        """Surfaces are computed one by one."""
+        return ALONE
+
+    def line(self, item: Item) -> Line:
+        """The line of one surface. An error is recorded in the line, so that others are not affected; questions that do
+        not apply to surfaces of its dimension are skipped.
+        """
+        begun = partial(Line, item.index, item.source, item.name, notes=item.notes, curve_digest=item.digest)
+        surface = item.given
+        if not isinstance(surface, NurbsSurface):
+            assert isinstance(surface, Problem)  # no other is given to this work
+            return begun(error=surface)
+        start, error, answers = process_time(), None, dict[str, object]()
+        first, second = (len(mesh.breaks) - 1 for mesh in surface.meshes)
+        try:
+            found = inspection_of(surface)
+            answers = {
+                asked: surface_answer(surface, asked, self.digits, found)
+                for asked in self.find
+                if applies(surface, asked)
+            }
+        # one surface must not end a sweep of many: an unexpected exception is recorded by its type
+        except Exception as failure:
+            error = Problem.of(failure)
+        return begun(
+            dimension=surface.dimension,
+            polynomial=surface.polynomial,
+            degrees=surface.degree,
+            patches=first * second,
+            answers=answers,
+            error=error,
+            seconds=process_time() - start,
+        )

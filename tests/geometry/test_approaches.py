@@ -1,0 +1,56 @@
+"""Every approach to the critical curvature of a curve gives the same points, and there the curvature is extremal."""
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
+from exactspline.interchange.examples import example, example_names
+from exactspline.papers import find
+from tests.geometry.test_shared_curves import FILES, read_curve
+
+
+def check_agreement(curve):
+    rows = {row.name: row for row in compare_approaches(curve)}
+    assert not any(row.missing for row in rows.values())
+    found = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical_points] for approach in Approach]
+    assert all(one == found[0] for one in found)
+    if curve.dimension == 3:
+        degrees = [rows[name].degree for name in ("minimal", "reduced", "direct", "squaring")]
+        assert curve.degree < 3 or degrees == sorted(degrees)
+        return
+    assert not any(rows[name].extraneous for name in ("direct", "reduced"))
+    own = analyse(curve)
+    extra = {f.root for f in (*own.inflections, *own.singular_points)}
+    true = list(own.zero_form("critical_curvature").zeros)
+    assert {root for root in own.zero_form("critical_curvature", "squaring").zeros if root not in true} <= extra
+
+
+@pytest.mark.parametrize("name", [name for name in example_names() if example(name).dimension < 4])
+def test_on_the_example_curves(name):
+    check_agreement(example(name))
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
+def test_on_real_curves(file):
+    check_agreement(read_curve(file))
+
+
+PLANE = ["rational_cubic_s", "rational_quartic", "ellipse_turned", "six_segment_cubic"]
+SPACE = ["rational_space_cubic", "rational_space_cubic_spline", "helix_like", "space_quartic", "flat_point"]
+
+
+@pytest.mark.parametrize("name", [*PLANE, *SPACE])
+def test_curvature_is_extremal_where_it_says_so(name):
+    """Exactly: κ² on both sides of an extremum of |κ|, at rational parameters nearby, is beyond none."""
+    curve = example(name)
+    kappa = find("curvature_squared" if name in PLANE else "space_curvature_squared")(curve)
+    a, b = curve.domain
+    kinds = [(f.root, f.of_absolute or f.kind) for f in analyse(curve).curvature_extrema]
+    assert kinds
+    for root, kind in kinds:
+        low, high = root.refine(12)
+        h = mpq(1, 1000)
+        if a < low - h and high + h < b and kind in ("maximum", "minimum"):
+            centre = kappa((low + high) / 2)
+            assert [kappa(t) < centre for t in (low - h, high + h)] == [kind == "maximum"] * 2
