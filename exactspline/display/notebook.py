@@ -10,7 +10,7 @@ from typing import Any, cast
 
 from exactspline.classroom.exercises import Exercise
 from exactspline.classroom.triangles import ProductTable, Triangle
-from exactspline.display.errata import found_text
+from exactspline.display.errata import found_text, true_text
 from exactspline.display.evidence import worded
 from exactspline.display.exercises import task_html
 from exactspline.display.latex import fraction, latex, mathematics
@@ -224,7 +224,7 @@ def _(e: Erratum) -> str:
             ("witness", breakable(worded(each.witness, Numbers()))),
             ("check", f"<code>{'<br>'.join(map(breakable, each.check))}</code>"),
         ]
-    lines += [("true", escape(line)) for line in e.truth] + [("why", escape(line)) for line in e.why]
+    lines += [("true", escape(true_text(each))) for each in e.truth] + [("why", escape(line)) for line in e.why]
     return facts(f"{e.id}: {e.title}", [line for line in lines if line[1]])
 
 

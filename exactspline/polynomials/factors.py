@@ -45,6 +45,8 @@ RESTRICTED = 1000
 #: Limits on the number of terms of a polynomial in many variables, and of pairs of terms in one multiplication
 #: (measured: 40 to 70 nanoseconds per pair).
 TERMS, PAIRS = 10**6, 3 * 10**7
+#: Nanoseconds per pair of terms; products of fewer pairs are not counted.
+PAIR, CHEAP = 70, 10**4
 SHORTER = f"at most {TERMS} are allowed: factor the formula, or name its parts"
 #: Nanoseconds per square of the degree in one variable.
 SQUARE = 1200
@@ -205,10 +207,13 @@ def _divisor_in_many(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
 def bounded_product(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
     """The product of two polynomials in many variables.
 
-    Raises `FormulaError` if it is too large.
+    Raises `FormulaError` if it is too large, `ReachError` where many products together are too expensive.
     """
-    if len(p) * len(q) > PAIRS:
+    pairs = len(p) * len(q)
+    if pairs > PAIRS:
         raise FormulaError(f"a product of {len(p)} by {counted(len(q), 'term')}", remedy=SHORTER)
+    if pairs > CHEAP:
+        check_reach(PAIR * pairs, lambda: f"a product of {len(p)} by {counted(len(q), 'term')}", LONGEST_LOOP)
     product: fmpq_mpoly = p * q
     if len(product) > TERMS:
         raise FormulaError(f"a polynomial of {counted(len(product), 'term')}", remedy=SHORTER)

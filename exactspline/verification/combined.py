@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError
 from exactspline.papers.folder import Paper
+from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.symbolic.factorization import SharedJets, named_by, sharing
 from exactspline.verification.claim import Claim
 from exactspline.verification.evaluation import sharing_evaluations
@@ -96,11 +97,13 @@ def combined(claim: Claim) -> Decided:
 
 
 def fitting(claim: Claim, call: Callable[[], V]) -> V:
-    """The result of a call that decides a claim. Raises `ClaimError` where formulas of users are not of the form that
-    the claim requires; an exception from formulas of the library is a defect of the library.
+    """The result of a call that decides a claim, on one budget: each of many products may be cheap. Raises `ClaimError`
+    where formulas of users are not of the form that the claim requires; an exception from formulas of the library is a
+    defect of the library.
     """
     try:
-        return call()
+        with drawing_on(Budget()):
+            return call()
     except ExactSplineError:
         raise
     except (

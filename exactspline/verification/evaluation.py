@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cached_property
-from itertools import product
+from itertools import pairwise, product
 from typing import Any
 
-from exactspline.language.arguments import Evaluated, Operands
+from exactspline.language.arguments import PARAMETERS, Evaluated, Operands
 from exactspline.language.kinds import PairKind, kind_of
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import zero_on_segment
@@ -72,7 +72,8 @@ class Evaluation:
         for each in assumed:
             if (kind, each) not in self._failing:
                 on_surface = isinstance(self.curve, NurbsSurface)
-                place = (fails_on_surface if on_surface else _fails)(each, self._assumed_of(kind))
+                own = self._assumed_of(kind)
+                place = fails_on_surface(each, each.polynomial(own)) if on_surface else _fails(each, own)
                 self._failing[kind, each] = AssumptionFails(each, place) if place else None
             if failing := self._failing[kind, each]:
                 return failing
@@ -110,25 +111,39 @@ def evaluation(curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Evaluatio
 def _fails(each: Assumption, argument: object) -> Place | None:
     value = each.polynomial(argument)
     if isinstance(value, TensorSpline):
-        if not each.everywhere:
-            return None if all(value.polynomials) else OnWholePatch()
-        (a, b), (c, d) = value.domain
-        value = value.at_s((a + b) / 2) if each.second else value.at_t((c + d) / 2)
+        return _fails_on_pair(each, value)
     if not each.everywhere:
         return next((segment(value, i) for i, p in enumerate(value.polynomials) if not p), None)
     return zero_of(value)
 
 
-def fails_on_surface(each: Assumption, argument: Evaluated) -> Place | None:
-    """The same where the parameters are those of a surface; what could not be decided counts as a zero."""
+def _fails_on_pair(each: Assumption, value: TensorSpline) -> Place | None:
+    """The same where the parameters are those of two curves. What depends on one of them is on each segment of the
+    other curve the same for all its parameters: one line decides.
+    """
+    if not each.everywhere:
+        return None if all(value.polynomials) else OnWholePatch()
+    other = PARAMETERS[0 if each.second else 1]
+    if not value.d(1, by=other).is_zero:
+        return fails_on_surface(each, value)
+    line = value.at_s if each.second else value.at_t
+    middles = [(a + b) / 2 for a, b in pairwise(value.meshes[0 if each.second else 1].breaks)]
+    return next((place for t in middles if (place := zero_of(line(t)))), None)
+
+
+def fails_on_surface(each: Assumption, value: TensorSpline) -> Place | None:
+    """The place where a value in two parameters is not as assumed; what could not be decided counts as a zero."""
     from exactspline.geometry.surface.signs import Sign, sign_on_patch  # most evaluations are of curves
 
-    value = each.polynomial(argument)
     patches = product(*[range(len(mesh)) for mesh in value.meshes])
     for form, (i, j) in ((value.patch_form(*patch), patch) for patch in patches):
-        sign = Sign.ZERO if form.is_zero or not each.everywhere else sign_on_patch(form).sign
-        if form.is_zero or (each.everywhere and sign not in (Sign.POSITIVE, Sign.NEGATIVE)):
-            return OnPatch(i, j, perhaps=sign is Sign.UNDECIDED) if each.everywhere else OnWholePatch()
+        if not each.everywhere:
+            if form.is_zero:
+                return OnWholePatch()
+            continue
+        sign = Sign.ZERO if form.is_zero else sign_on_patch(form).sign
+        if sign not in (Sign.POSITIVE, Sign.NEGATIVE):
+            return OnPatch(i, j, perhaps=sign is Sign.UNDECIDED)
     return None
 
 

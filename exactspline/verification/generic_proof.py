@@ -16,6 +16,7 @@ from exactspline.language.parts import joined, split
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.papers import Paper, formula_of
+from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factorization import Factorization
 from exactspline.readings.degree import Degree
 from exactspline.readings.differential_order import order_of
@@ -140,9 +141,10 @@ def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: 
 def cached_reduction(
     formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]
 ) -> Reduction | ExactSplineError:
-    """The reduction of a formula, computed once."""
+    """The reduction of a formula, computed once, on a budget of its own: what a claim has spent before is no reason."""
     try:
-        return reduce(formula, dimension=dimension, polynomial=polynomial)
+        with drawing_on(Budget()):
+            return reduce(formula, dimension=dimension, polynomial=polynomial)
     except (
         FormulaError,
         ReachError,

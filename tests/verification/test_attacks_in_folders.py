@@ -25,7 +25,7 @@ from exactspline.verification.coq.answers import theorem_of
 from exactspline.verification.errata import errata
 from exactspline.verification.judges import Sympy
 from exactspline.verification.kinds.equality import Vanishing
-from exactspline.verification.ledger import proved
+from exactspline.verification.ledger import audit, proved
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from tests.support.command import invoke
 from tests.support.decided import errors_in_print
@@ -160,6 +160,18 @@ def test_a_factor_has_few_powers(factor, tmp_path):
     with pytest.raises(ClaimError, match="too large"):
         claims_of(load_paper(folder))
     assert time.perf_counter() - start < 5
+
+
+def test_many_products_are_bounded_together(tmp_path):
+    """Before, each of sixty products was within its bound, on every segment: minutes for one row of the ledger."""
+    total = "c.p[0] + c.p[1] + c.w + c.p[0].d(1) + c.p[1].d(1) + c.w.d(1)"
+    formulas = plane_formulas(f=f"({total})**60 * (c.w - c.w)")
+    claim = {"id": "1", "statement": "said", "curve": "plane", "kind": "invariance", "formula": "f", "under": "motion"}
+    (one,) = claims_of(load_paper(written(tmp_path / "p", formulas, [claim])))
+    start = time.process_time()
+    rows = audit([one], [example("rational_cubic_s"), example("six_segment_cubic")])
+    assert [row.verdict for row in rows] == [UNDECIDED, UNDECIDED]
+    assert time.process_time() - start < 20
 
 
 # ---- what is read, and what ran

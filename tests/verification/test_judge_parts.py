@@ -143,7 +143,7 @@ def test_where_an_assumption_fails_on_a_surface():
 
     def fails(spline, everywhere):
         told = Assumption("a", "a", "a", "a", lambda _: spline, ("surface",), everywhere=everywhere)
-        return fails_on_surface(told, None)
+        return fails_on_surface(told, spline)
 
     assert [fails(net(1, 2, 2, 3), everywhere) for everywhere in (True, False)] == [None, None]
     assert [fails(net(1, 2, 2, -3), everywhere) for everywhere in (True, False)] == [OnPatch(1, 0), None]
@@ -163,6 +163,7 @@ def test_the_rank_of_a_matrix_of_quotients():
     assert rank((w - w, x), (y, w)) == 2
     assert rank((x, y, w), (y, w, x), (x + y, y + w, w + x)) == 2
     assert rank((w - w, x - x)) == 0
+    assert rank((w, x - x, x - x), (x, w, x - x), (x, y, w)) == 3
 
 
 def test_what_was_tried_on_a_part_says_so():

@@ -198,7 +198,10 @@ class DegreeClaim(Claim):
         if self.measure == Measure.NOMINAL:
             return self._own(value.degree)
         if self.measure == Measure.TRUE:
-            return max(self._own(p.true_degree) for p in split(value)[0])
+            components, denominator = split(value)
+            if denominator is not None:
+                raise quotient_has_none(self.formula)
+            return max(self._own(p.true_degree) for p in components)
         return self._lowest(joined(value) if isinstance(value, RuledSurface) else value)
 
     def _reduced(self, argument: Any) -> Any:
@@ -291,7 +294,7 @@ def agreed_degree(
     value = formula(JetReading(order_of(formula, dimension)).argument(formula.kind, dimension, polynomial=polynomial))
     jets, denominator = split(value)
     if denominator is not None:
-        raise FormulaError(f"{formula.name} is a quotient", remedy='its degree is that in "lowest terms"')
+        raise quotient_has_none(formula.name)
     jets = [jet for jet in jets if not jet.is_zero]
     if not jets:
         return Degree.number(-1), {}
@@ -303,6 +306,11 @@ def agreed_degree(
             remedy="one of the readings is wrong: report this",
         )
     return computed, lower_degrees(jets, parameter)
+
+
+def quotient_has_none(name: str) -> FormulaError:
+    """A quotient of polynomials has no true degree."""
+    return FormulaError(f"{name} is a quotient", remedy='its degree is that in "lowest terms"')
 
 
 def lower_degrees(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -> dict[int, int]:

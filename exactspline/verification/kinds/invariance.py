@@ -10,7 +10,7 @@ from enum import StrEnum
 from functools import cache, partial
 from typing import Any, ClassVar, TypeVar
 
-from exactspline.errors import ClaimError, VanishingDivisorError
+from exactspline.errors import ClaimError, VanishingDivisorError, counted
 from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, T
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Symbol
@@ -190,7 +190,7 @@ class Invariance(Claim):
             value = times_unit(_components(formula(curve)), factor, self.weight)
             return _components(formula(Accompanied(plain, beside))), value
         made = MAPS[name]
-        value = self._carried(_components(formula(curve)), made, k, curve.w.constant(1))
+        value = self._carried(_components(formula(curve)), made, k, curve.w.constant(1), curve.dimension)
         unit = made.unit(curve.p, curve.w, k) if made.unit else None
         return _components(formula(_moved(curve, made, k))), times_unit(value, unit, self.weight)
 
@@ -201,10 +201,16 @@ class Invariance(Claim):
         moved = [x.value for x in _components(formula(changed))]
         return moved, times_unit(_components(formula(curve)), rho, self.weight)
 
-    def _carried(self, value: list[Any], made: Map, k: Mapping[str, Any], one: Any) -> list[Any]:
+    def _carried(self, value: list[Any], made: Map, k: Mapping[str, Any], one: Any, dimension: int) -> list[Any]:
         """The value, mapped where it is a vector or a point."""
         if self.nature == Nature.SCALAR:
             return value
+        if len(value) != dimension:
+            raise ClaimError(
+                f"{self.formula!r} has {counted(len(value), 'component')}, a {self.nature} has {dimension}",
+                where=self.key,
+                remedy='write "scalar"',
+            )
         if self.nature == Nature.VECTOR:
             return list(made.of_vector(Vector(*value), one, k))
         return image_of_point(Vector(*value), made, k, one)

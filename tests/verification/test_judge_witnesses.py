@@ -1,0 +1,334 @@
+"""What the judge tells beside its verdicts, and the cases in which it has no witness: each held against the definition,
+found by changes of the code that no other test noticed.
+"""
+
+from dataclasses import replace
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import Nurbs
+from exactspline.errors import ClaimError, FormulaError
+from exactspline.interchange.examples import example
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE, PAIR, POINT_IN_SPACE, kind_of
+from exactspline.language.parts import split
+from exactspline.language.ruled import ruled
+from exactspline.language.vector import Vector
+from exactspline.papers import find, load_paper
+from exactspline.readings.degree import parse_degree
+from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.tree import trace
+from exactspline.splines.tensor import TensorSpline
+from exactspline.symbolic.assumptions import Assumption
+from exactspline.verification.claims import claims_of, select
+from exactspline.verification.decision import DirectrixOf, Equation
+from exactspline.verification.divisors import divided_by
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evidence import (
+    At,
+    DegreeFound,
+    ExactQuotient,
+    Fact,
+    JudgesDisagree,
+    OnExample,
+    OnPatch,
+    OnWholePatch,
+)
+from exactspline.verification.judges import agreed
+from exactspline.verification.kinds.degree import held_against
+from exactspline.verification.kinds.types import on_cubics
+from exactspline.verification.segments import on_segments
+from exactspline.verification.verdict import (
+    CONTRADICTION,
+    INAPPLICABLE,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    VACUOUS,
+    VERIFIED,
+    Finding,
+)
+from exactspline.verification.vocabulary import Name
+from tests.verification.test_own_paper import plane_formulas, written
+
+FORMULAS = plane_formulas(
+    f="det(c.p, c.p.d(1))",
+    g="2 * det(c.p, c.p.d(1))",
+    half="det(c.p, c.p.d(1)) / 2",
+    point="c.p / c.w",
+    velocity="(c.p / c.w).d(1)",
+    acceleration="(c.p / c.w).d(2)",
+    lifted_velocity="c.w * c.p.d(1) - c.p * c.w.d(1)",
+    ninth="c.p.d(9)",
+    square="c.p[0] * c.p[0]",
+    first="c.p[0] * c.w",
+    abscissa="c.p[0] / c.w",
+    three="join(c.p[0] / c.w, c.p[1] / c.w, c.w / c.w)",
+)
+
+
+@pytest.fixture
+def claimed(tmp_path):
+    """A claim about formulas of a plane curve."""
+
+    def made(**entry):
+        folder = written(tmp_path / "p", FORMULAS, [{"id": "1", "statement": "said", "curve": "plane"} | entry])
+        (claim,) = claims_of(load_paper(folder))
+        return claim
+
+    return made
+
+
+def two_pieces(first, second):
+    """A curve of two quadratic segments on [0, 1] and [1, 2]."""
+    return Nurbs(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [*first, *second])
+
+
+PARABOLA = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
+
+
+# ---- two judges
+
+
+@pytest.mark.parametrize("own", [PROVED, REFUTED])
+def test_a_contradiction_names_who_proves_who_refutes_and_where(own):
+    other = REFUTED if own is PROVED else PROVED
+    findings = [Finding(v, witness=At(mpq(1)) if v is REFUTED else Fact.NOTHING) for v in (own, other)]
+    one, two = Name("one"), Name("two")
+    found = agreed(findings[0], one, findings[1], two)
+    named = (one, two) if own is PROVED else (two, one)
+    assert (found.verdict, found.witness) == (CONTRADICTION, JudgesDisagree(*named, At(mpq(1))))
+
+
+# ---- equalities
+
+
+def test_a_false_factor_has_the_true_one_as_its_witness(claimed):
+    false, true = [claimed(kind="identity", left="f", right="g", factor=k).prove()[1] for k in ("3", "1/2")]
+    assert (false.verdict, true.verdict) == (REFUTED, PROVED)
+    assert isinstance(false.witness, ExactQuotient)
+    assert str(false.factor) == str(true.factor) == "1/2"
+    assert true.witness is None
+
+
+def test_what_vanishes_on_all_examples_is_refuted_by_the_polynomial(claimed):
+    """No example curve has a ninth derivative that is not zero."""
+    found = claimed(kind="vanishing", left="ninth").prove()[1]
+    assert (found.verdict, found.witness) == (REFUTED, Fact.POLYNOMIAL_NOT_ZERO)
+    found = claimed(kind="vanishing", left="f").prove()[1]
+    assert isinstance(found.witness, OnExample)
+
+
+def test_a_side_that_is_no_ruled_surface_is_named(tmp_path):
+    formulas = "@formula('e', on='space')\ndef f(c):\n    return c.p * 1\n"
+    formulas += "@formula('e', on='space')\ndef g(c):\n    return ruled(c.p * 1, c.p.d(1))\n"
+    for left, right in (("f", "g"), ("g", "f")):
+        entry = {"id": "1", "statement": "said", "kind": "same surface", "curve": "space", "left": left, "right": right}
+        (claim,) = claims_of(load_paper(written(tmp_path / "p", formulas, [entry])))
+        with pytest.raises(ClaimError, match="'f' is not a ruled surface"):
+            claim.prove()
+
+
+def plane_and_space(plane, x, y, z):
+    """A plane curve, and a ruled surface with a directrix, as a statement."""
+    left = Formula(plane, "plane", kind_of("plane point"), "0")
+    right = Formula(lambda c: ruled(Vector(x(c), y(c), z(c)), c.p * 1), "ruled", POINT_IN_SPACE, "0")
+    return DirectrixOf(left, right)
+
+
+def zero(c):
+    return c.w - c.w
+
+
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+def test_a_curve_is_no_directrix_where_one_coordinate_differs(order):
+    """Where the curve is the origin, a directrix that is not 0 in x or in y is another curve; of the origin
+    twice nothing is said.
+    """
+    c = RationalJetReading(1).argument(kind_of("plane point"), 2)
+    coordinates = [zero, lambda c: c.w * 1]
+    x, y = (coordinates[k] for k in order)
+    origin = lambda c: Vector(zero(c), zero(c))  # noqa: E731
+    assert plane_and_space(origin, x, y, zero).decide(c).verdict == REFUTED
+    assert plane_and_space(origin, zero, zero, zero).decide(c).verdict == VACUOUS
+    own = lambda c: Vector(c.p[0], c.p[1])  # noqa: E731
+    same = plane_and_space(own, lambda c: c.p[0], lambda c: c.p[1], zero)
+    assert same.decide(c).verdict == PROVED
+    assert all(x.is_zero for x in same.residues(c))
+    other = plane_and_space(own, lambda c: c.p[order[0]], lambda c: c.p[order[1]], zero)
+    assert all(x.is_zero for x in other.residues(c)) == (order == (0, 1))
+
+
+def test_what_remains_of_an_equation_vanishes_exactly_where_it_holds():
+    c = RationalJetReading(3).argument(CURVE, 2)
+    for factor, holds in (("w", True), ("w^2", False), ("w^-1", False)):
+        rest = Equation(find("f1"), find("f2"), factor).residues(c)
+        assert all(x.is_zero for x in rest) is holds
+    assert all(x.is_zero for x in Equation(find("f2"), find("f1"), "w^-1").residues(c))
+
+
+# ---- where
+
+
+def test_the_parameter_of_a_witness_lies_in_its_segment():
+    """Two values that differ for two values of a free operand, and one that vanishes where its segment begins."""
+    line = Nurbs(1, [0, 0, 1, 3, 3], [(0, 0, 0), (1, 0, 0), (2, 5, 0)])
+    segments = list(on_segments(PAIR, line, 1))
+    for segment in segments:
+        bar = segment.argument.second.p
+        at = segment.place(bar[0] - bar[1])
+        assert isinstance(at, At)
+        assert segment.low < at.parameter < segment.high
+    at = segments[1].place(segments[1].argument.first.p[1])  # 5/2 (s − 1), zero at s = 1
+    assert isinstance(at, At)
+    assert 1 < at.parameter < 3
+
+
+def test_a_negative_value_is_found_in_its_segment(claimed):
+    """x w is negative on a part of the second segment only; a square may vanish."""
+    curve = two_pieces([(1, 0), (1, 1), (1, 0)], [(1, 0), (-3, 1), (1, 0)])
+    found = claimed(kind="sign", formula="first").examine(curve, Evaluation(curve))
+    assert found.verdict == REFUTED
+    assert isinstance(found.witness, At)
+    assert 1 < found.witness.parameter < 2
+    assert curve(found.witness.parameter)[0] < 0
+    for sign, verdict in (("≥ 0", VERIFIED), ("> 0", REFUTED)):
+        told = claimed(kind="sign", formula="square", sign=sign).examine(PARABOLA, Evaluation(PARABOLA))
+        assert told.verdict == verdict
+
+
+def test_an_assumption_about_a_pair_fails_on_one_patch():
+    """Passed by a mutant: what vanishes on one of two patches "vanishes on none"."""
+    curve = two_pieces([(0, 0), (1, 2), (2, 0)], [(2, 0), (3, 1), (5, 0)])
+
+    def net(*values):
+        return TensorSpline((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], [[x, x] for x in values])
+
+    def failing(spline, **options):
+        told = Assumption("a", "a", "a", "a", lambda _: spline, ("pair",), **options)
+        found = Evaluation(curve).failing("plane pair", [told])
+        return found if found is None else found.place
+
+    assert failing(net(1, 2, 0, 0), everywhere=False) == OnWholePatch()
+    assert failing(net(1, 2, 1, 0), everywhere=False) is None
+
+
+def test_what_has_no_zero_has_none_for_any_other_parameter():
+    """Before, a polynomial in both parameters "had no zero" when it had none on a line in the middle. 2(s + t − st) − 1
+    is s on the line t = 1/2, and −1 at s = t = 0.
+    """
+    unit = [0, 0, 1, 1]
+    curve = Nurbs(1, unit, [(0, 0), (1, 2)])
+    both = TensorSpline((1, 1), unit, unit, [[-1, 1], [1, 1]])
+    alone = TensorSpline((1, 1), unit, unit, [[-1, -1], [1, 1]])
+    places = {}
+    for name, spline in (("both", both), ("first", alone), ("positive", both + 2)):
+        told = Assumption(name, "a", "a", "a", lambda _, spline=spline: spline, ("pair",))
+        found = Evaluation(curve).failing("plane pair", [told])
+        places[name] = found and found.place
+    assert places == {"both": OnPatch(0, 0), "first": At(mpq(1, 2)), "positive": None}
+
+
+# ---- invariance
+
+
+@pytest.mark.parametrize(
+    ("entry", "verdict"),
+    [
+        ({"formula": "point", "under": "translation", "nature": "point"}, PROVED),
+        ({"formula": "point", "under": "projective map", "nature": "point"}, PROVED),
+        ({"formula": "velocity", "under": "projective map", "nature": "point"}, REFUTED),
+        ({"formula": "velocity", "under": "translation", "nature": "vector"}, PROVED),
+        ({"formula": "velocity", "under": "translation", "nature": "point"}, REFUTED),
+        ({"formula": "velocity", "under": "rotation", "nature": "vector"}, PROVED),
+        ({"formula": "velocity", "under": "reparametrization", "weight": 1}, PROVED),
+        ({"formula": "acceleration", "under": "reparametrization", "weight": 2}, REFUTED),
+        ({"formula": "lifted_velocity", "under": "common factor", "weight": 2}, PROVED),
+        ({"formula": "lifted_velocity", "under": "common factor", "weight": 1}, REFUTED),
+    ],
+)
+def test_what_a_change_of_the_curve_does(claimed, entry, verdict):
+    """The acceleration has no weight: a change of parameter with ρ′ ≠ 0 adds a multiple of the velocity."""
+    for of in ("both", "polynomial", "rational"):
+        assert claimed(kind="invariance", of=of, **entry).prove()[1].verdict == verdict
+
+
+@pytest.mark.parametrize("under", ["projective map", "Möbius map", "reparametrization", "common factor"])
+def test_what_moves_no_vector_is_refused(claimed, under):
+    with pytest.raises(ClaimError, match=r"is not linear|moves nothing"):
+        claimed(kind="invariance", formula="velocity", under=under, nature="vector")
+
+
+@pytest.mark.parametrize("nature", ["point", "vector"])
+@pytest.mark.parametrize("formula", ["first", "abscissa", "three"])
+def test_a_point_has_as_many_components_as_the_space(claimed, nature, formula):
+    """Before, x/w alone "moves like a point" under translations: PROVED, and VERIFIED on every curve; three components
+    were a KeyError.
+    """
+    claim = claimed(kind="invariance", formula=formula, under="translation", nature=nature)
+    for decide in (claim.prove, lambda: claim.check(PARABOLA)):
+        with pytest.raises(ClaimError, match=f"component.*, a {nature} has 2"):
+            decide()
+
+
+# ---- degrees, counts, types
+
+
+def test_a_quotient_has_no_true_degree_on_any_curve(claimed):
+    """Before, "the true degree of x/w is 3" was refused for all curves and VERIFIED on a rational cubic."""
+    claim = claimed(kind="degree", formula="abscissa", claimed="d", measure="true")
+    for decide in (claim.prove, lambda: claim.check(example("rational_cubic_s")), lambda: claim.check(PARABOLA)):
+        with pytest.raises(FormulaError, match="abscissa is a quotient"):
+            decide()
+
+
+def test_a_lower_degree_than_the_bound_is_within_it():
+    """A parabola has a lower degree than the generic curve: that refutes no equation, and fulfils a bound."""
+    (claim,) = select(["L12-f0"])
+    for relation, verdict in (("=", INAPPLICABLE), ("≤", VERIFIED)):
+        one = replace(claim, relation=relation, claimed="9d", of="both")
+        assert one.examine(PARABOLA, Evaluation(PARABOLA)).verdict == verdict
+
+
+def test_a_bound_may_fail_at_an_exception_alone():
+    """2d − 2 against max(d − 1, 3d − 5): 0 ≤ 0, 2 > 1, 4 ≤ 4, …; where the degree at d = 2 is 1, the bound holds."""
+    (claim,) = select(["L12-f0"])
+    one = replace(claim, relation="≤", claimed="max(d-1, 3d-5)", of="both")
+    found = DegreeFound(parse_degree("2d-2"))
+    assert held_against(one, found, {2: 1}).verdict == PROVED
+    assert held_against(one, found, {2: 2}).verdict == REFUTED
+    assert held_against(one, found).verdict == REFUTED
+
+
+def test_a_curve_without_joints_has_no_continuity():
+    (claim,) = select(["Fig2-g2-both"])
+    one = replace(claim, claimed="2 true continuity")
+    assert one.examine(PARABOLA, Evaluation(PARABOLA)).computed is Fact.NO_JOINT
+
+
+def test_the_type_of_a_unit_vector():
+    """On the twisted cubic its root is no rational function. On a parabola in space the root of ‖γ′×γ″‖² is a number,
+    and the roots decide nothing.
+    """
+    (claim,) = select(["E13-unit_tangent"])
+    flat = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0, 0), ("1/2", 0, 0), (1, 1, 0)])
+    for curve, verdict in ((example("twisted_cubic"), VERIFIED), (flat, UNDECIDED)):
+        assert claim.examine(curve, Evaluation(curve)).verdict == verdict
+
+
+def test_functions_that_stand_for_a_table_are_not_proportional():
+    """The quotient of two of their derivatives varies."""
+    c = RationalJetReading(2).argument(CURVE, 2)
+    (value,) = split(c.p[0].d(1) / c.p[1].d(1))[0]
+    assert not on_cubics(value).bottom.is_constant()
+
+
+# ---- divisors
+
+
+def test_numbers_are_no_divisors():
+    half = Formula(lambda c: c.w / 2, "half", CURVE, "0")
+    quotient = Formula(lambda c: c.p[0] / c.w / 2, "quotient", CURVE, "0")
+    assert [*divided_by(trace(half, 2))] == []
+    assert len([*divided_by(trace(quotient, 2))]) == 1
