@@ -105,7 +105,7 @@ def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
 
     if not isinstance(name, str):  # whatever was written for a name
         return "names are text" + (f"; `{command_name()} {listed_by}` lists all" if listed_by else "")
-    near = _likest(name.lower(), list(known))
+    near = _likest(name.lower(), list(dict.fromkeys(known)))
     told = f"the nearest {'is' if len(near) == 1 else 'are'} {', '.join(near)}" if near else "there are none"
     return told + (f"; `{command_name()} {listed_by}` lists all" if listed_by else "")
 

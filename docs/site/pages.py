@@ -143,7 +143,10 @@ def _erratum(error: Erratum) -> Iterator[str]:
         claim = f'<a href="ledger/{error.paper}.html#{each.key}">{plain(each.id)}</a>'
         decided = f"- Decided: {plain(each.statement)} ({claim})"
         yield "\n".join([decided, *(f"- {name}: {plain(text)}" for name, text in told.items() if text)])
-    holds = [f"- Instead: {plain(line)}" for line in error.truth]
+    holds = [
+        f'- Instead: {plain(str(each))} (<a href="ledger/{error.paper}.html#{each.key}">{plain(each.key)}</a>)'
+        for each in error.truth
+    ]
     yield "\n".join([*holds, *(f"- Why: {plain(line)}" for line in error.why)])
     code = list(dict.fromkeys(line for each in error.statements for line in each.check))
     yield "\n".join(["```python", *(part for line in code for part in code_lines(line, CODE_WIDTH)), "```"])

@@ -39,7 +39,7 @@ class Commands(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """The names, in the order in which they are shown."""
-        return list(self.entries)
+        return [*self.entries]  # `list` is the module of a command here
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command with this name."""
@@ -83,9 +83,22 @@ def _unknown(name: str, known: dict[str, str], ctx: click.Context) -> click.Usag
 def _usage_message(error: click.UsageError) -> str:
     """Bad usage in one line: what is wrong, and where the right usage is described."""
     said = error.message if isinstance(error, click.BadParameter) and error.message else error.format_message()
+    if isinstance(error, click.NoSuchOption) and (others := _with_option(error)):
+        named = " and ".join(f"`{name}`" for name in others)
+        said = f"{error.message.rstrip('.')}; {named} {'have' if others[1:] else 'has'} it"
     asked = error.ctx.command_path if error.ctx else command_name()
     said = f"{said[:1].lower()}{said[1:]}".replace(". Did", "; did").rstrip(".?")
     return f"{said}; `{asked} --help` explains it"
+
+
+def _with_option(error: click.NoSuchOption) -> list[str]:
+    """Other commands of the same group that have the option which this one lacks; at most two."""
+    ctx = error.ctx.parent if error.ctx else None
+    if ctx is None or not isinstance(ctx.command, Commands):
+        return []
+    others = [(name, ctx.command.get_command(ctx, name)) for name in ctx.command.list_commands(ctx)]
+    found = [name for name, each in others if each and any(error.option_name in param.opts for param in each.params)]
+    return [f"{ctx.command_path} {name}" for name in found[:2]]
 
 
 def _version(ctx: click.Context, parameter: click.Parameter, requested: bool) -> None:

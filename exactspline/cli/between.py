@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from exactspline.cli.common import CURVE_HELP, check_output, load_curve
+from exactspline.cli.common import CURVE_HELP, check_output, load_curve, tell_written
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
 
@@ -35,6 +35,7 @@ def between(
         from exactspline.display.plot.curve_pairs import pair_figure
 
         save(pair_figure(pair), plot)
+        tell_written(plot)
         if out.for_people:
             return
     sheet = pair_sheet(data, f"{first.name} (s) and {second.name} (t)")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from exactspline.cli.common import CURVE_HELP, check_output, load_curve, tell_how_surfaces_are_drawn
+from exactspline.cli.common import CURVE_HELP, check_output, load_curve, tell_how_surfaces_are_drawn, tell_written
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
 
@@ -69,11 +69,13 @@ def bisector(
     )
     if output:
         write_json(output, answer.data)
+        tell_written(output)
     if plot:
         from exactspline.display.plot.canvas import save
 
         drawn = answer.draw()
         save(drawn, plot)
+        tell_written(plot)
         if drawn.name == "3d":
             tell_how_surfaces_are_drawn()
     if out.for_people and (output or plot):

@@ -39,6 +39,7 @@ __all__ = [
     "standard_input",
     "tell_notes",
     "tell_skipped",
+    "tell_written",
 ]
 G = TypeVar("G")
 V = TypeVar("V")
@@ -180,7 +181,7 @@ def _found_in(name: str, given: bytes | None = None, approximate: str = "") -> t
         reading = read(name, approximate=within)
     else:
         reading = at_standard_input(lambda: read(given, approximate=within))
-    tell_skipped(reading)
+    tell_skipped(reading, name)
     tell_notes(reading)
     if not reading.curves:
         what = "nothing that is a curve" if reading.skipped or reading.surfaces else "no curves"
@@ -248,15 +249,40 @@ def tell_notes(reading: Reading, *, curves: bool = True) -> None:
         sys.stderr.write(f"note: {which}: {note}\n")
 
 
-def tell_skipped(reading: Reading, *, surfaces: bool = True) -> None:
-    """Print what a reader skipped on standard error; `surfaces` says whether surfaces are left out too."""
+def tell_skipped(reading: Reading, name: str, *, surfaces: bool = True) -> None:
+    """Print what a reader skipped of the file with this name on standard error, with its place in the file; `surfaces`
+    says whether surfaces are left out too.
+    """
+    source = "standard input" if name == "-" else name
     if reading.surfaces and surfaces:
         leave_out()
-        sys.stderr.write(f"skipped: {counted(len(reading.surfaces), 'surface')}: --surfaces takes these instead\n")
+        number = counted(len(reading.surfaces), "surface")
+        sys.stderr.write(f"skipped: {source}: {number}: --surfaces takes these instead\n")
     if reading.skipped:
         leave_out()
-    for (what, why), times in Counter((skipped.what, skipped.why) for skipped in reading.skipped).items():
-        sys.stderr.write(f"skipped: {what}{f' ({times} times)' if times > 1 else ''}: {why}\n")
+    places: dict[tuple[str, str], list[str]] = {}
+    for skipped in reading.skipped:
+        places.setdefault((skipped.what, skipped.why), []).append(skipped.where)
+    for (what, why), found in places.items():
+        sys.stderr.write(f"skipped: {source}: {_placed(what, found)}: {why}\n")
+
+
+#: How many places are named of what is skipped for one reason.
+NAMED = 3
+
+
+def _placed(what: str, places: list[str]) -> str:
+    """What is skipped, and where in the file."""
+    first = ", ".join(filter(None, places[:NAMED])) + (", …" if len(places) > NAMED else "")
+    if len(places) == 1:
+        return first if first.startswith(what) else f"{what} ({first})" if first else what
+    return f"{what} ({len(places)} times: {first})"
+
+
+def tell_written(path: str) -> None:
+    """Say on standard error which file was written."""
+    if path and not is_quiet():
+        sys.stderr.write(f"written: {path}\n")
 
 
 def tell_how_surfaces_are_drawn() -> None:

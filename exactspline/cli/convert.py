@@ -92,8 +92,10 @@ def convert(
     as_surfaces = bool(reading.surfaces) and (surfaces or not reading.curves)
     if as_surfaces and reading.curves:
         leave_out()
-        sys.stderr.write(f"skipped: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n")
-    tell_skipped(reading, surfaces=not as_surfaces)
+        sys.stderr.write(
+            f"skipped: {source}: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n"
+        )
+    tell_skipped(reading, source, surfaces=not as_surfaces)
     tell_notes(reading, curves=not as_surfaces)
     known = [NamedSurface(each.name, each) for each in reading.surfaces] if as_surfaces else [*reading.curves]
     chosen = [named for named in known if not only or named.name in only]

@@ -16,6 +16,7 @@ from exactspline.cli.common import (
     distinguish,
     read_curves,
     standard_input,
+    tell_written,
 )
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
@@ -158,8 +159,10 @@ def inspect(
     distinguish([data for *_, data in inspected])
     if certificate:
         write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
+        tell_written(certificate)
     if plot and inspected:
         _draw(inspected, given, plot, ", ".join(curve))
+        tell_written(plot)
     out.give(
         "inspect",
         (data for *_, data in inspected),
@@ -195,18 +198,19 @@ def _emit(curve: Any, path: str) -> None:
 
     text = theorem_of(curve)
     write_text(path, text)
+    tell_written(path)
 
 
 def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:
     from exactspline.display import console
-    from exactspline.display.features import feature_sheet, print_features
+    from exactspline.display.features import print_features, words_of
 
     for i, (c, _, data) in enumerate(inspected):
         if i:
             console.console().print()
         print_features(c, data)
     if inspected and not out.quiet:
-        words = [tag for c, _, data in inspected for tag in feature_sheet(c, data).tags]
+        words = [word for c, _, data in inspected for word in words_of(c, data)]
         in_space = any(c.dimension == 3 for c, _, _ in inspected)
         console.legend(console.console(), ["κ", *["τ"] * in_space, *["exactly"] * bool(words), *words])
 

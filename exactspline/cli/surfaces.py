@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from exactspline.cli.common import at_standard_input, each_read, standard_input, tell_notes, tell_skipped
+from exactspline.cli.common import at_standard_input, each_read, standard_input, tell_notes, tell_skipped, tell_written
 from exactspline.cli.output import OptionsError, Output, leave_out
 from exactspline.cli.parameters import Exit
 from exactspline.errors import CurveFileError, ExactSplineError, command_name, counted
@@ -56,7 +56,7 @@ def surfaces_among(names: Sequence[str], given: bytes | None, *, requested: bool
         if is_surface(name, given):
             found[name] = partial(_one, name, given)
         elif reading := _with_surfaces(name, given, requested):
-            found[name] = partial(_reported, reading)
+            found[name] = partial(_reported, reading, name)
     return found
 
 
@@ -71,10 +71,10 @@ def read_surfaces(name: str, given: bytes | None = None) -> Sequence[NurbsSurfac
 
     reading = read(name) if name != "-" or given is None else at_standard_input(lambda: read(given))
     if not reading.surfaces:
-        tell_skipped(reading)
+        tell_skipped(reading, name)
         where = "standard input" if name == "-" else name
         raise CurveFileError("holds no surface", where=where, remedy="name a file of surfaces")
-    return _reported(reading, "not a surface")
+    return _reported(reading, name, "not a surface")
 
 
 def read_surface(name: str) -> NurbsSurface:
@@ -94,12 +94,12 @@ def _one(name: str, given: bytes | None) -> Sequence[NurbsSurface]:
     return [_loaded(name, given)]
 
 
-def _reported(reading: Reading, why: str = "without --surfaces these are taken") -> Sequence[NurbsSurface]:
+def _reported(reading: Reading, name: str, why: str = "without --surfaces these are taken") -> Sequence[NurbsSurface]:
     """The surfaces of a file; what else is in it is named on standard error."""
     if reading.curves:
         leave_out()
-        sys.stderr.write(f"skipped: {counted(len(reading.curves), 'curve')}: {why}\n")
-    tell_skipped(reading, surfaces=False)
+        sys.stderr.write(f"skipped: {name}: {counted(len(reading.curves), 'curve')}: {why}\n")
+    tell_skipped(reading, name, surfaces=False)
     tell_notes(reading, curves=False)
     return reading.surfaces
 
@@ -176,8 +176,10 @@ def _drawn(found: SurfaceInspection, plot: str) -> None:
 
         scene = inspected_scene(found)
         write_text(plot, page_of([scene], scene["title"]), PlotError)
+        tell_written(plot)
         return
     from exactspline.display.plot.canvas import save
     from exactspline.display.plot.patches import surface_figure
 
     save(surface_figure(found), plot)
+    tell_written(plot)

@@ -12,7 +12,7 @@ from exactspline.display.numbers import Numbers
 from exactspline.display.sheet import Sheet
 from exactspline.display.wrapping import code_lines
 from exactspline.errors import command_name, counted
-from exactspline.verification.errata import Erratum, Refuted
+from exactspline.verification.errata import Erratum, Holds, Refuted
 
 
 def erratum_data(entry: Erratum) -> dict[str, object]:
@@ -26,7 +26,8 @@ def erratum_data(entry: Erratum) -> dict[str, object]:
     statements = [
         vars(each) | {"found": worded(each.found), "witness": worded(each.witness)} for each in entry.statements
     ]
-    return {"key": f"{entry.paper}: {entry.error}"} | vars(entry) | {"statements": statements}
+    truth = [vars(each) | {"verdict": str(each.verdict)} for each in entry.truth]
+    return {"key": f"{entry.paper}: {entry.error}"} | vars(entry) | {"statements": statements, "truth": truth}
 
 
 def errata_sheet(entries: Sequence[Erratum], numbers: Numbers) -> Sheet:
@@ -35,7 +36,7 @@ def errata_sheet(entries: Sequence[Erratum], numbers: Numbers) -> Sheet:
     cells = [
         (e.title, each.place, each.words, each.statement, found_text(each), worded(each.witness, numbers), *reasons)
         for e in entries
-        for reasons in [("; ".join(e.truth), "; ".join(e.why))]
+        for reasons in [("; ".join(map(true_text, e.truth)), "; ".join(e.why))]
         for each in e.statements
     ]
     return Sheet(*columns, rows=cells, prose=columns[1:])
@@ -62,12 +63,12 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
         words = f": “{each.words}”" if each.words else ""
         where = "printed in" if number[0].isdigit() else "beside"
         console.lines(shown, f"{where} {each.place}{words}", indent=5, first=3)
-        console.lines(shown, f"which says: {each.statement} ({each.id})", indent=7, first=5)
+        console.lines(shown, f"which says: {each.statement} ({_names(each)})", indent=7, first=5)
         console.lines(shown, f"found: {found_text(each)}", indent=7, first=5)
         if each.witness:
             console.lines(shown, f"witness: {worded(each.witness, numbers)}", indent=7, first=5)
-    for line in entry.truth:
-        console.lines(shown, f"true: {line}", indent=5, first=3)
+    for each in entry.truth:
+        console.lines(shown, f"true: {true_text(each)}", indent=5, first=3)
     for line in entry.why:
         console.lines(shown, f"why: {line}", indent=5, first=3)
     console.lines(shown, "check:", first=3)
@@ -75,10 +76,20 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
     for line in dict.fromkeys(line for each in entry.statements for line in each.check):
         for part in code_lines(line, shown.width):
             console.unbroken(shown, part)
-    first, *others = dict.fromkeys(each.key for each in entry.statements)
-    also = f"; likewise {', '.join(others)}" if others else ""
+    first = entry.statements[0].key
+    also = " (or another of these keys)" if len(entry.statements) + len(entry.truth) > 1 else ""
     console.lines(shown, f"a theorem to cite: {command_name()} show {first} --latex{also}", indent=5, first=3)
     shown.print()
+
+
+def _names(statement: Refuted) -> str:
+    """The claim to which a statement belongs, and its own key."""
+    return statement.key if statement.key == statement.id else f"{statement.id}, {statement.key}"
+
+
+def true_text(each: Holds) -> str:
+    """What holds instead, with its verdict and its key."""
+    return f"{each} ({each.key})"
 
 
 def found_text(statement: Refuted) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -12,7 +13,7 @@ from exactspline.display.described import described
 from exactspline.display.numbers import decimal
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis import QUESTIONS, questions_about
-from exactspline.geometry.kinds import FeatureKind, JointKind
+from exactspline.geometry.kinds import FeatureKind, JointKind, kind_name
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.numbers.exact import rational
 from exactspline.questions.entry import Answered
@@ -22,6 +23,17 @@ from exactspline.splines.nurbs import Nurbs
 READABLE = 20
 #: Digits of the numbers of a shape where they are longer.
 DIGITS = 12
+#: What may stand in a remark and is explained below the table.
+REMARKS = (
+    "maximum of |κ|",
+    "minimum of |κ|",
+    "by a jump of κ′",
+    "by a jump of κN",
+    "by a jump of κ",
+    "by a jump of τ",
+    "at the seam",
+    "turns by",
+)
 
 
 def feature_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
@@ -38,9 +50,10 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
     in_space = c.dimension == 3
     for group in _asked(c, Answered.PLACES):
         for f in data[group]["points"]:
-            kind = _kind(f["kind"])
+            kind = kind_name(FeatureKind(f["kind"]))
             absolute = f"{f['of_absolute']} of |κ|" if f["of_absolute"] and not in_space else ""
-            at_knot = "at a knot, by a jump" if f["by_jump"] else "at a knot" if f["at_knot"] else ""
+            jumps = f", by a jump of {_jumping(f['kind'], in_space)}" if f["by_jump"] else ""
+            at_knot = f"at a knot{jumps}" if f["at_knot"] or jumps else ""
             remark = " ".join(filter(None, (absolute, at_knot, _turn(f["angle"]))))
             values = (f.get("curvature", ""), *((f.get("torsion", ""),) if in_space else ()))
             made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, remark)
@@ -78,9 +91,24 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
         made.add_row(QUESTIONS["planar_pieces"].about.of_piece, interval, interval, "", *empty, lies_in)
 
 
-def _kind(kind: str) -> str:
-    """The kind of a feature, and of what it is an extremum."""
-    return f"{kind} of κ" if kind in (FeatureKind.MAXIMUM, FeatureKind.MINIMUM) else kind
+def _jumping(kind: str, in_space: bool) -> str:
+    """What changes its sign at a feature of a kind."""
+    if kind in (FeatureKind.MAXIMUM, FeatureKind.MINIMUM):
+        return "κ′"
+    return "τ" if kind == FeatureKind.TORSION_ZERO else "κN" if in_space else "κ"
+
+
+def words_of(c: Nurbs, data: Mapping[str, object]) -> list[str]:
+    """The words of all tables of a curve, and below them, that the glossary explains."""
+    made = feature_sheet(c, data)
+    tables = [made, *(sheet(c, data) for name, sheet in EXTRA.items() if name in data)]
+    words = [word for table in tables for word in (*table.columns[1:], *table.tags)]
+    remarks = [row[-1] for row in made.rows]
+    # κ is not κ′, nor κN
+    words += [word for word in REMARKS if any(re.search(rf"{re.escape(word)}(?![′N])", each) for each in remarks)]
+    joints: Any = data["joints"]
+    orders = {joint["geometric_continuity"] for joint in joints} - {None, -1}
+    return words + [f"G{order}" for order in sorted(orders)]
 
 
 def _decimals(ends: list[dict[str, str]]) -> str:
@@ -111,12 +139,10 @@ def _print_rest(out: Console, c: Nurbs, data: Mapping[str, Any]) -> None:
     if data.get("plane"):
         reason = "it has no torsion, no focal curve and no osculating spheres"
         console.lines(out, f"{c.name} lies in the plane {data['plane']}: {reason}")
-    if "nearby" in data:
-        out.print()
-        out.print(nearby_sheet(c, data))
-    if "stability" in data:
-        out.print()
-        out.print(stability_sheet(c, data))
+    for name, sheet in EXTRA.items():
+        if name in data:
+            out.print()
+            out.print(sheet(c, data))
     if "approaches" in data:
         out.print()
         out.print(_approaches(data["approaches"]))
@@ -174,11 +200,10 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
         title=f"All curves within {_number(str(data['epsilon']))} of {c.name}",
         heads=2,
     )
-    rows: Any = data["nearby"]
-    for found in rows:
+    for found in _in_order(data["nearby"]):
         ((low, high),) = found["intervals"]
         curves = ("all: one" if found["single"] else "all") if found["certain"] else "perhaps some"
-        made.add_row(_kind(found["kind"]), curves, end_text(low), end_text(high))
+        made.add_row(kind_name(FeatureKind(found["kind"])), curves, end_text(low), end_text(high))
     return made
 
 
@@ -186,13 +211,25 @@ def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """How far a curve may be changed until its features vanish."""
     title = f"{c.name} with all numbers changed by at most this"
     made = Sheet("what", "at", "certain up to", "gone within", title=title, heads=1, numbers=["certain up to"])
-    rows: Any = data["stability"]
-    for found in rows:
+    for found in _in_order(data["stability"]):
         ((low, high),) = found["intervals"]
         radius, *gone = (decimal(rational(x), 4) for (x,) in found["numbers"].values())
         at = decimal((rational(low) + rational(high)) / 2, DIGITS)
-        made.add_row(_kind(found["kind"]), at, radius if radius != "0" else "not proved", *gone or ["not known"])
+        made.add_row(
+            kind_name(FeatureKind(found["kind"])), at, radius if radius != "0" else "not proved", *gone or ["not known"]
+        )
     return made
+
+
+#: Tables below that of the features, by the part of the data that they show.
+EXTRA = {"nearby": nearby_sheet, "stability": stability_sheet}
+
+
+def _in_order(found: Any) -> list[Any]:
+    """Features in the order of the first table: inflections, extrema of the curvature, corners."""
+    extrema = (FeatureKind.MAXIMUM, FeatureKind.MINIMUM, FeatureKind.STATIONARY)
+    places = dict.fromkeys(extrema, 1) | {FeatureKind.CORNER: 2}
+    return sorted(found, key=lambda each: places.get(FeatureKind(each["kind"]), 0))
 
 
 def end_text(t: str) -> str:

@@ -5,10 +5,10 @@ r"""A claim as a theorem of LaTeX with its proof: what is stated, with the formu
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from exactspline.display.evidence import worded
+from exactspline.display.latex_prose import in_mathematics, literal, prose
 from exactspline.splines.control_points import Point
 from exactspline.verification.claims import claims_of
 from exactspline.verification.divisors import divisors
@@ -48,61 +48,6 @@ METHODS = {
     "indeterminate derivatives.",
 }
 COUNTED = "The degree is counted as in Table 1 of the paper, operation by operation, without cancellation."
-_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽⁾ⁱᵀ", "0123456789-()iT")
-_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₓᵧ", "0123456789xy")
-#: The pieces of a text: names such as f2, letters with an index, an exponent or a prime, runs of these, letters with a
-#: bar, any other sign.
-_PIECES = re.compile(
-    r"\b(?P<name>[fgD]\d+)\b|\b(?P<letter>[A-Za-z])(?=[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽₀₁₂₃₄₅₆₇₈₉′″‴])|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽⁾ⁱᵀ]+)"
-    "|(?P<lowered>[₀₁₂₃₄₅₆₇₈₉ₓᵧ]+)|(?P<barred>.)\u0304|(?P<other>.)",
-    re.DOTALL,
-)
-GREEK = (
-    "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon varphi chi "
-    "psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega"
-)
-#: Signs in formulas.
-SIGNS = {
-    **{letter: rf"\{name} " for letter, name in zip("αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ", GREEK.split(), strict=True)},
-    "′": "'",
-    "″": "''",
-    "‴": "'''",
-    "−": "-",
-    "·": r"\cdot ",
-    "×": r"\times ",
-    "‖": r"\|",
-    "⊥": r"^\perp ",
-    "≥": r"\ge ",
-    "≤": r"\le ",
-    "≠": r"\ne ",
-    "≢": r"\not\equiv ",
-    "±": r"\pm ",
-    "√": r"\surd ",
-    "∗": "*",
-    "½": r"\tfrac{1}{2}",
-    "⟨": r"\langle ",
-    "⟩": r"\rangle ",
-    "↦": r"\mapsto ",
-    "∇": r"\nabla ",
-    "∞": r"\infty ",
-    "|": "|",
-    "<": "<",
-    ">": ">",
-}
-#: Signs in prose.
-LETTERS = {
-    "\\": r"\textbackslash{}",
-    "{": r"\{",
-    "}": r"\}",
-    "^": r"\^{}",
-    "~": r"\textasciitilde{}",
-    **{sign: rf"\{sign}" for sign in "&%$#_"},
-    "§": r"\S{}",
-    "“": "``",
-    "”": "''",
-    "…": r"\ldots{}",
-    "–": "--",
-}
 
 
 def theorem(s: Statement) -> str:
@@ -113,7 +58,7 @@ def theorem(s: Statement) -> str:
     ...     print(line)
     % PROVED: chen_riesenfeld_cohen_2007/C41a-f1-f2
     \begin{theorem}[{C4.1a; \S{}4.1, eq. (8)}]\label{C41a-f1-f2}
-    $f_{1}$ = w $f_{2}$. Assumed: $\gamma $ = p/w of degree d in the plane; w has no zero.
+    $f_{1} = w\,f_{2}$. Assumed: $\gamma = p/w$ of degree $d$ in the plane; $w$ has no zero.
     \[ f_1 = w\,f_2 \]
     Here
     """
@@ -212,46 +157,3 @@ def _instead(s: Statement) -> Iterator[str]:
     for claim in claims_of(s.claim.source_paper):
         if claim.status == Status.MEANT and claim.error and claim.error == s.claim.error:
             yield f"Instead: {prose(numbered(claim))} ({literal(claim.key)})."
-
-
-def in_mathematics(tex: str) -> str:
-    r"""A formula of LaTeX without signs that LaTeX does not know.
-
-    >>> in_mathematics("4d − 2")
-    '4d - 2'
-    """
-    return "".join(SIGNS.get(sign, sign) if sign not in "|<>" else sign for sign in tex)
-
-
-def prose(text: str) -> str:
-    r"""A text as LaTeX: its formulas between dollars, everything else unchanged.
-
-    >>> print(prose("‖γ̄″‖² = w⁴ f2 & 5 %"))
-    $\|\bar{\gamma }''\|^{2}$ = $w^{4}$ $f_{2}$ \& 5 \%
-    """
-    pieces = [_piece(str(each.lastgroup), each[str(each.lastgroup)]) for each in _PIECES.finditer(text)]
-    return "".join(pieces).replace("$\0\0$", "").replace("\0", "")
-
-
-def literal(text: str) -> str:
-    r"""A name as LaTeX: nothing in it is a formula.
-
-    >>> literal("C42b-g1_g0")
-    'C42b-g1\\_g0'
-    """
-    return "".join(LETTERS.get(sign, sign) for sign in text)
-
-
-def _piece(kind: str, text: str) -> str:
-    """A piece of a text; zero bytes mark where formulas touch."""
-    if kind == "other" and text not in SIGNS:
-        return LETTERS.get(text, text)
-    formula = {
-        "name": f"{text[0]}_{{{text[1:]}}}",
-        "letter": text,
-        "raised": f"^{{{text.translate(_RAISED)}}}",
-        "lowered": f"_{{{text.translate(_LOWERED)}}}",
-        "barred": rf"\bar{{{SIGNS.get(text, text)}}}",
-        "other": SIGNS.get(text, text),
-    }
-    return f"\0${formula[kind]}$\0"

@@ -121,10 +121,11 @@ def curvature_floats(
     among the parameters counts with its binary value. Where γ′ = 0 the value is NaN, and the index is reported.
 
     >>> from exactspline import example
-    >>> curvature_floats(example("circle"), [0.5, "1/3"])
-    Curvatures(values=[1.0, 1.0], singular=[])
-    >>> curvature_floats(example("cusp"), [0, 0.5])
-    Curvatures(values=[-0.039283710065919304, nan], singular=[1])
+    >>> curvature_floats(example("circle"), [0.5, "1/3"]).values
+    [1.0, 1.0]
+    >>> values, singular = curvature_floats(example("cusp"), [0, 0.5])
+    >>> values, singular
+    ([-0.039283710065919304, nan], [1])
 
     Raises `DomainError` outside the domain, `ShapeError` unless in the plane or in space.
     """

@@ -7,7 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from exactspline.geometry.analysis import Analysis, analyse, questions_about
-from exactspline.geometry.constructions import Variant, construction
+from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import among, located
 from exactspline.geometry.kinds import Feature
 from exactspline.questions.answers import Places
@@ -75,6 +75,15 @@ def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> 
     return Inspection(choice(Approach, approach, "approach"), curve)
 
 
+#: What is solved, in the words of the table of features.
+SOLVED = {
+    "zero_curvature": "κ = 0",
+    "critical_curvature": "κ′ = 0",
+    "space_critical_curvature": "κ′ = 0",
+    "zero_torsion": "τ = 0",
+}
+
+
 def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpline, ZeroSet]]:
     """The functions that an inspection solves: names, titles, functions and their zeros.
 
@@ -87,7 +96,7 @@ def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpli
     rows = []
     for name, variant in (first, (analysis.critical_form, choice(Approach, approach, "approach").variant(curve))):
         form = analysis.zero_form(name, variant)
-        rows.append((name, construction(name).title, form.form, form.zeros))
+        rows.append((name, SOLVED[name], form.form, form.zeros))
     if analysis.in_space:
         rows.append(("zero_curvature", "common factor of γ′ × γ″", analysis.bending.form, analysis.bending.zeros))
     return rows

@@ -48,6 +48,15 @@ class FeatureKind(StrEnum):
 _SINGULAR = (FeatureKind.CUSP, FeatureKind.STOP, FeatureKind.CORNER, FeatureKind.SINGULAR_END, FeatureKind.REST)
 
 
+def kind_name(kind: FeatureKind) -> str:
+    """The kind of a feature, and of what it is an extremum.
+
+    >>> kind_name(FeatureKind.MAXIMUM), kind_name(FeatureKind.INFLECTION)
+    ('maximum of κ', 'inflection')
+    """
+    return f"{kind} of κ" if kind in (FeatureKind.MAXIMUM, FeatureKind.MINIMUM) else str(kind)
+
+
 class JointKind(StrEnum):
     """The kinds of joints at a knot, from the worst to the smoothest."""
 

@@ -91,8 +91,8 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
     >>> from exactspline.interchange.examples import example
     >>> tangents = ruled_surface("tangent_developable", example("rational_space_cubic"), "paper")
     >>> patch = as_tensor_product(tangents, -1, 2)
-    >>> patch.denominator.degree, patch("1/2", "3/2") == point_at(tangents, "1/2", "3/2")
-    (Degrees(s=5, t=1), True)
+    >>> tuple(patch.denominator.degree), patch("1/2", "3/2") == point_at(tangents, "1/2", "3/2")
+    ((5, 1), True)
 
     Raises `DomainError` unless a < b, `ShapeError` for what is not a ruled surface.
     """

@@ -157,7 +157,7 @@ def parsed(text: str) -> object:
     """
     try:
         return json.loads(
-            text.removeprefix("\ufeff"),
+            text.removeprefix("\ufeff").rstrip(),  # so that an error is never past the last line
             parse_int=_Decimal,
             parse_float=_Decimal,
             parse_constant=_refuse,

@@ -134,6 +134,9 @@ TOGETHER = 16
 
 _met: Counter[tuple[int, Pattern]] = Counter()
 _weights: dict[tuple[int, Pattern], Weights] = {}
+#: The weights along this many short knot vectors, by degree and knots.
+ALONG = 64
+_along: dict[tuple[int, tuple[mpq, ...]], list[Weights]] = {}
 
 
 def common_forms(
@@ -149,7 +152,7 @@ def common_forms(
     >>> found
     [([2*x + 1, 4*x], 2)]
     """
-    weights = _weights_of([*_patterns(t, n, spans)]) if 0 < n <= MOST else None
+    weights = _weights_along(t, n, spans) if 0 < n <= MOST else None
     if weights is None:
         return None
     found = []
@@ -171,6 +174,20 @@ def common_forms(
                 if shared != 1:
                     parts, below = [[x // shared for x in part] for part in parts], below // shared
             found.append(([*map(fmpz_poly, parts)], fmpz(below)))
+    return found
+
+
+def _weights_along(t: Sequence[mpq], n: int, spans: Sequence[int]) -> list[Weights] | None:
+    if len(spans) > TOGETHER:
+        return _weights_of([*_patterns(t, n, spans)])
+    key = n, tuple(t)
+    found = _along.get(key)
+    if found is None:
+        found = _weights_of([*_patterns(t, n, spans)])
+        if found is not None:
+            if len(_along) >= ALONG:
+                _along.clear()
+            _along[key] = found
     return found
 
 

@@ -33,7 +33,7 @@ def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
     """A row of exact numbers; an error names the invalid one."""
     given = tuple(values)
     try:
-        return tuple([x if type(x) is RATIONAL else rational(x) for x in given])
+        return tuple([x if type(x) is RATIONAL else mpq(x) if type(x) is int else rational(x) for x in given])
     except NumberError:
         for i, value in enumerate(given):
             try:

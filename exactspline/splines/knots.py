@@ -23,6 +23,13 @@ from exactspline.splines.given import exact_row
 SMOOTH = 1 << 60
 
 
+#: What is known of this many knot vectors, of at most this many knots each, is shared by all that are equal: most
+#: curves of a file are over the same few.
+KEPT, LONGEST = 64, 64
+_kept: dict[tuple[mpq, ...], dict[int, MeshOf | None]] = {}
+_set = object.__setattr__
+
+
 class KnotVector(Immutable):
     """A non-decreasing sequence of exact knots.
 
@@ -40,15 +47,12 @@ class KnotVector(Immutable):
 
     def __init__(self, knots: Iterable[Number]) -> None:
         exact = exact_row(as_items(knots, "knots"), "knots")
-        for i, (a, b) in enumerate(pairwise(exact)):
-            if b < a:
-                raise KnotError(
-                    f"{text(b)} after {text(a)}: knots decrease",
-                    where=f"knots[{i + 1}]",
-                    remedy="knots must not decrease",
-                    knot=b,
-                )
-        fill(self, knots=exact, _known={})
+        known = _kept.get(exact)
+        if known is None:
+            _check_order(exact)
+            known = _keep(exact)
+        _set(self, "knots", exact)
+        _set(self, "_known", known)
 
     def __reduce__(self) -> tuple[object, ...]:
         return KnotVector, (self.knots,)
@@ -145,6 +149,26 @@ class KnotVector(Immutable):
                 where="control_points",
                 remedy=f"there must be {needed} (knots − degree − 1)",
             )
+
+
+def _check_order(knots: Sequence[mpq]) -> None:
+    for i, (a, b) in enumerate(pairwise(knots)):
+        if b < a:
+            raise KnotError(
+                f"{text(b)} after {text(a)}: knots decrease",
+                where=f"knots[{i + 1}]",
+                remedy="knots must not decrease",
+                knot=b,
+            )
+
+
+def _keep(knots: tuple[mpq, ...]) -> dict[int, MeshOf | None]:
+    known: dict[int, MeshOf | None] = {}
+    if len(knots) <= LONGEST:
+        if len(_kept) >= KEPT:
+            _kept.clear()
+        _kept[knots] = known
+    return known
 
 
 class Mesh(Immutable):

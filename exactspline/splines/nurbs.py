@@ -12,7 +12,7 @@ from exactspline.errors import DomainError, ShapeError, WeightError, as_items
 from exactspline.formulas.derivatives import across
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.arguments import Curve
-from exactspline.language.operand import checked_order
+from exactspline.language.operand import Operand, checked_order
 from exactspline.language.vector import Vector, norm2, perp
 from exactspline.numbers.exact import Number, from_float, is_float, mpq, rational, sign, text
 from exactspline.numbers.immutable import Immutable
@@ -26,7 +26,7 @@ from exactspline.splines.control_points import Point, exact_points, exact_weight
 from exactspline.splines.evaluation import Evaluation
 from exactspline.splines.given import checked_degree, checked_side, exact_row
 from exactspline.splines.insertion import inserted, is_clamped, unchanged
-from exactspline.splines.knots import KnotVector, Mesh
+from exactspline.splines.knots import KnotVector, Mesh, mesh_of
 from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.refinement import insertable
 
@@ -134,8 +134,6 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
     name: str
     source: str
     note: str
-    p: Vector[BSpline]
-    w: BSpline
     #: What `exactspline.analyse` keeps of it: set once, neither pickled nor compared.
     _analysis: object = None
 
@@ -154,6 +152,9 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
         vector = knots if isinstance(knots, KnotVector) else KnotVector(knots)
         data = checked_degree(degree), vector, points, exact_weights(weights, points)
         vars(self).update(_fields(*data), name=name, source=source, note=note)
+        # weights of one sign cannot cancel
+        if not self.polynomial and min(self.weights) <= 0 <= max(self.weights):
+            _check_weight(self.w)
 
     @classmethod
     def from_homogeneous(
@@ -260,25 +261,54 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
         """
         return self._evaluation.points(exact_row(as_items(ts, "parameters"), "parameters"), left=checked_side(side))
 
+    # the splines are computed when they are asked for: a curve that was only read has control points alone
+
+    @cached_property
+    def _splines(self) -> tuple[BSpline, ...]:
+        """The components, the last of them the weight function where the curve is rational."""
+        points, weights = self.control_points, self.weights
+        rows = points if self.polynomial else [(*lifted(x, w), w) for x, w in zip(points, weights, strict=True)]
+        return tuple(splines_over(self.degree, self.knots, list(zip(*rows, strict=True))))
+
+    @cached_property
+    def p(self) -> Vector[BSpline]:  # type: ignore[override]  # computed when asked for
+        """The numerators."""
+        return Vector(*self._splines[: self.dimension])
+
+    @cached_property
+    def w(self) -> BSpline:  # type: ignore[override]  # computed when asked for
+        """The denominator, the constant 1 of degree 0 where the curve is polynomial."""
+        return self._splines[0].constant(1) if self.polynomial else self._splines[-1]
+
+    @cached_property
+    def gamma(self) -> Vector[BSpline] | Operand:  # type: ignore[override]  # computed when asked for
+        """The curve itself."""
+        return self.p if self.polynomial else self.p / self.w
+
+    @property
+    def dimension(self) -> int:  # type: ignore[override]  # computed when asked for
+        """Number of coordinates."""
+        return len(self.control_points[0])
+
     @property
     def domain(self) -> Interval:
         """The parameter interval."""
-        return self.w.domain
+        return self.mesh.domain
 
     @property
     def breakpoints(self) -> tuple[mpq, ...]:
         """The distinct knots of the domain, ends included."""
-        return self.w.breakpoints
+        return self.mesh.breaks
 
     @property
     def mesh(self) -> Mesh:
         """The distinct knots of the domain, shared by all splines of the curve."""
-        return self.w.mesh
+        return mesh_of(self.knots, self.degree)[0]
 
     @property
     def segments(self) -> int:
         """Number of polynomial or rational segments."""
-        return len(self.w.mesh)
+        return len(self.mesh)
 
     @property
     def closed(self) -> bool:
@@ -325,8 +355,8 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
             new = rows[before : count - (len(given) - after)]
             points, weights = (*given[:before], *map(projected, new), *given[after:]), made[-1].control_points
         curve = object.__new__(Nurbs)
-        vars(curve).update(_of_splines(made, points, weights, polynomial=self.polynomial))
-        vars(curve).update(name=self.name, source="", note="")
+        vars(curve).update(_fields(self.degree, made[0].knots, points, weights))
+        vars(curve).update(_splines=tuple(made), name=self.name, source="", note="")
         return curve
 
     def elevate_degree(self, by: int = 1) -> Nurbs:
@@ -391,25 +421,11 @@ def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
 
 def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: tuple[mpq, ...]) -> dict[str, object]:
     """The fields of a curve with this data."""
-    polynomial = weights.count(weights[0]) == len(weights) and weights[0] != 0
     knots.check(degree)
     knots.check_count(degree, len(points))
-    rows = points if polynomial else [(*lifted(x, w), w) for x, w in zip(points, weights, strict=True)]
-    splines = splines_over(degree, knots, list(zip(*rows, strict=True)))
-    # weights of one sign cannot cancel
-    if not polynomial and min(weights) <= 0 <= max(weights):
-        _check_weight(splines[-1])
-    return _of_splines(splines, points, weights, polynomial=polynomial)
-
-
-def _of_splines(
-    splines: Sequence[BSpline], points: tuple[Point, ...], weights: tuple[mpq, ...], *, polynomial: bool
-) -> dict[str, object]:
-    """The fields of a curve with these components, the last of them its weight function where it is rational."""
-    f, *_ = splines
-    p, w = (splines, f.constant(1)) if polynomial else (splines[:-1], splines[-1])
-    operands = Curve(Vector(*p), w, polynomial=polynomial)
-    return vars(operands) | {"degree": f.degree, "knots": f.knots, "control_points": points, "weights": weights}
+    polynomial = weights.count(weights[0]) == len(weights) and weights[0] != 0
+    data = {"degree": degree, "knots": knots, "control_points": points, "weights": weights}
+    return data | {"polynomial": polynomial, "point": None}
 
 
 def _exact(value: float, snap: bool) -> mpq:

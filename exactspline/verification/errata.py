@@ -26,7 +26,7 @@ from exactspline.verification.kinds.examples import Count
 from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.rows import error_of
 from exactspline.verification.statement import letters_of_factor
-from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, Verdict
 from exactspline.verification.vocabulary import Measure, Name, Scope, Status
 
 
@@ -52,6 +52,18 @@ class Refuted:
 
 
 @dataclass(frozen=True)
+class Holds:
+    """A statement that holds instead of what is printed: the key of its claim, and its verdict."""
+
+    key: str
+    statement: str
+    verdict: Verdict
+
+    def __str__(self) -> str:
+        return f"{self.statement} [{self.verdict}]"
+
+
+@dataclass(frozen=True)
 class Erratum(Displayed):
     """One error of a paper: the statements that fail for one reason, and what holds instead, with its verdict."""
 
@@ -59,7 +71,7 @@ class Erratum(Displayed):
     error: str
     title: str
     statements: tuple[Refuted, ...]
-    truth: tuple[str, ...]
+    truth: tuple[Holds, ...]
     why: tuple[str, ...]
 
     def __repr__(self) -> str:
@@ -151,10 +163,12 @@ def name_of(claim: Claim, formula: str) -> Name:
     return Name(symbol_text(symbol) if symbol else formula)
 
 
-def _truth(claims: list[Claim]) -> tuple[str, ...]:
+def _truth(claims: list[Claim]) -> tuple[Holds, ...]:
     """What holds instead: the corrected statements that are proved or verified."""
     decided = [(claim, combined(claim)[1].verdict) for claim in claims if claim.status == Status.MEANT]
-    return tuple(f"{numbered(claim)} [{verdict}]" for claim, verdict in decided if verdict in (PROVED, VERIFIED))
+    return tuple(
+        Holds(claim.key, numbered(claim), verdict) for claim, verdict in decided if verdict in (PROVED, VERIFIED)
+    )
 
 
 def numbered(claim: Claim) -> str:
@@ -180,7 +194,9 @@ def _has_factor(claim: Identity, dimension: int) -> bool:
 
 
 def check(claim: Claim) -> tuple[str, ...]:
-    """A few lines of Python that show that the claim fails."""
+    """A few lines of Python that show that the claim fails. Each line that prints names what it prints: lines that are
+    printed for several claims (those that import) are dropped where they repeat.
+    """
     return (*_loading(claim.source_paper), *_shown(claim))
 
 
@@ -207,8 +223,7 @@ def _shown(claim: Claim) -> tuple[str, ...]:
     if isinstance(claim, Identity) and _has_factor(claim, d):
         return (
             "from exactspline.verification.generic_proof import factor_of",
-            f"factor = factor_of({named(claim.left)}, {named(claim.right)}, {d})",
-            "print(factor)",
+            f"print(factor_of({named(claim.left)}, {named(claim.right)}, {d}))",
         )
     if isinstance(claim, Vanishing):
         return (
@@ -239,6 +254,6 @@ def _shown(claim: Claim) -> tuple[str, ...]:
     chosen = repr(source.name).replace("'", '"') if source.package else "paper"
     return (
         "from exactspline.verification.claims import claims_of",
-        f"(claim,) = [each for each in claims_of({chosen}) if each.key == {claim.key!r}]",
+        f"(claim,) = [each for each in claims_of({chosen}) if each.key == {claim.key!r}]; "
         "print(claim.refuted_on_examples().witness or claim.prove()[1].witness)",
     )

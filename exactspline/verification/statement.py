@@ -17,6 +17,7 @@ from exactspline.hooks import Displayed
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
+from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.expression import Operation
 from exactspline.readings.printing.latex import print_latex
@@ -130,13 +131,24 @@ def definitions(claim: Claim, finding: Finding) -> tuple[Definition, ...]:
     >>> sorted(each.text for each in statement(select(["C4.1a"])[0]).defined)
     ['D1 = p′ w − p w′', 'D2 = p″ w − p w″']
     """
-    trees = [*(_tree(name, claim) for name in dict.fromkeys(claim.named)), *_trees_of_factor(claim, finding)]
-    return _defined(trees, {symbol_text(claim.shown(name)): None for name in claim.named})
+    own = [_tree(name, claim) for name in dict.fromkeys(claim.named)]
+    named = {symbol_text(claim.shown(name)): None for name in claim.named}
+    return (*_defined([*own, *_trees_of_factor(claim, finding)], named), *_velocity(claim, finding))
 
 
 def letters_of_factor(claim: Claim, finding: Finding) -> tuple[Definition, ...]:
     """What the letters stand for that are in the factor that was found."""
-    return _defined(_trees_of_factor(claim, finding), {})
+    return (*_defined(_trees_of_factor(claim, finding), {}), *_velocity(claim, finding))
+
+
+def _velocity(claim: Claim, finding: Finding) -> Iterator[Definition]:
+    """What γ′ is in terms of D1, where the formulas of a claim have γ′ and the factor that was found has D1."""
+    parts = [*chain.from_iterable(nodes(_tree(name, claim)) for name in dict.fromkeys(claim.named))]
+    factor = [*chain.from_iterable(map(nodes, _trees_of_factor(claim, finding)))]
+    own, new = ({print_text(node) for node in each} for each in (parts, factor))
+    if "γ′" in own and "D1" in new - own:
+        velocity = trace(find("velocity_shared"), claim.dimensions[0])
+        yield Definition(f"γ′ = {print_text(velocity)}", rf"\gamma' = {print_latex(velocity)}")
 
 
 def _trees_of_factor(claim: Claim, finding: Finding) -> list[Node]:

@@ -223,8 +223,9 @@ def test_a_picture_is_written(arguments, tmp_path):
     done = run("bisector", *arguments, "--plot", file)
     assert (done.returncode, done.stdout) == (0, "")
     # where nothing knows depth, a picture with a surface says how it was drawn
-    assert done.stderr in ("", f"{REMARK}\n")
-    assert (done.stderr == "") or not knows_depth()
+    written, remark = f"written: {file}\n", f"{REMARK}\n"
+    assert done.stderr in (written, written + remark)
+    assert done.stderr == written or not knows_depth()
     assert file.read_text().rstrip().endswith("</svg>")
 
 

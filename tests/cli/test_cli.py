@@ -1,6 +1,7 @@
 """The command line as a user meets it: tables, JSON, exit status, one-line errors."""
 
 import json
+import re
 
 import pytest
 from click.testing import CliRunner
@@ -302,3 +303,17 @@ def test_certificates_from_the_command_line():
     checked = {row["key"]: check_certificate(row["certificate"])["degree"] for row in rows if not row["missing"]}
     assert checked["ellipse_skew: critical_curvature"] == 4
     assert any("vanishes" in row["missing"] for row in rows)
+
+
+def test_an_error_points_to_what_was_meant(tmp_path):
+    """`teach exercise --hint` and `formula degrees f2` named what is like them only; a name was listed three times; the
+    end of a file of one line was line 2.
+    """
+    assert "`exactspline teach check` has it" in run("teach", "exercise", "--hint").stderr
+    assert "add --formulas" in run("formula", "degrees", "f2").stderr
+    assert "add --generic, or --at D" in run("formula", "degrees", "bisector").stderr
+    names = re.search(r"the nearest are (.*?);", run("errata", "6.9").stderr)[1].split(", ")
+    assert len(set(names)) == len(names) == 3
+    file = tmp_path / "cut.json"
+    file.write_text('{"degree": 2,\n')
+    assert "line 1, column 14" in run("inspect", str(file)).stderr

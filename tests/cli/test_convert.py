@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 
 import pytest
 from click.testing import CliRunner
@@ -22,7 +23,9 @@ def test_from_one_format_to_another(tmp_path):
     source.write_bytes(G2)
     done = run(source, target)
     assert done.exit_code == 2  # 0 before, although a curve is left out
-    assert "skipped: circle: not a spline curve" in done.stderr
+    assert re.search(
+        rf"^skipped: {re.escape(str(source))}: circle \(.+\): not a spline curve$", done.stderr, re.MULTILINE
+    )
     assert "2 curves from g2 to" in done.stderr
     assert [named.curve.degree for named in read(target).curves] == [1, 2]
 
@@ -31,6 +34,13 @@ def test_from_standard_input_to_standard_output():
     done = run("-", "-", "--to", "json", input=SVG)
     assert done.exit_code == 0
     assert len(read(io.BytesIO(done.stdout_bytes).read()).curves) == 4
+
+
+def test_a_curve_without_a_name_is_called_by_its_file(tmp_path):
+    """It was called "arc.json", by `inspect` "arc"."""
+    source = tmp_path / "arc.json"
+    source.write_text('{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]]}')
+    assert read(source).curve.name == "arc"
 
 
 def test_one_glyph_only(tmp_path):

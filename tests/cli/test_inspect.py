@@ -108,13 +108,41 @@ def test_a_drawing_of_several_curves_is_one_picture(tmp_path):
     )
     done = invoke("inspect", str(drawing), "--coordinates", "--plot", str(picture), "--json")
     assert done.exit_code == 0
-    assert "skipped: text" in done.stderr
+    assert f"skipped: {drawing}: text at line 1: " in done.stderr
+    assert done.stderr.endswith(f"written: {picture}\n")
     rows = json.loads(done.stdout)["rows"]
     assert [row["curve"] for row in rows] == ["s", "v"]
     assert [f["parameter"] for f in rows[0]["inflections"]["points"]] == ["1/2"]
     turns = [(f["coordinate"], f["kind"]) for row in rows for f in row["coordinate_extrema"]]
     assert turns == [(1, "maximum"), (1, "minimum"), (1, "maximum")]
     assert picture.read_text(encoding="utf-8").count("inflections (1)") >= 1
+
+
+def test_what_is_printed_is_explained():
+    """“By a jump” did not say of what, the columns of --stability were explained nowhere, and features came in another
+    order there.
+    """
+    printed = invoke("inspect", "six_segment_cubic", "--stability", "--digits", "4").output
+    table, stability, legend = printed.split("\n\n")
+    assert "at a knot, by a jump of κ′" in table
+    explained = {line.partition(": ")[0] for line in legend.splitlines()}
+    assert explained >= {"by a jump of κ′", "maximum of |κ|", "G2", "certain up to", "gone within"}
+    assert "by a jump of κ" not in explained
+    kinds = [
+        [line[:12] for line in part.splitlines() if line[:3] in ("inf", "max", "min")] for part in (table, stability)
+    ]
+    assert kinds[0] == kinds[1]
+
+
+def test_a_curve_that_is_skipped_is_named_with_its_file(tmp_path):
+    """Neither the file nor the curve was named."""
+    good = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]]}'
+    file = tmp_path / "two.json"
+    file.write_text(f'{{"curves": [{good}, {{"name": "second", "degree": 1}}, {{"degree": 1}}]}}')
+    done = invoke("inspect", str(file))
+    assert f"skipped: {file}: curve (2 times: curve 2 (second), curve 3): the field 'knots' is missing" in done.stderr
+    file.write_text(f'{{"curves": [{good}, {{"name": "second", "degree": 1}}]}}')
+    assert f"skipped: {file}: curve 2 (second): the field" in invoke("inspect", str(file)).stderr
 
 
 def test_an_unknown_approach_is_told_all_that_there_are():

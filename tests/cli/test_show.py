@@ -7,7 +7,8 @@ import pytest
 from click.testing import CliRunner
 
 from exactspline.cli import app
-from exactspline.display.theorem import in_mathematics, prose, theorem
+from exactspline.display.latex_prose import in_mathematics, prose
+from exactspline.display.theorem import theorem
 from exactspline.errors import ClaimError
 from exactspline.interchange.examples import example
 from exactspline.papers import papers
@@ -44,7 +45,7 @@ def test_a_claim_is_a_theorem_with_its_proof():
         "% PROVED",
         "as it must read",
         r"g_1 = w^{8}\,g_0",
-        "Found: $g_{1}$ = $w^{8}",
+        r"Found: $g_{1} = w^{8} \cdot g_{0}$",
         "--judge sympy",
         "reading",
     ):
@@ -54,8 +55,8 @@ def test_a_claim_is_a_theorem_with_its_proof():
 
 def test_what_is_refuted_is_a_theorem_that_it_fails():
     told = show("C42b-g1-g0", "--latex").split(r"\end{proof}")[0]
-    assert r"It is \emph{not} true that $g_{1}$ = $w^{4}$ $g_{0}$" in told
-    assert "Instead: $g_{1}$ = $w^{8}$ $g_{0}$ (C42b-g1-g0-both)" in told
+    assert r"It is \emph{not} true that $g_{1} = w^{4}\,g_{0}$" in told
+    assert r"Instead: $g_{1} = w^{8}\,g_{0}$ (C42b-g1-g0-both)" in told
     assert "multiplied out" not in told
 
 
@@ -97,9 +98,33 @@ def test_a_theorem_is_complete_in_itself():
 
 def test_every_letter_of_a_formula_is_defined_with_it():
     (_, _, along_tangent, *_) = statements("C5.4a")
-    assert [each.text for each in along_tangent.defined] == ["B = γ′ × γ″", "D1 = p′ w − p w′"]
+    assert [each.text for each in along_tangent.defined] == ["B = γ′ × γ″", "D1 = p′ w − p w′", "γ′ = D1/w²"]
     assert str(along_tangent.finding.factor) == "w⁻⁴·‖D1‖²"
     assert "where: B = γ′ × γ″" in show(along_tangent.claim.key)
+
+
+def test_a_unit_vector_is_not_called_by_the_letter_of_another_one():
+    """The unit binormal was called B next to B = γ′ × γ″, and the factor in D1 was not led back to γ′."""
+    told = show("C54a-rectifying_along_binormal-binormal_squared", "--latex")
+    assert r"along the unit binormal $\mathbf{B} = B/\|B\|$, that is" in told
+    assert r"\gamma' = \frac{D_1}{w^{2}}" in told
+    for claim in claims_in(papers()):
+        assert not re.search(r"unit (binormal|tangent|normal) [BTN]\b", claim.statement), claim.key
+
+
+@pytest.mark.parametrize(
+    ("text", "latex"),
+    [
+        ("τ𝐓 + κ𝐁, with a curve", r"$\tau \mathbf{T} + \kappa \mathbf{B}$, with a curve"),
+        ("generator·γ′ = ‖γ′‖² τ (of s)", r"$\mathrm{generator}\cdot \gamma ' = \|\gamma '\|^{2}\,\tau$ (of $s$)"),
+        ("at d = 3: 6, not 7; §5.4, eq. (8), C5.4a", r"at $d = 3$: 6, not 7; \S{}5.4, eq. (8), C5.4a"),
+        ("(γ, a curve) of degree 2d − 1.", r"($\gamma$, a curve) of degree $2d - 1$."),
+        ("½(p² − wQ²) − a × b", r"$\tfrac{1}{2}(p^{2} - wQ^{2}) - a \times b$"),
+    ],
+)
+def test_a_formula_in_a_text_is_one_formula(text, latex):
+    """Each sign stood between dollars of its own."""
+    assert prose(text) == latex
 
 
 def test_what_others_write_cannot_be_a_command():

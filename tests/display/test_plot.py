@@ -252,14 +252,16 @@ def test_one_picture_of_a_curve_and_its_functions(tmp_path):
     panels = [("squared", *critical(curve, "squaring")), ("direct", *critical(curve, "direct"))]
     figure = inspect_figure(curve, panels, evolute=True)
     left, first, second = figure.axes
-    assert {"evolute", "squared (10)", "direct (8)"} <= set(legend(left))
-    assert [len(data(lines(left, name)[0])) for name in ("squared (10)", "direct (8)")] == [10, 8]
+    extrema = "maximum of κ, minimum of κ"
+    squared, direct = f"squared (10): inflection, {extrema}", f"direct (8): {extrema}"
+    assert {"evolute", squared, direct} <= set(legend(left))
+    assert [len(data(lines(left, name)[0])) for name in (squared, direct)] == [10, 8]
     assert first.get_title() == "squared: degree 24, 150 control points"
     assert {"8 roots", "2 jumps through zero"} <= set(legend(first))
     assert {"6 roots", "2 jumps through zero"} <= set(legend(second))
     assert (
         lines(first, "8 roots")[0].get_color()
-        == lines(left, "squared (10)")[0].get_color()
+        == lines(left, squared)[0].get_color()
         != lines(second, "6 roots")[0].get_color()
     )
     canvas.save(figure, tmp_path / "six.png")

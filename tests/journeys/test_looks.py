@@ -21,6 +21,7 @@ from tests.support.looking import (
     broken_links,
     laid_out,
     look,
+    look_side_by_side,
     served,
     started,
     unreadable,
@@ -159,25 +160,26 @@ def ready(tab: Any, page: str) -> None:
 
 
 @pytest.fixture(scope="module")
-def seen(browser, tmp_path_factory) -> Seen:
+def seen(tmp_path_factory) -> Seen:
     """The site and what the commands write, looked at once for all tests."""
     if not (SITE / "index.html").exists():
         pytest.skip("the site is not built: ./run site")
+    pytest.importorskip("playwright.sync_api")
     commands = tmp_path_factory.mktemp("written")
     write_by_commands(commands)
-    found = looked_at(browser, SITE, ready)
-    for check, told in looked_at(browser, commands).wrong.items():
+    found = looked_at(SITE, ready)
+    for check, told in looked_at(commands).wrong.items():
         # the ledgers of commands have up to nine columns, which break words where the window is narrow
         if check != "brokenWords":
             found.wrong[check].update(told)
     return found
 
 
-def looked_at(browser: Any, folder: Path, prepare: Ready | None = None) -> Seen:
+def looked_at(folder: Path, prepare: Ready | None = None) -> Seen:
     """All pages of a folder; those of other projects in it are theirs."""
     pages = sorted(file.relative_to(folder).as_posix() for file in folder.rglob("*.html") if "vendor" not in file.parts)
     with served(folder) as address:
-        found = look(browser, address, pages, prepare, [page for page in COMPUTING if page in pages])
+        found = look_side_by_side(address, pages, prepare, COMPUTING)
         found.wrong["links"] = broken_links(found, address, folder, STATEFUL)
     return found
 

@@ -28,7 +28,9 @@ in_the_checkout = pytest.mark.skipif(not README.exists(), reason="the pages are 
 
 
 def blocks_of(page, kind):
-    return re.findall(rf"^```{kind}\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+    # all blocks: the end of one of another kind is not the beginning of one
+    found = re.findall(r"^```(\w*)\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+    return [block for each, block in found if each == kind]
 
 
 @in_the_checkout
@@ -50,6 +52,24 @@ def test_what_a_page_shows_is_what_is_printed(page, monkeypatch):
             assert part in rest, (prompt, part)
             rest = rest.partition(part)[2]
         assert done.returncode == 0
+
+
+@in_the_checkout
+def test_the_blocks_of_the_readme_fit_a_page():
+    """A table of 95 columns had to be scrolled."""
+    shown = [block for block in blocks_of(README, "") if block.startswith("$ ")]
+    assert shown
+    assert all(cell_len(line) <= 80 for block in shown for line in block.splitlines())
+
+
+@in_the_checkout
+def test_the_picture_of_a_curve_is_that_of_the_command(tmp_path):
+    """`./run inspect six_segment_cubic --plot docs/pictures/inspect.png`: its words were those of an older version."""
+    image = pytest.importorskip("PIL.Image")
+    drawn = tmp_path / "inspect.png"
+    assert run("inspect", "six_segment_cubic", "--plot", drawn).returncode == 0
+    said = [image.open(file).text["Description"] for file in (drawn, README.parent / "docs/pictures/inspect.png")]
+    assert said[0] == said[1]
 
 
 @in_the_checkout
@@ -104,6 +124,15 @@ def test_three_lines_show_that_each_statement_fails(width):
         with contextlib.redirect_stdout(out):
             exec("\n".join(shown), {})
         assert out.getvalue().strip() not in ("", "0", "None"), (entry.error, each.key)
+
+
+def test_every_statement_of_an_entry_is_printed_by_its_snippet(monkeypatch):
+    """The second of two statements was looked up and not printed: its last line was dropped as a repetition."""
+    for source in (errors_in_print, remarks):
+        for entry in source():
+            lines, printed = dict.fromkeys(line for each in entry.statements for line in each.check), []
+            exec("\n".join(lines), {"print": printed.append})
+            assert len(printed) == len({each.check for each in entry.statements}), entry.error
 
 
 def test_one_check_runs_in_a_process_of_its_own():

@@ -26,7 +26,7 @@ from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
 from exactspline.readings.tree import TreeReading, evaluate, trace
-from tests.support.sampled import sample
+from tests.support.sampled import FULL, sample
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.
 FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("curve", "plane", "space", "table")}
@@ -42,9 +42,12 @@ def traced(name, dimension, expand):
 
 over_cases = pytest.mark.parametrize(("name", "dimension"), CASES, ids=str)
 over_curves = pytest.mark.parametrize(("name", "dimension"), OF_CURVES, ids=str)
-#: Where it takes long: of one reading, whatever the formula.
-over_some_cases = pytest.mark.parametrize(("name", "dimension"), sample(CASES, 90), ids=str)
-over_some_curves = pytest.mark.parametrize(("name", "dimension"), sample(OF_CURVES, 90), ids=str)
+#: Where it takes long: of one reading, whatever the formula; one takes as long as forty others.
+LONG = set() if FULL else {("focal_curve_by_arc_length", 3)}
+over_some_cases, over_some_curves = (
+    pytest.mark.parametrize(("name", "dimension"), [case for case in sample(cases, 90) if case not in LONG], ids=str)
+    for cases in (CASES, OF_CURVES)
+)
 
 #: Two segments and unequal weights in the plane and in space; without inflections where they are evaluated.
 CURVES = {

@@ -82,18 +82,12 @@ TENSORS = {
     "three degrees": (((1, 2, 3), *NET[1:]), ShapeError, "degrees"),
 }
 
-BAD = [
-    (make, *case)
-    for make, cases in ((BSpline, SPLINES), (Nurbs, CURVES), (TensorSpline, TENSORS))
-    for case in cases.items()
-]
+BAD = {BSpline: SPLINES, Nurbs: CURVES, TensorSpline: TENSORS}
 
 
-@pytest.mark.parametrize(
-    ("make", "what", "case"), BAD, ids=lambda x: x if isinstance(x, str) else getattr(x, "__name__", "")
-)
-def test_bad_input_names_the_place(make, what, case):
-    arguments, kind, where = case
+@pytest.mark.parametrize(("make", "what"), [(make, what) for make, cases in BAD.items() for what in cases])
+def test_bad_input_names_the_place(make, what):
+    arguments, kind, where = BAD[make][what]
     with pytest.raises(kind) as caught:
         make(*arguments)
     assert caught.value.where == where

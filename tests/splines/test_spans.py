@@ -41,7 +41,9 @@ def test_components_made_together_are_those_made_one_by_one(drawn):
 def test_weights_are_computed_for_what_is_met_again_and_forgotten_in_time(monkeypatch):
     monkeypatch.setattr(blossom, "_met", type(blossom._met)())
     monkeypatch.setattr(blossom, "_weights", {})
+    monkeypatch.setattr(blossom, "_along", {})
     monkeypatch.setattr(blossom, "PATTERNS", 5)
+    monkeypatch.setattr(blossom, "ALONG", 5)
     t, column = [mpq(k) for k in (0, 0, 0, 1, 1, 1)], [[mpq(k) for k in (1, 2, 5)]]
     found = [blossom.common_forms(t, 2, column, [2]) for _ in range(4)]
     assert [each is None for each in found] == [True, True, False, False]
@@ -49,6 +51,7 @@ def test_weights_are_computed_for_what_is_met_again_and_forgotten_in_time(monkey
         assert blossom.common_forms([*t[:3], *[mpq(1, k)], *t[3:]], 2, [[mpq(1)] * 4], [2, 3]) is None
     assert len(blossom._met) < 10
     assert len(blossom._weights) < 10
+    assert len(blossom._along) < 10
     assert blossom.common_forms(t, blossom.MOST + 1, column, [2]) is None
 
 

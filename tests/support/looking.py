@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 from collections import defaultdict, deque
 from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
@@ -67,6 +68,13 @@ class Seen:
         if not told:
             del self.wrong[check][page]
 
+    def add(self, other: Seen) -> None:
+        """Take over what was noticed on other pages."""
+        for check, told in other.wrong.items():
+            self.wrong[check].update(told)
+        self.links.update(other.links)
+        self.anchors.update(other.anchors)
+
 
 def look(
     browser: Any, address: str, pages: Iterable[str], ready: Ready | None = None, slow: Iterable[str] = ()
@@ -87,6 +95,23 @@ def look(
     for tab in {*idle, *(tab for _, tab in loading)}:
         tab.context.close()
     return seen
+
+
+def look_side_by_side(address: str, pages: list[str], ready: Ready | None = None, slow: Iterable[str] = ()) -> Seen:
+    """The same in two browsers, each with every second page."""
+    from playwright.sync_api import sync_playwright
+
+    slow = set(slow)
+
+    def share(own: list[str]) -> Seen:
+        with sync_playwright() as player, started(player) as browser:
+            return look(browser, address, own, ready, [page for page in own if page in slow])
+
+    found = Seen()
+    with ThreadPoolExecutor() as pool:
+        for seen in pool.map(share, (pages[::2], pages[1::2])):
+            found.add(seen)
+    return found
 
 
 def _tab(browser: Any) -> Any:

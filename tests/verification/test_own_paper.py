@@ -76,6 +76,9 @@ def test_a_new_user_follows_the_page(tmp_path, monkeypatch):
     assert done.exit_code == 1
     assert "REFUTED (recorded: PROVED)" in done.output
     assert "at the parameter" in done.output
+    # the page said 9 rows where there are 10
+    (rows,) = re.findall(r"^\d+ rows …$", page, re.MULTILINE)
+    assert rows.removesuffix(" …") in done.output
     assert time.perf_counter() - start < 5
     told = invoke("errata", "--paper", "my-paper").output
     assert "1. under similarities" in told

@@ -307,14 +307,16 @@ def test_the_errata_are_the_refuted_statements_in_print():
         assert data["key"] == f"{erratum.paper}: {erratum.error}"
         assert erratum.id == erratum.statements[0].id
         meant = [c for c in all_claims() if c.status == "meant" and c.error == erratum.error]
-        assert list(erratum.truth) == [f"{numbered(c)} [{c.expected}]" for c in meant]
+        assert [(each.key, str(each)) for each in erratum.truth] == [
+            (c.key, f"{numbered(c)} [{c.expected}]") for c in meant
+        ]
         notes = [c.note for c in printed if c.error == erratum.error and c.note]
         assert list(erratum.why) == list(dict.fromkeys(notes))
         for each in erratum.statements:
             one = claim(each.key)
             assert each.words == one.words
             assert each.claimed == one.claims
-            assert len(each.check) == 3
+            assert len(each.check) <= 3
             assert each.found
             assert one.place.split(",")[0] in each.place
             assert bool(each.witness) != isinstance(each.found, Relating)
@@ -329,7 +331,7 @@ def test_an_identity_is_told_with_the_names_of_its_sides():
     (power,) = [e for e in errors_in_print() if e.error == "power-of-w"]
     assert worded(power.statements[0].found) == "g1 = w⁸ · g0"
     assert power.statements[0].witness is None
-    assert power.statements[0].check[1] == 'factor = factor_of("g1", "g0", 2)'
+    assert power.statements[0].check[1] == 'print(factor_of("g1", "g0", 2))'
     assert name_of(claim("C42b-g1-g0"), "g1") == "g1"
     assert name_of(claim("C43d-evolute_by_frenet-evolute"), "speed_squared") == "‖γ′‖²"
     assert name_of(claim("C42a-curvature_derivative_numerator-g0"), "curvature_derivative_numerator") == (

@@ -8,10 +8,11 @@ import json
 import select
 import subprocess
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 from pathlib import Path
+from typing import Any
 
 from exactspline.atomic_write import write_atomically
 from exactspline.numbers.exact import double, text
@@ -22,6 +23,7 @@ from workshop.grade.data import Answer, CurveData, GivenData, Reply
 from workshop.grade.judge import WRONG, Verdict, judged
 from workshop.grade.questions import QUESTIONS
 from workshop.grade.recheck import recheck
+from workshop.grade.tolerance import tolerated
 from workshop.grade.truth import inserted, truth
 
 #: The time limit, in seconds, for all questions to a library about a case.
@@ -133,14 +135,14 @@ class Truths:
 class Worker:
     """A library's process, started again when it ends or hangs."""
 
-    def __init__(self, library: str) -> None:
+    def __init__(self, library: str, command: Sequence[str] = ()) -> None:
         self.library, self.version = library, ""
+        self.command = command or (sys.executable, "-m", "workshop.grade.worker", library)
         self._start()
 
     def _start(self) -> None:
-        command = [sys.executable, "-m", "workshop.grade.worker", self.library]
         self.process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+            self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
         )
         first = self._line(60)
         if first is None:
@@ -152,24 +154,31 @@ class Worker:
         ready, _, _ = select.select([self.process.stdout], [], [], seconds)
         return (self.process.stdout.readline() or None) if ready else None
 
-    def ask(self, given: GivenData, questions: list[str]) -> dict[str, Reply]:
-        """The replies; where the process dies, the questions are asked again one by one."""
+    def exchange(self, request: Mapping[str, object]) -> dict[str, Any]:
+        """What the process replies; where it dies or hangs, it is started again, and the reply is what it `raised`."""
         assert self.process.stdin is not None
         try:
-            self.process.stdin.write(json.dumps({"given": given, "questions": questions}) + "\n")
+            self.process.stdin.write(json.dumps(request) + "\n")
             self.process.stdin.flush()
             line = self._line(PATIENCE)
         except BrokenPipeError:
             line = None
         if line is not None:
-            replies: dict[str, Reply] = json.loads(line)["answers"]
-            return replies
+            reply: dict[str, Any] = json.loads(line)
+            return reply
         hung = self.process.poll() is None
         self.close()
         self._start()
+        return {"raised": f"no answer in {PATIENCE} s" if hung else "the process ended"}
+
+    def ask(self, given: GivenData, questions: list[str]) -> dict[str, Reply]:
+        """The replies; where the process dies, the questions are asked again one by one."""
+        found = self.exchange({"given": given, "questions": questions})
+        if "answers" in found:
+            replies: dict[str, Reply] = found["answers"]
+            return replies
         if len(questions) == 1:
-            how = f"no answer in {PATIENCE} s" if hung else "the process ended"
-            return {questions[0]: {"raised": how}}
+            return {questions[0]: {"raised": found["raised"]}}
         return {q: reply for one in questions for q, reply in self.ask(given, [one]).items()}
 
     def close(self) -> None:
@@ -219,6 +228,7 @@ def grade(
             for worker, report in zip(workers, reports, strict=True):
                 for question, reply in worker.ask(given, asked).items():
                     verdict = judged(case, question, answers[question], reply)
+                    verdict = tolerated(worker.library, case, question, verdict, answers[question])
                     kept = (reply, answers[question]) if verdict.outcome in WRONG else ()
                     report.judged.append(Judged(case, question, verdict, *kept))
             tick()

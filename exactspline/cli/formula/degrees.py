@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from functools import partial
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import CurveFiles, Papers, Trust, also_in_their_planes, loaded
@@ -62,7 +64,7 @@ def degrees(
     chosen, good = loaded(curve or usual)
     make = formula_table if formulas else construction_table
     tables = [(c, tracked(make(c), c.name)) for c in also_in_their_planes(chosen)]
-    _check_names(name or [], [row.formula for _, rows in tables for row in rows])
+    _check_names(name or [], [row.formula for _, rows in tables for row in rows], elsewhere=_elsewhere(formulas))
     results = [(c, [row for row in rows if _is_one_of(row.formula, name or [])]) for c, rows in tables]
     _give(out, results)
     if not good:
@@ -155,11 +157,26 @@ def _plain(name: str) -> str:
     return name.lower().replace("_", " ")
 
 
-def _check_names(names: list[str], known: list[str]) -> None:
+def _check_names(
+    names: list[str], known: list[str], elsewhere: Mapping[str, Iterable[str]] = MappingProxyType({})
+) -> None:
+    """See that names are those of rows; the error for another name says with which options (`elsewhere`, with what they
+    show) it is one.
+    """
     for name in names:
         if not any(_is_one_of(title, [name]) for title in known):
+            options = [option for option, titles in elsewhere.items() if any(_is_one_of(x, [name]) for x in titles)]
             remedy = nearest(name, dict.fromkeys(known), listed_by="list formulas")
-            raise FormulaError(f"the table has no {name!r}", remedy=remedy)
+            raise FormulaError(f"the table has no {name!r}", remedy=f"add {options[0]}" if options else remedy)
+
+
+def _elsewhere(everything: bool) -> dict[str, Iterable[str]]:
+    """What other options show: formulas, unless the table has `everything` of them; what is for all curves only."""
+    from exactspline.papers import all_formulas
+    from exactspline.verification.degree_tables import BISECTORS, GENERATORS
+
+    formulas: dict[str, Iterable[str]] = {} if everything else {"--formulas (on a curve)": all_formulas()}
+    return {"--generic, or --at D": [*BISECTORS, *GENERATORS]} | formulas
 
 
 def _certify(names: list[str] | None) -> None:
@@ -197,7 +214,7 @@ def _generic(out: Output, names: list[str], at: int | None) -> None:
     from exactspline.verification.degree_tables import generic_table
 
     found = {kind: tracked(generic_table(polynomial=kind == "polynomial"), kind) for kind in ("rational", "polynomial")}
-    _check_names(names, [row.object for row in found["rational"]])
+    _check_names(names, [row.object for row in found["rational"]], elsewhere=_elsewhere(everything=False))
     kinds = {kind: [row for row in rows if _is_one_of(row.object, names)] for kind, rows in found.items()}
     headed = [({"key": f"{kind}: {row.object}", "curves": kind}, row) for kind, rows in kinds.items() for row in rows]
     if at is not None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
+from itertools import compress, pairwise
 from typing import TYPE_CHECKING, cast
 
 from exactspline.display.plot.canvas import (
@@ -25,12 +25,14 @@ from exactspline.display.plot.canvas import (
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
 from exactspline.display.plot.functions import draw_roots, marked, plot_function
 from exactspline.errors import as_items, counted
-from exactspline.geometry.analysis import QUESTIONS, analyse
+from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
 from exactspline.geometry.constructions import construction
+from exactspline.geometry.facts import among
 from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature
+from exactspline.geometry.kinds import Feature, kind_name
 from exactspline.numbers.exact import iroot, mpq
 from exactspline.numbers.sides import Side
+from exactspline.questions.entry import Answered
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
@@ -68,6 +70,16 @@ def _places(curve: Nurbs, name: str) -> list[Root]:
     return [knot_root(each.parameter) if isinstance(each, Joint) else each.root for each in answers]
 
 
+def _kinds(curve: Nurbs, places: list[Root]) -> str:
+    """The kinds of features at some places, in the words of the table of features."""
+    found: list[Feature] = []
+    for entry in questions_about(curve).values():
+        if entry.about.answered is Answered.PLACES and entry.about.reported:
+            features = [*cast(Iterable[Feature], entry.answer(analyse(curve)))]
+            found += compress(features, among([each.root for each in features], places))
+    return ", ".join(dict.fromkeys(kind_name(each.kind) for each in found))
+
+
 def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]], *, evolute: bool = False) -> Figure:
     """One picture: on the left the curve with the parameters of every panel, its corners and cusps marked, on the right
     each function with its control polygon.
@@ -98,7 +110,7 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
         single, jumps = marked(roots)
         size = 7 + 3 * (len(panels) - 1 - i)
         places = [*single, *jumps]
-        label = f"{title} ({len(places)})"
+        label = ": ".join(filter(None, (f"{title} ({len(places)})", _kinds(curve, places))))
         plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
     for name, marker, size, color in _MARKED[:2]:
         places = _places(curve, name)

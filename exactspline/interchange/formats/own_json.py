@@ -52,7 +52,8 @@ def read(source: Source) -> Reading:
     for number, entry in enumerate(entries, 1):
         is_surface = isinstance(entry, dict) and isinstance(entry.get("degree"), list)
         what = "surface" if is_surface else "curve"
-        where = f"{what} {number}"
+        name = entry.get("name") if isinstance(entry, dict) else None
+        where = f"{what} {number}" + (f" ({name})" if isinstance(name, str) and name else "")
         with collector.skipping(what, where, curve=not is_surface):
             (_surface if is_surface else _curve)(collector, entry, where)
     return collector.reading()
@@ -63,7 +64,7 @@ def _curve(collector: Collector, entry: Any, where: str) -> None:
         raise CurveFileError("is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
     collector.count(sum(len(entry[key]) for key in SIZED if isinstance(entry.get(key), list)))
     piece = "pieces" in entry or "kind" in entry
-    curve = curve_from_data(entry, where if piece else collector.source.name, collector.limits)
+    curve = curve_from_data(entry, where if piece else collector.source.name.removesuffix(".json"), collector.limits)
     remarks = [curve.note, f"source: {curve.source}" if curve.source else ""]
     notes = ["written by `derive`"] if piece else list(filter(None, remarks))
     collector.keep(curve, notes, rational=not piece and entry.get("weights") is not None)

@@ -1,0 +1,222 @@
+r"""Text with formulas in it as LaTeX: which words of it are formulas, and each formula as one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽⁾ⁱᵀ", "0123456789-()iT")
+_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₓᵧ", "0123456789xy")
+#: The pieces of a text: names such as f2, letters with an index, an exponent or a prime, runs of these, letters with a
+#: bar, any other sign.
+_PIECES = re.compile(
+    r"\b(?P<name>[fgD]\d+)\b|\b(?P<letter>[A-Za-z])(?=[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽₀₁₂₃₄₅₆₇₈₉′″‴])|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽⁾ⁱᵀ]+)"
+    "|(?P<lowered>[₀₁₂₃₄₅₆₇₈₉ₓᵧ]+)|(?P<barred>.)\u0304|(?P<other>.)",
+    re.DOTALL,
+)
+GREEK = (
+    "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon varphi chi "
+    "psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega"
+)
+#: Signs in formulas.
+SIGNS = {
+    **{letter: rf"\{name} " for letter, name in zip("αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ", GREEK.split(), strict=True)},
+    **{chr(ord("𝐀") + i): rf"\mathbf{{{chr(ord('A') + i)}}}" for i in range(26)},
+    "′": "'",
+    "″": "''",
+    "‴": "'''",
+    "−": "-",
+    "·": r"\cdot ",
+    "×": r"\times ",
+    "‖": r"\|",
+    "⊥": r"^\perp ",
+    "≥": r"\ge ",
+    "≤": r"\le ",
+    "≠": r"\ne ",
+    "≢": r"\not\equiv ",
+    "±": r"\pm ",
+    "√": r"\surd ",
+    "∗": "*",
+    "½": r"\tfrac{1}{2}",
+    "⟨": r"\langle ",
+    "⟩": r"\rangle ",
+    "↦": r"\mapsto ",
+    "∇": r"\nabla ",
+    "∞": r"\infty ",
+    "|": "|",
+    "<": "<",
+    ">": ">",
+}
+#: Signs in prose.
+LETTERS = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "^": r"\^{}",
+    "~": r"\textasciitilde{}",
+    **{sign: rf"\{sign}" for sign in "&%$#_"},
+    "§": r"\S{}",
+    "“": "``",
+    "”": "''",
+    "…": r"\ldots{}",
+    "–": "--",
+}
+
+
+def in_mathematics(tex: str) -> str:
+    r"""A formula of LaTeX without signs that LaTeX does not know.
+
+    >>> in_mathematics("4d − 2")
+    '4d - 2'
+    """
+    return "".join(SIGNS.get(sign, sign) if sign not in "|<>" else sign for sign in tex)
+
+
+def prose(text: str) -> str:
+    r"""A text as LaTeX: its formulas between dollars, each whole, everything else unchanged.
+
+    >>> print(prose("λ = ζ/‖γ′‖: then ‖γ̄″‖² = w⁴ f2 & 5 % of a curve (of degree d)"))
+    $\lambda = \zeta /\|\gamma '\|$: then $\|\bar{\gamma }''\|^{2} = w^{4}\,f_{2}$ \& 5 \% of a curve (of degree $d$)
+    """
+    tokens = text.split(" ")
+    return " ".join(_joined(tokens))
+
+
+#: Short words that are no formulas; those of one letter are where they stand beside an operator.
+_ARTICLES = {"a", "A", "I"}
+_SHORT = frozenset(
+    ("is", "of", "in", "at", "to", "by", "an", "no", "it", "as", "be", "or", "on", "if", "so", "up", "do")
+)
+#: Signs that stand between formulas.
+_OPERATOR = re.compile(r"[=+−·×/<>≤≥≠≢±∗↦]")
+#: What a formula may consist of: letters one by one, digits, signs; not a number of a section, a claim, or a page.
+_SIGN = rf"[A-Za-z0-9+=/()\[\]|<>,\u0304{re.escape(''.join(SIGNS))}⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽⁾ⁱᵀ₀₁₂₃₄₅₆₇₈₉ₓᵧ]"
+_FORMULA = re.compile(rf"(?![A-CE-Z]\d){_SIGN}+")
+_WORD = re.compile(r"[A-Za-z]{2,}(?!\u0304)(?:_\w+)*|[A-Za-z]\w*_\w+")
+#: Products of two letters: degrees such as kd, and what is beside other signs.
+_PRODUCT = re.compile(r"[a-z][A-Za-z]")
+_AFTER = ".,;:?!”"
+_OPEN, _CLOSED = "([⟨⁽", ")]⟩⁾"
+
+
+def _kind_of(token: str) -> str:
+    """What a word is: `formula`; `number` or `name`, which are formulas beside an operator; `operator`; or ``""``."""
+    if _OPERATOR.fullmatch(token):
+        return "operator"
+    bare = token.strip("()[],")
+    if re.fullmatch(r"\d+", bare):
+        return "number"
+    if not bare or bare in _SHORT:
+        return ""
+    if bare in _ARTICLES or re.fullmatch(r"[A-Za-z]\w*_\w+", bare) or _PRODUCT.fullmatch(bare):
+        return "name"
+    has_sign = any(sign in SIGNS and not sign.isascii() for sign in token)
+    without = _WORD.sub(lambda word: "" if has_sign or _is_product(word[0]) else word[0], token)
+    return "formula" if _FORMULA.fullmatch(token) and not _WORD.search(without) else ""
+
+
+def _is_product(word: str) -> bool:
+    return bool(_PRODUCT.fullmatch(word)) and word not in _SHORT
+
+
+def _joined(tokens: list[str]) -> Iterator[str]:
+    """The words, and runs of them that are one formula."""
+    at = 0
+    while at < len(tokens):
+        end = _end_of_formula(tokens, at)
+        yield _formula(" ".join(tokens[at:end])) if end > at else _in_pieces(tokens[at])
+        at = max(end, at + 1)
+
+
+def _end_of_formula(tokens: list[str], at: int) -> int:
+    """Where the formula ends that begins here; here, where none does."""
+    end, good, kinds, depth = at, at, list[str](), 0
+    while end < len(tokens):
+        token = tokens[end]
+        depth += sum(token.count(sign) for sign in _OPEN) - sum(token.count(sign) for sign in _CLOSED)
+        after = token[len(token.rstrip(_AFTER)) :]
+        kind = _kind_of(token.rstrip(_AFTER))
+        before = kinds[-1] if kinds else ""
+        beside = before in ("", "operator") or kind == "operator" or (before == kind == "formula")
+        if not kind or not beside or (kind == "operator" and not kinds):
+            break
+        kinds.append(kind)
+        end += 1
+        is_whole = kind != "operator" and (len(kinds) > 1 or kind == "formula")
+        good = end if is_whole and "formula" in kinds else good
+        if after and (depth <= 0 or after != ","):
+            break
+    return good
+
+
+def _formula(text: str) -> str:
+    """A run of words between dollars, without the brackets and stops around it."""
+    core = text.rstrip(_AFTER)
+    before, after = "", text[len(core) :]
+    while core and core[0] in _OPEN and _excess(core) > 0:
+        before, core = before + core[0], core[1:]
+    while core and core[-1] in _CLOSED and _excess(core) < 0:
+        core, after = core[:-1], core[-1] + after
+    if not core or _excess(core) or _kind_of(core.replace(" ", "")) == "number":
+        return " ".join(map(_in_pieces, text.split(" ")))
+    body = "".join(_in_formula(each) for each in _PARTS.finditer(core))
+    return f"{before}${re.sub(' +', ' ', body).strip()}${after}"
+
+
+def _excess(text: str) -> int:
+    """How many more brackets are opened than closed."""
+    return sum((letter in _OPEN) - (letter in _CLOSED) for letter in text)
+
+
+#: The pieces of a formula: words, the space between factors, and those of any text.
+_PARTS = re.compile(
+    rf"(?P<word>{_WORD.pattern})|(?P<times>(?<![=+−·×/<>≤≥≠≢±∗↦,]) (?![=+−·×/<>≤≥≠≢±∗↦]))|(?P<index>\b[a-eh-z]\d+\b)"
+    rf"|{_PIECES.pattern}",
+    re.DOTALL,
+)
+
+
+def _in_formula(each: re.Match[str]) -> str:
+    kind, text = str(each.lastgroup), each[str(each.lastgroup)]
+    if kind == "times":
+        return r"\,"
+    if kind == "index":
+        return f"{text[0]}_{{{text[1:]}}}"
+    if kind == "word":
+        return text if _is_product(text) else rf"\mathrm{{{literal(text)}}}"
+    return _tex(kind, text)
+
+
+def _in_pieces(text: str) -> str:
+    """A word as LaTeX, its signs between dollars."""
+    pieces = [_piece(str(each.lastgroup), each[str(each.lastgroup)]) for each in _PIECES.finditer(text)]
+    return "".join(pieces).replace("$\0\0$", "").replace("\0", "")
+
+
+def literal(text: str) -> str:
+    r"""A name as LaTeX: nothing in it is a formula.
+
+    >>> literal("C42b-g1_g0")
+    'C42b-g1\\_g0'
+    """
+    return "".join(LETTERS.get(sign, sign) for sign in text)
+
+
+def _piece(kind: str, text: str) -> str:
+    """A piece of a text; zero bytes mark where formulas touch."""
+    if kind == "other" and text not in SIGNS:
+        return LETTERS.get(text, text)
+    return f"\0${_tex(kind, text)}$\0"
+
+
+def _tex(kind: str, text: str) -> str:
+    """A piece of a formula."""
+    formula = {
+        "name": f"{text[0]}_{{{text[1:]}}}",
+        "letter": text,
+        "raised": f"^{{{text.translate(_RAISED)}}}",
+        "lowered": f"_{{{text.translate(_LOWERED)}}}",
+        "barred": rf"\bar{{{SIGNS.get(text, text)}}}",
+        "other": SIGNS.get(text, text),
+    }
+    return formula[kind]

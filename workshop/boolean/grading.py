@@ -1,0 +1,106 @@
+"""Engines on pairs of paths that all but coincide: what each made of them, and the judgement on it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from importlib import resources
+from pathlib import Path
+
+from exactspline.errors import ExactSplineError
+from exactspline.geometry.winding import FillRule
+from exactspline.numbers.exact import mpq, text
+from workshop.boolean.angles import confirms
+from workshop.boolean.judge import Operation, judged
+from workshop.boolean.pairs import Pair
+from workshop.boolean.pieces import Region
+from workshop.boolean.python_engines import ENGINES as IN_PYTHON
+from workshop.grade.runner import Worker
+
+#: Engines of npm, in the folder that EXACTSPLINE_NODE_MODULES names, or in node_modules here.
+OF_NPM = ("paper", "pathkit-wasm", "path-bool")
+ENGINES = (*IN_PYTHON, *OF_NPM)
+
+
+class Outcome(StrEnum):
+    """What is said of a result."""
+
+    RIGHT = "right"
+    WRONG = "wrong"
+    RAISED = "raised"
+    UNDECIDED = "undecided"
+
+
+@dataclass(frozen=True)
+class Graded:
+    """One operation of an engine on a pair: its outcome, and the witness of a wrong one; whether sums of angles in
+    doubles say the same there.
+    """
+
+    engine: str
+    operation: Operation
+    pair: Pair
+    outcome: Outcome
+    made: str = ""
+    rule: str = ""
+    why: str = ""
+    confirmed: bool | None = None
+
+    def data(self) -> dict[str, object]:
+        """All of it as data."""
+        return {
+            "engine": self.engine,
+            "operation": self.operation,
+            "first": self.pair.first,
+            "second": self.pair.second,
+            "exponent": self.pair.exponent,
+            "outcome": self.outcome,
+            "made": self.made,
+            "rule": self.rule,
+            "why": self.why,
+            "confirmed": self.confirmed,
+        }
+
+
+def started(engine: str) -> Worker:
+    """An engine in a process of its own; ImportError where it is not installed."""
+    if engine in IN_PYTHON:
+        return Worker(engine, (sys.executable, "-m", "workshop.boolean.python_engines", engine))
+    folder = Path(os.environ.get("EXACTSPLINE_NODE_MODULES") or "node_modules").resolve()
+    node = shutil.which("node")
+    if node is None or not (folder / engine).is_dir():
+        raise ImportError(engine)
+    script = resources.files(__package__).joinpath("engines.mjs")
+    return Worker(engine, (node, str(script), engine, str(folder)))
+
+
+def graded(worker: Worker, pairs: Iterable[Pair], operations: Iterable[Operation], within: mpq) -> Iterator[Graded]:
+    """The judgements on what an engine makes of pairs."""
+    chosen = tuple(operations)
+    for pair in pairs:
+        for operation in chosen:
+            reply = worker.exchange({"first": pair.first, "second": pair.second, "operation": operation.value})
+            yield _graded(worker.library, operation, pair, reply, within)
+
+
+def _graded(engine: str, operation: Operation, pair: Pair, reply: dict[str, str], within: mpq) -> Graded:
+    if "raised" in reply:
+        return Graded(engine, operation, pair, Outcome.RAISED, why=reply["raised"])
+    made, rule = reply["path"], reply["rule"]
+    first, second = Region.of(pair.first), Region.of(pair.second)
+    try:
+        result = Region.of(made, FillRule(rule)) if made else Region(())
+    except ExactSplineError as error:
+        return Graded(engine, operation, pair, Outcome.RAISED, made, rule, f"not path data: {error}")
+    found = judged(first, second, operation, result, within)
+    if found.right is not False:
+        return Graded(engine, operation, pair, Outcome.RIGHT if found.right else Outcome.UNDECIDED, made, rule)
+    assert found.witness is not None
+    x, y = map(text, found.witness)
+    why = f"({x}, {y}) is {'outside' if found.inside else 'inside'}"
+    confirmed = confirms(found, first, second, operation, result)
+    return Graded(engine, operation, pair, Outcome.WRONG, made, rule, why, confirmed)
