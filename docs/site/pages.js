@@ -19,6 +19,16 @@ addEventListener("DOMContentLoaded", () => {
   }
 });
 
+// On a telephone the words of a picture are small: it leads to itself alone, where it can be enlarged.
+addEventListener("load", () => {
+  for (const picture of document.querySelectorAll("article img")) {
+    if (picture.closest("a") || picture.src.startsWith("data:") || picture.naturalWidth <= 1.2 * picture.clientWidth) continue;
+    const link = Object.assign(document.createElement("a"), { href: picture.src, className: "alone", title: "the picture alone, to enlarge it" });
+    picture.replaceWith(link);
+    link.append(picture);
+  }
+});
+
 // Formulas are broken into lines anew when the page has another width.
 let width = innerWidth;
 addEventListener("resize", () => {

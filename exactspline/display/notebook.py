@@ -145,10 +145,14 @@ def _(zero_set: ZeroSet) -> str:
                 "knot" if root.at_knot else "",
             )
         )
-    extra = "".join(f"<div>{escape(repr(x))}</div>" for x in (*zero_set.jumps, *zero_set.intervals))
-    return (
-        Grid(["root", "multiplicity", "sign", "isolating interval", "where"], rows, repr(zero_set)[1:-1]).html() + extra
-    )
+    jumps = [
+        f"jump at {_short(x.parameter)}: from {_short(x.left.value)} to {_short(x.right.value)}" for x in zero_set.jumps
+    ]
+    zero = [f"zero on {' and '.join(f'[{_short(a)}, {_short(b)}]' for a, b in x.parts)}" for x in zero_set.intervals]
+    extra = "".join(f"<div>{escape(text)}</div>" for text in (*jumps, *zero))
+    title = repr(zero_set)[1:-1]
+    columns = ["root", "multiplicity", "sign", "isolating interval", "where"]
+    return (Grid(columns, rows, title).html() if rows else f"<b>{escape(title)}</b>") + extra
 
 
 @html.register
@@ -218,7 +222,7 @@ def _(e: Erratum) -> str:
     lines: list[tuple[str, str]] = []
     for each in e.statements:
         lines += [
-            (each.place, f"“{escape(quoted(each.words))}”" if each.words else ""),
+            ("printed", escape(each.place) + (f": “{escape(quoted(each.words))}”" if each.words else "")),
             ("which says", escape(each.statement)),
             ("found", escape(found_text(each))),
             ("witness", breakable(worded(each.witness, Numbers()))),

@@ -14,15 +14,15 @@ from exactspline.display.described import described_surface
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, counted
-from exactspline.geometry.surface.chains import ParabolicCurve, Piece
+from exactspline.geometry.surface.chains import Piece, ZeroComponent
 from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.forms import Patch, lowest
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
-from exactspline.geometry.surface.parabolic_lines import ParabolicLine
 from exactspline.geometry.surface.places import Parameter, Place, enclosing
 from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
+from exactspline.geometry.surface.zero_lines import ZeroLine
 from exactspline.language.formula import Formula
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
@@ -151,13 +151,13 @@ def _place_data(place: Place, digits: int) -> Data:
 
 
 @_element_data.register
-def _line_data(line: ParabolicLine, digits: int) -> Data:
+def _line_data(line: ZeroLine, digits: int) -> Data:
     value = _parameter_data(line.value, digits)
     return picked(line, "along") | value | picked(line, "interval", "closed", "one_sided")
 
 
 @_element_data.register
-def _curve_data(curve: ParabolicCurve, digits: int) -> Data:
+def _curve_data(curve: ZeroComponent, digits: int) -> Data:
     return picked(curve, "patches", "shape") | _hull_data(hull(_hull(piece) for piece in curve.pieces))
 
 

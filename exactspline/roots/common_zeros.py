@@ -114,7 +114,7 @@ class Fibre:
 
     @cached_property
     def _size(self) -> int:
-        heights = (height_bits(p.coeffs()) for p in (self.minimal, *self.polynomials))
+        heights = [height_bits(self.minimal.coeffs()), *(height_bits(p.coeffs()) for p in self.polynomials)]
         return self.minimal.degree() * max(heights)
 
     @cached_property
@@ -189,7 +189,8 @@ def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:
     >>> [multiplicity(zero, f, g) for zero in common_zeros([f, g], UNIT)]
     [3, 1]
     """
-    if not zero.is_zero_of(f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)):
+    jacobian = f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)
+    if is_certainly_not_zero(jacobian, *zero.place) or not zero.is_zero_of(jacobian):
         return 1
     slope = 0
     while True:

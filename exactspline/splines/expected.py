@@ -8,6 +8,7 @@ from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.tensor import TensorSpline
 
 
 def curve_of(given: object) -> Nurbs:
@@ -32,6 +33,13 @@ def spline_of(given: object) -> BSpline:
     if isinstance(given, BSpline):
         return given
     raise _refused(given, "a spline", "give a BSpline, for a vector one component at a time")
+
+
+def function_of_two(given: object) -> TensorSpline:
+    """The function of two parameters itself; `ShapeError` for anything else."""
+    if isinstance(given, TensorSpline):
+        return given
+    raise _refused(given, "a function of two parameters", "give a TensorSpline, one component of a surface at a time")
 
 
 def surface_of(given: object) -> NurbsSurface:

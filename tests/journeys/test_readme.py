@@ -63,6 +63,16 @@ def test_the_blocks_of_the_readme_fit_a_page():
 
 
 @in_the_checkout
+def test_the_picture_of_a_curve_is_that_of_the_command(tmp_path):
+    """`./run inspect six_segment_cubic --plot docs/pictures/inspect.png`: its words were those of an older version."""
+    image = pytest.importorskip("PIL.Image")
+    drawn = tmp_path / "inspect.png"
+    assert run("inspect", "six_segment_cubic", "--plot", drawn).returncode == 0
+    said = [image.open(file).text["Description"] for file in (drawn, README.parent / "docs/pictures/inspect.png")]
+    assert said[0] == said[1]
+
+
+@in_the_checkout
 def test_the_two_commands_of_the_readme_run(tmp_path, monkeypatch):
     """As printed; the second, which takes long, is run by CI."""
     (block,) = blocks_of(README, "sh")

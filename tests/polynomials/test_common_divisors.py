@@ -12,6 +12,7 @@ from exactspline.language.kinds import CURVE
 from exactspline.polynomials import factors
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
+from exactspline.polynomials.over_root import OverRoot
 from exactspline.readings.rational_jet import JetFraction, RationalJetReading
 
 NAMES = [f"x{i}" for i in range(8)]
@@ -104,3 +105,14 @@ def test_sums_of_quotients_are_bounded_like_products(monkeypatch):
             combine(one, other)
     with pytest.raises(FormulaError, match="a product of"):
         (one / other).d()
+
+
+def test_a_divisor_over_a_field_is_counted_with_its_reconstruction():
+    """Passed before: a minute in the search for rational numbers modulo primes, of which nothing was counted."""
+    modulus, shared = fmpq_poly([-2, 0, 0, 0, 0, 1]), [fmpq_poly([1 << 3000, 3, 1 << 2999]), 1]
+    one, other = (OverRoot(shared, modulus) * OverRoot([k, 1], modulus) for k in (2, 5))
+    with drawing_on(Budget()) as paid:
+        assert one.gcd(other).coefficients == OverRoot(shared, modulus).coefficients
+    assert paid.total - paid.remaining > 30 * 10**6
+    with drawing_on(Budget(10**7)), pytest.raises(ReachError, match="a common divisor over the field"):
+        one.gcd(other)

@@ -49,7 +49,8 @@ async function pathBool() {
   return (first, second, operation) => {
     const [a, b] = [first, second].map(library.pathFromPathData);
     const rule = library.FillRule.NonZero;
-    const made = library.pathBoolean(a, rule, b, rule, library.PathBooleanOperation[kinds[operation]]);
+    const both = new library.PathBoolean([a, b].map((path) => ({ path, fillRule: rule })));
+    const made = both.get(library.PathBooleanOperation[kinds[operation]]);
     const data = made.map((path) => path.map((segment, i) => {
       const [letter, start, ...points] = segment;
       const before = path[i - 1]?.at(-1);

@@ -23,7 +23,9 @@ from workshop.grade.truth import bend, rows
 RIGHT, OFF, MISSED, INVENTED, CRASHED = "right", "off", "missed", "invented", "crashed"
 #: A library reports that it has no answer, which is not wrong.
 DECLINED = "declined"
-OUTCOMES = (RIGHT, OFF, MISSED, INVENTED, CRASHED, DECLINED)
+#: Missed or invented within what the library documents (`workshop.grade.tolerance`).
+TOLERATED = "tolerated"
+OUTCOMES = (RIGHT, OFF, MISSED, INVENTED, CRASHED, DECLINED, TOLERATED)
 WRONG = (OFF, MISSED, INVENTED, CRASHED)
 #: The distance within which parameters count as one place, as a fraction of the domain; and the fraction of its size
 #: below which a form counts as zero.
@@ -41,12 +43,14 @@ LENGTH = mpq(1, 10**6)
 @dataclass(frozen=True)
 class Verdict:
     """The verdict on an answer: right, off by a number of ulps, or something else, explained in words where
-    necessary.
+    necessary; the places that were missed, and those that were invented.
     """
 
     outcome: str
     ulps: float = 0
     note: str = ""
+    missed: tuple[mpq, ...] = ()
+    invented: tuple[mpq, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -320,7 +324,7 @@ def _places(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
 
 def _compared(truth: Answer, answer: Any, soft: list[mpq]) -> Verdict:
     """Lists of parameters against certificates of zero sets; those near a soft parameter may be named or not."""
-    missed, invented = list[str](), list[str]()
+    missed, invented = list[mpq](), list[mpq]()
     if len(answer) != len(truth["certificates"]):
         raise ValueError("a different number of lists")
     for certificate, parameters in zip(truth["certificates"], answer, strict=True):
@@ -329,13 +333,13 @@ def _compared(truth: Answer, answer: Any, soft: list[mpq]) -> Verdict:
         if not all(map(isfinite, values)):
             return _NAN
         named, places = [from_float(t) for t in values], form.places(soft)
-        missed += [f"{double(p.low):.6g}" for p in places if p.must and not any(form.names(t, p) for t in named)]
-        invented += [f"{t:.6g}" for t, x in zip(values, named, strict=True) if not form.explains(x, places, soft)]
-    if missed:
-        return Verdict(MISSED, note=f"missed {', '.join(missed[:3])}")
-    if invented:
-        return Verdict(INVENTED, note=f"invented {', '.join(invented[:3])}")
-    return Verdict(RIGHT)
+        missed += [p.low for p in places if p.must and not any(form.names(t, p) for t in named)]
+        invented += [x for x in named if not form.explains(x, places, soft)]
+    outcome, first = (MISSED, missed) if missed else (INVENTED, invented)
+    if not first:
+        return Verdict(RIGHT)
+    note = f"{outcome} {', '.join(f'{double(t):.6g}' for t in first[:3])}"
+    return Verdict(outcome, note=note, missed=tuple(missed), invented=tuple(invented))
 
 
 #: An answer of a library may be anything: one of another type raises, and counts as off.

@@ -11,9 +11,7 @@ from workshop.grade.judge import OUTCOMES, RIGHT, WRONG
 from workshop.grade.questions import QUESTIONS
 from workshop.grade.runner import Judged, Report
 from workshop.grade.shrink import Defect
-
-#: How the other outcomes are abbreviated in a cell, after the share of right answers.
-SHORT = {"off": "off", "missed": "missed", "invented": "invented", "crashed": "crashed", "declined": "declined"}
+from workshop.grade.tolerance import DOCUMENTED
 
 
 def rows(reports: Sequence[Report], defects: Sequence[Defect]) -> list[dict[str, object]]:
@@ -71,7 +69,10 @@ questions, {libraries} libraries, {answers} answers judged. Every exact answer c
 independent checker (`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run; {uncertified}
 answers were excluded because it did not. A library is asked only what it offers for the given curve, through its public
 functions (`workshop/grade/adapters`), and is judged with the tolerance of the question (below). A cell shows the right
-answers out of those asked, then the other outcomes; *declined* means that the library reports that it has no answer.
+answers out of those asked, then the other outcomes; *declined* means that the library reports that it has no answer,
+*tolerated* that what it missed or invented is a matter of the distance δ that it documents ({documented}): missed
+where not all curves within δ have it or the radius of curvature is at most δ, invented where some curve within δ may
+have it or at most δ in space from a place that there is.
 """
 
 
@@ -91,10 +92,12 @@ def page(
         libraries=len(reports),
         answers=sum(len(report.judged) for report in reports),
         uncertified=len(uncertified),
+        documented="; ".join(f"{name}, {each.where}" for name, each in DOCUMENTED.items()),
     )
     return "\n".join(
         [
             head,
+            _overview(reports),
             _scores(reports),
             _meanings(),
             _accuracy(reports),
@@ -105,6 +108,17 @@ def page(
     )
 
 
+def _overview(reports: Sequence[Report]) -> str:
+    """All questions together, one library per row."""
+    lines = ["## All libraries", "", "| library | asked | " + " | ".join(OUTCOMES) + " |"]
+    lines += ["|---|---:|" + "---:|" * len(OUTCOMES)]
+    for report in reports:
+        counted = Counter(one.verdict.outcome for one in report.judged)
+        cells = [str(counted.total()), *(str(counted[outcome]) for outcome in OUTCOMES)]
+        lines.append(f"| {report.library} {report.version} | " + " | ".join(cells) + " |")
+    return "\n".join([*lines, ""])
+
+
 def _scores(reports: Sequence[Report]) -> str:
     lines = ["## Scores", ""]
     for report in reports:
@@ -113,7 +127,7 @@ def _scores(reports: Sequence[Report]) -> str:
         for question in QUESTIONS:
             counted = Counter(one.verdict.outcome for one in report.judged if one.question == question)
             if counted:
-                rest = ", ".join(f"{counted[o]} {SHORT[o]}" for o in OUTCOMES if o != RIGHT and counted[o])
+                rest = ", ".join(f"{counted[o]} {o}" for o in OUTCOMES if o != RIGHT and counted[o])
                 lines.append(f"| {question} | {counted[RIGHT]} | {counted.total()} | {rest} |")
         lines.append("")
     return "\n".join(lines)

@@ -23,6 +23,7 @@ from workshop.grade.data import Answer, CurveData, GivenData, Reply
 from workshop.grade.judge import WRONG, Verdict, judged
 from workshop.grade.questions import QUESTIONS
 from workshop.grade.recheck import recheck
+from workshop.grade.tolerance import tolerated
 from workshop.grade.truth import inserted, truth
 
 #: The time limit, in seconds, for all questions to a library about a case.
@@ -227,6 +228,7 @@ def grade(
             for worker, report in zip(workers, reports, strict=True):
                 for question, reply in worker.ask(given, asked).items():
                     verdict = judged(case, question, answers[question], reply)
+                    verdict = tolerated(worker.library, case, question, verdict, answers[question])
                     kept = (reply, answers[question]) if verdict.outcome in WRONG else ()
                     report.judged.append(Judged(case, question, verdict, *kept))
             tick()

@@ -14,6 +14,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.testing import Case
 from workshop.grade.judge import judged
 from workshop.grade.runner import Judged, Truths, Worker, request_data
+from workshop.grade.tolerance import tolerated
 
 #: The number of smaller curves tried for one defect.
 TRIES = 250
@@ -79,9 +80,9 @@ def _judged(worker: Worker, truths: Truths, example: Judged, curve: Nurbs, param
     replies = worker.ask(request_data(case), [example.question])
     if example.question not in replies:
         return None
-    return Judged(
-        case, example.question, judged(case, example.question, answers[example.question], replies[example.question])
-    )
+    answer = answers[example.question]
+    verdict = judged(case, example.question, answer, replies[example.question])
+    return Judged(case, example.question, tolerated(worker.library, case, example.question, verdict, answer))
 
 
 def _smaller(case: Case) -> Iterator[tuple[Nurbs, mpq]]:

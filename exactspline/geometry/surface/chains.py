@@ -1,7 +1,7 @@
-"""Parabolic curves across patches: parts on neighbouring patches that end at one point of their common border are
+"""Curves of zeros across patches: parts on neighbouring patches that end at one point of their common border are
 joined.
 
-Where patches meet with continuous curvature the zeros of K on the border are the same for both, as roots of two
+Where a form is continuous (K where the curvature is) its zeros on the border are the same for both, as roots of two
 polynomials; whether two of these roots are equal is decided exactly. The two ends of a closed surface are one border.
 """
 
@@ -26,7 +26,7 @@ Spot = tuple[Parameter, Parameter]
 
 
 class Piece(NamedTuple):
-    """The part of a parabolic curve on one patch."""
+    """The part of a curve of zeros on one patch."""
 
     patch: Patch
     sides: Box
@@ -63,8 +63,8 @@ def place_of(piece: Piece) -> Place:
 
 
 @dataclass(frozen=True)
-class ParabolicCurve:
-    """A connected part of the zeros of K, with its pieces patch by patch."""
+class ZeroComponent:
+    """A connected part of the zeros of a form, with its pieces patch by patch."""
 
     shape: Shape
     pieces: tuple[Piece, ...] = field(repr=False)
@@ -77,7 +77,7 @@ class ParabolicCurve:
 
 def chained(
     pieces: Sequence[Piece], domain: Box, closed: Sequence[Along], undecided: Sequence[Box] = ()
-) -> tuple[ParabolicCurve, ...]:
+) -> tuple[ZeroComponent, ...]:
     """The pieces, joined where they meet on borders of patches; one that ends in an `undecided` box may
     continue there.
     """
@@ -92,7 +92,7 @@ def chained(
         groups = [first if group in others else group for group in groups]
     unclear = {spot for spot in spots if any(is_in(Place((), None, *spot), box, domain, closed) for box in undecided)}
     return tuple(
-        ParabolicCurve(_shape(members, pieces, spots, unclear, borders), tuple(pieces[k] for k in members))
+        ZeroComponent(_shape(members, pieces, spots, unclear, borders), tuple(pieces[k] for k in members))
         for members in ([k for k, own in enumerate(groups) if own == group] for group in dict.fromkeys(groups))
     )
 

@@ -8,7 +8,7 @@ from enum import StrEnum
 
 from exactspline.errors import ReachError
 from exactspline.geometry.surface.borders import EDGES, Edge, vanishes_at
-from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained, place_of
+from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, place_of
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Pole, closed_along, is_point, pole_at
@@ -16,12 +16,12 @@ from exactspline.geometry.surface.exact_cells import ExactZero
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surface.joints import SurfaceJoint, joints
 from exactspline.geometry.surface.merged import are_one, is_in, merged_places, merged_umbilics
-from exactspline.geometry.surface.parabolic_lines import LinesOfPatch, ParabolicLine, parabolic_lines, without_lines
 from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
+from exactspline.geometry.surface.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box
@@ -178,7 +178,7 @@ class SurfaceInspection(Inspected, Displayed):
         return SurfacePlaces(umbilics, tuple(everywhere), _boxes(one.umbilics.undecided for one in self.patches))
 
     @question(Of.SURFACE, answered=Answered.CURVES)
-    def parabolic_lines(self) -> tuple[ParabolicLine, ...]:
+    def parabolic_lines(self) -> tuple[ZeroLine, ...]:
         """The isoparametric lines along which the Gaussian curvature vanishes, on patches that are not developable.
 
         >>> from exactspline import analyse, example
@@ -186,8 +186,9 @@ class SurfaceInspection(Inspected, Displayed):
         >>> [(line.along.value, str(line.value)) for line in lines]
         [('u', '1'), ('u', '3')]
         """
-        return parabolic_lines(
-            self.surface,
+        return zero_lines(
+            self.surface.patches,
+            self.surface.domain,
             [
                 LinesOfPatch(one.patch, one.sides, one.parabolic_edges, one.parabolic_lines, one.flat)
                 for one in self.patches
@@ -196,7 +197,7 @@ class SurfaceInspection(Inspected, Displayed):
         )
 
     @question(Of.SURFACE, answered=Answered.CURVES)
-    def parabolic_curves(self) -> tuple[ParabolicCurve, ...]:
+    def parabolic_curves(self) -> tuple[ZeroComponent, ...]:
         """The other curves along which the Gaussian curvature vanishes, on patches that are not developable.
 
         Each is followed across borders of patches where K vanishes on both sides.
@@ -271,7 +272,7 @@ class SurfaceInspection(Inspected, Displayed):
         return tuple(along for along in Along if closed_along(self.surface, along))
 
     @Fact
-    def _zeros_of_curvature(self) -> tuple[ParabolicCurve, ...]:
+    def _zeros_of_curvature(self) -> tuple[ZeroComponent, ...]:
         """The zeros of K that are not on lines, joined across borders of patches."""
         pieces = [piece for one in self.patches for piece in one.pieces]
         return chained(
@@ -327,8 +328,8 @@ def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
 def _single_points(
     surface: NurbsSurface,
     patches: Sequence[PatchInspection],
-    lines: Sequence[ParabolicLine],
-    curves: Sequence[ParabolicCurve],
+    lines: Sequence[ZeroLine],
+    curves: Sequence[ZeroComponent],
     closed: Sequence[Along],
 ) -> tuple[Place, ...]:
     """The isolated points at which K vanishes: not on lines or curves of zeros, nor on the border of a flat patch."""

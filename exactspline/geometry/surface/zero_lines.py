@@ -16,15 +16,15 @@ from exactspline.geometry.surface.places import Parameter
 from exactspline.numbers.intervals import Box, Interval, joined
 from exactspline.polynomials.patch_forms import PatchForm, of_powers
 from exactspline.roots.of_polynomials import exactly
-from exactspline.splines.surface import Along, NurbsSurface
+from exactspline.splines.surface import Along
 
 
 @dataclass(frozen=True)
-class ParabolicLine:
-    """An isoparametric line along which K vanishes: the parameter ``along`` runs over the `interval`, the other one is
-    `value`.
+class ZeroLine:
+    """An isoparametric line along which a form vanishes: the parameter ``along`` runs over the `interval`, the other
+    one is `value`.
 
-    `one_sided` means that K vanishes only as a limit from one side of the line.
+    `one_sided` means that it vanishes only as a limit from one side of the line.
     """
 
     along: Along
@@ -42,7 +42,7 @@ class ParabolicLine:
 
 
 class LinesOfPatch(NamedTuple):
-    """The edges of a patch and the lines inside along which K vanishes, as seen from this patch; everywhere
+    """The edges of a patch and the lines inside along which a form vanishes, as seen from this patch; everywhere
     if `flat`.
     """
 
@@ -74,15 +74,15 @@ def without_lines(form: PatchForm, sides: Box) -> tuple[PatchForm, tuple[tuple[A
     return form, tuple(lines)
 
 
-def parabolic_lines(
-    surface: NurbsSurface, patches: Sequence[LinesOfPatch], closed: Sequence[Along]
-) -> tuple[ParabolicLine, ...]:
-    """The lines on all patches, neighbours joined."""
+def zero_lines(
+    counts: tuple[int, int], domain: Box, patches: Sequence[LinesOfPatch], closed: Sequence[Along] = ()
+) -> tuple[ZeroLine, ...]:
+    """The lines on all patches, of which there are this many in each direction, neighbours joined."""
     sides: dict[tuple[Along, Parameter, bool], set[Interval]] = {}
     by_place = {one.patch: one for one in patches}
     for one in patches:
         for edge in one.edges:
-            behind = by_place.get(_behind(one.patch, edge, surface.patches, closed))
+            behind = by_place.get(_behind(one.patch, edge, counts, closed))
             one_sided = behind is not None and not (behind.flat or Edge(edge.direction, 1 - edge.end) in behind.edges)
             key = line_of(edge), edge.value(one.sides), one_sided
             sides.setdefault(key, set()).add(one.sides[1 - edge.direction])
@@ -90,11 +90,11 @@ def parabolic_lines(
             sides.setdefault((line, value, False), set()).add(one.sides[line.direction])
     lines = []
     for (line, value, one_sided), intervals in sorted(sides.items(), key=lambda item: item[0]):
-        domain = surface.domain[line.direction]
+        whole = domain[line.direction]
         lines += [
-            ParabolicLine(line, value, side, line in closed and side == domain, one_sided) for side in joined(intervals)
+            ZeroLine(line, value, side, line in closed and side == whole, one_sided) for side in joined(intervals)
         ]
-    return _without_seam(lines, surface.domain, closed)
+    return _without_seam(lines, domain, closed)
 
 
 def _behind(patch: Patch, edge: Edge, counts: tuple[int, int], closed: Sequence[Along]) -> Patch:
@@ -109,7 +109,7 @@ def _behind(patch: Patch, edge: Edge, counts: tuple[int, int], closed: Sequence[
     return place[0], place[1]
 
 
-def _without_seam(lines: list[ParabolicLine], domain: Box, closed: Sequence[Along]) -> tuple[ParabolicLine, ...]:
+def _without_seam(lines: list[ZeroLine], domain: Box, closed: Sequence[Along]) -> tuple[ZeroLine, ...]:
     """The lines; one on the seam of a closed surface is listed once."""
     kept = []
     for line in lines:
@@ -121,4 +121,4 @@ def _without_seam(lines: list[ParabolicLine], domain: Box, closed: Sequence[Alon
     return tuple(kept)
 
 
-__all__ = ["LinesOfPatch", "ParabolicLine", "parabolic_lines", "without_lines"]
+__all__ = ["LinesOfPatch", "ZeroLine", "without_lines", "zero_lines"]

@@ -1,0 +1,285 @@
+"""The zeros of functions of two parameters: those that several have in common, and the curves on which one vanishes.
+
+Common zeros are found by elimination (`exactspline.roots.common_zeros`), curves of zeros by boxes in which they are
+graphs, and by elimination where these do not suffice (`exactspline.geometry.surface.zero_curve`), patch by patch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from itertools import product
+from typing import NamedTuple
+
+from flint import fmpz_mpoly
+
+from exactspline.errors import ReachError
+from exactspline.geometry.surface.borders import EDGES
+from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained
+from exactspline.geometry.surface.common_factor import square_free
+from exactspline.geometry.surface.forms import Patch
+from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
+from exactspline.geometry.surface.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
+from exactspline.numbers.intervals import Box
+from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
+from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import as_form, over
+from exactspline.questions.answers import SurfacePart, SurfacePlaces
+from exactspline.reals.real import Real
+from exactspline.roots import common_zeros as elimination
+from exactspline.roots.of_polynomials import Parameter, Place, exactly
+from exactspline.roots.root import Root
+from exactspline.roots.vanishing import vanish_at
+from exactspline.splines.expected import function_of_two
+from exactspline.splines.tensor import TensorSpline, aligned
+
+
+@dataclass(frozen=True)
+class CommonZero:
+    """A point at which functions vanish together: its two parameters, and the patches on which it was found.
+
+    `multiplicity` is the intersection multiplicity of two functions: 1 where their gradients are linearly independent,
+    at knots the least of those of the patches. It is None for more functions, and where a common factor vanishes at
+    this point alone or it would take too long.
+    """
+
+    first: Real
+    second: Real
+    multiplicity: int | None = None
+    patches: tuple[Patch, ...] = field(default=(), compare=False)
+
+    def box(self, digits: int = 20) -> Box:
+        """A box that contains it, its sides at most ``10^−digits`` long."""
+        return Box(self.first.enclosure(digits), self.second.enclosure(digits))
+
+    def __repr__(self) -> str:
+        times = "" if self.multiplicity in (None, 1) else f", multiplicity {self.multiplicity}"
+        return f"<zero at {self.first.shortly()} and {self.second.shortly()}{times}>"
+
+
+@dataclass(frozen=True, repr=False)
+class ZeroCurves:
+    """All zeros of a function of two parameters: `lines` parallel to an axis, other connected `curves`, single
+    `points`, and `everywhere` the patches on which it vanishes. `undecided` are rectangles in which there may be more.
+    """
+
+    lines: tuple[ZeroLine, ...] = ()
+    curves: tuple[ZeroComponent, ...] = ()
+    points: tuple[CommonZero, ...] = ()
+    everywhere: tuple[SurfacePart, ...] = ()
+    undecided: tuple[Box, ...] = ()
+
+    @property
+    def complete(self) -> bool:
+        """Whether every zero is accounted for."""
+        return not self.undecided
+
+    def __bool__(self) -> bool:
+        return any((self.lines, self.curves, self.points, self.everywhere, self.undecided))
+
+    def __repr__(self) -> str:
+        parts = ["a line"] * len(self.lines) + [curve.shape.value for curve in self.curves]
+        parts += [*map(repr, self.points), *(f"everywhere on {part}" for part in self.everywhere)]
+        return ", ".join(parts + [f"undecided in {SurfacePart((0, 0), box)}" for box in self.undecided]) or "nowhere"
+
+
+def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline) -> SurfacePlaces[CommonZero]:
+    """All points at which two or more functions of two parameters vanish together: simple and multiple ones, on borders
+    and at knots, each once; and `everywhere` the patches, lines and curves on which they do.
+
+    >>> from exactspline import TensorSpline
+    >>> knots = [0, 0, 0, 1, 1, 1]
+    >>> circle = TensorSpline((2, 2), knots, knots, [[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # s² + t² − 1
+    >>> line = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, -1], [1, 0]])  # s − t
+    >>> (point,) = common_zeros(circle, line)
+    >>> point, point.first == point.second, point.first.minimal_polynomial()
+    (<zero at 0.707107… and 0.707107…>, True, [-1, 0, 2])
+    >>> common_zeros(circle, circle * line)
+    everywhere on a curve in [0, 1] × [0, 1]
+    >>> common_zeros(line, line.partial(1, 0))
+    nowhere
+
+    A point of a patch or of an edge on which the functions vanish everywhere is not listed; one on a curve of another
+    patch is. The work is limited to about ten seconds (somewhat more for many patches); patches for which this does not
+    suffice are `undecided`.
+
+    Raises `ShapeError` for anything but functions of two parameters, and `DomainError` for different domains.
+
+    Source: Berberich, Emeliyanenko, Kobel and Sagraloff, Exact symbolic-numeric computation of planar algebraic curves,
+    Theoretical Computer Science 2013.
+    """
+    functions = aligned(*[function_of_two(f) for f in (first, second, *more)])
+    found, whole, undecided = list[_Zero](), list[SurfacePart](), list[Box]()
+    with drawing_on(_budget(functions[0])):
+        for patch, sides in _patches(functions[0]):
+            try:
+                points, parts, open_boxes = _common_on_patch([f.patch_form(*patch) for f in functions], patch, sides)
+            except ReachError:
+                undecided.append(sides)
+                continue
+            found += points
+            whole += parts
+            undecided += open_boxes
+    kept = [zero for zero in found if not _is_on(zero.place, whole)]
+    return SurfacePlaces(_each_once(kept, functions[0]), tuple(whole), tuple(undecided))
+
+
+def zero_curve(function: TensorSpline) -> ZeroCurves:
+    """All zeros of a function of two parameters with their topology: lines parallel to an axis, connected curves
+    (loops, arcs, branches that cross; followed across knots), and single points.
+
+    >>> from exactspline import TensorSpline
+    >>> knots = [0, 0, 0, 1, 1, 1]
+    >>> zero_curve(TensorSpline((2, 2), knots, knots, [[-1, -1, 0], [-1, -1, 0], [0, 0, 1]]))  # s² + t² − 1
+    arc from border to border
+    >>> zero_curve(TensorSpline((2, 2), knots, knots, [[2, 0, 2], [0, -2, 0], [2, 0, 2]]))  # (2s − 1)² + (2t − 1)²
+    <zero at 1/2 and 1/2>
+    >>> (line,) = zero_curve(TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[-1, -1], [1, 1]])).lines
+    >>> line.value
+    mpq(1,2)
+
+    The work is limited as for `common_zeros`; what this does not suffice for is `undecided`.
+
+    Raises `ShapeError` for anything but a function of two parameters.
+    """
+    f = function_of_two(function)
+    whole, lines_of, pieces, undecided = list[SurfacePart](), list[LinesOfPatch](), list[Piece](), list[Box]()
+    with drawing_on(_budget(f)):
+        for patch, sides in _patches(f):
+            form = f.patch_form(*patch)
+            if form.is_zero:
+                whole.append(SurfacePart(patch, sides))
+                lines_of.append(LinesOfPatch(patch, sides, (), (), True))
+                continue
+            try:
+                own, curve = _on_patch(form, patch, sides)
+            except ReachError:
+                undecided.append(sides)
+                continue
+            lines_of.append(own)
+            pieces += [Piece(patch, sides, curve, part) for part in curve.parts]
+            undecided += [sides.part(box) for box in curve.undecided]
+        lines = zero_lines((len(f.meshes[0]), len(f.meshes[1])), f.domain, lines_of)
+        components = chained(pieces, f.domain, (), undecided)
+        points, open_boxes = _single(component for component in components if component.shape is Shape.POINT)
+    kept = [zero for zero in points if not (_is_on(zero.place, whole) or any(_is_in(zero.place, x.box) for x in lines))]
+    curves = tuple(component for component in components if component.shape is not Shape.POINT)
+    return ZeroCurves(lines, curves, _each_once(kept, f), tuple(whole), (*undecided, *open_boxes))
+
+
+class _Zero(NamedTuple):
+    """A zero on one patch."""
+
+    place: Place
+    multiplicity: int | None
+    patch: Patch
+
+
+def _patches(f: TensorSpline) -> list[tuple[Patch, Box]]:
+    return [(patch, f.patch(*patch)) for patch in product(range(len(f.meshes[0])), range(len(f.meshes[1])))]
+
+
+def _budget(f: TensorSpline) -> Budget:
+    return Budget(QUESTION + PATCH * (len(f.meshes[0]) * len(f.meshes[1]) - 1))
+
+
+def _common_on_patch(
+    forms: Sequence[PatchForm], patch: Patch, sides: Box
+) -> tuple[list[_Zero], list[SurfacePart], list[Box]]:
+    """The single zeros of a patch, where all of it, an edge or a curve consists of zeros, and what is not decided."""
+    polynomials = [over(form, sides) for form in forms if not form.is_zero]
+    if not polynomials:
+        return [], [SurfacePart(patch, sides)], []
+    shared = greatest_common_divisor(polynomials)
+    if shared.total_degree() > 0:
+        found, whole, undecided = _of_factor(shared, patch, sides)
+    else:
+        found, whole, undecided = [], [], []
+    rest = [p / shared for p in polynomials]
+    for zero in elimination.common_zeros(rest, sides):
+        if shared.total_degree() == 0 or not vanish_at([shared], *zero.place):
+            times = _multiplicity(zero, rest) if len(rest) == len(forms) == 2 else None
+            found.append(_Zero(zero.place, times, patch))
+    return found, whole, undecided
+
+
+def _multiplicity(zero: elimination.CommonZero, pair: Sequence[fmpz_mpoly]) -> int | None:
+    try:
+        return elimination.multiplicity(zero, *pair)
+    except ReachError:
+        return None
+
+
+def _of_factor(p: fmpz_mpoly, patch: Patch, sides: Box) -> tuple[list[_Zero], list[SurfacePart], list[Box]]:
+    """The zeros of a common factor: single ones, edges and curves, and boxes in which there may be more."""
+    lines, curve = _on_patch(as_form(p).part(sides), patch, sides)
+    components = chained([Piece(patch, sides, curve, part) for part in curve.parts], sides, ())
+    points, undecided = _single(component for component in components if component.shape is Shape.POINT)
+    points = [zero for zero in points if not any(zero.place[1 - x.direction] == value for x, value in lines.inner)]
+    whole = [SurfacePart(patch, edge.box(sides)) for edge in lines.edges]
+    if lines.inner or any(component.shape is not Shape.POINT for component in components):
+        whole.append(SurfacePart(patch, sides, along_curve=True))
+    return points, whole, [*undecided, *(sides.part(box) for box in curve.undecided)]
+
+
+def _on_patch(form: PatchForm, patch: Patch, sides: Box) -> tuple[LinesOfPatch, ZeroCurve]:
+    """The lines on which a form vanishes, and its other zeros."""
+    rest, borders = form.without_border()
+    edges = tuple(edge for edge, times in zip(EDGES, borders, strict=True) if times)
+    rest, lines = without_lines(square_free(rest), sides)
+    return LinesOfPatch(patch, sides, edges, lines, False), ZeroCurve(rest)
+
+
+def _single(components: Iterable[ZeroComponent]) -> tuple[list[_Zero], list[Box]]:
+    """The single points of curves of zeros by their exact parameters; boxes of those for which that takes too long."""
+    points, undecided = list[_Zero](), list[Box]()
+    for component in components:
+        for piece in component.pieces:
+            try:
+                points.append(_Zero(_place(piece), None, piece.patch))
+            except ReachError:
+                undecided += [piece.sides.part(cell) for cell in piece.part.cells]
+    return points, undecided
+
+
+def _place(piece: Piece) -> Place:
+    """The parameters of a part that is a single point: on the border of its patch, or the only singular point in its
+    cell.
+    """
+    if piece.part.zero is None:
+        ((spot, _),) = piece.spots()
+    else:
+        p = over(piece.curve.form, piece.sides)
+        cells = [piece.sides.part(cell) for cell in piece.part.cells]
+        (zero,) = elimination.common_zeros([p, p.derivative(0), p.derivative(1)], piece.sides, cells)
+        spot = zero.place
+    return exactly(spot[0]), exactly(spot[1])
+
+
+def _is_on(place: Place, parts: Sequence[SurfacePart]) -> bool:
+    """Whether a point is on one of the patches or edges that consist of zeros."""
+    return any(_is_in(place, part.sides) for part in parts if not part.along_curve)
+
+
+def _is_in(place: Place, box: tuple[tuple[Parameter, Parameter], tuple[Parameter, Parameter]]) -> bool:
+    return all(low <= x <= high for x, (low, high) in zip(place, box, strict=True))
+
+
+def _each_once(found: Sequence[_Zero], f: TensorSpline) -> tuple[CommonZero, ...]:
+    """The points in order, those at knots once."""
+    inner, at_knots = list[list[_Zero]](), dict[Place, list[_Zero]]()
+    for zero in found:
+        if any(not isinstance(x, Root) and x in mesh.breaks for x, mesh in zip(zero.place, f.meshes, strict=True)):
+            at_knots.setdefault(zero.place, []).append(zero)
+        else:
+            inner.append([zero])
+    points = []
+    for group in (*inner, *at_knots.values()):
+        first, second = (x if isinstance(x, Root) else Real(x) for x in group[0].place)
+        times = min((zero.multiplicity for zero in group if zero.multiplicity is not None), default=None)
+        points.append(CommonZero(first, second, times, tuple(zero.patch for zero in group)))
+    return tuple(sorted(points, key=lambda point: (point.first, point.second)))
+
+
+__all__ = ["CommonZero", "ZeroCurves", "common_zeros", "zero_curve"]

@@ -1,0 +1,132 @@
+"""Functions of two parameters: all their common zeros, and all zeros of one with their topology."""
+
+from random import Random
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import Nurbs, TensorSpline, common_zeros, intersections, zero_curve
+from exactspline.errors import DomainError, ShapeError
+from exactspline.geometry import zeros_in_two_parameters
+
+
+def function(p, end=1):
+    """A polynomial in s and t on a square from 0 on."""
+    return p(
+        TensorSpline((1, 0), [0, 0, end, end], [0, end], [[0], [end]]),
+        TensorSpline((0, 1), [0, end], [0, 0, end, end], [[0, end]]),
+    )
+
+
+def differences(first, second):
+    m, n = first.degree, second.degree
+    return [
+        TensorSpline(
+            (m, n),
+            [0] * (m + 1) + [1] * (m + 1),
+            [0] * (n + 1) + [1] * (n + 1),
+            [[p[k] - q[k] for q in second.control_points] for p in first.control_points],
+        )
+        for k in (0, 1)
+    ]
+
+
+def curve(*points):
+    n = len(points) - 1
+    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points)
+
+
+def places(found):
+    return [(point.first, point.second) for point in found]
+
+
+def test_two_crossings_that_a_kernel_merges():
+    first, second = curve((2, 8), (2, 3), (3, 0), (2, 5)), curve((2, 2), (8, 8), (5, 8), (10, 8))
+    zeros = common_zeros(*differences(first, second))
+    assert sorted(point.first.decimal(6) for point in zeros) == ["0.612913", "0.671842"]
+    assert [point.multiplicity for point in zeros] == [1, 1]
+    assert zeros.undecided == ()
+
+
+def test_common_zeros_of_differences_are_the_intersections():
+    """By Bézout's matrix and by elimination in two parameters: the same numbers, the same multiplicities."""
+    count = 0
+    for seed in range(14):
+        random = Random(seed)
+        points = [[(random.randint(-4, 4), random.randint(-4, 4)) for _ in range(4)] for _ in range(2)]
+        if seed % 2:
+            points[1][0] = points[0][0]
+        if seed % 4 == 3:
+            points[1][1] = points[0][1]
+        first, second = (curve(*own) for own in points)
+        found, zeros = intersections(first, second), common_zeros(*differences(first, second))
+        assert places(found) == places(zeros)
+        assert [x.multiplicity for x in found] == [x.multiplicity for x in zeros]
+        count += len(zeros)
+    assert count > 14
+
+
+def test_what_vanishes_along_curves_is_said():
+    factor = function(lambda s, t: s * s + t * t - mpq(3, 4))
+    point = function(lambda s, t: (2 * s - 1) ** 2 + (3 * t - 1) ** 2)
+    f, g = function(lambda s, t: s - t), function(lambda s, t: 3 * s - 1)
+    found = common_zeros(factor * f, factor * g)
+    assert places(found) == [(mpq(1, 3), mpq(1, 3))]
+    assert [str(part) for part in found.everywhere] == ["a curve in [0, 1] × [0, 1]"]
+    found = common_zeros(point * f, point * g)
+    assert places(found) == [(mpq(1, 3), mpq(1, 3)), (mpq(1, 2), mpq(1, 3))]
+    assert [x.multiplicity for x in found] == [1, None]
+    assert found.everywhere == ()
+    edge = function(lambda s, t: s)
+    found = common_zeros(edge * f, edge * g)
+    assert [str(part) for part in found.everywhere] == ["[0, 0] × [0, 1]"]
+    assert places(found) == [(mpq(1, 3), mpq(1, 3))]
+    nothing = f - f
+    assert [str(part) for part in common_zeros(nothing, nothing).everywhere] == ["[0, 1] × [0, 1]"]
+
+
+def test_a_zero_at_a_crossing_of_knot_lines_is_one():
+    knots = [0, 0, 1, 2, 2]
+    f = TensorSpline((1, 1), knots, knots, [[-2, -1, 0], [-1, 0, 1], [0, 1, 3]])
+    g = TensorSpline((1, 1), knots, knots, [[0, -1, -2], [1, 0, -1], [2, 1, 0]])
+    (point,) = common_zeros(f, g)
+    assert (point.first, point.second, point.multiplicity, len(point.patches)) == (1, 1, 1, 4)
+    assert [own.shape.value for own in zero_curve(f).curves] == ["arc from border to border"]
+    assert len(zero_curve(f).curves[0].patches) == 4
+
+
+@pytest.mark.parametrize(
+    ("p", "shown"),
+    [
+        (lambda s, t: (2 * s - 1) ** 2 + (2 * t - 1) ** 2 - mpq(1, 2), "closed loop"),
+        (lambda s, t: (2 * s - 1) ** 2 - (3 * t - 1) ** 2, "branches that cross"),
+        (lambda s, t: (2 * s - 1) ** 3 - (2 * t - 1) ** 2, "arc from border to border"),
+        (lambda s, t: (2 * s * s - 1) ** 2 + (3 * t * t - 1) ** 2, "<zero at 0.707107… and 0.57735…>"),
+        (lambda s, t: s * s + t * t, "<zero at 0 and 0>"),
+        (lambda s, t: s * (s * s + t * t), "a line"),
+        (lambda s, t: (2 * s - 1) * ((2 * s - 1) ** 2 + (2 * t - 1) ** 2), "a line"),
+        (lambda s, t: (2 * s * s - 1) * (3 * t - s - 1), "a line, arc from border to border"),
+        (lambda s, t: s * s + t * t + 1, "nowhere"),
+    ],
+)
+def test_zeros_of_one_function(p, shown):
+    found = zero_curve(function(p))
+    assert repr(found) == shown
+    assert found.complete
+    assert bool(found) == (shown != "nowhere")
+
+
+def test_what_is_refused():
+    f = function(lambda s, t: s - t)
+    with pytest.raises(ShapeError, match="where a function of two parameters is expected"):
+        zero_curve(curve((0, 0), (1, 1)))
+    with pytest.raises(DomainError):
+        common_zeros(f, function(lambda s, t: s - t, end=2))
+
+
+def test_what_is_out_of_reach_is_undecided(monkeypatch):
+    f, g = function(lambda s, t: 2 * s * s - t - mpq(1, 3)), function(lambda s, t: 2 * t * t - s - mpq(1, 5))
+    assert len(common_zeros(f, g)) == 1
+    monkeypatch.setattr(zeros_in_two_parameters, "QUESTION", 0)
+    found = common_zeros(f, g)
+    assert (len(found), bool(found), len(found.undecided)) == (0, True, 1)
