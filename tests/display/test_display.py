@@ -120,9 +120,13 @@ def test_roots_jumps_and_stretches_are_all_listed():
     f = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 3, 3, 3, 4, 4, 4], [1, -1, 2, -1, 0, 0, 0, 3, -1, "1/2"])
     found = zeros(f)
     text = text_of(found)
-    assert all(repr(x) in text for x in (*found.jumps, *found.intervals))
+    assert (text.count("jump at "), text.count("zero on [")) == (len(found.jumps), len(found.intervals))
+    assert min(len(found.jumps), len(found.intervals)) > 0
+    # the words of the interpreter stood on the page
+    assert "Jump at" not in text
+    assert "ZeroInterval" not in text
     across = zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0]), periodic=True)
-    assert "&lt;ZeroInterval [3, 4] and [0, 1]&gt;" in across._repr_html_()
+    assert "zero on [3, 4] and [0, 1]" in across._repr_html_()
     golden = zeros(BSpline.bezier([-1, "-1/2", 1]))
     assert latex(golden[0]).startswith("$$s = 0.618")
     assert latex(zeros(BSpline.bezier([-1, 1]))[0]) == r"$$s = \tfrac{1}{2}$$"
