@@ -124,8 +124,8 @@ def _turned_arc(start: Point, end: Point, radii: Point, degrees: mpq, large: boo
     """An arc near that of a turned ellipse, counter-clockwise in the coordinates of the drawing."""
     cosine, sine = turn_near(degrees, _greatest_turn(start, end, radii, within / 2))
     turn, back = (Affine([[cosine, -s, 0], [s, cosine, 0]]) for s in (sine, -sine))
-    ends = [(x, y) for x, y in (back(point) for point in (start, end))]
-    return mapped(elliptic_arc(*ends, radii, mpq(0), large, True, within / 2), turn)
+    first, last = ((x, y) for x, y in (back(point) for point in (start, end)))
+    return mapped(elliptic_arc(first, last, radii, mpq(0), large, True, within / 2), turn)
 
 
 def _greatest_turn(start: Point, end: Point, radii: Point, within: mpq) -> mpq:
