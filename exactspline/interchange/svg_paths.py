@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from exactspline.errors import ExactSplineError, NumberError
 from exactspline.interchange.affine import Affine
-from exactspline.interchange.angles import quarter_turns_of_degrees
+from exactspline.interchange.angles import quarter_turns_of_degrees, turn_near
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal, square_root
 from exactspline.interchange.segments import Segment, arc_around_origin, mapped, polynomial
@@ -88,17 +88,20 @@ def elliptic_arc(
 
     In units of the radii both arcs are parts of circles through the ends, whose centres are δ apart on the bisector of
     the ends. Their radii differ by at most δ, so points in the same direction from their centres are at most 2 δ apart;
-    where one arc ends before that direction, its end is at most π δ / 2 away.
+    where one arc ends before that direction, its end is at most π δ / 2 away. An ellipse whose axes are not those of
+    the plane is turned by a near angle of which sine and cosine are rational (see `_greatest_turn`).
 
     >>> one, zero = mpq(1), mpq(0)
     >>> [len(elliptic_arc((one, zero), (zero, one), (one, one), zero, large, True)) for large in (False, True)]
     [1, 3]
 
-    Raises `NumberError` if the centre or the axes are irrational.
+    Raises `NumberError` if the centre or the axes are irrational, and nothing near is allowed.
     """
     if not sweep:
         return [segment[::-1] for segment in reversed(elliptic_arc(end, start, radii, degrees, large, True, within))]
     rx, ry = abs(radii[0]), abs(radii[1])
+    if rx != ry and within is not None and (degrees / 90).denominator != 1:
+        return _turned_arc(start, end, (rx, ry), degrees, large, within)
     if rx != ry and quarter_turns_of_degrees(degrees) % 2:
         rx, ry = ry, rx
     # in units of the radii the ellipse is the unit circle, or a larger one where the radii are too small
@@ -115,6 +118,31 @@ def elliptic_arc(
     centre = ((p[0] + q[0]) / 2 - side * chord[1], (p[1] + q[1]) / 2 + side * chord[0])
     arcs = arc_around_origin(*((x - centre[0], y - centre[1]) for x, y in (p, q)))
     return mapped(arcs, Affine([[rx, 0, rx * centre[0]], [0, ry, ry * centre[1]]]))
+
+
+def _turned_arc(start: Point, end: Point, radii: Point, degrees: mpq, large: bool, within: mpq) -> list[Segment]:
+    """An arc near that of a turned ellipse, counter-clockwise in the coordinates of the drawing."""
+    cosine, sine = turn_near(degrees, _greatest_turn(start, end, radii, within / 2))
+    turn, back = (Affine([[cosine, -s, 0], [s, cosine, 0]]) for s in (sine, -sine))
+    first, last = ((x, y) for x, y in (back(point) for point in (start, end)))
+    return mapped(elliptic_arc(first, last, radii, mpq(0), large, True, within / 2), turn)
+
+
+def _greatest_turn(start: Point, end: Point, radii: Point, within: mpq) -> mpq:
+    """By how much an ellipse may be turned so that its arc between two points is moved by at most a distance.
+
+    In units of the radii R ≥ r, with the start as origin, a turn by η moves the chord w = M⁻¹ d, d being the chord of
+    the drawing, by at most ε = |d| η / r. The radius of the circle is max(1, |w|/2), and its centre is at the distance
+    h = √max(0, 1 − |w|²/4) from the middle of the chord. So the radius changes by at most ε/2, h by at most √ε, the
+    direction of the bisector by at most 2 ε/|w| ≤ 2 η R/r, the centre by at most ε/2 + √ε + 2 η R/r: for ε ≤ 1 radius,
+    centre and ends together by at most κ = 3 √ε + 2 η R/r. As for two circles through the same ends, no point is more
+    than 3 κ from the other arc. The turn of the plane adds 2 ρ η, where ρ ≤ 1 + |d|/(2 r). The distance is at most R
+    times the sum 9 √ε + (6 R/r + 2 + |d|/r) η, of which each part gets half.
+    """
+    far, near = max(radii), min(radii)
+    chord = abs(end[0] - start[0]) + abs(end[1] - start[1])
+    room = min(within / far, mpq(1))
+    return min((room / 18) ** 2 * near / chord, room / 2 / (6 * far / near + 2 + chord / near))
 
 
 def _root_below(square: mpq, error: mpq) -> mpq:

@@ -1,5 +1,6 @@
 """Arcs of SVG whose centres are irrational: the rest of a path is read, and on request a near arc stands for them."""
 
+from fractions import Fraction
 from itertools import pairwise
 from math import atan2, cos, hypot, pi, sin, sqrt
 
@@ -103,3 +104,65 @@ def test_every_command_that_reads_drawings_approximates(tmp_path):
         assert done.returncode == 0, done.stderr
         assert "nowhere further from it than 1/1000000" in done.stderr + done.stdout
         assert run(*command, "--approximate", "0").returncode == 2
+
+
+def by_the_standard(end, radii, degrees, large, sweep):
+    """401 points of an arc from the origin, in floats, by the formulas of the standard (SVG 2, appendix B.2)."""
+    (x, y), (rx, ry), turn = end, radii, degrees * pi / 180
+    u, v = -(cos(turn) * x + sin(turn) * y) / 2, -(cos(turn) * y - sin(turn) * x) / 2
+    grown = max(1.0, hypot(u / rx, v / ry))
+    rx, ry = rx * grown, ry * grown
+    square = max(0.0, (rx * rx * ry * ry - rx * rx * v * v - ry * ry * u * u) / (rx * rx * v * v + ry * ry * u * u))
+    root = sqrt(square) * (1 if large != sweep else -1)
+    cx, cy = root * rx * v / ry, -root * ry * u / rx
+    first, last = atan2((v - cy) / ry, (u - cx) / rx), atan2((-v - cy) / ry, (-u - cx) / rx)
+    angle = (last - first) % (2 * pi) if sweep else -((first - last) % (2 * pi))
+    points = []
+    for k in range(401):
+        a, b = rx * cos(first + angle * k / 400) + cx, ry * sin(first + angle * k / 400) + cy
+        points.append((cos(turn) * a - sin(turn) * b + x / 2, sin(turn) * a + cos(turn) * b + y / 2))
+    return points
+
+
+@pytest.mark.parametrize("degrees", [30, 45, -17.5, 123.25, 359, 1e-3])
+@pytest.mark.parametrize(("large", "sweep"), [(0, 0), (0, 1), (1, 0), (1, 1)])
+@pytest.mark.parametrize("radii", [(3, 2), (1, 7), (0.25, 0.125), (40, 1)])
+@pytest.mark.parametrize("error", ["1/10", "1e-7"])
+def test_the_arc_of_a_turned_ellipse_is_near(degrees, large, sweep, radii, error):
+    """It was left out whatever was allowed. Radii that are too small are scaled up: half of an ellipse."""
+    rx, ry = radii
+    reading = drawn(f'<path d="M0 0A{rx} {ry} {degrees} {large} {sweep} 1 .5"/>', approximate=error)
+    assert not reading.skipped
+    curve = reading.curves[0].curve
+    a, b = curve.domain
+    assert (curve(a), curve(b)) == ((0, 0), (1, 0.5))
+    exact = by_the_standard((1, 0.5), radii, degrees, large, sweep)
+    assert hypot(exact[0][0], exact[0][1]) < 1e-6
+    own = [tuple(map(float, curve(a + (b - a) * k / 60))) for k in range(61)]
+    # a chord is at most an eighth of the square of its length in units of the radii away from its arc
+    slack = max(rx, ry) * 2e-4 * max(1, 2 / min(rx, ry)) ** 2 + float(Fraction(error))
+    for point in own:
+        assert min(_distance(point, p, q) for p, q in pairwise(exact)) <= slack
+    for p in exact[::20]:
+        assert min(_distance(p, s, t) for s, t in pairwise(own)) <= 64 * slack
+
+
+@pytest.mark.parametrize("degrees", [30, -17.5, 89.999])
+@pytest.mark.parametrize("error", ["1/10", "1e-7"])
+def test_the_points_of_a_turned_arc_are_near_its_ellipse(degrees, error):
+    """To nearly full precision: where the centre is known, the form of the ellipse is 1 within the error allowed."""
+    reading = drawn(f'<path d="M0 0A3 2 {degrees} 1 1 1 .5"/>', approximate=error)
+    turn, curve = degrees * pi / 180, reading.curves[0].curve
+    u, v = cos(turn) + sin(turn) / 2, cos(turn) / 2 - sin(turn)
+    square = (u / 3) ** 2 + (v / 2) ** 2
+    offset = sqrt(1 / square - 1 / 4)
+    cx, cy = u / 6 - offset * v / 2, v / 4 + offset * u / 3
+    candidates = [(cx, cy), (u / 6 + offset * v / 2, v / 4 - offset * u / 3)]
+    a, b = curve.domain
+    points = [tuple(map(float, curve(a + (b - a) * k / 50))) for k in range(51)]
+
+    def worst(centre):
+        turned = [(cos(turn) * x + sin(turn) * y, cos(turn) * y - sin(turn) * x) for x, y in points]
+        return max(abs(hypot(x / 3 - centre[0], y / 2 - centre[1]) - 1) for x, y in turned)
+
+    assert min(map(worst, candidates)) <= float(Fraction(error)) / 2 + 1e-12

@@ -148,7 +148,7 @@ def _around(t: Parameter, others: Sequence[Parameter], bits: int) -> Interval | 
     width = mpq(1, 1 << bits)
     low, high = t.refine(bits // 3 + 1) if isinstance(t, Root) else Interval.point(t)
     wide = Interval(low - 3 * width, high + 3 * width)
-    if any(x != t and wide.low <= x <= wide.high for x in others):
+    if any(wide.low <= x <= wide.high and x != t for x in others):
         return None
     if any(wide.low <= end <= wide.high and t != end for end in UNIT.first):
         return None

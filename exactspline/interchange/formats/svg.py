@@ -2,7 +2,7 @@
 
 Lines, quadratics and cubics are exact. Elliptic arcs are exact if the centre is rational and the axes are parallel to
 the coordinate axes (or the arc is circular); any other arc is skipped and divides its subpath, or, where an error is
-allowed, one with an irrational centre is replaced by a near one. Transforms are applied exactly,
+allowed, is replaced by a near one. Transforms are applied exactly,
 about their origin; elements under a transform with an irrational sine, cosine or tangent are skipped. Path data with an
 error are read up to the error, as the standard requires. Copies (`use`) are placed; of a `switch` the first child is
 drawn that requires no extension and no language. Elements that style sheets may move or reshape are skipped; a note
@@ -45,7 +45,7 @@ ANIMATIONS = ("animate", "animateTransform", "animateMotion", "set", "discard")
 IDENTITY = Affine.identity(2)
 
 #: What is said of an arc that stands for another.
-REPLACED = "an arc with an irrational centre is replaced by one with the same ends, nowhere further from it than"
+REPLACED = "an arc without rational control points is replaced by one with the same ends, nowhere further from it than"
 LOSES = "SVG stores no knots: segments are kept, their parameter intervals are not"
 
 
