@@ -23,7 +23,7 @@ from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claims import claims_of, select
 from exactspline.verification.decision import DirectrixOf, Equation
-from exactspline.verification.divisors import divided_by
+from exactspline.verification.divisors import divided_by, divisors
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import (
     At,
@@ -64,6 +64,8 @@ FORMULAS = plane_formulas(
     square="c.p[0] * c.p[0]",
     first="c.p[0] * c.w",
     abscissa="c.p[0] / c.w",
+    gamma="c.gamma * 1",
+    large="c.w / (c.p[0] + c.p[1] + c.w + c.p[0].d(1) + c.p[1].d(1) + c.w.d(1))**60",
     three="join(c.p[0] / c.w, c.p[1] / c.w, c.w / c.w)",
 )
 
@@ -168,6 +170,19 @@ def test_what_remains_of_an_equation_vanishes_exactly_where_it_holds():
     assert all(x.is_zero for x in Equation(find("f2"), find("f1"), "w^-1").residues(c))
 
 
+@pytest.mark.parametrize(
+    ("left", "right"), [("c.p * 1", "ruled(c.p.d(2), c.p.d(1))"), ("c.p.d(2) * 1", "ruled(c.p * 1, c.p * 2)")]
+)
+def test_a_curve_and_a_surface_of_different_orders_are_compared(tmp_path, left, right):
+    formulas = f"@formula('e', on='plane point')\ndef f(c):\n    return {left}\n"
+    formulas += f"@formula('e', on='point')\ndef g(c):\n    return {right}\n"
+    entry = {"id": "1", "statement": "said", "kind": "iso-curve", "curve": "plane point", "left": "f", "right": "g"}
+    (claim,) = claims_of(load_paper(written(tmp_path / "p", formulas, [entry])))
+    found = claim.prove()[1]
+    assert found.verdict == REFUTED
+    assert isinstance(found.witness, OnExample)
+
+
 # ---- where
 
 
@@ -186,8 +201,8 @@ def test_the_parameter_of_a_witness_lies_in_its_segment():
 
 
 def test_a_negative_value_is_found_in_its_segment(claimed):
-    """x w is negative on a part of the second segment only; a square may vanish."""
-    curve = two_pieces([(1, 0), (1, 1), (1, 0)], [(1, 0), (-3, 1), (1, 0)])
+    """x w is negative on the first third of the second segment only; a square may vanish."""
+    curve = two_pieces([(1, 0), (1, 1), (0, 0)], [(0, 0), (-1, 1), (4, 0)])
     found = claimed(kind="sign", formula="first").examine(curve, Evaluation(curve))
     assert found.verdict == REFUTED
     assert isinstance(found.witness, At)
@@ -238,6 +253,7 @@ def test_what_has_no_zero_has_none_for_any_other_parameter():
     [
         ({"formula": "point", "under": "translation", "nature": "point"}, PROVED),
         ({"formula": "point", "under": "projective map", "nature": "point"}, PROVED),
+        ({"formula": "gamma", "under": "projective map", "nature": "point"}, PROVED),
         ({"formula": "velocity", "under": "projective map", "nature": "point"}, REFUTED),
         ({"formula": "velocity", "under": "translation", "nature": "vector"}, PROVED),
         ({"formula": "velocity", "under": "translation", "nature": "point"}, REFUTED),
@@ -294,7 +310,7 @@ def test_a_lower_degree_than_the_bound_is_within_it():
 def test_a_bound_may_fail_at_an_exception_alone():
     """2d − 2 against max(d − 1, 3d − 5): 0 ≤ 0, 2 > 1, 4 ≤ 4, …; where the degree at d = 2 is 1, the bound holds."""
     (claim,) = select(["L12-f0"])
-    one = replace(claim, relation="≤", claimed="max(d-1, 3d-5)", of="both")
+    one = replace(claim, relation="≤", claimed="max(d-1, 3d-5)", of="both", least_d=1)
     found = DegreeFound(parse_degree("2d-2"))
     assert held_against(one, found, {2: 1}).verdict == PROVED
     assert held_against(one, found, {2: 2}).verdict == REFUTED
@@ -308,12 +324,13 @@ def test_a_curve_without_joints_has_no_continuity():
 
 
 def test_the_type_of_a_unit_vector():
-    """On the twisted cubic its root is no rational function. On a parabola in space the root of ‖γ′×γ″‖² is a number,
-    and the roots decide nothing.
+    """On the twisted cubic its root is no rational function. In a plane in space the root of ‖γ′×γ″‖² is a number or a
+    polynomial, and the roots decide nothing.
     """
     (claim,) = select(["E13-unit_tangent"])
     flat = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0, 0), ("1/2", 0, 0), (1, 1, 0)])
-    for curve, verdict in ((example("twisted_cubic"), VERIFIED), (flat, UNDECIDED)):
+    bent = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0, 0), (1, 0, 0), (2, 1, 0), (3, 5, 0)])
+    for curve, verdict in ((example("twisted_cubic"), VERIFIED), (flat, UNDECIDED), (bent, UNDECIDED)):
         assert claim.examine(curve, Evaluation(curve)).verdict == verdict
 
 
@@ -325,6 +342,12 @@ def test_functions_that_stand_for_a_table_are_not_proportional():
 
 
 # ---- divisors
+
+
+def test_a_divisor_that_is_too_large_is_named(claimed):
+    """Nothing is known of its factors."""
+    (text,) = divisors(claimed(kind="vanishing", left="large"))
+    assert text.endswith("⁶⁰")
 
 
 def test_numbers_are_no_divisors():
