@@ -67,8 +67,8 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
         console.lines(shown, f"found: {found_text(each)}", indent=7, first=5)
         if each.witness:
             console.lines(shown, f"witness: {worded(each.witness, numbers)}", indent=7, first=5)
-    for each in entry.truth:
-        console.lines(shown, f"true: {true_text(each)}", indent=5, first=3)
+    for held in entry.truth:
+        console.lines(shown, f"true: {true_text(held)}", indent=5, first=3)
     for line in entry.why:
         console.lines(shown, f"why: {line}", indent=5, first=3)
     console.lines(shown, "check:", first=3)

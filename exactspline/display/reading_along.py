@@ -11,9 +11,10 @@ from html import escape
 from itertools import chain, groupby, repeat
 
 from exactspline.display.evidence import worded
+from exactspline.display.latex_prose import in_mathematics
 from exactspline.display.quotations import quoted
 from exactspline.display.tables import breakable
-from exactspline.display.theorem import begun, in_mathematics, method
+from exactspline.display.theorem import begun, method
 from exactspline.errors import ClaimError, as_instance, counted, nearest
 from exactspline.hooks import Displayed
 from exactspline.papers import Paper, default_papers

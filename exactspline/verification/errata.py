@@ -26,8 +26,8 @@ from exactspline.verification.kinds.examples import Count
 from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.rows import error_of
 from exactspline.verification.statement import letters_of_factor
-from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, Verdict
-from exactspline.verification.vocabulary import Measure, Name, Scope, Status
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
+from exactspline.verification.vocabulary import Measure, Name, Scope, Status, Verdict
 
 
 @dataclass(frozen=True)

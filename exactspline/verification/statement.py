@@ -132,7 +132,7 @@ def definitions(claim: Claim, finding: Finding) -> tuple[Definition, ...]:
     ['D1 = p′ w − p w′', 'D2 = p″ w − p w″']
     """
     own = [_tree(name, claim) for name in dict.fromkeys(claim.named)]
-    named = {symbol_text(claim.shown(name)): None for name in claim.named}
+    named: dict[str, Definition | None] = {symbol_text(claim.shown(name)): None for name in claim.named}
     return (*_defined([*own, *_trees_of_factor(claim, finding)], named), *_velocity(claim, finding))
 
 

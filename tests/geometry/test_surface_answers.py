@@ -11,7 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactspline import NurbsSurface, TensorSpline, analyse, example, rational
+from exactspline.geometry.surface import zero_curve
 from exactspline.geometry.surface.degenerate import Gap
+from exactspline.geometry.surface.exact_cells import exact_cells
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.planar_maps import MapKind
 from exactspline.geometry.surface.umbilics import UmbilicKind
@@ -309,6 +311,16 @@ def test_the_sign_of_the_curvature_at_sampled_points(seed, weights):
         for place, sign in ((one.signs.positive, 1), (one.signs.negative, -1)):
             value = gaussian_curvature(surface, *(Fraction(str(x)) for x in place))
             assert value is None or value * sign > 0
+
+
+def test_sides_of_cells_around_singular_points_have_few_digits(monkeypatch):
+    """Before: 20,000 digits in base two, which every box beside such a cell inherited; one patch took a minute."""
+    found = []
+    monkeypatch.setattr(zero_curve, "exact_cells", lambda form: found.extend(exact_cells(form)) or found)
+    (one,) = analyse(seeded(0, 2)).patches
+    assert one.kind is PatchKind.MIXED
+    assert len(found) == 2
+    assert all(x.denominator.bit_length() < 64 for cell in found for side in cell.box for x in side)
 
 
 def _near(point):

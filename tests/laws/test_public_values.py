@@ -24,6 +24,7 @@ PLANE_CURVE, SPLINE, CUSP = xs.example("ellipse_skew"), xs.example("rational_cub
 STRAIGHT = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)])
 SPACE, RATIONAL = xs.example("twisted_cubic"), xs.example("rational_space_cubic")
 SURFACE = xs.example("torus")
+PATCH = xs.TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[-1, 1], [2, -3]])
 LINE = xs.Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
 T = xs.BSpline.identity(0, 2)
 ROOT = xs.zeros(T * T - 2).roots[0]
@@ -105,6 +106,8 @@ RETURNED = {
     "ruled_surface": lambda: xs.ruled_surface("tangent_developable", RATIONAL),
     "series_curve": lambda: xs.readings.series_curve(SPLINE, "1/2", 3),
     "statements": lambda: list(xs.statements("C4.1a")),
+    "common_zeros": lambda: xs.common_zeros(PATCH, PATCH.partial(1, 0)),
+    "zero_curve": lambda: xs.zero_curve(PATCH),
     "intersections": lambda: xs.intersections(xs.example("circle"), STRAIGHT),
     "self_intersections": lambda: xs.self_intersections(xs.example("cubic_s")),
     "nearest": lambda: xs.nearest(xs.example("circle"), (2, 0)),

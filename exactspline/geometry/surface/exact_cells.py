@@ -11,6 +11,7 @@ Theoretical Computer Science 2013.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from math import ceil, floor
 from typing import NamedTuple
 
 from flint import fmpz_mpoly
@@ -89,14 +90,19 @@ class _Cells:
 
     def __init__(self, form: PatchForm, f: fmpz_mpoly, points: Sequence[CommonZero]) -> None:
         self.form, self.f, self.points = form, f, points
-        #: All values s above which the curve has a multiple point or a vertical tangent.
-        self.critical = [exactly(s) for s in roots_in(discriminant(rows_of(f)), *UNIT.first)]
-        #: All values t of zeros above singular points.
-        self.heights: list[Parameter] = []
+        # all values s above which the curve has a multiple point or a vertical tangent
+        critical = [exactly(s) for s in roots_in(discriminant(rows_of(f)), *UNIT.first)]
+        # all values t of zeros above singular points
+        heights: list[Parameter] = []
         for point in _once(points):
             column = Column.of([f], point.fibre.minimal)
             own = [t for t in column.candidates(UNIT.second) if column.contains(point.s, t)]
-            self.heights = _different([*self.heights, *own])
+            heights = _different([*heights, *own])
+        #: In each direction the coordinates of the points, and of each the numbers that must not be in its interval.
+        self.apart = [
+            [(x, [y for y in own if y != x]) for x in _different(point.place[k] for point in points)]
+            for k, own in enumerate((critical, heights))
+        ]
 
     def found(self) -> list[ExactCell]:
         """The cells of the first size that serves for all points."""
@@ -109,8 +115,8 @@ class _Cells:
     def _of_size(self, across: int, along: int) -> Iterator[ExactCell]:
         # points with a number in common share an interval: their cells are cells of one grid
         sides, heights = (
-            [(x, _around(x, own, bits)) for x in _different(point.place[k] for point in self.points)]
-            for k, own, bits in ((0, self.critical, along), (1, self.heights, across))
+            [(x, _around(x, others, bits)) for x, others in own]
+            for own, bits in zip(self.apart, (along, across), strict=True)
         )
         for point in self.points:
             first = next(side for s, side in sides if s == point.s)
@@ -146,9 +152,11 @@ def _around(t: Parameter, others: Sequence[Parameter], bits: int) -> Interval | 
     interval only where that is the number itself.
     """
     width = mpq(1, 1 << bits)
-    low, high = t.refine(bits // 3 + 1) if isinstance(t, Root) else Interval.point(t)
+    near, far = t.refine(bits // 3 + 1) if isinstance(t, Root) else Interval.point(t)
+    # sides with few digits: those of the interval of a root may have thousands
+    low, high = (width * floor(near / width), width * ceil(far / width))
     wide = Interval(low - 3 * width, high + 3 * width)
-    if any(wide.low <= x <= wide.high and x != t for x in others):
+    if any(wide.low <= x <= wide.high for x in others):
         return None
     if any(wide.low <= end <= wide.high and t != end for end in UNIT.first):
         return None

@@ -138,7 +138,7 @@ class ZeroCurve:
     """
 
     def __init__(self, form: PatchForm, known: Sequence[Zero] = ()) -> None:
-        self.form = form
+        self.form, self._known = form, tuple(known)
         #: Boxes in which the curve is not resolved.
         self.undecided: list[Box] = []
         self._lines: dict[tuple[int, mpq], list[Root]] = {}
@@ -152,6 +152,15 @@ class ZeroCurve:
             self.undecided, self._arcs, self._crossings, self._points = [], [], [], []
             self._vertices = {}
             self._subdivide(cells)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _of_net, ([[int(x) for x in row] for row in self.form.matrix.tolist()], self._known)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ZeroCurve) and bool(self.form.matrix == other.form.matrix)
+
+    def __hash__(self) -> int:
+        return hash((self.form.degree, *map(int, self.form.corners)))
 
     # ---- the subdivision
 
@@ -348,6 +357,10 @@ class ZeroCurve:
             x = mpq((a + b) / 2)
             points.append((x, y) if arc.direction == 0 else (y, x))
         return points
+
+
+def _of_net(net: list[list[int]], known: tuple[Zero, ...]) -> ZeroCurve:
+    return ZeroCurve(PatchForm.of_net(net), known)
 
 
 class _Key:

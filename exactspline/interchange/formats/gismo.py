@@ -90,7 +90,7 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     geometries = []
     for i, named in enumerate(curves):
         curve = named.curve
-        basis = [' <Basis type="BSplineBasis">', f"  {_vector(curve.degree, curve.knots, numbers)}", " </Basis>"]
+        basis = [' <Basis type="BSplineBasis">', f"  {_vector(curve.degree, curve.knots.knots, numbers)}", " </Basis>"]
         head = f'<Geometry type="{CURVES[not curve.polynomial]}" id="{i}" label={attribute(named.name)}>'
         rational = None if curve.polynomial else ("NurbsBasis", curve.weights)
         geometries.append([head, *_geometry(basis, rational, cartesian(curve), numbers)])
@@ -103,7 +103,7 @@ def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> byt
     for i, surface in enumerate(surfaces):
         points, weights = zip(*cartesian_net(surface), strict=True)
         vectors = [
-            f'  <Basis type="BSplineBasis" index="{k}">{_vector(degree, knots, numbers)}</Basis>'
+            f'  <Basis type="BSplineBasis" index="{k}">{_vector(degree, knots.knots, numbers)}</Basis>'
             for k, (degree, knots) in enumerate(zip(surface.degree, surface.knots, strict=True))
         ]
         basis = [' <Basis type="TensorBSplineBasis2">', *vectors, " </Basis>"]
