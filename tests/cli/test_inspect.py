@@ -124,7 +124,7 @@ def test_what_is_printed_is_explained():
     """
     printed = invoke("inspect", "six_segment_cubic", "--stability", "--digits", "4").output
     table, stability, legend = printed.split("\n\n")
-    assert "at a knot, by a jump of κ′" in table
+    assert "at a knot, by a jump of κ′" in " ".join(table.split())
     explained = {line.partition(": ")[0] for line in legend.splitlines()}
     assert explained >= {"by a jump of κ′", "maximum of |κ|", "G2", "certain up to", "gone within"}
     assert "by a jump of κ" not in explained

@@ -137,10 +137,10 @@ def identities(*, roots):
 
 def test_no_factor_is_printed_over_roots_or_of_what_vanishes():
     for one in identities(roots=True):
-        assert check(one)[-1].startswith("print(claim.")
+        assert "; print(claim." in check(one)[-1]
     nothing = next(c.left for c in all_claims() if isinstance(c, Vanishing) and c.curve == "plane")
     one = next(c for c in identities(roots=False) if c.curve == "plane")
-    assert check(replace(one, right=nothing))[-1].startswith("print(claim.")
+    assert "; print(claim." in check(replace(one, right=nothing))[-1]
 
 
 def test_minimal_forms_are_told_with_their_grading():
