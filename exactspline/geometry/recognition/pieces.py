@@ -151,9 +151,10 @@ def _size(points: Sequence[Sequence[Point]]) -> mpq:
 
 def _pieces(curve: Nurbs, points: Sequence[Sequence[Point]], limit: mpq) -> Iterator[RecognizedPiece]:
     """The longest pieces from the start of the curve on."""
-    i, n = 0, len(points)
+    i, end, n = 0, -1, len(points)
     while i < n:
-        end = next((k for k in range(i, n - 1) if points[k][-1] != points[k + 1][0]), n - 1)
+        if i > end:  # of each connected part of the curve once
+            end = next((k for k in range(i, n - 1) if points[k][-1] != points[k + 1][0]), n - 1)
         found = _longest(curve, points, i, end, limit)
         if found is None:
             i += 1
