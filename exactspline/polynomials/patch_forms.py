@@ -34,6 +34,9 @@ class PatchForm:
         self.matrix = matrix
         self._entries: list[fmpz] | None = None
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return PatchForm.of_net, ([[int(x) for x in row] for row in self.matrix.tolist()],)
+
     @classmethod
     def of_net(cls, net: Sequence[Sequence[int]]) -> PatchForm:
         """The form with these coefficients."""

@@ -3,6 +3,7 @@
 The oracle (tests/support/surface_oracle.py) knows no forms, no Bernstein coefficients and no lifts.
 """
 
+import pickle
 import random
 from fractions import Fraction
 
@@ -321,6 +322,13 @@ def test_sides_of_cells_around_singular_points_have_few_digits(monkeypatch):
     assert one.kind is PatchKind.MIXED
     assert len(found) == 2
     assert all(x.denominator.bit_length() < 64 for cell in found for side in cell.box for x in side)
+
+
+def test_irrational_umbilics_survive_pickle():
+    """Passed before: answers are values, but those with irrational places could not be sent to another process."""
+    umbilics = analyse(example("biquadratic")).umbilics
+    assert umbilics
+    assert list(map(str, pickle.loads(pickle.dumps(umbilics)))) == list(map(str, umbilics))
 
 
 def _near(point):

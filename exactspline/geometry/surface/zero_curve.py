@@ -154,7 +154,7 @@ class ZeroCurve:
             self._subdivide(cells)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _of_net, ([[int(x) for x in row] for row in self.form.matrix.tolist()], self._known)
+        return ZeroCurve, (self.form, self._known)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ZeroCurve) and bool(self.form.matrix == other.form.matrix)
@@ -357,10 +357,6 @@ class ZeroCurve:
             x = mpq((a + b) / 2)
             points.append((x, y) if arc.direction == 0 else (y, x))
         return points
-
-
-def _of_net(net: list[list[int]], known: tuple[Zero, ...]) -> ZeroCurve:
-    return ZeroCurve(PatchForm.of_net(net), known)
 
 
 class _Key:
