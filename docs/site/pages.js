@@ -8,12 +8,13 @@ addEventListener("DOMContentLoaded", () => {
   }
 });
 
-// Words of more letters than this may be broken in a table.
-const LONGEST = 24;
+// Long words may be broken in a table after a sign, or after this many letters without one (as in exactspline.display.tables).
+const PIECES = /\S{4,23}?[_.(,:/=]|\S{1,24}|\s+/g;
+const SHORT = 14;
 addEventListener("DOMContentLoaded", () => {
   for (const cell of document.querySelectorAll("article td :not(script), article td")) {
     for (const node of [...cell.childNodes].filter((each) => each.nodeType === Node.TEXT_NODE)) {
-      const parts = node.data.split(new RegExp(`(\\S{${LONGEST}})(?=\\S)`)).filter(Boolean);
+      const parts = node.data.split(/(\s+)/).flatMap((word) => (word.length > SHORT ? word.match(PIECES) : [word])).filter(Boolean);
       if (parts.length > 1 && !node.data.includes("$")) node.replaceWith(...parts.flatMap((part, i) => (i ? [document.createElement("wbr"), part] : [part])));
     }
   }
@@ -22,10 +23,11 @@ addEventListener("DOMContentLoaded", () => {
 // On a telephone the words of a picture are small: it leads to itself alone, where it can be enlarged.
 addEventListener("load", () => {
   for (const picture of document.querySelectorAll("article img")) {
-    if (picture.closest("a") || picture.src.startsWith("data:") || picture.naturalWidth <= 1.2 * picture.clientWidth) continue;
-    const link = Object.assign(document.createElement("a"), { href: picture.src, className: "alone", title: "the picture alone, to enlarge it" });
-    picture.replaceWith(link);
-    link.append(picture);
+    if (picture.closest("a") || picture.src.startsWith("data:") || picture.naturalWidth <= 1.2 * picture.clientWidth || !picture.clientWidth) continue;
+    const link = Object.assign(document.createElement("a"), { href: picture.currentSrc, className: "alone", title: "the picture alone, to enlarge it" });
+    const whole = picture.closest("picture") ?? picture;
+    whole.replaceWith(link);
+    link.append(whole);
   }
 });
 
