@@ -41,7 +41,8 @@ window.looking = (() => {
     // objects as Python prints them in brackets: in a printed example, and in the output of a cell, where a list of them
     // is asked for, they are what is shown
     const bracketed = /<(?:[A-Z]\w*[a-z]\w*|formula|kind|claim)(?: (?:at|of|on)\b|[:.]| \w+,)[^<>]*>/;
-    const PRINTED = ".highlight, .cell_output pre"; = document.body.cloneNode(true);
+    const PRINTED = ".highlight, .cell_output pre";
+    const copy = document.body.cloneNode(true);
     copy.querySelectorAll(TYPED).forEach((e) => e.remove());
     copy.querySelectorAll("p, div, table, tr, td, th, li, dt, dd, pre, h1, h2, h3, h4, summary").forEach((e) => e.before("\n"));
     return copy.textContent
