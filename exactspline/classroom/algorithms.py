@@ -53,7 +53,7 @@ def evaluation(rng: Random) -> Drawn:
         return None
     curve = Nurbs(curve.degree, curve.knots, points)
     task = (*given_curve(curve), ". Find its point at ", Math("t", (t,)), " by de Boor's algorithm.")
-    return task, Numbers(("x", "y"), curve(t)), (de_boor_triangle(curve, t),)
+    return task, Numbers(("x", "y"), curve(t)), ("De Boor's triangle: ", de_boor_triangle(curve, t))
 
 
 def derivative(rng: Random) -> Drawn:
@@ -73,7 +73,7 @@ def derivative(rng: Random) -> Drawn:
         knots_of(hodograph),
         " and the control points ",
         points_of(hodograph),
-        ".",
+        ". De Boor's triangle: ",
         de_boor_triangle(hodograph, t),
     )
     return task, Numbers(("x′", "y′"), curve.derivative(1, t)), solution
