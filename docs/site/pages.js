@@ -4,7 +4,12 @@ addEventListener("DOMContentLoaded", () => {
     const names = [...table.querySelectorAll("thead th")].map((head) => head.textContent.trim());
     if (names.length < 2) continue;
     table.classList.add("labelled");
-    for (const row of table.tBodies[0]?.rows ?? []) [...row.cells].forEach((cell, i) => names[i] && cell.innerHTML.replace(/<\/?p>/g, "").trim() && (cell.dataset.name = names[i]));
+    for (const row of table.tBodies[0]?.rows ?? []) {
+      [...row.cells].forEach((cell, i) => {
+        if (!cell.innerHTML.replace(/<\/?p>/g, "").trim()) cell.classList.add("nothing");
+        else if (names[i]) cell.dataset.name = names[i];
+      });
+    }
   }
 });
 
