@@ -94,7 +94,9 @@ def test_the_two_commands_of_the_readme_run(tmp_path, monkeypatch):
 
 
 @in_the_checkout
-@pytest.mark.parametrize("page", [page for page in RUN if blocks_of(page, "python")], ids=lambda page: page.stem)
+@pytest.mark.parametrize(
+    "page", [page for page in RUN if page.exists() and blocks_of(page, "python")], ids=lambda page: page.stem
+)
 def test_python_blocks_of_a_page_run(page):
     """One after the other, as they are read."""
     blocks = blocks_of(page, "python")
