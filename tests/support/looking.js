@@ -40,7 +40,7 @@ window.looking = (() => {
     const repr = /<[^<>]*\bobject at 0x[0-9a-f]+>|\b[A-Z]\w*\(\w+=[^=]/;
     // objects as Python prints them in brackets: in a printed example, and in the output of a cell, where a list of them
     // is asked for, they are what is shown
-    const bracketed = /<(?:[A-Z]\w*[a-z]\w*|formula|kind|claim)(?: (?:at|of|on)\b|[:.]| \w+,)[^<>]*>/;
+    const bracketed = /<(?:[A-Z]\w*[a-z]\w*|formula|kind|claim)(?: (?:at|of|on)\b|[:.]| \w+[,:])[^<>]*>/;
     const PRINTED = ".highlight, .cell_output pre";
     const copy = document.body.cloneNode(true);
     copy.querySelectorAll(TYPED).forEach((e) => e.remove());
