@@ -63,9 +63,15 @@ def examples(of: str = "") -> tuple[str, ...]:
 
 
 @overload
-def example(name: SurfaceName) -> NurbsSurface: ...  # type: ignore[overload-overlap]  # the other names are curves'
+def example(name: SurfaceName) -> NurbsSurface:  # type: ignore[overload-overlap]  # the other names are curves'
+    """The example surface with this name."""
+
+
 @overload
-def example(name: str) -> Nurbs: ...
+def example(name: str) -> Nurbs:
+    """The example curve with this name."""
+
+
 def example(name: str) -> Nurbs | NurbsSurface:
     """The example curve or surface with this name (see `examples`).
 
