@@ -19,6 +19,7 @@ from exactspline.errors import (
     as_path,
     as_text,
     counted,
+    nearest,
     written,
 )
 from exactspline.interchange.examples import example_text, examples
@@ -32,6 +33,8 @@ from exactspline.splines.surface import NurbsSurface
 
 #: How many bytes of a file are used to recognize its format.
 HEAD = 16_384
+#: A byte order mark, and blanks.
+BLANK = b"\xef\xbb\xbf \t\r\n"
 
 
 def read(
@@ -79,26 +82,6 @@ def _distance(approximate: Number | None) -> mpq | None:
     return within
 
 
-def holds_surfaces(place: str | os.PathLike[str] | bytes) -> bool:
-    """Whether a file, or what bytes hold, is in a format that can hold surfaces, by its beginning and its suffix.
-
-    >>> holds_surfaces("nothing.here")
-    False
-    """
-    path = "" if isinstance(place, bytes) else as_path(place)
-    try:
-        return _recognized(_beginning(place), Path(path).name).write_surfaces is not None
-    except (OSError, ExactSplineError):
-        return False
-
-
-def _beginning(place: str | os.PathLike[str] | bytes) -> bytes:
-    if isinstance(place, bytes):
-        return place[:HEAD]
-    with open(as_path(place), "rb") as stream:
-        return stream.read(HEAD)
-
-
 def read_in_pieces(place: str, approximate: Number | None = None) -> Iterator[Piece]:
     """The curves of a file as `read` returns them, piece by piece if the format supports it, so that a large font is
     never in memory as a whole.
@@ -126,6 +109,8 @@ def _format(source: Source, named: str | None) -> Format:
     limits = source.limits
     if len(source.data) > limits.megabytes << 20:
         raise CurveFileError(f"{counted(len(source.data), 'byte')}", remedy=f"at most {limits.megabytes} MB are read")
+    if not source.data.strip(BLANK):
+        raise CurveFileError("is empty", remedy="name a file of curves")
     return _recognized(source.data, source.name) if named is None else named_format(named)
 
 
@@ -241,7 +226,12 @@ def _is_example(path: str) -> bool:
 
 def _parted(path: str) -> tuple[str, str]:
     """The path of a file, and the part named after a colon."""
-    if os.path.lexists(path) or path in examples() or ":" not in path:
+    if os.path.lexists(path) or path in examples():
+        return path, ""
+    if path.isidentifier():
+        remedy = nearest(path, examples(), listed_by="list curves")
+        raise CurveFileError(f"there is neither a file nor an example called {path!r}", remedy=remedy)
+    if ":" not in path:
         return path, ""
     file, _, part = path.partition(":") if path.count(":") == 1 else path.rpartition(":")
     return file, part
@@ -260,8 +250,9 @@ def _bytes(path: str, limits: Limits) -> bytes:
     if _is_example(path):
         return example_text(path).encode()
     try:
-        if not stat.S_ISREG(os.stat(path).st_mode):
-            raise CurveFileError("is not a regular file", remedy="give a curve file")
+        if not stat.S_ISREG(mode := os.stat(path).st_mode):
+            what = "is a directory, not a regular file" if stat.S_ISDIR(mode) else "is not a regular file"
+            raise CurveFileError(what, remedy="give a curve file")
         with open(path, "rb") as stream:
             return stream.read(most)
     except (OSError, ValueError) as error:

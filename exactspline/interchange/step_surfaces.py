@@ -65,7 +65,7 @@ def _rows(file: StepFile, values: Value) -> list[Value]:
 def written(surface: NurbsSurface, text: StepText) -> str:
     """Add a surface, which is in space; returns the reference to it."""
     rows = list(_in_rows(surface))
-    points = _listed([",".join(text.point(point) for point, _ in row) for row in rows])
+    points = ",".join(f"({','.join(text.point(point) for point, _ in row)})" for row in rows)
     m, n = surface.degree
     base = f"{m},{n},({points}),.UNSPECIFIED.,.U.,.U.,.U."
     counts = ",".join(f"({','.join(map(str, knots.multiplicities))})" for knots in surface.knots)
@@ -78,10 +78,6 @@ def written(surface: NurbsSurface, text: StepText) -> str:
         f"(BOUNDED_SURFACE() {SPLINE}({base}) {WITH_KNOTS}({knots}) GEOMETRIC_REPRESENTATION_ITEM() "
         f"{RATIONAL}(({weights})) REPRESENTATION_ITEM({string(surface.name)}) SURFACE())"
     )
-
-
-def _listed(rows: list[str]) -> str:
-    return ",".join(f"({row})" for row in rows)
 
 
 def _in_rows(surface: NurbsSurface) -> Iterator[list[tuple[Point, mpq]]]:

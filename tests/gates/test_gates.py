@@ -276,7 +276,6 @@ ROUNDED = {
     "reals/digits.py: Digits.doubles": "rounds to a double, on request",
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "verification/conditioning/compare.py: _at_root": "what is measured is the error of doubles",
-    "verification/conditioning/search.py: search_witnesses": "chooses by a seed",
     "verification/minimality.py: witness": "chooses by a seed",
     "verification/patch_degrees.py: witness": "chooses by a seed",
 }
