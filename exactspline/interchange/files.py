@@ -152,9 +152,6 @@ def encoded(
     """The bytes that `write` writes, and notes on what was lost."""
     chosen = named_format(format)
     several: Any = [given] if isinstance(given, (Nurbs, NurbsSurface)) else as_items(given, "curves or surfaces")
-    if chosen.write is None:
-        known = ", ".join(sorted(known.name for known in FORMATS if known.write))
-        raise CurveFileError(f"{chosen.title} can be read but not written", remedy=f"these can be written: {known}")
     named = [NamedCurve(c.name or f"curve {i}", c) if isinstance(c, Nurbs) else c for i, c in enumerate(several, 1)]
     surfaces = [each for each in named if isinstance(each, NurbsSurface)]
     if not named:
@@ -164,6 +161,9 @@ def encoded(
     if surfaces and not chosen.surfaces:
         able = ", ".join(sorted(known.name for known in FORMATS if known.surfaces))
         raise CurveFileError(f"{chosen.title}: no surfaces are written", remedy=f"these hold surfaces: {able}")
+    if chosen.write is None:
+        known = ", ".join(sorted(known.name for known in FORMATS if known.write))
+        raise CurveFileError(f"{chosen.title} can be read but not written", remedy=f"these can be written: {known}")
     numbers = NumberText(rounding)
     data = chosen.write(list(map(Spline, named)), numbers)
     notes = [f"{numbers.rounded} numbers were rounded to doubles"] if numbers.rounded else []
