@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any
 
 from exactspline.cli.common import (
     Approximate,
@@ -80,7 +80,7 @@ def convert(
     """Convert curves or surfaces between formats without rounding; whatever is skipped is named on standard error, and
     where a curve is among it, the exit status is 2.
     """
-    from exactspline.interchange.files import read, write
+    from exactspline.interchange.files import encoded, read, write
 
     if epsilon and not snap:
         raise OptionsError("--epsilon without --snap", remedy="say what to replace: --snap line,circle")
@@ -105,10 +105,10 @@ def convert(
     if target == "-":
         if not out.for_people:
             raise OptionsError("a report and the curves, both on standard output", remedy="name a file for the curves")
-        data, notes = _encoded(chosen, to_format or "json", rounding)
+        data, notes = encoded(chosen, to_format or "json", rounding=rounding)
         sys.stdout.buffer.write(data)
     else:
-        notes = write([_written(each) for each in chosen], target, to_format or None, rounding=rounding)
+        notes = write(chosen, target, to_format or None, rounding=rounding)
     rows = [_row(*each, reading, target, notes) for each in zip(chosen, repairs, strict=True)]
     rows[0]["skipped"] = [f"{s.where}: {s.what}: {s.why}" for s in reading.skipped]
     out.give(
@@ -123,7 +123,7 @@ def convert(
         raise Exit(2)
 
 
-def _chosen(reading: Reading, what: str, source: str, only: Sequence[str]) -> list[NamedCurve | NamedSurface]:
+def _chosen(reading: Reading, what: str, source: str, only: Sequence[str]) -> list[NamedCurve | NurbsSurface]:
     """The curves or surfaces to convert, those with the names in `only`; what is not taken is named on standard
     error.
     """
@@ -135,7 +135,7 @@ def _chosen(reading: Reading, what: str, source: str, only: Sequence[str]) -> li
         )
     tell_skipped(reading, source, surfaces=not as_surfaces)
     tell_notes(reading, curves=not as_surfaces)
-    known = [NamedSurface(each.name, each) for each in reading.surfaces] if as_surfaces else [*reading.curves]
+    known = [*reading.surfaces] if as_surfaces else [*reading.curves]
     chosen = [named for named in known if not only or named.name in only]
     if not chosen:
         names = ", ".join(named.name for named in known[:10]) or "none"
@@ -152,13 +152,14 @@ def _sheet(what: str, rows: Sequence[dict[str, Any]]) -> Sheet:
     return Sheet(what, "read as", *numbers, "notes", rows=cells, numbers=numbers, prose=["notes"])
 
 
-def _repaired(named: NamedCurve | NamedSurface, snap: str, epsilon: str) -> Snapped | None:
+def _repaired(named: NamedCurve | NurbsSurface, snap: str, epsilon: str) -> Snapped | None:
     """A curve with its pieces near to the shapes that are named replaced by exact ones. A curve for which that cannot
     be done is named, and stays as it is.
     """
     from exactspline.geometry.recognition.snapping import Snapped, checked_kinds, snapped
+    from exactspline.interchange.records import NamedCurve
 
-    if isinstance(named, NamedSurface):
+    if not isinstance(named, NamedCurve):
         return None
     if snap:
         kinds = checked_kinds([word.strip() for word in snap.split(",")])
@@ -187,7 +188,7 @@ def _replacements(repair: Snapped | None) -> list[str]:
 
 
 def _all_replacements(
-    chosen: Sequence[NamedCurve | NamedSurface], repairs: Sequence[Snapped | None], snap: str
+    chosen: Sequence[NamedCurve | NurbsSurface], repairs: Sequence[Snapped | None], snap: str
 ) -> list[str]:
     found = [f"{each.name}: {x}" for each, repair in zip(chosen, repairs, strict=True) for x in _replacements(repair)]
     if snap and not found:
@@ -195,43 +196,26 @@ def _all_replacements(
     return found
 
 
-def _with_repair(named: NamedCurve | NamedSurface, repair: Snapped | None) -> NamedCurve | NamedSurface:
-    if repair is None or isinstance(named, NamedSurface):
+def _with_repair(named: NamedCurve | NurbsSurface, repair: Snapped | None) -> NamedCurve | NurbsSurface:
+    from exactspline.interchange.records import NamedCurve
+
+    if repair is None or not isinstance(named, NamedCurve):
         return named
     return replace(named, curve=repair.curve, notes=(*named.notes, *_replacements(repair)))
 
 
-class NamedSurface(NamedTuple):
-    """A surface with its name in the file."""
-
-    name: str
-    surface: NurbsSurface
-
-
-def _written(named: NamedCurve | NamedSurface) -> Any:
-    return named.surface if isinstance(named, NamedSurface) else named
-
-
-def _encoded(chosen: Sequence[NamedCurve | NamedSurface], format: str, rounding: bool) -> tuple[bytes, tuple[str, ...]]:
-    from exactspline.interchange.files import encoded, encoded_surfaces
-
-    surfaces = [each.surface for each in chosen if isinstance(each, NamedSurface)]
-    if surfaces:
-        return encoded_surfaces(surfaces, format, rounding=rounding)
-    return encoded([_written(each) for each in chosen], format, rounding=rounding)
-
-
 def _row(
-    named: NamedCurve | NamedSurface, repair: Snapped | None, reading: Reading, target: str, notes: Sequence[str]
+    named: NamedCurve | NurbsSurface, repair: Snapped | None, reading: Reading, target: str, notes: Sequence[str]
 ) -> dict[str, Any]:
     from exactspline.display.serialize import described_data
+    from exactspline.interchange.records import NamedCurve
 
-    if isinstance(named, NamedSurface):
-        made, net = picked(named.surface, "degree", "dimension"), named.surface.control_points
-        count, own = sum(map(len, net)), list[str]()
-    else:
+    if isinstance(named, NamedCurve):
         made, own = picked(named.curve, "degree", "dimension"), [*named.notes]
         count = len(named.curve.control_points)
+    else:
+        made, own = picked(named, "degree", "dimension"), list[str]()
+        count = sum(map(len, named.control_points))
     row: dict[str, Any] = {"key": named.name, "format": reading.format, "target": target, **made}
     row |= {"control_points": count, "notes": [*own, *reading.notes, *notes], "skipped": []}
     if repair is not None:

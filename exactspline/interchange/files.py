@@ -27,6 +27,7 @@ from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
+from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
@@ -115,7 +116,7 @@ def _format(source: Source, named: str | None) -> Format:
 
 
 def write(
-    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve] | Iterable[NurbsSurface],
+    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve | NurbsSurface],
     place: str | os.PathLike[str],
     format: str | None = None,
     *,
@@ -138,52 +139,33 @@ def write(
     place = as_path(place)
     chosen = _by_suffix(place) if format is None else named_format(format)
     try:
-        data, notes = _encoded(given, chosen, rounding)
+        data, notes = encoded(given, chosen.name, rounding=rounding)
     except ExactSplineError as error:
         raise error.at(os.fspath(place)) from None
     write_atomically(place, lambda stream: stream.write(data))
     return notes
 
 
-def _encoded(
-    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve] | Iterable[NurbsSurface], chosen: Format, rounding: bool
-) -> tuple[bytes, tuple[str, ...]]:
-    several: Any = [given] if isinstance(given, (Nurbs, NurbsSurface)) else as_items(given, "curves or surfaces")
-    surfaces = [each for each in several if isinstance(each, NurbsSurface)]
-    if not surfaces:
-        return encoded(several, chosen.name, rounding=rounding)
-    if len(surfaces) < len(several):
-        raise CurveFileError("curves and surfaces", remedy="write them into two files")
-    return encoded_surfaces(surfaces, chosen.name, rounding=rounding)
-
-
-def encoded_surfaces(
-    surfaces: Sequence[NurbsSurface], format: str, *, rounding: bool = False
-) -> tuple[bytes, tuple[str, ...]]:
-    """The bytes that `write` writes of surfaces, and notes on what was lost."""
-    chosen = named_format(format)
-    if chosen.write_surfaces is None:
-        able = ", ".join(sorted(known.name for known in FORMATS if known.write_surfaces))
-        raise CurveFileError(f"{chosen.title}: no surfaces are written", remedy=f"these hold surfaces: {able}")
-    numbers = NumberText(rounding)
-    data = chosen.write_surfaces(surfaces, numbers)
-    return data, tuple([f"{numbers.rounded} numbers were rounded to doubles"] if numbers.rounded else [])
-
-
 def encoded(
-    curves: Nurbs | Iterable[Nurbs | NamedCurve], format: str, *, rounding: bool = False
+    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve | NurbsSurface], format: str, *, rounding: bool = False
 ) -> tuple[bytes, tuple[str, ...]]:
     """The bytes that `write` writes, and notes on what was lost."""
     chosen = named_format(format)
-    curves = [curves] if isinstance(curves, Nurbs) else as_items(curves, "curves")
-    if chosen.write is None:
-        written = ", ".join(sorted(known.name for known in FORMATS if known.write))
-        raise CurveFileError(f"{chosen.title} can be read but not written", remedy=f"these can be written: {written}")
-    named = [c if isinstance(c, NamedCurve) else NamedCurve(c.name or f"curve {i}", c) for i, c in enumerate(curves, 1)]
+    several: Any = [given] if isinstance(given, (Nurbs, NurbsSurface)) else as_items(given, "curves or surfaces")
+    named = [NamedCurve(c.name or f"curve {i}", c) if isinstance(c, Nurbs) else c for i, c in enumerate(several, 1)]
+    surfaces = [each for each in named if isinstance(each, NurbsSurface)]
     if not named:
         raise CurveFileError("no curves to write", remedy="give at least one")
+    if surfaces and len(surfaces) < len(named):
+        raise CurveFileError("curves and surfaces", remedy="write them into two files")
+    if surfaces and not chosen.surfaces:
+        able = ", ".join(sorted(known.name for known in FORMATS if known.surfaces))
+        raise CurveFileError(f"{chosen.title}: no surfaces are written", remedy=f"these hold surfaces: {able}")
+    if chosen.write is None:
+        known = ", ".join(sorted(known.name for known in FORMATS if known.write))
+        raise CurveFileError(f"{chosen.title} can be read but not written", remedy=f"these can be written: {known}")
     numbers = NumberText(rounding)
-    data = chosen.write(named, numbers)
+    data = chosen.write(list(map(Spline, named)), numbers)
     notes = [f"{numbers.rounded} numbers were rounded to doubles"] if numbers.rounded else []
     return data, (*notes, *([chosen.loses] if chosen.loses else []))
 

@@ -18,7 +18,8 @@ from exactspline.interchange.collector import Collector
 from exactspline.interchange.curve_files import curve_data, curve_from_data, surface_data, surface_from_data
 from exactspline.interchange.json_files import parsed
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.writing import Spline
 from exactspline.splines.surface import NurbsSurface
 
 #: The fields of a curve that are long.
@@ -90,18 +91,16 @@ def _surface(found: Collector, entry: Any, where: str) -> None:
     found.surfaces.append(surface_from_data(entry, Path(found.source.name).stem or where, found.limits))
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """A single curve as an object, several as ``{"curves": […]}``; always exact."""
-    entries = [curve_data(named.curve) | {"name": named.name} for named in curves]
-    data: Any = entries[0] if len(entries) == 1 else {"curves": entries}
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+    """A single curve or surface as an object, several curves as ``{"curves": […]}``, surfaces as a list; always
+    exact.
+    """
+    entries = [
+        (surface_data(s.of) if isinstance(s.of, NurbsSurface) else curve_data(s.of)) | {"name": s.name} for s in splines
+    ]
+    several: Any = entries if splines[0].is_surface else {"curves": entries}
+    data = entries[0] if len(entries) == 1 else several
     return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
 
 
-def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
-    """A single surface as an object, several as a list; always exact."""
-    entries = [surface_data(surface) for surface in surfaces]
-    data: Any = entries[0] if len(entries) == 1 else entries
-    return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
-
-
-FORMAT = Format("json", "exactspline JSON", (".json",), looks_like, read, write, write_surfaces=write_surfaces)
+FORMAT = Format("json", "exactspline JSON", (".json",), looks_like, read, write, surfaces=True)

@@ -264,7 +264,6 @@ ROUNDED = {
     "geometry/many_splines.py: Segments.at_knots": "the certified filter",
     "interchange/bridges/numpy.py: points_at": "rounds to doubles, on request",
     "interchange/formats/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
-    "interchange/formats/rhino.py: write_surfaces": "the same of surfaces",
     "interchange/rhino_process.py: _hex": "doubles of a file, bit by bit",
     "programs/accelerator.py: signs": "the certified filter",
     "programs/masses.py: factors": "the certified filter",
