@@ -189,7 +189,7 @@ def _see_that_they_fit(names: Sequence[str], approach: str, epsilon: str, emit_c
     """See that the options for curves fit to each other."""
     from exactspline.geometry.inspection import Approach
 
-    if approach:
+    if approach and approach != ALL:
         choice(Approach, approach, "approach", also=(ALL,))
     if emit_coq and len(names) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
