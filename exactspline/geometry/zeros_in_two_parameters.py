@@ -14,6 +14,7 @@ from typing import NamedTuple
 from flint import fmpz_mpoly
 
 from exactspline.errors import ReachError
+from exactspline.geometry.common_zeros_certificate import common_zeros_certificate
 from exactspline.geometry.surface.borders import EDGES
 from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained
 from exactspline.geometry.surface.common_factor import square_free
@@ -59,6 +60,32 @@ class CommonZero:
 
 
 @dataclass(frozen=True, repr=False)
+class CommonZeros(SurfacePlaces[CommonZero]):
+    """All common zeros of functions of two parameters."""
+
+    functions: tuple[TensorSpline, ...] = field(default=(), compare=False)
+
+    def certificate(self) -> dict[str, object]:
+        """A proof, as JSON data with exact strings, that these are all (see `exactspline.certificates`): of two
+        functions whose common zeros are simple.
+
+        >>> from exactspline import TensorSpline, check_certificate
+        >>> flat, knots = [0, 0, 1, 1], [0, 0, 0, 1, 1, 1]
+        >>> line = TensorSpline((1, 1), flat, flat, [[0, -1], [1, 0]])  # s − t
+        >>> circle = TensorSpline((2, 2), knots, knots, [[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # s² + t² − 1
+        >>> check_certificate(common_zeros(circle, line).certificate())
+        {'zeros': 1}
+
+        Raises `ReachError` for other answers.
+        """
+        if len(self.functions) != 2 or self.everywhere or self.undecided:
+            raise ReachError(
+                "a certificate of other zeros than single ones of two functions", remedy="ask for the points"
+            )
+        return common_zeros_certificate(*self.functions, [((x.first, x.second), x.patches) for x in self.points])
+
+
+@dataclass(frozen=True, repr=False)
 class ZeroCurves:
     """All zeros of a function of two parameters: `lines` parallel to an axis, other connected `curves`, single
     `points`, and `everywhere` the patches on which it vanishes. `undecided` are rectangles in which there may be more.
@@ -84,7 +111,7 @@ class ZeroCurves:
         return ", ".join(parts + [f"undecided in {SurfacePart((0, 0), box)}" for box in self.undecided]) or "nowhere"
 
 
-def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline) -> SurfacePlaces[CommonZero]:
+def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline) -> CommonZeros:
     """All points at which two or more functions of two parameters vanish together: simple and multiple ones, on borders
     and at knots, each once; and `everywhere` the patches, lines and curves on which they do.
 
@@ -122,7 +149,7 @@ def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline)
             whole += parts
             undecided += open_boxes
     kept = [zero for zero in found if not _is_on(zero.place, whole)]
-    return SurfacePlaces(_each_once(kept, functions[0]), tuple(whole), tuple(undecided))
+    return CommonZeros(_each_once(kept, functions[0]), tuple(whole), tuple(undecided), tuple(functions))
 
 
 def zero_curve(function: TensorSpline) -> ZeroCurves:
@@ -282,4 +309,4 @@ def _each_once(found: Sequence[_Zero], f: TensorSpline) -> tuple[CommonZero, ...
     return tuple(sorted(points, key=lambda point: (point.first, point.second)))
 
 
-__all__ = ["CommonZero", "ZeroCurves", "common_zeros", "zero_curve"]
+__all__ = ["CommonZero", "CommonZeros", "ZeroCurves", "common_zeros", "zero_curve"]
