@@ -95,7 +95,6 @@ UNREGISTERED = {
     "geometry/certain.py: Certain.inflections": "the answer of the question inflections, where it is certain",
     "geometry/extent.py: turning_points": "the answer of the question turning_points, beside what it shares with boxes",
     "geometry/inspection.py: Inspection.critical_points": "the question critical_points by the approach of a command",
-    "geometry/zeros_in_two_parameters.py: common_zeros": "of any functions, not of a curve or a surface",
 }
 QUESTION = "class A(Facts):\n    @{}\n    def loops(self) -> Places[Feature]:\n        return Places(())"
 
