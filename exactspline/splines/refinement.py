@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Protocol, Self, TypeVar
+
+from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError, shown
 from exactspline.language.provenance import Provenance
@@ -26,6 +28,7 @@ class Piecewise(Protocol):
     mesh: Mesh
     continuity: tuple[int, ...]
     provenance: Provenance
+    denominators: tuple[fmpz, ...]
 
     @classmethod
     def from_forms(
@@ -41,6 +44,10 @@ class Piecewise(Protocol):
     @property
     def forms(self) -> tuple[Form, ...]:
         """The form of every segment."""
+
+    @property
+    def polynomials(self) -> Sequence[fmpz_poly]:
+        """The polynomials of the forms, copies."""
 
     @property
     def domain(self) -> Interval:
@@ -79,10 +86,10 @@ def over(f: S, mesh: Mesh) -> S:
 
 
 def _parts(f: Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
-    forms = f.forms
     for a, b in pairwise(mesh.breaks):
         i = f.mesh.locate(a)
-        yield bernstein.restrict(forms[i], f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
+        form = f.polynomials[i], f.denominators[i]
+        yield bernstein.restrict(form, f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
 
 
 def elevate_degree(f: S, by: int = 1) -> S:
@@ -243,10 +250,9 @@ def restrict(f: S, a: Number, b: Number) -> S:
             remedy="give a < b inside the domain",
             domain=f.domain,
         )
-    inner = [t for t in f.mesh.breaks if a < t < b]
-    known = dict(zip(f.mesh.breaks[1:-1], f.continuity, strict=True))
-    mesh = Mesh([a, *inner, b])
-    return type(f).from_forms(f.degree, mesh, tuple(known[t] for t in inner), _parts(f, mesh))
+    first, last = f.mesh.locate(a), f.mesh.locate(b, left=True)
+    mesh = Mesh([a, *f.mesh.breaks[first + 1 : last + 1], b])
+    return type(f).from_forms(f.degree, mesh, f.continuity[first:last], _parts(f, mesh))
 
 
 def reverse(f: S) -> S:
