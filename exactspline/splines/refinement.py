@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Protocol, Self, TypeVar
@@ -145,9 +146,9 @@ def _without_smooth_knots(f: S) -> S:
     return type(f).from_forms(f.degree, Mesh(breaks), tuple(f.continuity[i] for i in keep), merged)
 
 
-def _inner(f: Piecewise, given: Number) -> mpq:
+def _inner(mesh: Mesh, given: Number) -> mpq:
     """A parameter inside the domain."""
-    (a, b), t = f.domain, rational(given)
+    (a, b), t = mesh.domain, rational(given)
     if not a < t < b:
         raise DomainError(
             f"{short_text(t)} is not inside the domain ({text(a)}, {text(b)})",
@@ -157,26 +158,24 @@ def _inner(f: Piecewise, given: Number) -> mpq:
     return t
 
 
-def insertable(f: Piecewise, t: Number, times: int) -> tuple[mpq, int]:
+def insertable(degree: int, mesh: Mesh, continuities: Sequence[int], t: Number, times: int) -> tuple[mpq, int]:
     """The parameter at which knots are to be inserted, and the continuity that remains there."""
-    t = _inner(f, t)
+    t = _inner(mesh, t)
     if type(times) is not int or times < 1:
         raise KnotError(f"{shown(times)} knots to insert", remedy="insert an integer of them, at least one")
-    breaks = f.mesh.breaks
-    continuity = f.continuity[breaks.index(t) - 1] if t in breaks else SMOOTH
-    lowered = min(continuity, f.degree) - times
+    i = bisect_left(mesh.breaks, t)
+    continuity = continuities[i - 1] if mesh.breaks[i] == t else SMOOTH
+    lowered = min(continuity, degree) - times
     if lowered < -1:
         raise KnotError(
-            f"{text(t)} would get multiplicity {f.degree - lowered}",
-            remedy=f"at most degree + 1 = {f.degree + 1}",
-            knot=t,
+            f"{text(t)} would get multiplicity {degree - lowered}", remedy=f"at most degree + 1 = {degree + 1}", knot=t
         )
     return t, lowered
 
 
 def insert_knot(f: S, t: Number, times: int = 1) -> S:
     """The same function with one more knot (or several) at a parameter inside the domain."""
-    t, lowered = insertable(f, t, times)
+    t, lowered = insertable(f.degree, f.mesh, f.continuity, t, times)
     g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
     position = g.mesh.breaks.index(t) - 1
     return type(f).from_forms(f.degree, g.mesh, _replaced(g.continuity, position, lowered), g.forms)
@@ -184,7 +183,7 @@ def insert_knot(f: S, t: Number, times: int = 1) -> S:
 
 def remove_knot(f: S, t: Number, times: int = 1) -> S:
     """The same function with one knot (or several) removed; `ReductionError` names the derivative that jumps there."""
-    t = _inner(f, t)
+    t = _inner(f.mesh, t)
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
     if type(times) is not int or not 1 <= times <= multiplicity:
         raise KnotError(
@@ -218,7 +217,7 @@ def continuity_at(f: Piecewise, t: Number) -> int:
     >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
     1
     """
-    t = _inner(f, t)
+    t = _inner(f.mesh, t)
     if t not in f.mesh.breaks:
         return f.degree
     derivative = f

@@ -122,8 +122,8 @@ def _circle_through(points: Sequence[Point], normal: Point = ()) -> Circle | Non
     else:
         (x, y), (u, v) = sides
         area = x * v - y * u
-        step = area and ((right[0] * v - right[1] * y) / area, (right[1] * x - right[0] * u) / area)
-    if not step:
+        step = ((right[0] * v - right[1] * y) / area, (right[1] * x - right[0] * u) / area) if area else None
+    if step is None:
         return None
     return Circle(tuple(x + y for x, y in zip(a, step, strict=True)), scalar(step, step), normal)
 

@@ -24,7 +24,7 @@ from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
 
-#: A segment is divided into so many parts, at whose ends points are taken to guess a shape.
+#: A segment is divided into this many parts, at whose ends points are taken to guess a shape.
 PARTS = 6
 #: The distance that is asked for where none is given, in units of the curve's size.
 SMALL = mpq(1, 10**9)
