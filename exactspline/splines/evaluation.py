@@ -18,6 +18,8 @@ from exactspline.splines.knots import Mesh
 TOGETHER, BITS = 64, 256
 #: The integer coefficients of numerators and denominator on one segment, the highest first.
 Rows = list[list[int]]
+#: The same for numerators of the parameter, each row by its first number and the others.
+Scaled = list[tuple[int, list[int]]]
 
 
 def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
@@ -43,6 +45,8 @@ class Evaluation:
         self.splines: Sequence[BSpline] = p if w is None else [*p, w]
         self.polynomial = w is None
         self._rows: dict[int, Rows] = {}
+        #: The rows for parameters over the denominator that was used last.
+        self._over: tuple[int, dict[int, Scaled]] = 1, {}
         self._slopes: dict[tuple[int, int], list[Rows]] = {}
 
     @property
@@ -73,12 +77,17 @@ class Evaluation:
     def _points(self, ts: Sequence[mpq], numerators: Sequence[int], q: int, left: bool) -> list[tuple[mpq, ...]]:
         """The points at parameters over the denominator q."""
         mesh, breaks, found = self.mesh, self.mesh.breaks, []
-        powers = [*accumulate(repeat(q, self.splines[0].degree), mul, initial=1)]
-        here, rows, low, high = -1, list[tuple[int, list[int]]](), breaks[0], breaks[0]
+        over = self._over
+        if over[0] != q:
+            over = self._over = q, {}
+        made, powers = over[1], [*accumulate(repeat(q, self.splines[0].degree), mul, initial=1)]
+        here, rows, low, high = -1, Scaled(), breaks[0], breaks[0]
         for t, a in zip(ts, numerators, strict=True):
             if not low < t < high and (i := mesh.locate(t, left=left)) != here:
                 here, low, high = i, breaks[i], breaks[i + 1]
-                rows = [(row[0], [*map(mul, row[1:], powers[1:])]) for row in self._rows_of(i)]
+                if i not in made:
+                    made[i] = [(row[0], [*map(mul, row[1:], powers[1:])]) for row in self._rows_of(i)]
+                rows = made[i]
             values = []
             for first, rest in rows:
                 value = first
