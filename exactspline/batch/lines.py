@@ -11,7 +11,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 from exactspline.batch.corpus import Problem, short_digest
 
 #: The version of a line's schema; it is raised when a field changes its meaning or is removed.
-VERSION = 4
+VERSION = 5
 
 
 #: The kind of a piece all of whose points answer a question about points.
@@ -32,6 +32,9 @@ class Found:
     Where values are asked for, a point has its coordinates and the curvature as correctly rounded doubles; None where
     there is none: `z` in the plane, the curvature where γ′ = 0 or where the two sides of a knot differ, a number beyond
     the largest double.
+
+    Where two parameters belong together, as at self-intersections, the other one lies between `other_low` and
+    `other_high`, or runs between them.
     """
 
     kind: str
@@ -42,6 +45,8 @@ class Found:
     y: float | None = None
     z: float | None = None
     curvature: float | None = None
+    other_low: str | None = None
+    other_high: str | None = None
 
 
 class Way(StrEnum):
@@ -171,7 +176,7 @@ def line_schema() -> dict[str, object]:
     """The JSON Schema of a line.
 
     >>> line_schema()["title"]
-    'exactspline/sweep_line, version 4'
+    'exactspline/sweep_line, version 5'
     """
     from exactspline.display.answer_forms import surface_answer_forms, values_form
 
