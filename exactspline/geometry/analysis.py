@@ -305,14 +305,14 @@ class Analysis(SpaceFacts, Displayed):
         return features_nearby(self.curve, epsilon)
 
     @question_with("1/1000", Of.PLANE_CURVE, answered=Answered.DESCRIBED)
-    def near_cusps(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
+    def cusps_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """Where curves whose control points and weights differ by at most this may have cusps or other singular points;
         none of them has one elsewhere.
 
         See `exactspline.geometry.nearby.singular_points_nearby`.
 
         >>> from exactspline import example
-        >>> len(analyse(example("cusp")).near_cusps("1/1000")), analyse(example("circle")).near_cusps("1/1000")
+        >>> len(analyse(example("cusp")).cusps_within("1/1000")), analyse(example("circle")).cusps_within("1/1000")
         (1, ())
 
         Raises `ShapeError` like `features_within`.
