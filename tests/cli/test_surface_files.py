@@ -4,9 +4,12 @@ import io
 import json
 import re
 
+import jsonschema
 import pytest
 
 from exactspline import example
+from exactspline.batch.lines import line_schema
+from exactspline.cli.schema import schema_of
 from exactspline.interchange import read
 from exactspline.interchange.files import encoded, encoded_surfaces, write
 from tests.support.command import run
@@ -98,6 +101,23 @@ def test_a_sweep_of_surfaces(mixed, tmp_path):
     assert counts["patches", ""] == 24
     assert {("filter", "computed before")} <= {(row["what"], row["name"]) for row in rows(again)}
     assert run("sweep", mixed, "--find", "inflections", "-o", place).returncode == 2
+
+
+def test_the_elements_of_answers_have_types():
+    """Passed before: a point without a parameter, and a kind that there is not, in rows of ``inspect`` and in lines."""
+    for name, schema in (("ellipse", schema_of("inspect")), ("folded_map", schema_of("inspect surface"))):
+        document = json.loads(run("inspect", name, "--json").stdout)
+        jsonschema.validate(document, schema)
+        answers = document["rows"][0]
+        spoiled = answers["critical_points"]["points"] if name == "ellipse" else answers["zeros"]["undecided"]
+        del spoiled[0]["decimal" if name == "ellipse" else "u"]
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.validate(document, schema)
+    line = json.loads(run("sweep", "--surfaces", "enneper", "--find", "umbilics", "-o", "-").stdout)
+    jsonschema.validate(line, line_schema())
+    for answers in ({"umbilics": []}, {"umbilic": line["answers"]["umbilics"]}, {"value@0,0": 1}):
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.validate(line | {"answers": answers}, line_schema())
 
 
 def test_what_a_sweep_of_surfaces_refuses(mixed, tmp_path):
