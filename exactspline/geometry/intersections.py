@@ -333,9 +333,11 @@ class _Collected:
         return Intersection(*point.parameters, kind, times, self.curves)
 
     def _ends_an_arc(self, point: _Found) -> bool:
-        s, t = (self._at(k, point) for k in (0, 1))
+        place = tuple(self._at(k, point) for k in (0, 1))
+        # with the seam of a closed curve as its start, the parameters of a curve and itself may change their order
+        places = (place, place[::-1]) if self.alone else (place,)
         return any(
-            self._from_seam(0, x) == s and self._from_seam(1, y) == t
+            (self._from_seam(0, x), self._from_seam(1, y)) in places
             for arc in self.arcs
             for x, y in zip(arc.first, arc.second, strict=True)
         )

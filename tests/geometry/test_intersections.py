@@ -226,6 +226,15 @@ def test_a_closed_curve_that_touches_its_seam():
     assert (found.first, found.second) == (0, 3)
 
 
+def test_an_arc_that_a_closed_curve_runs_over_again_and_that_ends_at_its_seam():
+    """Passed before: the end of the arc as a point, too, with the seam as 0 (seed 401962 of the campaign)."""
+    corners = [(0, -2), (-1, 3), (0, -3), (0, 0), (0, -2)]
+    found = self_intersections(Nurbs(1, [0, 0, 1, 2, 3, 4, 4], corners))
+    assert not found.points
+    (arc,) = found.everywhere
+    assert [str(x) for x in (*arc.first, *arc.second)] == ["3", "7/3", "3", "4"]
+
+
 # ---- space
 
 
