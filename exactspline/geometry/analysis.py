@@ -430,9 +430,15 @@ class Analysis(SpaceFacts, Displayed):
 
 
 @overload
-def analyse(given: Nurbs) -> Analysis: ...
+def analyse(given: Nurbs) -> Analysis:
+    """Everything that can be computed of a curve."""
+
+
 @overload
-def analyse(given: NurbsSurface) -> SurfaceInspection | MapInspection: ...
+def analyse(given: NurbsSurface) -> SurfaceInspection | MapInspection:
+    """Everything that can be computed of a surface, or of a map of a rectangle into the plane."""
+
+
 def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapInspection:
     """Everything that can be computed of a curve, of a surface in space, or of a map of a rectangle into the plane.
     Each question is answered when it is first asked. The analysis of a curve is made once and kept with the curve.

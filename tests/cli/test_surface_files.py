@@ -11,7 +11,7 @@ from exactspline import example
 from exactspline.batch.lines import line_schema
 from exactspline.cli.schema import schema_of
 from exactspline.interchange import read
-from exactspline.interchange.files import encoded, encoded_surfaces, write
+from exactspline.interchange.files import encoded, write
 from tests.support.command import run
 
 
@@ -19,7 +19,7 @@ from tests.support.command import run
 def mixed(tmp_path):
     """A g2 file with a curve and two surfaces."""
     place = tmp_path / "mixed.g2"
-    surfaces, _ = encoded_surfaces([example("sphere"), example("torus")], "g2")
+    surfaces, _ = encoded([example("sphere"), example("torus")], "g2")
     curve, _ = encoded([example("cusp")], "g2")
     place.write_bytes(surfaces + curve)
     return place
@@ -181,7 +181,7 @@ def test_what_holds_no_surface_is_named(tmp_path):
 def test_notes_on_curves_that_are_not_taken_are_not_told(tmp_path):
     """`inspect --surfaces` told the notes of the curves that it left out."""
     place = tmp_path / "both.stp"
-    surface, _ = encoded_surfaces([example("sphere")], "step")
+    surface, _ = encoded([example("sphere")], "step")
     curve, _ = encoded([example("circle")], "step")
     entities = curve.split(b"DATA;")[1].split(b"ENDSEC;")[0]
     shifted = re.sub(rb"#(\d+)", lambda found: b"#%d" % (int(found[1]) + 10_000), entities)

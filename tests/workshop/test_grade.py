@@ -44,7 +44,7 @@ def test_there_are_five_thousand_cases_of_doubles_each_once():
     for case in cases[::50]:
         numbers = [*case.curve.knots, *case.curve.weights, case.parameter]
         numbers += [x for p in case.curve.control_points for x in p]
-        assert all(xs.from_float(float(x)) == x for x in numbers)
+        assert all(xs.from_floats(float(x)) == x for x in numbers)
         assert case.curve.domain[0] <= case.parameter <= case.curve.domain[1]
     assert families["named"] == len(REPORTED) >= 15
     assert all(named.link.startswith("https://github.com/") and named.note for named in REPORTED)
