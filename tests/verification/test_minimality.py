@@ -160,8 +160,10 @@ def test_what_is_not_irreducible_is_refused(form):
 
 def test_a_prime_beyond_the_bound_of_the_bases_is_none():
     """The bases of the test of Miller and Rabin are proved to suffice below 3·10²⁴."""
-    number = next(n for n in range(3 * 10**24 + 1, 3 * 10**24 + 1000, 2) if fmpz(n).is_prime())
-    assert not is_prime(number)
+    bound = 3 * 10**24
+    below, beyond = (next(n for n in range(bound + s, bound + 1000 * s, 2 * s) if fmpz(n).is_prime()) for s in (-1, 1))
+    assert is_prime(below)
+    assert not is_prime(beyond)
 
 
 def test_witnesses_are_the_same_every_time():
