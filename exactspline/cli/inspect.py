@@ -125,7 +125,6 @@ def inspect(
         given_options = {
             "--approach": approach,
             "--coordinates": coordinates,
-            "--epsilon": epsilon,
             "--approximate": approximate,
             "--stability": stability,
             "--certificate": certificate,
@@ -133,7 +132,9 @@ def inspect(
         }
         if refused := next((option for option, value in given_options.items() if value), ""):
             raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
-        inspect_surfaces(out, found_surfaces, digits, plot)
+        if epsilon:
+            check_distance(epsilon)
+        inspect_surfaces(out, found_surfaces, digits, plot, epsilon)
         return
     if ask:
         answer_questions(out, read_curves(curve, standard, approximate), ask, digits, certificates)
