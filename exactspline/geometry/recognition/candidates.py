@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from operator import mul
 
 import flint
 
 from exactspline.geometry.recognition.shapes import (
+    NOTHING,
     Circle,
     Conic,
     CurveShape,
@@ -35,6 +37,8 @@ FINE = mpq(1, 32)
 STEPS = 3
 #: How far the discriminant of a conic is from 0, at most, for a parabola near it.
 NEARLY = mpq(1, 16)
+#: Bits behind the point, more than conics through points that are almost on several need.
+FIXED = 384
 
 
 def candidates(points: Sequence[Point], limit: mpq) -> Iterator[CurveShape]:
@@ -46,18 +50,17 @@ def candidates(points: Sequence[Point], limit: mpq) -> Iterator[CurveShape]:
     line: point (0, 0), direction (2, 4)
     """
     squared = limit * limit
-    if (line := _line(points)) is not None and farthest(line, points) <= squared:
+    if (line := _line(points)) is not None and all_near(line, points, squared):
         yield line
     for plane in planes(points, limit) if len(points[0]) == 3 else (None,):
         for through, count, fitted in ((_circle_through, 3, _fitted_circles), (_conic_through, 5, _fitted_conics)):
             first = through(_spread(points[:-1], count), plane)
-            away = None if first is None else farthest(first, points)
-            if first is None or away is None or away > squared * WORSE * WORSE:
+            if first is None or not all_near(first, points, squared * WORSE * WORSE):
                 continue
-            if away:
-                yield from fitted(points, plane, squared)
-            else:
+            if all_near(first, points, NOTHING):
                 yield first
+            else:
+                yield from fitted(points, plane, squared)
 
 
 def planes(points: Sequence[Point], limit: mpq) -> Iterator[Plane]:
@@ -68,14 +71,22 @@ def planes(points: Sequence[Point], limit: mpq) -> Iterator[Plane]:
     if len(three) < 3 or not any(normal := cross_product(minus(three[1], three[0]), minus(three[2], three[0]))):
         return
     through = Plane(three[0], normal)
-    plane = _fitted_plane(_spread(points, MOST_POINTS)) if farthest(through, points) else through
-    if plane is not None and farthest(plane, points) <= limit * limit:
+    exact = all_near(through, points, NOTHING)
+    plane = through if exact else _fitted_plane(_spread(points, MOST_POINTS))
+    if plane is not None and all_near(plane, points, limit * limit):
         yield plane
 
 
 def farthest(shape: Shape, points: Sequence[Point]) -> mpq:
     """About the square of the largest distance of the points."""
     return max(map(shape.estimate, points))
+
+
+def all_near(shape: Shape, points: Sequence[Point], squared: mpq) -> bool:
+    """Whether about the square of the distance of no point is above this; from the last point on, which is not one of
+    those through which a shape was laid.
+    """
+    return all(shape.estimate(point) <= squared for point in reversed(points))
 
 
 def _spread(points: Sequence[Point], count: int) -> list[Point]:
@@ -102,33 +113,53 @@ def rounded(x: mpq, unit: mpq) -> mpq:
 
 def _line(points: Sequence[Point]) -> Line | None:
     """From the first point to the last, or to the one farthest from it."""
-    start = points[0]
-    end = max(points, key=lambda point: scalar(minus(point, start), minus(point, start)))
-    direction = minus(end, start)
-    return Line(start, direction) if any(direction) else None
+    offsets = [minus(point, points[0]) for point in points]
+    direction = max(offsets, key=lambda offset: scalar(offset, offset))
+    return Line(points[0], direction) if any(direction) else None
 
 
-def least(rows: Sequence[Sequence[mpq]]) -> list[mpq] | None:
-    """About the vector of length 1 whose products with some rows have the least sum of squares, by inverse iteration;
-    its largest component is 1.
+def least(rows: Sequence[Sequence[mpq]]) -> list[mpq]:
+    """About the vector, the largest component of which is 1, whose products with some rows have the least sum of
+    squares, by inverse iteration in numbers of a fixed number of bits; none where that fails. Rows and vector have
+    twice the digits of `ROUND`.
     """
-    columns = list(zip(*rows, strict=True))
-    scatter = [[scalar(x, y) + (ROUND * ROUND if x is y else 0) for y in columns] for x in columns]
-    k = [mpq(1, i + 2) for i in range(len(columns))]
+    fine = int(1 / ROUND) ** 2
+    columns = [*zip(*[[int(x * fine) for x in row] for row in rows], strict=True)]
+    n = len(columns)
+    scatter = [[sum(map(mul, x, y)) << FIXED for y in columns[: i + 1]] for i, x in enumerate(columns)]
+    for row in scatter:
+        row[-1] += fine << FIXED
+    # the matrix is L D Lᵀ
+    lower, diagonal = [[0] * n for _ in range(n)], list[int]()
+    for j in range(n):
+        weighted = [x * d >> FIXED for x, d in zip(lower[j], diagonal, strict=False)]
+        pivot = scatter[j][j] - (sum(map(mul, lower[j], weighted)) >> FIXED)
+        if pivot <= 0:
+            return []
+        diagonal.append(pivot)
+        for i in range(j + 1, n):
+            lower[i][j] = ((scatter[i][j] << FIXED) - sum(map(mul, lower[i], weighted))) // pivot
+    upper = [*zip(*lower, strict=True)]
+    # a start that is in no way special
+    numbers = [420 // (k + 2) for k in range(n)]
     for _ in range(3):
-        solution = solved(scatter, k)
-        if solution is None:
-            return None
-        largest = max(solution, key=abs)
-        k = [rounded(x / largest, ROUND * ROUND) for x in solution]
-    return k
+        for i in range(n):
+            numbers[i] = (numbers[i] << FIXED) - (sum(map(mul, lower[i], numbers[:i])) >> FIXED)
+        numbers = [(x << 2 * FIXED) // d for x, d in zip(numbers, diagonal, strict=True)]
+        for i in range(n - 2, -1, -1):
+            numbers[i] -= sum(map(mul, upper[i][i + 1 :], numbers[i + 1 :])) >> FIXED
+        largest = max(numbers, key=abs)
+        if not largest:
+            return []
+        numbers = [(2 * fine * x + largest) // (2 * largest) for x in numbers]
+    return [mpq(x, fine) for x in numbers]
 
 
 def _fitted_plane(points: Sequence[Point]) -> Plane | None:
     """The plane of least squares, with numbers as short as its distance from the points allows."""
     middle, size = box(points)
     found = least([(*[rounded((x - m) / size, ROUND) for x, m in zip(p, middle, strict=True)], mpq(1)) for p in points])
-    if found is None or not any(found[:-1]):
+    if not any(found[:-1]):
         return None
     *normal, offset = found
     foot = -offset * size / scalar(normal, normal)
@@ -161,10 +192,16 @@ def _circle_through(points: Sequence[Point], plane: Plane | None) -> Circle | No
         return None
     a, *others = points
     sides = [minus(x, a) for x in others]
-    rows, right = [*sides], [scalar(x, x) / 2 for x in sides]
+    right = [scalar(x, x) / 2 for x in sides]
+    step: Sequence[mpq] | None
     if plane is not None:
-        rows, right = [*rows, plane.normal], [*right, scalar(plane.normal, minus(plane.point, a))]
-    step = solved(rows, right)
+        step = solved([*sides, plane.normal], [*right, scalar(plane.normal, minus(plane.point, a))])
+    elif len(a) == 3:
+        step = solved(sides, right)
+    else:
+        (x, y), (u, v) = sides
+        area = x * v - y * u
+        step = ((right[0] * v - right[1] * y) / area, (right[1] * x - right[0] * u) / area) if area else None
     if step is None:
         return None
     return Circle(tuple(x + y for x, y in zip(a, step, strict=True)), scalar(step, step), plane.normal if plane else ())
@@ -198,15 +235,14 @@ def sphere(points: Sequence[Point], limit: mpq) -> Circle | None:
     squares, where it is about as close to them as a limit.
     """
     found = _circle_through(_spread(points[:-1], 4), None)
-    away = None if found is None else farthest(found, points)
-    if away:
+    if found is not None and not all_near(found, points, NOTHING):
         found = fitted_circle(_spread(points, MOST_POINTS), None)
-    return found if found is not None and farthest(found, points) <= limit * limit else None
+    return found if found is not None and all_near(found, points, limit * limit) else None
 
 
 def _fitted_circles(points: Sequence[Point], plane: Plane | None, squared: mpq) -> Iterator[CurveShape]:
     found = fitted_circle(_spread(points, MOST_POINTS), plane)
-    if found is not None and farthest(found, points) <= squared:
+    if found is not None and all_near(found, points, squared):
         yield found
 
 
@@ -238,15 +274,33 @@ def _conic(k: Sequence[mpq]) -> Conic | None:
 
 
 def _conic_through(points: Sequence[Point], plane: Plane | None) -> Conic | None:
-    """The conic through five points."""
+    """The conic through five points: of the conics through the first four, which two pairs of lines span."""
     if len(points) < 5:
         return None
-    frame = _frame(plane)
-    start = plane.point if plane else (mpq(0), mpq(0))
-    rows = [over_one_denominator(_monomials(_local(point, start, mpq(1), frame)))[0] for point in points]
-    basis, count = flint.fmpz_mat(rows).nullspace()
-    found = _conic([from_flint(basis[i, 0]) for i in range(6)]) if count == 1 else None
-    return found and _lifted(found, start, mpq(1), frame, plane)
+    if plane is not None:
+        frame = _frame(plane)
+        flat = _conic_through([_local(point, plane.point, mpq(1), frame) for point in points], None)
+        return flat and _lifted(flat, plane.point, mpq(1), frame, plane)
+    numbers, unit = over_one_denominator([x for point in points for x in point])
+    first, second, third, fourth, (x, y) = list(zip(numbers[::2], numbers[1::2], strict=True))
+    pairs = []
+    for b, c in ((second, third), (third, second)):
+        (p, q, r), (s, t, u) = _through(first, b), _through(c, fourth)
+        pairs.append(
+            (
+                (p * x + q * y + r) * (s * x + t * y + u),
+                (p * s, p * t + q * s, q * t, p * u + r * s, q * u + r * t, r * u),
+            )
+        )
+    (v, one), (w, other) = pairs
+    degrees = (2, 2, 2, 1, 1, 0)
+    return _conic([mpq((w * k - v * m) * unit**e) for k, m, e in zip(one, other, degrees, strict=True)])
+
+
+def _through(a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int, int]:
+    """The coefficients of x, y and 1 in the equation of the line through two points."""
+    (x, y), (u, v) = a, b
+    return y - v, u - x, x * v - y * u
 
 
 def _fitted_conics(points: Sequence[Point], plane: Plane | None, squared: mpq) -> Iterator[CurveShape]:
@@ -261,7 +315,7 @@ def _fitted_conics(points: Sequence[Point], plane: Plane | None, squared: mpq) -
         middle = tuple(x + height * n for x, n in zip(middle, plane.normal, strict=True))
     local = [tuple(rounded(x, ROUND) for x in _local(p, middle, size, frame)) for p in points]
     few = _spread(local, MOST_POINTS)
-    if (general := least([_monomials(p) for p in few])) is None:
+    if not (general := least([_monomials(p) for p in few])):
         return
     # lengths in the frame are not those of the plane, but for a factor that is at most 2
     scale = size * size * max(scalar(e, e) for e in frame)

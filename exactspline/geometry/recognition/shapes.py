@@ -25,7 +25,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, reduce
 from itertools import chain, combinations
-from operator import add, mul
+from operator import add, mul, sub
 from typing import Any, Protocol
 
 import flint
@@ -40,6 +40,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.words import Word
 
 Point = tuple[mpq, ...]
+NOTHING = mpq(0)
 #: Parts of a squared distance: the sum of n²/d is about its w²-fold, and 0 only on the shape.
 Parts = Sequence[tuple[Any, Any]]
 #: Steps along the gradient lead to the shape within this multiple of E.
@@ -114,7 +115,7 @@ class Shape(ABC):
 
     def estimate(self, point: Point) -> mpq:
         """About the square of the distance of a point: where to begin the search for a bound that is proved."""
-        return sum((n * n / d if d else n * n for n, d in self.parts(_Place(point, mpq(1)))), start=mpq(0))
+        return sum((n * n / d if d else n * n for n, d in self.parts(_Place(point, mpq(1)))), start=NOTHING)
 
     def holds(self, of: Homogeneous) -> bool:
         """Whether the whole curve or surface lies on the shape."""
@@ -399,7 +400,7 @@ class Conic(CurveShape):
     def _minor(self) -> mpq:
         """The product of the eigenvalues of the quadratic part, but for that of the normal, which is 0."""
         a, pairs = self._quadratic, combinations(range(len(self._quadratic)), 2)
-        return sum((a[i][i] * a[j][j] - a[i][j] * a[i][j] for i, j in pairs), start=mpq(0))
+        return sum((a[i][i] * a[j][j] - a[i][j] * a[i][j] for i, j in pairs), start=NOTHING)
 
     @cached_property
     def centre(self) -> Point | None:
@@ -422,7 +423,7 @@ class Conic(CurveShape):
         if self.centre is None:
             return ()
         # in the main axes the conic is λ x² + μ y² = −q(centre)
-        trace = sum((row[i] for i, row in enumerate(self._quadratic)), start=mpq(0))
+        trace = sum((row[i] for i, row in enumerate(self._quadratic)), start=NOTHING)
         spread, level = square_root(trace * trace - 4 * self._minor), -self._value(_Place(self.centre, mpq(1)))[0]
         squares = [real(level) / ((real(trace) + s * spread) / 2) for s in (1, -1)]
         return tuple(square_root(abs(x)) for x in sorted(squares, reverse=True))
@@ -458,7 +459,7 @@ class Conic(CurveShape):
     @cached_property
     def _bending(self) -> mpq:
         """Λ: a bound on the largest eigenvalue of the quadratic part."""
-        return upper_square_root(sum((x * x for row in self._quadratic for x in row), start=mpq(0)))
+        return upper_square_root(sum((x * x for row in self._quadratic for x in row), start=NOTHING))
 
     def _value(self, of: Homogeneous) -> tuple[Any, Vector[Any]]:
         """q times w², and half its gradient times w."""
@@ -529,7 +530,7 @@ def scalar(a: Iterable[Any], b: Iterable[Any]) -> Any:
 
 def minus(a: Point, b: Point) -> Point:
     """The vector from b to a."""
-    return tuple(x - y for x, y in zip(a, b, strict=True))
+    return tuple(map(sub, a, b))
 
 
 def solved(rows: Sequence[Sequence[mpq]], right: Sequence[mpq]) -> list[mpq] | None:

@@ -17,7 +17,7 @@ import gmpy2
 from gmpy2 import mpfr
 
 from exactspline.geometry.recognition import candidates
-from exactspline.geometry.recognition.candidates import FINE, ROUND, WORSE, farthest, rounded
+from exactspline.geometry.recognition.candidates import FINE, ROUND, WORSE, rounded
 from exactspline.geometry.recognition.shapes import (
     Cone,
     Cylinder,
@@ -102,21 +102,22 @@ def _around_axes(samples: Sequence[Sample], limit: mpq) -> Iterator[Shape]:
             continue
         best = fitted.improved(start)
         for shape in fitted.shapes(best, middle, size):
-            if farthest(shape, [x.point for x in samples]) <= limit * limit:
+            if candidates.all_near(shape, [x.point for x in samples], limit * limit):
                 yield shape
                 break
 
 
 def _starts(local: Sequence[tuple[Point, Point]]) -> Iterator[tuple[_Model, list[mpfr]]]:
     """Kinds of shapes with numbers from which to begin."""
-    if (axis := candidates.least([n for _, n in local])) is not None:
+    if axis := candidates.least([n for _, n in local]):
         square = scalar(axis, axis)
         flat = [tuple(x - scalar(p, axis) / square * u for x, u in zip(p, axis, strict=True)) for p, _ in local]
         circle = candidates.fitted_circle(flat, Plane((mpq(0),) * 3, tuple(axis)))
         if circle is not None:
             yield CYLINDER, _numbers(circle.centre, axis, gmpy2.sqrt(mpfr(circle.radius_squared)))
     lines = [(*cross_product(p, n), *n) for p, n in local]
-    if (complex_ := candidates.least(lines)) is None or not any(complex_[:3]):
+    complex_ = candidates.least(lines)
+    if not any(complex_[:3]):
         return
     axis, moment = complex_[:3], complex_[3:]
     square = scalar(axis, axis)
