@@ -15,6 +15,7 @@ from exactspline.cli.common import (
     check_distance,
     distinguish,
     read_curves,
+    see_that_coq_can_name,
     standard_input,
     tell_written,
 )
@@ -144,7 +145,7 @@ def inspect(
     if emit_coq and len(curve) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
     if emit_coq:
-        _see_that_coq_can_name(emit_coq)
+        see_that_coq_can_name(emit_coq)
     if epsilon:
         check_distance(epsilon)
     found, good = read_curves(curve, standard, approximate)
@@ -172,23 +173,6 @@ def inspect(
     )
     if not good:
         raise Exit(2)
-
-
-def _see_that_coq_can_name(path: str) -> None:
-    """See that a file has a name that Coq accepts as that of a module."""
-    import re
-    from pathlib import Path
-
-    if not Path(path).name:
-        raise OptionsError(f"--emit-coq {path!r} is a folder", remedy="name a file in it")
-    stem = Path(path).name.removesuffix(".v")
-    named = re.sub(r"\W", "_", stem, flags=re.ASCII)
-    named = named if named[:1].isalpha() or named[:1] == "_" else f"curve_{named}"
-    if Path(path).name != f"{named}.v":
-        raise OptionsError(
-            f"--emit-coq {path!r}: a file of Coq is named by letters, digits and underscores, a letter first, and .v",
-            remedy=f"{Path(path).with_name(f'{named}.v')} would do",
-        )
 
 
 def _emit(curve: Any, path: str) -> None:

@@ -200,7 +200,7 @@ def certain(facts: Facts) -> Certain | None:
 
 def moved(operands: Sequence[Sequence[fmpz_poly]], degree: int) -> list[tuple[fmpz_poly, ...]]:
     """The operands of a plane curve on every segment, moved so that it begins at the origin there, up to a positive
-    factor: this changes no sign of a form, but doubles lose less where a segment is short compared with its coordinates.
+    factor: this changes no sign of a form, but doubles lose less where a segment is short next to its coordinates.
 
     >>> moved([[fmpz_poly([3, 5])], [fmpz_poly([2, 4])]], 1)
     [(2*x,), (2*x,)]
