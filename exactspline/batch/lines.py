@@ -178,7 +178,18 @@ def line_schema() -> dict[str, object]:
     >>> line_schema()["title"]
     'exactspline/sweep_line, version 5'
     """
-    properties = {name: _form(kind) for name, kind in get_type_hints(Line).items() if name in DATA}
+    from exactspline.display.answer_forms import surface_answer_forms, values_form
+
+    properties = {
+        name: _form(kind) for name, kind in get_type_hints(Line).items() if name in DATA and name != "answers"
+    }
+    # a question with a place is answered by numbers
+    properties["answers"] = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": surface_answer_forms(),
+        "patternProperties": {"@": values_form()},
+    }
     properties["index"] |= {"minimum": 0}
     properties["seconds"] |= {"minimum": 0}
     return _object(properties | {"digest": _form(str)}) | {
@@ -193,8 +204,6 @@ _SIMPLE = {str: "string", int: "integer", bool: "boolean", float: "number"}
 def _form(kind: Any) -> dict[str, Any]:
     """The JSON Schema of the type of a field."""
     parts = get_args(kind)
-    if kind is Any:
-        return {}
     if kind in _SIMPLE:
         return {"type": _SIMPLE[kind]}
     if is_dataclass(kind):

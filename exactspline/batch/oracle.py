@@ -29,7 +29,7 @@ from exactspline.geometry.kinds import Feature, JointKind
 from exactspline.geometry.nearest import Nearest, NearestPoint
 from exactspline.geometry.planarity import Plane
 from exactspline.geometry.values_along import point_at, unit
-from exactspline.interchange.examples import load
+from exactspline.interchange.files import read
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, text
@@ -298,7 +298,7 @@ def _of_two_curves(entry: Entry, curve: Nurbs, question: Question) -> Found:
     """The answer to a question of the registry about this curve and another one."""
     if not question.argument:
         raise QuestionError(f"{question.text!r} names no other curve", remedy=f"{entry.name}:circle")
-    return _items(curve, entry.answer(CurvePair(curve, load(question.argument)))), ()
+    return _items(curve, entry.answer(CurvePair(curve, read(question.argument).curve))), ()
 
 
 def _check_decided(left_out: Iterable[str]) -> None:

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from exactspline.cli.common import CURVE_HELP, check_output, load_curve, see_that_coq_can_name, tell_written
+from exactspline.cli.common import (
+    CURVE_HELP,
+    Drawing,
+    Places,
+    check_output,
+    load_curve,
+    see_that_coq_can_name,
+    tell_written,
+)
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
 
@@ -14,10 +22,8 @@ def between(
     out: Output,
     curve: Annotated[str, Argument(help=CURVE_HELP)],
     other: Annotated[str, Argument(help="A second curve, of the same dimension.")],
-    digits: Annotated[
-        int, Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational numbers.")
-    ] = 12,
-    plot: Annotated[str, Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg or .png.")] = "",
+    digits: Places = 12,
+    plot: Drawing = "",
     emit_coq: Annotated[
         str,
         Option(

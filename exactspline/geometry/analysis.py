@@ -305,14 +305,14 @@ class Analysis(SpaceFacts, Displayed):
         return features_nearby(self.curve, epsilon)
 
     @question_with("1/1000", Of.PLANE_CURVE, answered=Answered.DESCRIBED)
-    def near_cusps(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
+    def cusps_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """Where curves whose control points and weights differ by at most this may have cusps or other singular points;
         none of them has one elsewhere.
 
         See `exactspline.geometry.nearby.singular_points_nearby`.
 
         >>> from exactspline import example
-        >>> len(analyse(example("cusp")).near_cusps("1/1000")), analyse(example("circle")).near_cusps("1/1000")
+        >>> len(analyse(example("cusp")).cusps_within("1/1000")), analyse(example("circle")).cusps_within("1/1000")
         (1, ())
 
         Raises `ShapeError` like `features_within`.
@@ -430,9 +430,15 @@ class Analysis(SpaceFacts, Displayed):
 
 
 @overload
-def analyse(given: Nurbs) -> Analysis: ...
+def analyse(given: Nurbs) -> Analysis:
+    """Everything that can be computed of a curve."""
+
+
 @overload
-def analyse(given: NurbsSurface) -> SurfaceInspection | MapInspection: ...
+def analyse(given: NurbsSurface) -> SurfaceInspection | MapInspection:
+    """Everything that can be computed of a surface, or of a map of a rectangle into the plane."""
+
+
 def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapInspection:
     """Everything that can be computed of a curve, of a surface in space, or of a map of a rectangle into the plane.
     Each question is answered when it is first asked. The analysis of a curve is made once and kept with the curve.

@@ -292,7 +292,7 @@ def test_random_enclosures_hold_their_doubles():
             for item in answer_data(oracle(curve, asked))["items"]:
                 for number in item["values"].values():
                     low, high = mpq(number["low"]), mpq(number["high"])
-                    near = xs.from_float(number["double"])
+                    near = xs.from_floats(number["double"])
                     assert low <= high
                     assert abs(near - low) <= abs(near) / 2**52 + mpq(1, 10**29)
                     if number["exact"] and "√" not in number["exact"]:

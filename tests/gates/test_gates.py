@@ -264,7 +264,6 @@ ROUNDED = {
     "geometry/many_splines.py: Segments.at_knots": "the certified filter",
     "interchange/bridges/numpy.py: points_at": "rounds to doubles, on request",
     "interchange/formats/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
-    "interchange/formats/rhino.py: write_surfaces": "the same of surfaces",
     "interchange/rhino_process.py: _hex": "doubles of a file, bit by bit",
     "programs/accelerator.py: signs": "the certified filter",
     "programs/masses.py: factors": "the certified filter",
@@ -276,7 +275,6 @@ ROUNDED = {
     "reals/digits.py: Digits.doubles": "rounds to a double, on request",
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "verification/conditioning/compare.py: _at_root": "what is measured is the error of doubles",
-    "verification/conditioning/search.py: search_witnesses": "chooses by a seed",
     "verification/minimality.py: witness": "chooses by a seed",
     "verification/patch_degrees.py: witness": "chooses by a seed",
 }
