@@ -27,7 +27,6 @@ from exactspline.geometry.nearby import NearbyFeature
 from exactspline.geometry.planarity import Plane
 from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.geometry.recognition.shapes import ShapeKind
-from exactspline.geometry.recognition.surfaces import RecognizedPart
 from exactspline.geometry.registry import REGISTRY
 from exactspline.geometry.stability import StableFeature
 from exactspline.geometry.surface.chains import ZeroComponent
@@ -35,6 +34,7 @@ from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Place
+from exactspline.geometry.surface.recognized import RecognizedPart
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.geometry.surface.zero_lines import ZeroLine

@@ -22,7 +22,7 @@ from mpmath import mp, mpf
 from exactspline import Nurbs, NurbsSurface, example
 from exactspline.geometry.recognition.pieces import recognized
 from exactspline.geometry.recognition.shapes import Circle, Line
-from exactspline.geometry.recognition.surfaces import recognized_surface
+from exactspline.geometry.surface.recognized import recognized_surface
 
 SEED = 2031
 #: Points of a piece at which distances are measured.

@@ -11,7 +11,7 @@ from operator import mul
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.candidates import candidates, farthest, planes
-from exactspline.geometry.recognition.proof import proved_distance, signs
+from exactspline.geometry.recognition.proof import never_negative, proved_distance, signs
 from exactspline.geometry.recognition.shapes import Conic, CurveShape, Plane, Point, Shape, ShapeKind, upper_square_root
 from exactspline.numbers.exact import Number, mpq
 from exactspline.questions.answers import CurvePiece, Described
@@ -227,7 +227,7 @@ def _proved(run: _Run, shape: Shape, limit: mpq) -> RecognizedPiece | None:
     """The run near this shape, with a distance that is proved, or None."""
     if isinstance(shape, CurveShape) and not _runs_once(run, shape):
         return None
-    within = proved_distance(shape, run.curve, upper_square_root(farthest(shape, run.points)), limit)
+    within = proved_distance(shape, run.curve, upper_square_root(farthest(shape, run.points)), limit, never_negative)
     if within is None:
         return None
     piece = CurvePiece((run.curve.domain,))

@@ -1,33 +1,27 @@
-"""The least distance from a shape that is proved of a curve or a surface: by polynomials that are nowhere negative, in
-one parameter or in two.
-"""
+"""The least distance from a shape that is proved of a curve or a surface: by functions that are nowhere negative."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import chain, count, pairwise, product
+from collections.abc import Callable, Iterator
+from itertools import chain, count, pairwise
 from typing import Any
 
-from exactspline.geometry.recognition.shapes import Shape
-from exactspline.geometry.surface.signs import Sign, sign_on_patch
+from exactspline.geometry.recognition.shapes import Homogeneous, Shape
 from exactspline.numbers.exact import decimal_unit, mpq, sign
 from exactspline.numbers.intervals import Interval
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.surface import NurbsSurface
-from exactspline.splines.tensor import TensorSpline
 
 #: Factors, at first, by which the bound that is proved may exceed the distance found at points.
 FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32))
-#: What is known of a form in two parameters that is nowhere negative.
-NOT_NEGATIVE = (Sign.POSITIVE, Sign.NOT_NEGATIVE, Sign.ZERO)
 
 
-def proved_distance(shape: Shape, of: Nurbs | NurbsSurface, found: mpq, limit: mpq) -> mpq | None:
+def proved_distance(
+    shape: Shape, of: Homogeneous, found: mpq, limit: mpq, never_negative: Callable[[Any], bool]
+) -> mpq | None:
     """A distance from a shape that is proved, up to a limit: 0 where all points are on it, otherwise the least of a few
     that are above one that was found; then of larger ones, as it may be farther away elsewhere. None where none was
-    proved.
+    proved. `never_negative` decides it of a function on the curve or the surface.
     """
     if shape.holds(of):
         return mpq(0)
@@ -43,17 +37,14 @@ def _tried(found: mpq) -> Iterator[mpq]:
     return (rounded_up(found * factor) for factor in chain(FACTORS, (mpq(2) ** k for k in count(2))))
 
 
-def never_negative(f: Any) -> bool:
-    """Whether a function of one or two parameters is nowhere negative; False also where that was not decided.
+def never_negative(f: BSpline) -> bool:
+    """Whether a function of one parameter is nowhere negative.
 
     >>> t = BSpline.identity(-1, 1)
     >>> never_negative(t * t), never_negative(t)
     (True, False)
     """
-    if not isinstance(f, TensorSpline):
-        return signs(f) <= {0, 1}
-    first, second = (range(len(mesh)) for mesh in f.meshes)
-    return all(sign_on_patch(f.patch_form(i, j)).sign in NOT_NEGATIVE for i, j in product(first, second))
+    return signs(f) <= {0, 1}
 
 
 def signs(f: BSpline) -> set[int]:

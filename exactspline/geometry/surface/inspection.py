@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from exactspline.errors import ReachError
-from exactspline.geometry.recognition.surfaces import RecognizedPart, recognized_surface
 from exactspline.geometry.surface.borders import EDGES, Edge, vanishes_at
 from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, place_of
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
@@ -18,6 +17,7 @@ from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_
 from exactspline.geometry.surface.joints import SurfaceJoint, joints
 from exactspline.geometry.surface.merged import are_one, is_in, merged_places, merged_umbilics
 from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.recognized import RecognizedPart, recognized_surface
 from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
@@ -271,7 +271,7 @@ class SurfaceInspection(Inspected, Displayed):
     def shapes(self) -> tuple[RecognizedPart, ...]:
         """The patches that are planes, spheres, cylinders, cones or tori, exactly or within 10⁻⁹ of the surface's size.
 
-        See `exactspline.geometry.recognition.surfaces.recognized_surface`.
+        See `exactspline.geometry.surface.recognized.recognized_surface`.
 
         >>> from exactspline import analyse, example
         >>> [(str(found.shape), found.exact) for found in analyse(example("cone")).shapes]

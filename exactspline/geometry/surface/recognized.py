@@ -10,14 +10,18 @@ from exactspline.geometry.recognition.candidates import farthest
 from exactspline.geometry.recognition.pieces import SMALL, longest_side
 from exactspline.geometry.recognition.proof import proved_distance
 from exactspline.geometry.recognition.shapes import Shape, ShapeKind, upper_square_root
-from exactspline.geometry.recognition.surface_candidates import Sample, proposed
 from exactspline.geometry.surface.forms import Patch, SurfaceForms
+from exactspline.geometry.surface.shape_candidates import Sample, proposed
+from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.numbers.exact import Number, mpq
 from exactspline.reals.real import Real, real
 from exactspline.splines.expected import surface_of
 from exactspline.splines.precision import distance
 from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.tensor import TensorSpline
 
+#: What is known of a form that is nowhere negative.
+NOT_NEGATIVE = (Sign.POSITIVE, Sign.NOT_NEGATIVE, Sign.ZERO)
 #: Where on a patch points are taken to guess a shape, in each direction.
 PLACES = tuple(mpq(i, 32) for i in (1, 11, 21, 31))
 
@@ -112,4 +116,12 @@ def _places(surface: NurbsSurface, patch: Patch) -> list[tuple[mpq, mpq]]:
 def _proved(surface: NurbsSurface, samples: Sequence[Sample], shape: Shape, limit: mpq) -> mpq | None:
     """The distance that is proved, up to a limit."""
     found = farthest(shape, [x.point for x in samples])
-    return None if found > limit * limit else proved_distance(shape, surface, upper_square_root(found), limit)
+    if found > limit * limit:
+        return None
+    return proved_distance(shape, surface, upper_square_root(found), limit, _never_negative)
+
+
+def _never_negative(f: TensorSpline) -> bool:
+    """Whether a function is nowhere negative; False also where that was not decided."""
+    first, second = (range(len(mesh)) for mesh in f.meshes)
+    return all(sign_on_patch(f.patch_form(i, j)).sign in NOT_NEGATIVE for i, j in product(first, second))
