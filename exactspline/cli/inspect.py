@@ -249,7 +249,7 @@ def _print_all(out: Output, inspected: list[Inspected]) -> None:
 
 def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilon: str, stability: bool) -> Inspected:
     """A curve, its inspection, and all of it as data."""
-    from exactspline.display.serialize import answer_data, coordinate_extrema_data, inspection_data
+    from exactspline.display.serialize import answer_data, coordinate_extrema_data, inspection_data, stability_data
     from exactspline.geometry.analysis import analyse
     from exactspline.geometry.inspection import compare_approaches, inspect_curve
     from exactspline.numbers.exact import text
@@ -269,7 +269,7 @@ def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilo
         if c.dimension == 2:
             data["nearby"] = answer_data(c, analyse(c).features_within(within), digits)
     if stability and c.dimension == 2:
-        data["stability"] = answer_data(c, analyse(c).stability, digits)
+        data["stability"] = stability_data(c)
     if coordinates:
         data["coordinate_extrema"] = coordinate_extrema_data(c, digits)
     if approach == ALL:
@@ -300,5 +300,6 @@ def _draw(inspected: list[Inspected], given: list[Nurbs], path: str, title: str)
         flat = [c for c, _, _ in inspected if c.dimension == 2]
         save(features_figure(flat if len(flat) == len(given) else given, title), path)
         return
-    c, found, _ = inspected[0]
-    save(inspect_figure(c, [(title, f, zero_set) for _, title, f, zero_set in solved(c, found.approach)[:2]]), path)
+    c, found, data = inspected[0]
+    panels = [(title, f, zero_set) for _, title, f, zero_set in solved(c, found.approach)[:2]]
+    save(inspect_figure(c, panels, stability="stability" in data), path)

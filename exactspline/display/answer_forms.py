@@ -288,7 +288,7 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
     "inspect": {
         "coordinate_extrema": list_of(FEATURE),
         "nearby": list_of(FORMS[NearbyFeature]),
-        "stability": list_of(FORMS[StableFeature]),
+        "stability": list_of(form_of(FORMS[StableFeature], prominence=or_null(TEXT))),
         "approaches": list_of(
             form_of(
                 name=TEXT,

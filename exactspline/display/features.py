@@ -204,13 +204,14 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
 def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """How far a curve may be changed until its features vanish."""
     title = f"{c.name} with all numbers changed by at most this"
-    made = Sheet("what", "at", "certain up to", "gone within", title=title, heads=1, numbers=["certain up to"])
+    columns = ("what", "at", "certain up to", "gone within", "prominence")
+    made = Sheet(*columns, title=title, heads=1, numbers=["certain up to"])
     for found in _in_order(data["stability"]):
         ((low, high),) = found["intervals"]
         radius, *gone = (decimal(rational(x), 4) for (x,) in found["numbers"].values())
-        at = decimal((rational(low) + rational(high)) / 2, DIGITS)
+        at, certain = decimal((rational(low) + rational(high)) / 2, DIGITS), radius if radius != "0" else "not proved"
         made.add_row(
-            kind_name(FeatureKind(found["kind"])), at, radius if radius != "0" else "not proved", *gone or ["not known"]
+            kind_name(FeatureKind(found["kind"])), at, certain, *gone or ["not known"], found["prominence"] or ""
         )
     return made
 
