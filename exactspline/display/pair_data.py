@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
 from exactspline.display.data import Data
+from exactspline.display.numbers import polynomial_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.curve_pair import CurvePair
@@ -38,7 +38,8 @@ def _answer_data(answer: object, digits: int) -> Data:
     pairs = [{"first": real_data(p.first, digits), "second": real_data(p.second, digits)} for p in answer.pairs]
     value = {"squared": real_data(answer.squared, digits), "value": real_data(answer.value, digits)}
     lower = None if answer.lower is None else text(answer.lower)
-    return {"points": pairs, "lower": lower, "left_out": list(answer.left_out), **value}
+    arcs = [_overlap_data(arc, digits) for arc in answer.everywhere]
+    return {"points": pairs, "everywhere": arcs, "lower": lower, "left_out": list(answer.left_out), **value}
 
 
 def intersections_data(found: Intersections, digits: int) -> Data:
@@ -91,14 +92,20 @@ def pair_sheet(data: Data, title: str) -> Sheet:
         at = ", ".join(x["exact"] or x["decimal"] for x in point["point"])
         made.add_row(point["kind"], _shown(point["first"]), _shown(point["second"]), f"({at})", _remark(point))
     for arc in common["everywhere"]:
-        s, t = (f"[{', '.join(map(_shown, arc[name]))}]" for name in ("first", "second"))
-        made.add_row("common arc", s, t, "", _map_of(arc))
+        made.add_row("common arc", *_sides_of(arc), "", _map_of(arc))
     if not made.row_count:
         distance: Any = data["distance"]
+        value = f"distance {_shown(distance['value'])}"
         for pair in distance["points"]:
-            value = f"distance {_shown(distance['value'])}"
             made.add_row("nearest", _shown(pair["first"]), _shown(pair["second"]), "", value)
+        for arc in distance["everywhere"]:
+            made.add_row("nearest arc", *_sides_of(arc), "", value)
     return made
+
+
+def _sides_of(arc: dict[str, Any]) -> list[str]:
+    """The parameters of both curves along an arc."""
+    return [f"[{', '.join(map(_shown, arc[name]))}]" for name in ("first", "second")]
 
 
 def _shown(x: dict[str, Any]) -> str:
@@ -120,21 +127,5 @@ def _map_of(arc: dict[str, Any]) -> str:
     if arc["numerator"] is None:
         return ""
     value, variable = ("t", "s") if arc["of_second"] else ("s", "t")
-    top, bottom = (_polynomial([int(x) for x in arc[name]], variable) for name in ("numerator", "denominator"))
+    top, bottom = (polynomial_text([mpq(x) for x in arc[name]], variable) for name in ("numerator", "denominator"))
     return f"{value} = {top}" if bottom == "1" else f"{value} = ({top})/({bottom})"
-
-
-def _polynomial(coefficients: list[int], variable: str) -> str:
-    """A polynomial as text.
-
-    >>> _polynomial([1, -1, 0, 2], "t")
-    '2 t^3 - t + 1'
-    """
-    power: Callable[[int], str] = lambda k: "" if k == 0 else variable if k == 1 else f"{variable}^{k}"  # noqa: E731
-    terms = []
-    for k, c in reversed(list(enumerate(coefficients))):
-        if c:
-            size = "" if abs(c) == 1 and k else str(abs(c))
-            terms.append((c < 0, f"{size} {power(k)}".strip()))
-    first = ("-" if terms[0][0] else "") + terms[0][1] if terms else "0"
-    return first + "".join(f" {'-' if negative else '+'} {term}" for negative, term in terms[1:])

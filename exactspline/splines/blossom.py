@@ -139,18 +139,22 @@ ALONG = 64
 _along: dict[tuple[int, tuple[mpq, ...]], list[Weights]] = {}
 
 
-def common_forms(
+#: The integers of the forms of a segment, one list for every component, and their denominator.
+CommonRows = tuple[list[list[int]], int]
+
+
+def common_rows(
     t: Sequence[mpq], n: int, columns: Sequence[Sequence[mpq]], spans: Sequence[int]
-) -> list[tuple[list[fmpz_poly], fmpz]] | None:
-    """The forms over the spans [t_j, t_{j+1}] of the splines of degree n with knots t and columns of control points,
-    one after the other, over their least common denominator. None where the knots around spans differ so much that
-    weights for each are not worthwhile.
+) -> list[CommonRows] | None:
+    """The integers of the forms over the spans [t_j, t_{j+1}] of the splines of degree n with knots t and columns of
+    control points, one after the other, over their least common denominator. None where the knots around spans differ
+    so much that weights for each are not worthwhile.
 
     >>> from exactspline.numbers.exact import mpq
     >>> for _ in range(4):
-    ...     found = common_forms([mpq(k) for k in range(4)], 1, [[mpq(1, 2), mpq(1)], [mpq(0), mpq(2)]], [1])
+    ...     found = common_rows([mpq(k) for k in range(4)], 1, [[mpq(1, 2), mpq(1)], [mpq(0), mpq(2)]], [1])
     >>> found
-    [([2*x + 1, 4*x], 2)]
+    [([[1, 2], [0, 4]], 2)]
     """
     weights = _weights_along(t, n, spans) if 0 < n <= MOST else None
     if weights is None:
@@ -173,7 +177,7 @@ def common_forms(
                 shared = gcd(below, *[x for part in parts for x in part])
                 if shared != 1:
                     parts, below = [[x // shared for x in part] for part in parts], below // shared
-            found.append(([*map(fmpz_poly, parts)], fmpz(below)))
+            found.append((parts, below))
     return found
 
 
@@ -206,19 +210,24 @@ def _patterns(t: Sequence[mpq], n: int, spans: Sequence[int]) -> Iterator[tuple[
 
 
 def _weights_of(keys: Sequence[tuple[int, Pattern]]) -> list[Weights] | None:
-    """The weights of patterns, None where some of them occurred too rarely; then their occurrences are counted."""
+    """The weights of patterns, None where those that are not known occurred too rarely; then their occurrences are
+    counted.
+    """
     found = [*map(_weights.get, keys)]
     if None in found:
         if len(_met) > PATTERNS:
             _met.clear()
         _met.update(keys)
-        if not all(_met[key] > key[0] for key in keys):
+        made = dict(zip(keys, found, strict=True))
+        new = [key for key, weights in made.items() if weights is None]
+        # the weights of a pattern cost as much as the forms of degree + 1 spans
+        if sum(key[0] + 1 for key in new) > len(keys) and not all(_met[key] > key[0] for key in new):
             return None
         if len(_weights) > PATTERNS:
             _weights.clear()
-        made = {key: _weights_for(*key) for key in set(keys)}
-        _weights.update(made)
-        return [made[key] for key in keys]
+        made.update((key, _weights_for(*key)) for key in new)
+        _weights.update(cast(dict[tuple[int, Pattern], Weights], made))
+        found = [made[key] for key in keys]
     return cast(list[Weights], found)
 
 

@@ -20,12 +20,13 @@ from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.real import Real, square_root
+from exactspline.splines.blossom import CommonRows, common_rows
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import splines_over, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.evaluation import Evaluation
 from exactspline.splines.given import checked_degree, checked_side, exact_row
-from exactspline.splines.insertion import inserted, is_clamped, unchanged
+from exactspline.splines.insertion import inserted
 from exactspline.splines.knots import KnotVector, Mesh, mesh_of
 from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.refinement import insertable
@@ -266,9 +267,31 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
     @cached_property
     def _splines(self) -> tuple[BSpline, ...]:
         """The components, the last of them the weight function where the curve is rational."""
+        return tuple(splines_over(self.degree, self.knots, self._columns, vars(self).pop("rows", None)))
+
+    @property
+    def _columns(self) -> list[tuple[mpq, ...]]:
+        """The control points of every component."""
         points, weights = self.control_points, self.weights
         rows = points if self.polynomial else [(*lifted(x, w), w) for x, w in zip(points, weights, strict=True)]
-        return tuple(splines_over(self.degree, self.knots, list(zip(*rows, strict=True))))
+        return list(zip(*rows, strict=True))
+
+    @cached_property
+    def rows(self) -> list[CommonRows]:
+        """The integers of the forms of its components on every segment, over one denominator.
+
+        >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, "1/2")]).rows
+        [([[0, 8], [0, 1]], 2)]
+        """
+        made = None
+        if "_splines" not in vars(self):
+            made = common_rows(self.knots.knots, self.degree, self._columns, mesh_of(self.knots, self.degree)[2])
+        if made is None:
+            n, splines = self.degree, self._splines
+            columns = [[[int(c[k]) for k in range(n + 1)] for c in f._polynomials] for f in splines]
+            below = map(int, splines[0].denominators)
+            made = [(list(own), m) for *own, m in zip(*columns, below, strict=True)]
+        return made
 
     @cached_property
     def p(self) -> Vector[BSpline]:  # type: ignore[override]  # computed when asked for
@@ -313,6 +336,9 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
     @property
     def closed(self) -> bool:
         """Whether the ends agree exactly."""
+        t = self.knots.knots
+        if t[0] == t[self.degree] and t[-1] == t[-1 - self.degree]:
+            return self.control_points[0] == self.control_points[-1]
         w, n = self.w._polynomials, self.w.degree
         # each end has the denominators of one segment, so that only the integers at the ends matter
         start, end = w[0][0] * self.w.denominators[-1], w[-1][n] * self.w.denominators[0]
@@ -340,23 +366,11 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
         Raises `DomainError` outside the domain and at its ends, `KnotError` where the multiplicity would exceed
         degree + 1.
         """
-        t, _ = insertable(self.p[0], t, times)
-        splines = list(self.p) if self.polynomial else [*self.p, self.w]
-        shared = all(f.denominators == splines[0].denominators for f in splines)
-        if not (shared and is_clamped(self.knots, self.degree)):
-            return changed(self, lambda f: f.insert_knot(t, times))
-        made = inserted(splines, t, times)
-        count = len(self.knots) + times - self.degree - 1
-        if self.polynomial:
-            points, weights = tuple(zip(*[f.control_points for f in made], strict=True)), (mpq(1),) * count
-        else:
-            rows, given = list(zip(*[f.control_points for f in made], strict=True)), self.control_points
-            before, after = unchanged(self.knots.knots, self.degree, t)
-            new = rows[before : count - (len(given) - after)]
-            points, weights = (*given[:before], *map(projected, new), *given[after:]), made[-1].control_points
+        mesh, continuity, _ = mesh_of(self.knots, self.degree)
+        t, _ = insertable(self.degree, mesh, continuity, t, times)
+        knots, points, weights = inserted(self.knots, self.degree, self.control_points, self.weights, t, times)
         curve = object.__new__(Nurbs)
-        vars(curve).update(_fields(self.degree, made[0].knots, points, weights))
-        vars(curve).update(_splines=tuple(made), name=self.name, source="", note="")
+        vars(curve).update(_fields(self.degree, knots, points, weights), name=self.name, source="", note="")
         return curve
 
     def elevate_degree(self, by: int = 1) -> Nurbs:

@@ -15,10 +15,12 @@ from enum import StrEnum
 
 from exactspline.errors import ShapeError
 from exactspline.numbers.exact import mpq
-from workshop.boolean.pieces import Box, Piece, Point, Region, is_far, reaching
+from workshop.boolean.pieces import Box, Piece, Point, Region, is_far, reaching, without_slits
 
 #: Squares smaller than this fraction of ε are not divided; pieces smaller than that fraction are not halved.
 SMALLEST, FINE = mpq(1, 64), mpq(1, 4)
+#: A point nearer to the result than this fraction of ε is not judged by itself.
+FINEST = mpq(1, 1 << 30)
 #: With this many squares that are not decided no more are looked at.
 MOST = 200
 
@@ -70,6 +72,7 @@ def judged(first: Region, second: Region, operation: Operation, result: Region, 
     if within <= 0:
         raise ShapeError(f"a distance of {within}", remedy="give a number above 0")
     sources, squares = (*first.pieces, *second.pieces), 0
+    result = Region(tuple(without_slits(result.pieces)), result.rule)
     waiting: deque[tuple[Box, Sequence[Piece], Sequence[Piece]]] = deque()
     if sources or result.pieces:
         waiting.append((_around((*sources, *result.pieces)), sources, result.pieces))
@@ -93,6 +96,18 @@ def judged(first: Region, second: Region, operation: Operation, result: Region, 
         else:
             waiting += [(quarter, near, own) for quarter in square.quarters]
     return Judgement(None if undecided else True, undecided=tuple(undecided), squares=squares)
+
+
+def judged_at(
+    point: Point, first: Region, second: Region, operation: Operation, result: Region, within: mpq
+) -> Judgement | None:
+    """The judgement on a result at one point alone: None where it is right there, where the point may be in the tube,
+    and where it may be on the result.
+    """
+    if not is_far((*first.pieces, *second.pieces), point, within) or not is_far(result.pieces, point, within * FINEST):
+        return None
+    inside = operation.holds(first.contains(point), second.contains(point))
+    return None if result.contains(point) == inside else Judgement(False, point, inside)
 
 
 def _around(pieces: Sequence[Piece]) -> Box:
