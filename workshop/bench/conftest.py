@@ -7,4 +7,5 @@ import pytest
 
 @pytest.fixture(autouse=True, scope="module")
 def only_new_garbage():
+    """What was made before a module is not looked through again."""
     gc.freeze()
