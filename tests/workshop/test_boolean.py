@@ -147,8 +147,8 @@ def test_a_suspected_point_is_judged_exactly():
 
 @pytest.mark.parametrize("name", ENGINES)
 def test_an_engine_that_is_installed_makes_a_union(name):
-    """Two discs. FontForge 20230101 takes the layer from the argument of ``layer.exclude``, which says that it takes the
-    argument from the layer.
+    """Two discs. FontForge 20230101 takes the layer from the argument of ``layer.exclude``, which says that it takes
+    the argument from the layer.
     """
     try:
         worker = started(name)
