@@ -192,7 +192,12 @@ FORMS: dict[Any, Form] = {
     StableFeature: _described(FeatureKind),
     Intersections: form_of(points=list_of(_INTERSECTION), everywhere=list_of(_OVERLAP), left_out=TEXTS),
     Distance: form_of(
-        points=list_of(form_of(first=REAL, second=REAL)), lower=or_null(TEXT), left_out=TEXTS, squared=REAL, value=REAL
+        points=list_of(form_of(first=REAL, second=REAL)),
+        everywhere=list_of(_OVERLAP),
+        lower=or_null(TEXT),
+        left_out=TEXTS,
+        squared=REAL,
+        value=REAL,
     ),
     PatchInspection: form_of(
         BOX,

@@ -194,7 +194,7 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """What all curves near a curve have, and what some of them may have."""
     made = Sheet(
         "what",
-        "curves",
+        "each has",
         "between",
         "and",
         title=f"All curves within {_number(str(data['epsilon']))} of {c.name}",
@@ -202,8 +202,8 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     )
     for found in _in_order(data["nearby"]):
         ((low, high),) = found["intervals"]
-        curves = ("all: one" if found["single"] else "all") if found["certain"] else "perhaps some"
-        made.add_row(kind_name(FeatureKind(found["kind"])), curves, end_text(low), end_text(high))
+        number = ("exactly one" if found["single"] else "at least one") if found["certain"] else "perhaps some"
+        made.add_row(kind_name(FeatureKind(found["kind"])), number, end_text(low), end_text(high))
     return made
 
 
