@@ -15,7 +15,7 @@ from flint import fmpz_mpoly
 
 from exactspline.errors import ReachError
 from exactspline.geometry.surface.borders import EDGES
-from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained
+from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, place_of
 from exactspline.geometry.surface.common_factor import square_free
 from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
@@ -28,7 +28,7 @@ from exactspline.polynomials.two_parameters import as_form, over
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
 from exactspline.reals.real import Real
 from exactspline.roots import common_zeros as elimination
-from exactspline.roots.of_polynomials import Parameter, Place, exactly
+from exactspline.roots.of_polynomials import Parameter, Place
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.expected import function_of_two
@@ -237,24 +237,10 @@ def _single(components: Iterable[ZeroComponent]) -> tuple[list[_Zero], list[Box]
     for component in components:
         for piece in component.pieces:
             try:
-                points.append(_Zero(_place(piece), None, piece.patch))
+                points.append(_Zero(place_of(piece).spot, None, piece.patch))
             except ReachError:
                 undecided += [piece.sides.part(cell) for cell in piece.part.cells]
     return points, undecided
-
-
-def _place(piece: Piece) -> Place:
-    """The parameters of a part that is a single point: on the border of its patch, or the only singular point in its
-    cell.
-    """
-    if piece.part.zero is None:
-        ((spot, _),) = piece.spots()
-    else:
-        p = over(piece.curve.form, piece.sides)
-        cells = [piece.sides.part(cell) for cell in piece.part.cells]
-        (zero,) = elimination.common_zeros([p, p.derivative(0), p.derivative(1)], piece.sides, cells)
-        spot = zero.place
-    return exactly(spot[0]), exactly(spot[1])
 
 
 def _is_on(place: Place, parts: Sequence[SurfacePart]) -> bool:

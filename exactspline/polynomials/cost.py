@@ -63,6 +63,13 @@ def drawing_on(budget: Budget) -> Iterator[Budget]:
         _BUDGET.reset(token)
 
 
+@contextmanager
+def bounded() -> Iterator[Budget]:
+    """A context in which there is a budget: the present one, or where there is none a new one."""
+    with drawing_on(_BUDGET.get() or Budget()) as budget:
+        yield budget
+
+
 def check_reach(nanoseconds: int, what: Callable[[], str], longest: int = LONGEST) -> None:
     """Raise `ReachError` if an estimate exceeds `longest`, or the remaining budget of the question; otherwise deduct it
     from this budget.

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from exactspline import NurbsSurface, TensorSpline, analyse, example, rational
 from exactspline.geometry.surface import zero_curve
 from exactspline.geometry.surface.degenerate import Gap
-from exactspline.geometry.surface.exact_cells import exact_cells
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.planar_maps import MapKind
+from exactspline.geometry.surface.singular_cells import singular_cells
 from exactspline.geometry.surface.umbilics import UmbilicKind
 from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.numbers.exact import mpq
@@ -87,7 +87,7 @@ def test_an_ellipsoid_of_three_axes_has_four_umbilics():
     found = analyse(surface)
     assert found.complete
     assert [one.kind for one in found.umbilics] == [UmbilicKind.POSITIVE] * 4
-    assert all(one.place.inner is None and not one.one_sided and len(one.place.patches) == 2 for one in found.umbilics)
+    assert all(not one.place.is_inside and not one.one_sided and len(one.place.patches) == 2 for one in found.umbilics)
     squares = set()
     for one in found.umbilics:
         x, y, z = surface(*(mpq((a + b) / 2) for a, b in one.place.box(30)))
@@ -317,7 +317,7 @@ def test_the_sign_of_the_curvature_at_sampled_points(seed, weights):
 def test_sides_of_cells_around_singular_points_have_few_digits(monkeypatch):
     """Before: 20,000 digits in base two, which every box beside such a cell inherited; one patch took a minute."""
     found = []
-    monkeypatch.setattr(zero_curve, "exact_cells", lambda form: found.extend(exact_cells(form)) or found)
+    monkeypatch.setattr(zero_curve, "singular_cells", lambda *given: found.extend(singular_cells(*given)) or found)
     (one,) = analyse(seeded(0, 2)).patches
     assert one.kind is PatchKind.MIXED
     assert len(found) == 2

@@ -21,6 +21,7 @@ from exactspline.numbers.intervals import Box
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
 from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
+from exactspline.roots.common_zeros import CommonZero
 from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
@@ -180,7 +181,7 @@ def _add_patch(findings: _Found, determinant: TensorSpline, patch: Patch, sides:
         findings.positive = findings.positive or _inside(signs.positive, 1, own.whole, sides, domain)
     if signs.negative:
         findings.negative = findings.negative or _inside(signs.negative, -1, own.whole, sides, domain)
-    findings.zeros += [Place((patch,), None, *sides.at(*point)) for point in signs.zeros]
+    findings.zeros += [Place((patch,), CommonZero.at(sides, sides.at(*point))) for point in signs.zeros]
     findings.undecided += [sides.part(box) for box in signs.undecided]
     findings.mixed += [sides] * (signs.sign is Sign.BOTH)
     findings.edges += [(patch, edge) for edge, times in zip(EDGES, own.borders, strict=True) if times]
