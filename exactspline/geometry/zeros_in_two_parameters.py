@@ -20,6 +20,7 @@ from exactspline.geometry.surface.common_factor import square_free
 from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.geometry.surface.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
@@ -48,6 +49,12 @@ class CommonZero:
     second: Real
     multiplicity: int | None = None
     patches: tuple[Patch, ...] = field(default=(), compare=False)
+
+    @property
+    def place(self) -> Place:
+        """Both parameters, rational ones as such."""
+        s, t = (x if isinstance(x, Root) else mpq(x.exact) for x in (self.first, self.second))
+        return s, t
 
     def box(self, digits: int = 20) -> Box:
         """A box that contains it, its sides at most ``10^−digits`` long."""
@@ -148,9 +155,9 @@ def zero_curve(function: TensorSpline) -> ZeroCurves:
     with drawing_on(_budget(f)):
         for patch, sides in _patches(f):
             form = f.patch_form(*patch)
-            if form.is_zero:
-                whole.append(SurfacePart(patch, sides))
-                lines_of.append(LinesOfPatch(patch, sides, (), (), True))
+            if form.sign is not None:
+                whole += [SurfacePart(patch, sides)] * form.is_zero
+                lines_of.append(LinesOfPatch(patch, sides, (), (), form.is_zero))
                 continue
             try:
                 own, curve = _on_patch(form, patch, sides)

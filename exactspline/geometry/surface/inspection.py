@@ -88,8 +88,6 @@ class PatchInspection:
     parabolic_lines: tuple[tuple[Along, Parameter], ...] = ()
     #: The connected parts of its other zeros; points without a tangent plane are not among them.
     parabolic: tuple[Part, ...] = ()
-    #: The points at which K was found to vanish without an analysis of curves of zeros.
-    parabolic_points: tuple[Place, ...] = ()
     curve: ZeroCurve | None = field(default=None, repr=False, compare=False)
 
     @property
@@ -246,6 +244,34 @@ class SurfaceInspection(Inspected, Displayed):
         return SurfacePlaces(points, tuple(everywhere), _boxes(one.singular.undecided for one in self.patches))
 
     @question(Of.SURFACE, answered=Answered.CURVES)
+    def umbilic_curves(self) -> tuple[ZeroComponent, ...]:
+        """The curves of umbilics inside patches, each followed across borders of patches.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("torus")).umbilic_curves
+        ()
+        """
+        return self._chained([(one, one.umbilics.curve, one.umbilics.undecided) for one in self.patches])
+
+    @question(Of.SURFACE, answered=Answered.CURVES)
+    def singular_curves(self) -> tuple[ZeroComponent, ...]:
+        """The curves inside patches along which there is no tangent plane, each followed across borders of patches.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("torus")).singular_curves
+        ()
+        """
+        return self._chained([(one, one.singular.curve, one.singular.undecided) for one in self.patches])
+
+    def _chained(
+        self, curves: Sequence[tuple[PatchInspection, ZeroCurve | None, tuple[Box, ...]]]
+    ) -> tuple[ZeroComponent, ...]:
+        """Curves of zeros on patches, joined across their borders, without single points."""
+        pieces = [Piece(one.patch, one.sides, curve, part) for one, curve, _ in curves if curve for part in curve.parts]
+        components = chained(pieces, self.surface.domain, self.closed, _boxes(boxes for *_, boxes in curves))
+        return tuple(curve for curve in components if curve.shape is not Shape.POINT)
+
+    @question(Of.SURFACE, answered=Answered.CURVES)
     def poles(self) -> tuple[Pole, ...]:
         """The edges of patches along which the surface has no tangent plane.
 
@@ -275,9 +301,8 @@ class SurfaceInspection(Inspected, Displayed):
     def _zeros_of_curvature(self) -> tuple[ZeroComponent, ...]:
         """The zeros of K that are not on lines, joined across borders of patches."""
         pieces = [piece for one in self.patches for piece in one.pieces]
-        return chained(
-            pieces, self.surface.domain, self.closed, [box for one in self.patches for box in one.open_boxes]
-        )
+        undecided = _boxes(one.open_signs for one in self.patches)
+        return chained(pieces, self.surface.domain, self.closed, undecided)
 
     @property
     def kinds(self) -> tuple[PatchKind, ...]:
@@ -333,8 +358,7 @@ def _single_points(
     closed: Sequence[Along],
 ) -> tuple[Place, ...]:
     """The isolated points at which K vanishes: not on lines or curves of zeros, nor on the border of a flat patch."""
-    places = [place for one in patches for place in one.parabolic_points]
-    places += [place_of(curve.pieces[0]) for curve in curves if curve.shape is Shape.POINT]
+    places = [place_of(curve.pieces[0]) for curve in curves if curve.shape is Shape.POINT]
     merged = merged_places(places, surface.domain, closed)
     flat = [one.sides for one in patches if one.flat]
     ends = [
@@ -386,17 +410,14 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
     edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
     form = own.form if singular.curve is None else without_powers(own.form, singular.curve.form, even=True)
-    signs = _of_surface(sign_on_patch(form), forms, patch)
+    signs = sign_on_patch(form)
     inspection = PatchInspection(
         patch, sides, _BY_SIGN[signs.sign], minimal, None, signs, singular, umbilics, curvature, edges
     )
-    if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
+    if signs.sign not in (Sign.POSITIVE, Sign.NEGATIVE):
         inspection = _with_zeros(inspection, own, form, on_patch(forms.area, patch))
-    else:
-        points = tuple(Place((patch,), CommonZero.at(sides, sides.at(x, y))) for x, y in signs.zeros)
-        inspection = replace(inspection, parabolic_points=points)
     # the remaining case: its only zeros are points without a tangent plane
-    zeros = inspection.parabolic or inspection.parabolic_points or inspection.parabolic_lines
+    zeros = inspection.parabolic or inspection.parabolic_lines
     bare = inspection.kind in _STRICT and inspection.complete and not zeros
     return replace(inspection, kind=_STRICT[inspection.kind]) if bare else inspection
 
@@ -458,22 +479,6 @@ def _is_on(place: Place, direction: int, value: Parameter) -> bool:
     """Whether a parameter of a point has this value."""
     low, high = place.box(DIGITS)[direction]
     return bool(low <= value <= high and place.spot[direction] == value)
-
-
-def _of_surface(signs: Signs, forms: SurfaceForms, patch: Patch) -> Signs:
-    """The zeros at which there is a tangent plane, and which are not on an edge along which K vanishes anyway."""
-    area, own = on_patch(forms.area, patch), on_patch(forms.parabolic, patch)
-    assert area is not None
-    assert own is not None
-    lines = [edge for edge, times in zip(EDGES, own.borders, strict=True) if times]
-    return replace(
-        signs,
-        zeros=tuple(
-            spot
-            for spot in signs.zeros
-            if area.whole.value(*spot) and not any(spot[edge.direction] == edge.end for edge in lines)
-        ),
-    )
 
 
 __all__ = ["PatchInspection", "PatchKind", "SurfaceInspection", "inspect_patch", "inspect_surface"]

@@ -24,8 +24,8 @@ from exactspline.polynomials.two_parameters import as_form, as_polynomial
 from exactspline.roots.common_zeros import CommonZero, zeros_of
 from exactspline.roots.of_polynomials import exactly
 
-#: Bits of a point at which the kind of an umbilic is read off.
-KIND_BITS = 20, 40, 130
+#: Bits of a point at which the kind of an umbilic is read off; the last for surfaces as far from square as doubles allow.
+KIND_BITS = 20, 40, 130, 2400
 
 
 class UmbilicKind(StrEnum):

@@ -34,7 +34,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 
 #: The limits of halvings of a box and of boxes, beyond which the remaining boxes are reported as undecided.
-DEPTH, BOXES = 30, 4000
+DEPTH, BOXES = 60, 4000
 #: Where the square is first cut: not on lines where the zeros of a symmetric surface would lie.
 FIRST_CUTS = tuple(mpq(a, b) for a, b in ((29, 61), (31, 67), (37, 79), (41, 89), (43, 97), (47, 101), (53, 109)))
 #: The number of half branches at a point where two branches cross.
