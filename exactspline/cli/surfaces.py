@@ -152,8 +152,8 @@ def _loaded(name: str, given: bytes | None) -> NurbsSurface:
 def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str, object], Sheet]:
     """What a surface has as data and as a table, and the picture where one is requested."""
     from exactspline.display.surface_data import map_data, map_sheet, surface_inspection_data, surface_sheet
+    from exactspline.geometry.planar_maps import jacobian_sign
     from exactspline.geometry.surface.inspection import inspect_surface
-    from exactspline.geometry.surface.planar_maps import jacobian_sign
 
     if surface.dimension == 2:
         if plot:

@@ -14,13 +14,13 @@ from exactspline.display.described import described_surface
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, counted
+from exactspline.geometry.planar_maps import MapInspection
 from exactspline.geometry.surface.chains import Piece, ZeroComponent
 from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.forms import Patch, lowest
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Parameter, Place, enclosing
-from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.geometry.surface.zero_lines import ZeroLine
 from exactspline.language.formula import Formula

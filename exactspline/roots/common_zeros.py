@@ -280,7 +280,7 @@ class _Search:
 
     def _on_border(self) -> Iterator[CommonZero]:
         """The zeros on the border, each once."""
-        seen = set[tuple[mpq, mpq]]()
+        seen = set[Place]()
         for direction, end in product((0, 1), (0, 1)):
             p = common_along(self.forms, direction, end)
             for root in roots_in(p, mpq(0), mpq(1)):

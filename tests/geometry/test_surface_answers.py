@@ -12,10 +12,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactspline import NurbsSurface, TensorSpline, analyse, example, rational
+from exactspline.geometry.planar_maps import MapKind
 from exactspline.geometry.surface import zero_curve
 from exactspline.geometry.surface.degenerate import Gap
 from exactspline.geometry.surface.inspection import PatchKind
-from exactspline.geometry.surface.planar_maps import MapKind
 from exactspline.geometry.surface.singular_cells import singular_cells
 from exactspline.geometry.surface.umbilics import UmbilicKind
 from exactspline.geometry.surface.zero_curve import Shape

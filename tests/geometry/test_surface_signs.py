@@ -20,9 +20,9 @@ from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.display.surface_data import map_sheet, surface_inspection_data, surface_sheet
 from exactspline.errors import FormulaError
+from exactspline.geometry.planar_maps import MapKind
 from exactspline.geometry.surface import singular_cells
 from exactspline.geometry.surface.inspection import PatchKind
-from exactspline.geometry.surface.planar_maps import MapKind
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.interchange.curve_files import surface_data

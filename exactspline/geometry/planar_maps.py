@@ -70,7 +70,8 @@ class MapInspection(Inspected, Displayed):
     def _signs(self) -> tuple[Point | None, Point | None]:
         """Points at which it is positive and negative."""
         places: dict[int, Point] = {}
-        for patch in product(*map(range, self.surface.patches)):
+        rows, columns = self.surface.patches
+        for patch in product(range(rows), range(columns)):
             if own := on_patch(self._determinant, patch):
                 signs = sign_on_patch(own.form)
                 for sign, place in ((1, signs.positive), (-1, signs.negative)):
