@@ -12,12 +12,10 @@ from .splines.bspline import BSpline as BSpline
 from .splines.nurbs import Nurbs as Nurbs
 from .splines.surface import NurbsSurface as NurbsSurface
 from .splines.tensor import TensorSpline as TensorSpline
-from .splines.tensor import surface_pair as surface_pair
 from .splines.knots import KnotVector as KnotVector
 from .splines.control_points import Direction as Direction
 from .splines.control_points import greville_abscissae as greville_abscissae
 from .numbers.exact import rational as rational
-from .numbers.exact import from_float as from_float
 from .numbers.exact import from_floats as from_floats
 from .reals.real import Real as Real
 from .reals.real import square_root as square_root
@@ -35,7 +33,6 @@ from .geometry.floats import curvature_floats as curvature_floats
 from .geometry.floats import floats as floats
 from .geometry.values_along import curvature as curvature
 from .geometry.values_along import torsion as torsion
-from .geometry.curvature import curvature_function as curvature_function
 from .numbers.sides import Side as Side
 
 # zeros
@@ -46,7 +43,6 @@ from .certificates import check_certificate as check_certificate
 
 # analysis
 from .geometry.analysis import analyse as analyse
-from .geometry.inspection import Approach as Approach
 from .geometry.many_splines import features_of_curves as features_of_curves
 from .geometry.many_curves import features_of_many as features_of_many
 from .batch.oracle import oracle as oracle
@@ -55,10 +51,6 @@ from .batch.families import Family as Family
 
 # derived curves and surfaces
 from .geometry.derived import derive as derive
-from .geometry.constructions import Variant as Variant
-from .geometry.constructions import construction as construction
-from .geometry.ruled_surfaces import as_tensor_product as as_tensor_product
-from .geometry.ruled_surfaces import is_developable as is_developable
 from .geometry.ruled_surfaces import ruled_surface as ruled_surface
 from .geometry.bisector.any_pair import bisector as bisector
 
@@ -77,18 +69,14 @@ from .display.plot.anything import plot as plot
 
 # formulas and papers
 from .papers import find as find
-from .papers import load_paper as load_paper
 from .papers import paper as paper
 from .verification.questions import degree as degree
 from .verification.questions import prove as prove
 from .verification.questions import reduction as reduction
 from .verification.questions import verify as verify
-from .verification.generic_proof import factor_of as factor_of
-from .symbolic.factorization import jets_for as jets_for
 
 # claims and their verdicts
 from .verification.claims import claims as claims
-from .verification.statement import statements as statements
 from .verification.ledger import proved as proved
 from .verification.errata import errata as errata
 from .verification.vocabulary import Verdict as Verdict

@@ -1,5 +1,5 @@
 """Tables for notebooks and terminals: degrees, control points, verdicts, printed numbers next to computed ones, and a
-source section by section.
+source section by section; and what such tables compare: constructions with their variants, factors between formulas.
 
 >>> from exactspline.papers import find
 >>> from exactspline.interchange.examples import example
@@ -21,19 +21,34 @@ from exactspline.display.tables import (
     symbolic_table,
     verdicts,
 )
+from exactspline.geometry.constructions import Variant, construction
+from exactspline.geometry.curvature import curvature_function
+from exactspline.geometry.inspection import Approach
+from exactspline.geometry.ruled_surfaces import as_tensor_product, is_developable
 from exactspline.splines.lowest_terms import control_point_count
+from exactspline.splines.tensor import surface_pair
+from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.curve_check import table_1_splines
 from exactspline.verification.degree_tables import measurable, measure
-from exactspline.verification.generic_proof import table_1_degrees
+from exactspline.verification.generic_proof import factor_of, table_1_degrees
 from exactspline.verification.patch_degrees import patch_table, variants_table
+from exactspline.verification.statement import statements
 
 __all__ = [
+    "Approach",
     "Grid",
+    "Variant",
     "approaches_table",
+    "as_tensor_product",
+    "construction",
     "control_point_count",
+    "curvature_function",
     "degree_table",
     "derived_data",
+    "factor_of",
     "inspection_data",
+    "is_developable",
+    "jets_for",
     "mathematics",
     "measurable",
     "measure",
@@ -43,6 +58,8 @@ __all__ = [
     "printed_numbers",
     "reading_along",
     "reduction_table",
+    "statements",
+    "surface_pair",
     "symbolic_table",
     "table_1_degrees",
     "table_1_splines",

@@ -58,7 +58,7 @@ def write_reading(folder: Path, drawn: Path) -> list[str]:
     for section, (formula, curve, _) in DRAWN.items():
         xs.plot(xs.find(formula)(xs.example(curve))).figure.savefig(drawn / f"{_name(section)}.svg")
     own = [xs.Nurbs(1, [-2, -2, 2, 2], ends) for ends in (((-2, 0, -1), (2, 0, -1)), ((0, -2, 1), (0, 2, 1)))]
-    xs.plot(xs.find("bisector_symmetric")(xs.surface_pair(*own))).figure.savefig(drawn / f"{_name('6.1')}.svg")
+    xs.plot(xs.find("bisector_symmetric")(xs.tables.surface_pair(*own))).figure.savefig(drawn / f"{_name('6.1')}.svg")
     read = [reading_along(number) for number in sections_of(default_papers()[0])]
     names = [_name(each.section) for each in read]
     for i, each in enumerate(read):

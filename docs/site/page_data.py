@@ -128,7 +128,7 @@ def surfaces() -> list[dict[str, Any]]:
         xs.Nurbs(1, [-2, -2, 2, 2], [(-2, 0, -1), (2, 0, -1)], name="one line"),
         xs.Nurbs(1, [-2, -2, 2, 2], [(0, -2, 1), (0, 2, 1)], name="the other"),
     ]
-    saddle = tensor_mesh(xs.find("bisector_symmetric")(xs.surface_pair(*lines)))
+    saddle = tensor_mesh(xs.find("bisector_symmetric")(xs.tables.surface_pair(*lines)))
     caption = "All points as far from one line as from the other: a hyperbolic paraboloid."
     made.append(_turned("lines", "The bisector of two lines", caption, [Scene("", saddle, list(map(_runs, lines)))]))
     for name, title in TITLES.items():

@@ -7,15 +7,16 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from exactspline.batch.lines import EVERYWHERE, Found
-from exactspline.errors import DomainError, ExactSplineError, FormulaError, ShapeError, as_texts, nearest
+from exactspline.errors import DomainError, ExactSplineError, FormulaError, ReachError, ShapeError, as_texts, nearest
 from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
+from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
 from exactspline.geometry.values_along import curvature, point_at
 from exactspline.numbers.exact import mpq, mpz
 from exactspline.questions.answers import CurvePiece, Described, Places
 from exactspline.questions.entry import Answered, Entry, Of
-from exactspline.reals.real import Real
+from exactspline.reals.real import Real, real
 from exactspline.roots.root import Root
 from exactspline.roots.values import exact_place
 from exactspline.splines.nurbs import Nurbs
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     from exactspline.geometry.many_roots import LateRoot, Point, Settled
 
 #: The types of answers of the questions that sweeps ask.
-LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES, Answered.DESCRIBED)
+LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES, Answered.DESCRIBED, Answered.PAIRS)
 #: The control points of a cubic of each kind, with which arguments are tried.
 TRIED: dict[Of, list[tuple[int, ...]]] = {
     Of.PLANE_CURVE: [(0, 0), (1, 0), (1, 1), (2, 1)],
@@ -106,8 +107,9 @@ def inspected(
     ...     print(each.kind, each.parameter, each.low, each.high)
     inflection None 2.804 2.805
     inflection None 3.270 3.271
-    >>> inspected(example("circle"), ["curvature_extrema"], 3)["curvature_extrema"]
-    (Found(kind='everywhere', parameter=None, low='0', high='4', x=None, y=None, z=None, curvature=None),)
+    >>> (whole,) = inspected(example("circle"), ["curvature_extrema"], 3)["curvature_extrema"]
+    >>> whole.kind, whole.low, whole.high
+    ('everywhere', '0', '4')
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """
@@ -129,12 +131,33 @@ def _answer(curve: Nurbs, asked: Entry, argument: str, settled: Settled | None) 
 
 def _listed(answer: Any, digits: int, curve: Nurbs | None) -> Iterator[Found]:
     """What was found; points with their values on a curve, if one is given."""
+    if isinstance(answer, Intersections):
+        yield from _pairs(answer, digits, curve)
+        return
     for each in answer:
         found = _found(each, digits)
         yield found if curve is None or isinstance(each, (CurvePiece, Described)) else _valued(found, each, curve)
     if isinstance(answer, Places):
         for piece in answer.everywhere:
             yield _piece(piece, EVERYWHERE)
+
+
+def _pairs(answer: Intersections, digits: int, curve: Nurbs | None) -> Iterator[Found]:
+    """Pairs of parameters of one curve, and of the arcs that it runs over again."""
+    if answer.left_out:
+        raise ReachError(f"self-intersections: not decided: {'; '.join(answer.left_out)}", remedy="divide the curve")
+    for each in answer:
+        (low, high), other = (_around(x, digits) for x in (each.first, each.second))
+        found = Found(str(each.kind), low if low == high else None, low, high, other_low=other[0], other_high=other[1])
+        point: dict[str, Any] = (
+            {} if curve is None else dict(zip("xyz", map(_double, map(real, each.point)), strict=False))
+        )
+        yield replace(found, **point)
+    for arc in answer.everywhere:
+        (low, high), other = (
+            (_around(min(ends), digits)[0], _around(max(ends), digits)[1]) for ends in (arc.first, arc.second)
+        )
+        yield Found(EVERYWHERE, None, low, high, other_low=other[0], other_high=other[1])
 
 
 def _found(each: Point | Feature | Joint | CurvePiece | Described, digits: int) -> Found:
@@ -194,15 +217,20 @@ def enclosed(place: Root | LateRoot, digits: int) -> tuple[str, str]:
     >>> [enclosed(root, 4) for root in zeros((3 * t - 1) * (2 * t * t - 1))]
     [('1/3', '1/3'), ('0.7071', '0.7072')]
     """
-    scale = mpz(10) ** digits
     if not isinstance(place, Root):
-        if (below := _neighbour(place.low, place.high, scale)) is not None:
+        if (below := _neighbour(place.low, place.high, mpz(10) ** digits)) is not None:
             return _decimal(below, digits), _decimal(below + 1, digits)
         place = place.root
+    return _around(place, digits)
+
+
+def _around(place: Real, digits: int) -> tuple[str, str]:
+    scale = mpz(10) ** digits
     if place.exact is not None:
         return str(place.exact), str(place.exact)
     more = digits + BEYOND
-    while (below := _neighbour(*place.refine(more), scale)) is None:
+    enclosure = place.refine if isinstance(place, Root) else place.enclosure
+    while (below := _neighbour(*enclosure(more), scale)) is None:
         more += 10
     return _decimal(below, digits), _decimal(below + 1, digits)
 

@@ -11,7 +11,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 from exactspline.batch.corpus import Problem, short_digest
 
 #: The version of a line's schema; it is raised when a field changes its meaning or is removed.
-VERSION = 4
+VERSION = 5
 
 
 #: The kind of a piece all of whose points answer a question about points.
@@ -32,6 +32,9 @@ class Found:
     Where values are asked for, a point has its coordinates and the curvature as correctly rounded doubles; None where
     there is none: `z` in the plane, the curvature where γ′ = 0 or where the two sides of a knot differ, a number beyond
     the largest double.
+
+    Where two parameters belong together, as at self-intersections, the other one lies between `other_low` and
+    `other_high`, or runs between them.
     """
 
     kind: str
@@ -42,6 +45,8 @@ class Found:
     y: float | None = None
     z: float | None = None
     curvature: float | None = None
+    other_low: str | None = None
+    other_high: str | None = None
 
 
 class Way(StrEnum):
@@ -171,9 +176,20 @@ def line_schema() -> dict[str, object]:
     """The JSON Schema of a line.
 
     >>> line_schema()["title"]
-    'exactspline/sweep_line, version 4'
+    'exactspline/sweep_line, version 5'
     """
-    properties = {name: _form(kind) for name, kind in get_type_hints(Line).items() if name in DATA}
+    from exactspline.display.answer_forms import surface_answer_forms, values_form
+
+    properties = {
+        name: _form(kind) for name, kind in get_type_hints(Line).items() if name in DATA and name != "answers"
+    }
+    # a question with a place is answered by numbers
+    properties["answers"] = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": surface_answer_forms(),
+        "patternProperties": {"@": values_form()},
+    }
     properties["index"] |= {"minimum": 0}
     properties["seconds"] |= {"minimum": 0}
     return _object(properties | {"digest": _form(str)}) | {
@@ -188,8 +204,6 @@ _SIMPLE = {str: "string", int: "integer", bool: "boolean", float: "number"}
 def _form(kind: Any) -> dict[str, Any]:
     """The JSON Schema of the type of a field."""
     parts = get_args(kind)
-    if kind is Any:
-        return {}
     if kind in _SIMPLE:
         return {"type": _SIMPLE[kind]}
     if is_dataclass(kind):

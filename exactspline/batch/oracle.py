@@ -19,18 +19,22 @@ from exactspline.errors import DomainError, ShapeError, as_text, nearest
 from exactspline.geometry import balls, values_along
 from exactspline.geometry.analysis import QUESTIONS as QUESTIONS_ABOUT_CURVES
 from exactspline.geometry.analysis import analyse, questions_about
+from exactspline.geometry.curve_pair import CurvePair
 from exactspline.geometry.derived import derive
+from exactspline.geometry.distance import Distance
 from exactspline.geometry.extent import coordinate_range, slope_zeros
 from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature, JointKind
+from exactspline.geometry.nearest import Nearest, NearestPoint
 from exactspline.geometry.planarity import Plane
 from exactspline.geometry.values_along import point_at, unit
+from exactspline.interchange.files import read
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, text
 from exactspline.questions.answers import CurvePiece, Described, Places
-from exactspline.questions.entry import Entry
+from exactspline.questions.entry import Entry, questions_of
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import exact_place
 from exactspline.splines.bspline import BSpline
@@ -259,16 +263,26 @@ def _items(curve: Nurbs, answer: Any) -> Iterator[Item]:
     if isinstance(answer, Intersections):
         yield from _meetings(answer)
         return
-    for each in () if answer is None else answer if isinstance(answer, (tuple, Places)) else (answer,):
+    if isinstance(answer, Distance):
+        yield from _closest(answer)
+        return
+    for each in () if answer is None else answer if isinstance(answer, (tuple, Places, Nearest)) else (answer,):
         yield _item(curve, each)
-    if isinstance(answer, Places):
+    if isinstance(answer, (Places, Nearest)):
         for piece in answer.everywhere:
             yield _piece(EVERYWHERE, piece)
 
 
-def _item(curve: Nurbs, each: Feature | Joint | CurvePiece | Described | Plane | tuple[CurvePiece, Plane]) -> Item:
+def _item(
+    curve: Nurbs, each: Feature | NearestPoint | int | Joint | CurvePiece | Described | Plane | tuple[CurvePiece, Plane]
+) -> Item:
     if isinstance(each, Feature):
         return _point(curve, each)
+    if isinstance(each, NearestPoint):
+        coordinates = _coordinates(curve, each.parameter)
+        return Item("nearest point", {"parameter": each.parameter, "distance": each.distance} | coordinates)
+    if isinstance(each, int):
+        return Item("value", {"value": real(each)})
     if isinstance(each, Joint):
         return _joint(each)
     if isinstance(each, CurvePiece):
@@ -280,9 +294,26 @@ def _item(curve: Nurbs, each: Feature | Joint | CurvePiece | Described | Plane |
     return Item("planar piece" if piece else "plane", ends, {"plane": str(plane)})
 
 
+def _of_two_curves(entry: Entry, curve: Nurbs, question: Question) -> Found:
+    """The answer to a question of the registry about this curve and another one."""
+    if not question.argument:
+        raise QuestionError(f"{question.text!r} names no other curve", remedy=f"{entry.name}:circle")
+    return _items(curve, entry.answer(CurvePair(curve, read(question.argument).curve))), ()
+
+
+def _check_decided(left_out: Iterable[str]) -> None:
+    if left_out:
+        raise QuestionError(f"not decided: {'; '.join(left_out)}", remedy="ask for the segments one by one")
+
+
+def _closest(found: Distance) -> Iterator[Item]:
+    _check_decided(found.left_out)
+    for pair in found.pairs:
+        yield Item("pair", {"parameter": pair.first, "other parameter": pair.second, "distance": found.value})
+
+
 def _meetings(found: Intersections) -> Iterator[Item]:
-    if found.left_out:
-        raise QuestionError(f"not decided: {'; '.join(found.left_out)}", remedy="ask for the segments one by one")
+    _check_decided(found.left_out)
     for point in found:
         values = {"parameter": point.first, "other parameter": point.second}
         coordinates = {name: real(x) for name, x in zip("xyz", point.point, strict=False)}
@@ -356,6 +387,8 @@ def _kinds() -> Iterator[Kind]:
     for entry in QUESTIONS_ABOUT_CURVES.values():
         asked = f"{entry.name}:{entry.about.argument}" if entry.about.argument else entry.name
         yield Kind(asked, entry.meaning, partial(_of_registry, entry))
+    for name, entry in questions_of(CurvePair).items():
+        yield Kind(f"{name}:CURVE", entry.meaning, partial(_of_two_curves, entry))
     yield Kind("bounding_box", "the smallest and largest value of every coordinate", _bounding_box)
     yield Kind("area", "the signed area inside a closed polynomial plane curve", _area)
     yield Kind("moments:K", "its moments ∬ xⁱ yʲ with i + j ≤ K (by default 2)", _moments)

@@ -151,7 +151,7 @@ def _on_segment(claim: Mapping[str, Any], zero: tuple[Any, ...], entries: tuple[
         require(low < a < high and restricted(factor, a, a)[0] == 0, "a place that is not the zero")
     else:
         require(low <= a < b <= high, "a place outside the leaf of the zero")
-        require(_changes_sign(factor, a, b), "a place without the zero")
+        require(changes_sign(factor, a, b), "a place without the zero")
     first, second, last = entries
     where = claim["s"]
     if where == START:
@@ -172,7 +172,8 @@ def _sign(form: Polynomial, a: Fraction, b: Fraction) -> int:
     return 1 if all(x > 0 for x in values) else -1 if all(x < 0 for x in values) else 0
 
 
-def _changes_sign(form: Polynomial, a: Fraction, b: Fraction) -> bool:
+def changes_sign(form: Polynomial, a: Fraction, b: Fraction) -> bool:
+    """Whether a form has opposite signs at two parameters."""
     values = restricted(form, a, b)
     return values[0] * values[-1] < 0
 
@@ -181,8 +182,8 @@ def _vanishes(form: Polynomial, factor: Polynomial, a: Fraction, b: Fraction) ->
     """Whether a form is zero at the only zero of the factor in [a, b]."""
     if a == b:
         return restricted(form, a, b)[0] == 0
-    common = _gcd(_trimmed(form), _trimmed(factor))
-    return len(common) > 1 and _changes_sign(common, a, b)
+    common = common_divisor(form, factor)
+    return len(common) > 1 and changes_sign(common, a, b)
 
 
 def _trimmed(p: Polynomial) -> Polynomial:
@@ -191,7 +192,9 @@ def _trimmed(p: Polynomial) -> Polynomial:
     return p
 
 
-def _gcd(p: Polynomial, q: Polynomial) -> Polynomial:
+def common_divisor(p: Polynomial, q: Polynomial) -> Polynomial:
+    """A greatest common divisor of two polynomials; empty if both are zero."""
+    p, q = _trimmed(p), _trimmed(q)
     while q:
         rest = list(p)
         while len(rest) >= len(q):

@@ -154,12 +154,17 @@ def restricted(c: list[int], low: Fraction, high: Fraction) -> list[int]:
     """Bernstein coefficients on [low, high], up to a positive constant, of the form with integers c."""
     n = len(c) - 1
     scale = lcm(*(comb(n, i) for i in range(n + 1)))
-    b = [x * scale // comb(n, i) for i, x in enumerate(c)]
-    right = _casteljau(b, low)[1] if low else b
-    return _casteljau(right, (high - low) / (1 - low))[0] if high < 1 else right
+    return values_on([x * scale // comb(n, i) for i, x in enumerate(c)], low, high)
 
 
-def _casteljau(b: list[int], t: Fraction) -> tuple[list[int], list[int]]:
+def values_on(b: list[int], low: Fraction, high: Fraction) -> list[int]:
+    """Bernstein coefficients on [low, high], up to a positive constant, from those on [0, 1]."""
+    right = halves_at(b, low)[1] if low else b
+    return halves_at(right, (high - low) / (1 - low))[0] if high < 1 else right
+
+
+def halves_at(b: list[int], t: Fraction) -> tuple[list[int], list[int]]:
+    """Bernstein coefficients before and behind t, up to a positive constant, by de Casteljau's algorithm."""
     p, q, n = t.numerator, t.denominator, len(b) - 1
     left, right = [], []
     for i in range(n + 1):

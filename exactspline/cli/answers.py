@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from exactspline.cli.common import Read, distinguish, each_read
+from exactspline.cli.common import Read, distinguish
 from exactspline.cli.output import OptionsError, Output
 from exactspline.cli.parameters import Exit
 from exactspline.display.sheet import Sheet
 
 if TYPE_CHECKING:
     from exactspline.splines.surface import NurbsSurface
-
-    #: Reads the surfaces that a name means.
-    Surfaces = Callable[[], Sequence[NurbsSurface]]
 
 #: The most digits of the certified intervals of an answer.
 DIGITS = 1000
@@ -41,17 +38,20 @@ def _check_digits(digits: int) -> None:
         raise OptionsError(f"--digits {digits}", remedy=f"answers have at most {DIGITS}")
 
 
-def answer_about_surfaces(out: Output, names: dict[str, Surfaces], asked: list[str], digits: int) -> None:
-    """Print the answers to questions about surfaces, as data: the values at places, and questions of the registry."""
+def answer_about_surfaces(
+    out: Output, surfaces: Sequence[NurbsSurface], asked: list[str], digits: int, *, good: bool
+) -> None:
+    """Print the answers to questions about surfaces, as data: the values at places, and questions of the registry.
+    `good` is whether all could be read.
+    """
     from exactspline.batch.surface_oracle import surface_answer, surface_question
     from exactspline.errors import ExactSplineError
 
     _check_digits(digits)
     for each in asked:
         surface_question(each)
-    given, good = each_read(names, lambda name: names[name]())
     rows: list[dict[str, Any]] = []
-    for surface in (each for surfaces in given for each in surfaces):
+    for surface in surfaces:
         for each in asked:
             row = {"key": f"{surface.name}: {each}", "surface": surface.name, "question": each}
             try:

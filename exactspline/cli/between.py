@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from exactspline.cli.common import CURVE_HELP, check_output, load_curve, tell_written
+from exactspline.cli.common import CURVE_HELP, Drawing, Places, check_output, load_curve, tell_written
 from exactspline.cli.output import Output, printing
-from exactspline.cli.parameters import Argument, Option
+from exactspline.cli.parameters import Argument
 
 
 @printing
@@ -14,10 +14,8 @@ def between(
     out: Output,
     curve: Annotated[str, Argument(help=CURVE_HELP)],
     other: Annotated[str, Argument(help="A second curve, of the same dimension.")],
-    digits: Annotated[
-        int, Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational numbers.")
-    ] = 12,
-    plot: Annotated[str, Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg or .png.")] = "",
+    digits: Places = 12,
+    plot: Drawing = "",
 ) -> None:
     """All points that two curves have in common, exactly, with multiplicities; the arcs along which they run together;
     or, if there are none, the pairs of points at the least distance.

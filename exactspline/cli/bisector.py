@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from exactspline.cli.common import CURVE_HELP, check_output, load_curve, tell_how_surfaces_are_drawn, tell_written
+from exactspline.cli.common import (
+    CURVE_HELP,
+    Drawing,
+    Places,
+    check_output,
+    load_curve,
+    tell_how_surfaces_are_drawn,
+    tell_written,
+)
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
 
@@ -42,13 +50,11 @@ def bisector(
             ),
         ),
     ] = "",
-    digits: Annotated[
-        int, Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational parameters and lines.")
-    ] = 20,
+    digits: Places = 20,
     output: Annotated[
         str, Option("--output", "-o", metavar="FILE", help="Write the pieces as exact control points (JSON).")
     ] = "",
-    plot: Annotated[str, Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg or .png.")] = "",
+    plot: Drawing = "",
 ) -> None:
     """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles next to it), of a point
     and a space curve (ruled), or, trimmed to equal distances, of a point and a plane curve.

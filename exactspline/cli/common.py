@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
@@ -20,36 +19,10 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
     from exactspline.verification.claim import Claim
 
-__all__ = [
-    "CURVE_HELP",
-    "Approximate",
-    "CurveFiles",
-    "Digits",
-    "Exact",
-    "Papers",
-    "Trust",
-    "also_in_their_planes",
-    "at_standard_input",
-    "check_output",
-    "claims_of_papers",
-    "each_read",
-    "load_curve",
-    "loaded",
-    "quiet_fonts",
-    "standard_input",
-    "tell_notes",
-    "tell_skipped",
-    "tell_written",
-]
 G = TypeVar("G")
 V = TypeVar("V")
 
 CURVE_HELP = "A file of curves (JSON, SVG, DXF, STEP, font.ttf:glyph, …), an example curve by its name, or -."
-#: How many bytes are read to recognize the kind of a JSON file.
-MAX_HEAD = 65_536
-_BLANK = b"\xef\xbb\xbf \t\r\n"
-#: How a JSON file with several curves begins, ours or geomdl's.
-_SEVERAL = re.compile(rb'^\s*\{\s*"(curves|shape)"')
 CurveFiles = Annotated[list[str] | None, Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")]
 Papers = Annotated[
     list[str] | None,
@@ -75,6 +48,11 @@ Approximate = Annotated[
 Digits = Annotated[
     int, Option("--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits too.")
 ]
+Places = Annotated[
+    int, Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational parameters and other numbers.")
+]
+Drawing = Annotated[str, Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg or .png.")]
+Surfaces = Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")]
 Exact = Annotated[bool, Option("--exact", help="Show long fractions in full instead of as decimals.")]
 
 
@@ -92,7 +70,7 @@ def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, .
 
 def load_curve(name: str) -> Nurbs:
     """The one curve that a name, a file or standard input (``-``) means."""
-    found, _ = _found_in(name)
+    found, _ = curves_in(name, reading_of(name))
     if len(found) > 1:
         names = ", ".join(c.name for c in found[:8]) + (", …" if len(found) > 8 else "")
         raise CurveFileError(
@@ -120,17 +98,15 @@ class Read:
 
 def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
     """The curves that can be read, and whether all could (see `read_curves`)."""
-    found, good = read_curves(names)
+    found, good = read_curves(*each_read(names, lambda name: (name, reading_of(name))))
     return [each.curve for each in found], good
 
 
-def read_curves(names: Iterable[str], given: bytes | None = None, approximate: str = "") -> tuple[list[Read], bool]:
-    """The curves that can be read, and whether all could. `given` is standard input where it was read before;
-    `approximate` is the distance within which arcs that have no rational control points are replaced.
-    """
-    found, good = each_read(names, lambda name: (name, *_found_in(name, given, approximate)))
+def read_curves(given: Iterable[tuple[str, Reading]], good: bool) -> tuple[list[Read], bool]:
+    """The curves in what was read under some names, and whether all could be read."""
+    found, all_good = each_read(given, lambda pair: (pair[0], *curves_in(*pair)))
     curves = [Read(name, index, curve) for name, own, _ in found for index, curve in enumerate(own)]
-    return curves, good and all(complete for *_, complete in found)
+    return curves, good and all_good and all(complete for *_, complete in found)
 
 
 def each_read(names: Iterable[G], read: Callable[[G], V]) -> tuple[list[V], bool]:
@@ -155,82 +131,39 @@ def distinguish(rows: list[dict[str, object]]) -> None:
             row["key"] = f"{row['key']} ({row['source']}, curve {row['index']})"
 
 
-def _found_in(name: str, given: bytes | None = None, approximate: str = "") -> tuple[list[Nurbs], bool]:
-    """An example curve by its name, or the curves of a file in any format (``font.ttf:ampersand``; ``-`` for standard
-    input, `given` where it was read before), and whether none is missing; whatever is skipped is named on standard
-    error, and so are notes.
+def reading_of(name: str, approximate: str = "") -> Reading:
+    """What a name, a file in any format or standard input (``-``) holds."""
+    from exactspline.interchange.examples import example, examples
+    from exactspline.interchange.records import NamedCurve, Reading
+    from exactspline.splines.nurbs import Nurbs
+
+    if name in examples() and not Path(name).exists():  # without the readers of all formats
+        made = example(name)
+        if isinstance(made, Nurbs):
+            return Reading("json", (NamedCurve(name, made),))
+        return Reading("json", (), surfaces=(made,))
+    from exactspline.interchange.files import read
+
+    return read(name, approximate=approximate or None)
+
+
+def curves_in(name: str, reading: Reading) -> tuple[list[Nurbs], bool]:
+    """The curves in what was read under a name, and whether all could be; what is skipped is named on standard
+    error. The note of a single curve of our own JSON stands in it.
     """
-    from exactspline.interchange.curve_files import curve_from_text
-    from exactspline.interchange.examples import load
-
-    given = (standard_input() if given is None else given) if name == "-" else None
-    part = name.rpartition(":")[0]
-    if given is None and not Path(name).exists() and not (part and Path(part).exists()):
-        return [load(name)], True
-    text = _head(name) if given is None else given
-    if text is not None and len(text) < MAX_HEAD and not text.strip(_BLANK):
-        raise CurveFileError("is empty", where=name, remedy="name a file of curves")
-    if text is not None and _is_one_curve(text, name):
-        # this reader takes what `derive` wrote, and its errors say more
-        own = load(name) if given is None else at_standard_input(lambda: curve_from_text(_text(given), "stdin"))
-        return [own], True
-    from exactspline.interchange.files import read  # all formats: what is one of ours comes without them
-
-    within = approximate or None
-    if given is None:
-        reading = read(name, approximate=within)
-    else:
-        reading = at_standard_input(lambda: read(given, approximate=within))
+    if reading.surfaces and not (reading.curves or reading.skipped):
+        raise CurveFileError(
+            f"holds {counted(len(reading.surfaces), 'surface')}, where a curve is expected",
+            where=name,
+            remedy=f"`{command_name()} inspect` reads surfaces",
+        )
     tell_skipped(reading, name)
-    tell_notes(reading)
+    if reading.format != "json" or len(reading.curves) > 1:
+        tell_notes(reading)
     if not reading.curves:
         what = "nothing that is a curve" if reading.skipped or reading.surfaces else "no curves"
         raise CurveFileError(f"holds {what}", where=name, remedy="name a file of curves")
     return [named.curve for named in reading.curves], reading.complete
-
-
-def standard_input() -> bytes:
-    """All of standard input; `CurveFileError` where it is too large."""
-    from exactspline.interchange.json_files import MAX_BYTES
-
-    data = sys.stdin.buffer.read(8 * MAX_BYTES + 1)
-    if len(data) > 8 * MAX_BYTES:
-        raise CurveFileError("is too large", where="standard input", remedy=f"at most {8 * MAX_BYTES} bytes are read")
-    return data
-
-
-def _text(data: bytes) -> str:
-    try:
-        return data.decode()
-    except UnicodeDecodeError:
-        raise CurveFileError("is not UTF-8 text", remedy="a curve file is JSON") from None
-
-
-def at_standard_input(reader: Callable[[], V]) -> V:
-    """What a reader makes of standard input, which its errors name."""
-    try:
-        return reader()
-    except ExactSplineError as error:
-        raise error.at("standard input") from None
-
-
-def _head(name: str) -> bytes | None:
-    """The beginning of a file; None for a part of one; a brace where `load` is to report what is wrong."""
-    try:
-        with open(name, "rb") as stream:
-            return stream.read(MAX_HEAD)
-    except OSError:
-        return b"{" if Path(name).exists() else None
-
-
-def _is_one_curve(head: bytes, name: str) -> bool:
-    """Whether a file is meant as one curve in exactspline's own JSON: not where its suffix is another format's."""
-    from exactspline.interchange.formats import FORMATS
-
-    suffix, begin = Path(name).suffix.lower(), head.lstrip(_BLANK)[:1]
-    if suffix != ".json" and any(suffix in known.suffixes for known in FORMATS):
-        return False
-    return (begin == b"{" or (suffix == ".json" and begin != b"[")) and not _SEVERAL.search(head)
 
 
 def tell_notes(reading: Reading, *, curves: bool = True) -> None:

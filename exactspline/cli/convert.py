@@ -5,10 +5,11 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any
 
 from exactspline.cli.common import (
     Approximate,
+    Surfaces,
     check_approximate,
     check_distance,
     check_output,
@@ -19,7 +20,7 @@ from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
-from exactspline.errors import ShapeError, counted
+from exactspline.errors import CurveFileError, ShapeError, counted
 from exactspline.numbers.exact import text
 
 if TYPE_CHECKING:
@@ -29,52 +30,57 @@ if TYPE_CHECKING:
     from exactspline.splines.surface import NurbsSurface
 
 
+Source = Annotated[str, Argument(metavar="IN", help="A file, font.ttf:glyph, or - for standard input.")]
+Target = Annotated[str, Argument(metavar="OUT", help="A file, or - for standard output.")]
+FromFormat = Annotated[
+    str, Option("--from", metavar="FORMAT", help="The format of IN; recognized by its content by default.")
+]
+ToFormat = Annotated[
+    str, Option("--to", metavar="FORMAT", help="The format of OUT; recognized by its suffix by default.")
+]
+Rounding = Annotated[bool, Option("--round", help="Round what the format cannot hold exactly to the nearest doubles.")]
+Only = Annotated[list[str] | None, Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")]
+Degree = Annotated[int | None, Option("--degree", metavar="N", help="For files of control points alone.")]
+Knots = Annotated[str, Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")]
+Snap = Annotated[
+    str,
+    Option(
+        "--snap",
+        metavar="line,circle",
+        help="Replace pieces that are nearly lines or arcs of circles by exact ones with the same end points; each is "
+        "listed with its proved distance.",
+    ),
+]
+Epsilon = Annotated[
+    str,
+    Option(
+        "--epsilon",
+        metavar="E",
+        help="With --snap: how near (a number, or written); by default 1e-9 of the curve's size.",
+    ),
+]
+
+
 @printing
 def convert(
     out: Output,
-    source: Annotated[str, Argument(metavar="IN", help="A file, font.ttf:glyph, or - for standard input.")],
-    target: Annotated[str, Argument(metavar="OUT", help="A file, or - for standard output.")],
-    from_format: Annotated[
-        str, Option("--from", metavar="FORMAT", help="The format of IN; recognized by its content by default.")
-    ] = "",
-    to_format: Annotated[
-        str, Option("--to", metavar="FORMAT", help="The format of OUT; recognized by its suffix by default.")
-    ] = "",
-    rounding: Annotated[
-        bool, Option("--round", help="Round what the format cannot hold exactly to the nearest doubles.")
-    ] = False,
-    only: Annotated[
-        list[str] | None, Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")
-    ] = None,
-    surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
+    source: Source,
+    target: Target,
+    from_format: FromFormat = "",
+    to_format: ToFormat = "",
+    rounding: Rounding = False,
+    only: Only = None,
+    surfaces: Surfaces = False,
     approximate: Approximate = "",
-    degree: Annotated[int | None, Option("--degree", metavar="N", help="For files of control points alone.")] = None,
-    knots: Annotated[
-        str, Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
-    ] = "",
-    snap: Annotated[
-        str,
-        Option(
-            "--snap",
-            metavar="line,circle",
-            help="Replace pieces that are nearly lines or arcs of circles by exact ones with the same end points; each "
-            "is listed with its proved distance.",
-        ),
-    ] = "",
-    epsilon: Annotated[
-        str,
-        Option(
-            "--epsilon",
-            metavar="E",
-            help="With --snap: how near (a number, or written); by default 1e-9 of the curve's size.",
-        ),
-    ] = "",
+    degree: Degree = None,
+    knots: Knots = "",
+    snap: Snap = "",
+    epsilon: Epsilon = "",
 ) -> None:
     """Convert curves or surfaces between formats without rounding; whatever is skipped is named on standard error, and
     where a curve is among it, the exit status is 2.
     """
-    from exactspline.errors import CurveFileError
-    from exactspline.interchange.files import read, write
+    from exactspline.interchange.files import encoded, read, write
 
     if epsilon and not snap:
         raise OptionsError("--epsilon without --snap", remedy="say what to replace: --snap line,circle")
@@ -89,51 +95,26 @@ def convert(
         knots=knots.replace(",", " ").split() or None,
         approximate=approximate or None,
     )
-    as_surfaces = bool(reading.surfaces) and (surfaces or not reading.curves)
-    if as_surfaces and reading.curves:
-        leave_out()
-        sys.stderr.write(
-            f"skipped: {source}: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n"
-        )
-    tell_skipped(reading, source, surfaces=not as_surfaces)
-    tell_notes(reading, curves=not as_surfaces)
-    known = [NamedSurface(each.name, each) for each in reading.surfaces] if as_surfaces else [*reading.curves]
-    chosen = [named for named in known if not only or named.name in only]
-    what = "surface" if as_surfaces else "curve"
-    if not chosen:
-        names = ", ".join(named.name for named in known[:10]) or "none"
-        raise CurveFileError(f"no {what}s to convert", where=source, remedy=f"the {what}s that are read: {names}")
-    if snap and as_surfaces:
+    what = "surface" if reading.surfaces and (surfaces or not reading.curves) else "curve"
+    chosen = _chosen(reading, what, source, only or [])
+    if snap and what == "surface":
         raise OptionsError("--snap and surfaces", remedy="it is for curves")
     repairs = [_repaired(each, snap, epsilon) for each in chosen]
-    replacements = [
-        f"{each.name}: {x}" for each, repair in zip(chosen, repairs, strict=True) for x in _replacements(repair)
-    ]
-    if snap and not replacements:
-        replacements.append(f"no piece is near enough to a {snap.replace(',', ' or ')}; a larger --epsilon finds more")
+    replacements = _all_replacements(chosen, repairs, snap)
     chosen = list(map(_with_repair, chosen, repairs))
     if target == "-":
         if not out.for_people:
             raise OptionsError("a report and the curves, both on standard output", remedy="name a file for the curves")
-        data, notes = _encoded(chosen, to_format or "json", rounding)
+        data, notes = encoded(chosen, to_format or "json", rounding=rounding)
         sys.stdout.buffer.write(data)
     else:
-        notes = write([_written(each) for each in chosen], target, to_format or None, rounding=rounding)
-    rows = [
-        _row(each, reading, target, notes) | {"skipped": []} | _repair_data(repair)
-        for each, repair in zip(chosen, repairs, strict=True)
-    ]
+        notes = write(chosen, target, to_format or None, rounding=rounding)
+    rows = [_row(*each, reading, target, notes) for each in zip(chosen, repairs, strict=True)]
     rows[0]["skipped"] = [f"{s.where}: {s.what}: {s.why}" for s in reading.skipped]
-    numbers = ("degree", "dimension", "control points")
-    cells = [
-        (row["key"], row["format"], *(_cell(row[each.replace(" ", "_")]) for each in numbers), "; ".join(row["notes"]))
-        for row in rows
-    ]
-    columns = (what, "read as", *numbers, "notes")
     out.give(
-        "convert surface" if as_surfaces else "convert",
+        "convert surface" if what == "surface" else "convert",
         rows,
-        [Sheet(*columns, rows=cells, numbers=numbers, prose=["notes"])],
+        [_sheet(what, rows)],
         lambda: _report(
             out, [*replacements, *notes], f"{counted(len(chosen), what)} from {reading.format} to {target}"
         ),
@@ -142,13 +123,43 @@ def convert(
         raise Exit(2)
 
 
-def _repaired(named: NamedCurve | NamedSurface, snap: str, epsilon: str) -> Snapped | None:
+def _chosen(reading: Reading, what: str, source: str, only: Sequence[str]) -> list[NamedCurve | NurbsSurface]:
+    """The curves or surfaces to convert, those with the names in `only`; what is not taken is named on standard
+    error.
+    """
+    as_surfaces = what == "surface"
+    if as_surfaces and reading.curves:
+        leave_out()
+        sys.stderr.write(
+            f"skipped: {source}: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n"
+        )
+    tell_skipped(reading, source, surfaces=not as_surfaces)
+    tell_notes(reading, curves=not as_surfaces)
+    known = [*reading.surfaces] if as_surfaces else [*reading.curves]
+    chosen = [named for named in known if not only or named.name in only]
+    if not chosen:
+        names = ", ".join(named.name for named in known[:10]) or "none"
+        raise CurveFileError(f"no {what}s to convert", where=source, remedy=f"the {what}s that are read: {names}")
+    return chosen
+
+
+def _sheet(what: str, rows: Sequence[dict[str, Any]]) -> Sheet:
+    numbers = ("degree", "dimension", "control points")
+    cells = [
+        (row["key"], row["format"], *(_cell(row[each.replace(" ", "_")]) for each in numbers), "; ".join(row["notes"]))
+        for row in rows
+    ]
+    return Sheet(what, "read as", *numbers, "notes", rows=cells, numbers=numbers, prose=["notes"])
+
+
+def _repaired(named: NamedCurve | NurbsSurface, snap: str, epsilon: str) -> Snapped | None:
     """A curve with its pieces near to the shapes that are named replaced by exact ones. A curve for which that cannot
     be done is named, and stays as it is.
     """
     from exactspline.geometry.recognition.snapping import Snapped, checked_kinds, snapped
+    from exactspline.interchange.records import NamedCurve
 
-    if isinstance(named, NamedSurface):
+    if not isinstance(named, NamedCurve):
         return None
     if snap:
         kinds = checked_kinds([word.strip() for word in snap.split(",")])
@@ -176,49 +187,40 @@ def _replacements(repair: Snapped | None) -> list[str]:
     return replaced + kept
 
 
-def _with_repair(named: NamedCurve | NamedSurface, repair: Snapped | None) -> NamedCurve | NamedSurface:
-    if repair is None or isinstance(named, NamedSurface):
+def _all_replacements(
+    chosen: Sequence[NamedCurve | NurbsSurface], repairs: Sequence[Snapped | None], snap: str
+) -> list[str]:
+    found = [f"{each.name}: {x}" for each, repair in zip(chosen, repairs, strict=True) for x in _replacements(repair)]
+    if snap and not found:
+        found.append(f"no piece is near enough to a {snap.replace(',', ' or ')}; a larger --epsilon finds more")
+    return found
+
+
+def _with_repair(named: NamedCurve | NurbsSurface, repair: Snapped | None) -> NamedCurve | NurbsSurface:
+    from exactspline.interchange.records import NamedCurve
+
+    if repair is None or not isinstance(named, NamedCurve):
         return named
     return replace(named, curve=repair.curve, notes=(*named.notes, *_replacements(repair)))
 
 
-def _repair_data(repair: Snapped | None) -> dict[str, Any]:
+def _row(
+    named: NamedCurve | NurbsSurface, repair: Snapped | None, reading: Reading, target: str, notes: Sequence[str]
+) -> dict[str, Any]:
     from exactspline.display.serialize import described_data
+    from exactspline.interchange.records import NamedCurve
 
-    if repair is None:
-        return {}
-    return {name: [described_data(x) for x in getattr(repair, name)] for name in ("replaced", "kept")}
-
-
-class NamedSurface(NamedTuple):
-    """A surface with its name in the file."""
-
-    name: str
-    surface: NurbsSurface
-
-
-def _written(named: NamedCurve | NamedSurface) -> Any:
-    return named.surface if isinstance(named, NamedSurface) else named
-
-
-def _encoded(chosen: Sequence[NamedCurve | NamedSurface], format: str, rounding: bool) -> tuple[bytes, tuple[str, ...]]:
-    from exactspline.interchange.files import encoded, encoded_surfaces
-
-    surfaces = [each.surface for each in chosen if isinstance(each, NamedSurface)]
-    if surfaces:
-        return encoded_surfaces(surfaces, format, rounding=rounding)
-    return encoded([_written(each) for each in chosen], format, rounding=rounding)
-
-
-def _row(named: NamedCurve | NamedSurface, reading: Reading, target: str, notes: Sequence[str]) -> dict[str, Any]:
-    if isinstance(named, NamedSurface):
-        made, net = picked(named.surface, "degree", "dimension"), named.surface.control_points
-        count, own = sum(map(len, net)), list[str]()
-    else:
+    if isinstance(named, NamedCurve):
         made, own = picked(named.curve, "degree", "dimension"), [*named.notes]
         count = len(named.curve.control_points)
+    else:
+        made, own = picked(named, "degree", "dimension"), list[str]()
+        count = sum(map(len, named.control_points))
     row: dict[str, Any] = {"key": named.name, "format": reading.format, "target": target, **made}
-    return row | {"control_points": count, "notes": [*own, *reading.notes, *notes]}
+    row |= {"control_points": count, "notes": [*own, *reading.notes, *notes], "skipped": []}
+    if repair is not None:
+        row |= {name: [described_data(x) for x in getattr(repair, name)] for name in ("replaced", "kept")}
+    return row
 
 
 def _cell(value: object) -> object:

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, replace
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from exactspline.cli.answers import answer_about_surfaces, answer_questions
 from exactspline.cli.common import (
     CURVE_HELP,
     Approximate,
+    Places,
     Read,
+    Surfaces,
     also_in_their_planes,
     check_approximate,
     check_distance,
     distinguish,
+    each_read,
     read_curves,
-    standard_input,
+    reading_of,
     tell_written,
 )
 from exactspline.cli.output import OptionsError, Output, printing
@@ -23,106 +27,117 @@ from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import ticking
 from exactspline.words import choice
 
+if TYPE_CHECKING:
+    from exactspline.geometry.inspection import Inspection
+    from exactspline.interchange.records import Reading
+    from exactspline.splines.nurbs import Nurbs
+
 #: The word for all approaches, side by side.
 ALL = "all"
+#: A curve, its inspection, and all of it as data.
+Inspected: TypeAlias = "tuple[Nurbs, Inspection, dict[str, Any]]"
 #: The approach where none is named.
 MINIMAL = "minimal"
+
+
+Curves = Annotated[list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or surfaces in the same ways.")]
+Ask = Annotated[
+    list[str] | None,
+    Option(
+        "--ask",
+        metavar="QUESTION",
+        help="Answer this alone, exactly, with a certified interval and the correctly rounded double: value@1/2, "
+        "derivative:2@0, length, … (see list questions). May be repeated.",
+    ),
+]
+ApproachName = Annotated[
+    str,
+    Option(
+        "--approach",
+        metavar="NAME",
+        help="Of curves: squaring, direct, reduced, lifted, minimal (without it), or all side by side.",
+    ),
+]
+Epsilon = Annotated[
+    str,
+    Option(
+        "--epsilon",
+        metavar="E",
+        help="Of plane curves: also what all curves have whose control points and weights differ by at most E, and "
+        "what some of them may have; and shapes within E: a number, or written (half a unit of the last digit).",
+    ),
+]
+Stability = Annotated[
+    bool,
+    Option(
+        "--stability",
+        help="Of plane curves: also how far control points and weights may be changed until a feature vanishes: a "
+        "distance for which it is proved that it does not, and one at which it may be gone.",
+    ),
+]
+Plot = Annotated[
+    str,
+    Option(
+        "--plot",
+        metavar="FILE",
+        help="Draw the curve and the function that was solved, or the surface, into an SVG or PNG file; a surface also "
+        "into an HTML page that turns.",
+    ),
+]
+Coordinates = Annotated[
+    bool, Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design).")
+]
+Certificates = Annotated[
+    bool, Option("--certificates", help="With --ask: put the certificates of the zero sets into the JSON.")
+]
+CertificateFile = Annotated[
+    str,
+    Option(
+        "--certificate",
+        metavar="FILE",
+        help="Write a proof that these are all zeros (JSON; see exactspline.certificates).",
+    ),
+]
+CoqFile = Annotated[
+    str,
+    Option(
+        "--emit-coq",
+        metavar="FILE",
+        help="Write a file for the proof assistant Coq: theorems that say where curvature and its derivative (in "
+        "space: torsion) vanish on this curve.",
+    ),
+]
 
 
 @printing
 def inspect(
     out: Output,
-    curve: Annotated[list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or surfaces in the same ways.")],
-    ask: Annotated[
-        list[str] | None,
-        Option(
-            "--ask",
-            metavar="QUESTION",
-            help="Answer this alone, exactly, with a certified interval and the correctly rounded double: value@1/2, "
-            "derivative:2@0, length, … (see list questions). May be repeated.",
-        ),
-    ] = None,
-    digits: Annotated[
-        int, Option("--digits", metavar="N", min=1, max=100_000, help="Digits of parameters and curvatures.")
-    ] = 20,
-    approach: Annotated[
-        str,
-        Option(
-            "--approach",
-            metavar="NAME",
-            help="Of curves: squaring, direct, reduced, lifted, minimal (without it), or all side by side.",
-        ),
-    ] = "",
-    epsilon: Annotated[
-        str,
-        Option(
-            "--epsilon",
-            metavar="E",
-            help="Of plane curves: also what all curves have whose control points and weights differ by at most E, and "
-            "what some of them may have; and shapes within E: a number, or written (half a unit of the last digit).",
-        ),
-    ] = "",
-    stability: Annotated[
-        bool,
-        Option(
-            "--stability",
-            help="Of plane curves: also how far control points and weights may be changed until a feature vanishes: a "
-            "distance for which it is proved that it does not, and one at which it may be gone.",
-        ),
-    ] = False,
-    plot: Annotated[
-        str,
-        Option(
-            "--plot",
-            metavar="FILE",
-            help="Draw the curve and the function that was solved, or the surface, into an SVG or PNG file; a "
-            "surface also into an HTML page that turns.",
-        ),
-    ] = "",
-    surfaces: Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")] = False,
+    curve: Curves,
+    ask: Ask = None,
+    digits: Places = 20,
+    approach: ApproachName = "",
+    epsilon: Epsilon = "",
+    stability: Stability = False,
+    plot: Plot = "",
+    surfaces: Surfaces = False,
     approximate: Approximate = "",
-    coordinates: Annotated[
-        bool, Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design).")
-    ] = False,
-    certificates: Annotated[
-        bool, Option("--certificates", help="With --ask: put the certificates of the zero sets into the JSON.")
-    ] = False,
-    certificate: Annotated[
-        str,
-        Option(
-            "--certificate",
-            metavar="FILE",
-            help="Write a proof that these are all zeros (JSON; see exactspline.certificates).",
-        ),
-    ] = "",
-    emit_coq: Annotated[
-        str,
-        Option(
-            "--emit-coq",
-            metavar="FILE",
-            help="Write a file for the proof assistant Coq: theorems that say where curvature and its derivative (in "
-            "space: torsion) vanish on this curve.",
-        ),
-    ] = "",
+    coordinates: Coordinates = False,
+    certificates: Certificates = False,
+    certificate: CertificateFile = "",
+    emit_coq: CoqFile = "",
 ) -> None:
     """Corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space, certified,
     to any number of digits; of surfaces the sign of the Gaussian curvature, parabolic curves, umbilics and poles, of
     maps of the plane the sign of the Jacobian.
     """
-    from exactspline.cli.surfaces import inspect_surfaces, surfaces_among
-    from exactspline.display.features import feature_sheet
-    from exactspline.geometry.inspection import Approach
-    from exactspline.interchange.curve_files import write_json
+    from exactspline.cli.surfaces import surfaces_among
 
     check_approximate(approximate)
-    standard = standard_input() if "-" in curve else None
-    if found_surfaces := surfaces_among(curve, standard, requested=surfaces):
-        if len(found_surfaces) < len(curve):
+    read, good = each_read(curve, lambda name: (name, reading_of(name, approximate)))
+    if with_surfaces := surfaces_among(read, requested=surfaces):
+        if len(with_surfaces) < len(read):
             raise OptionsError("surfaces and curves", remedy="inspect them one after the other")
-        if ask:
-            answer_about_surfaces(out, found_surfaces, ask, digits)
-            return
-        given_options = {
+        for_curves: dict[str, str | bool] = {
             "--approach": approach,
             "--coordinates": coordinates,
             "--epsilon": epsilon,
@@ -131,37 +146,70 @@ def inspect(
             "--certificate": certificate,
             "--emit-coq": emit_coq,
         }
-        if refused := next((option for option, value in given_options.items() if value), ""):
-            raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
-        inspect_surfaces(out, found_surfaces, digits, plot)
-        return
+        _inspect_surfaces(out, with_surfaces, ask, for_curves, digits, plot, good)
+    elif ask:
+        answer_questions(out, read_curves(read, good), ask, digits, certificates)
+    else:
+        _see_that_they_fit(curve, approach, epsilon, emit_coq)
+        found, good = read_curves(read, good)
+        if emit_coq and found:
+            _emit(found[0].curve, emit_coq)
+        inspected = [
+            _inspected(replace(each, curve=c), approach or MINIMAL, digits, coordinates, epsilon, stability)
+            for each in found
+            for c in also_in_their_planes([each.curve])
+        ]
+        _give(out, inspected, [each.curve for each in found], certificate, plot, ", ".join(curve))
+        if not good:
+            raise Exit(2)
+
+
+def _inspect_surfaces(
+    out: Output,
+    read: Sequence[tuple[str, Reading]],
+    ask: list[str] | None,
+    for_curves: Mapping[str, str | bool],
+    digits: int,
+    plot: str,
+    good: bool,
+) -> None:
+    """The surfaces in what was read; `for_curves` are the options that are only for curves."""
+    from exactspline.cli.surfaces import inspect_surfaces, surfaces_in
+
+    own = [surface for pair in read for surface in surfaces_in(*pair)]
     if ask:
-        answer_questions(out, read_curves(curve, standard, approximate), ask, digits, certificates)
+        answer_about_surfaces(out, own, ask, digits, good=good)
         return
-    approach = approach or MINIMAL
-    if approach != ALL:
+    if refused := next((option for option, value in for_curves.items() if value), ""):
+        raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
+    inspect_surfaces(out, own, digits, plot, good=good)
+
+
+def _see_that_they_fit(names: Sequence[str], approach: str, epsilon: str, emit_coq: str) -> None:
+    """See that the options for curves fit to each other."""
+    from exactspline.geometry.inspection import Approach
+
+    if approach and approach != ALL:
         choice(Approach, approach, "approach", also=(ALL,))
-    if emit_coq and len(curve) > 1:
+    if emit_coq and len(names) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
     if emit_coq:
         _see_that_coq_can_name(emit_coq)
     if epsilon:
         check_distance(epsilon)
-    found, good = read_curves(curve, standard, approximate)
-    given = [read.curve for read in found]
-    if emit_coq and given:
-        _emit(given[0], emit_coq)
-    inspected = [
-        _inspected(replace(read, curve=c), approach, digits, coordinates, epsilon, stability)
-        for read in found
-        for c in also_in_their_planes([read.curve])
-    ]
+
+
+def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certificate: str, plot: str, title: str) -> None:
+    """All that was found, as the options want it."""
+    from exactspline.display.features import feature_sheet
+    from exactspline.interchange.curve_files import write_json
+
     distinguish([data for *_, data in inspected])
     if certificate:
         write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
         tell_written(certificate)
     if plot and inspected:
-        _draw(inspected, given, plot, ", ".join(curve))
+        _draw(inspected, given, plot, title)
         tell_written(plot)
     out.give(
         "inspect",
@@ -170,8 +218,6 @@ def inspect(
         lambda: _print_all(out, inspected),
         by="curve",
     )
-    if not good:
-        raise Exit(2)
 
 
 def _see_that_coq_can_name(path: str) -> None:
@@ -191,7 +237,7 @@ def _see_that_coq_can_name(path: str) -> None:
         )
 
 
-def _emit(curve: Any, path: str) -> None:
+def _emit(curve: Nurbs, path: str) -> None:
     """The theorems about a curve, in a file."""
     from exactspline.atomic_write import write_text
     from exactspline.verification.coq.answers import theorem_of
@@ -201,7 +247,7 @@ def _emit(curve: Any, path: str) -> None:
     tell_written(path)
 
 
-def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:
+def _print_all(out: Output, inspected: list[Inspected]) -> None:
     from exactspline.display import console
     from exactspline.display.features import print_features, words_of
 
@@ -215,9 +261,7 @@ def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) ->
         console.legend(console.console(), ["κ", *["τ"] * in_space, *["exactly"] * bool(words), *words])
 
 
-def _inspected(
-    read: Read, approach: str, digits: int, coordinates: bool, epsilon: str, stability: bool
-) -> tuple[Any, Any, dict[str, Any]]:
+def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilon: str, stability: bool) -> Inspected:
     """A curve, its inspection, and all of it as data."""
     from exactspline.display.serialize import answer_data, coordinate_extrema_data, inspection_data
     from exactspline.geometry.analysis import analyse
@@ -227,7 +271,7 @@ def _inspected(
     from exactspline.splines.precision import WRITTEN, distance
 
     c = read.curve
-    found = inspect_curve(c, "minimal" if approach == ALL else approach)
+    found = inspect_curve(c, MINIMAL if approach == ALL else approach)
     with ticking(
         "refining", sum(len(answer) for answer in found.answers.values() if isinstance(answer, Places))
     ) as tick:
@@ -247,7 +291,7 @@ def _inspected(
     return c, found, data
 
 
-def _proofs(c: Any, found: Any) -> list[dict[str, object]]:
+def _proofs(c: Nurbs, found: Inspection) -> list[dict[str, object]]:
     """The certificates of every form that was solved."""
     from exactspline.geometry.inspection import solved
 
@@ -257,7 +301,7 @@ def _proofs(c: Any, found: Any) -> list[dict[str, object]]:
     ]
 
 
-def _draw(inspected: list[tuple[Any, Any, dict[str, Any]]], given: list[Any], path: str, title: str) -> None:
+def _draw(inspected: list[Inspected], given: list[Nurbs], path: str, title: str) -> None:
     """One curve next to the functions that were solved, or several curves in one picture."""
     from exactspline.display.plot.canvas import save
     from exactspline.display.plot.comparisons import features_figure, inspect_figure

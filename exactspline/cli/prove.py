@@ -103,9 +103,8 @@ def prove(
     given, good = loaded(curve or [])
     read, all_read = each_read(surface or [], read_surfaces)
     patches = [each for several in read for each in several]
-    curves: list[Nurbs | NurbsSurface] | None = None
-    if curve or surface:
-        curves = [*also_in_their_planes(given), *patches]
+    on: list[Nurbs | NurbsSurface] = [*also_in_their_planes(given), *patches]
+    curves = on if curve or surface else None
     if judge and curves is not None:
         options = "--judge and --curve" if curve else "--judge and --surface"
         raise OptionsError(options, remedy="another judge decides for all: leave it out")

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 from exactspline.cli.output import VERSION, print_json
 from exactspline.cli.parameters import Argument
 from exactspline.errors import ExactSplineError, nearest
-
-if TYPE_CHECKING:
-    from exactspline.questions.entry import Entry
 
 #: The schema of a line of `exactspline sweep`, which is not a document of rows.
 LINE = "sweep_line"
@@ -34,6 +31,8 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
     """The fields of a row by the name of the schema."""
     from importlib import resources
 
+    from exactspline.display.answer_forms import FORMS_BESIDE, surface_answer_forms, values_form
+
     text = resources.files(__package__).joinpath("schemas.json").read_text(encoding="utf-8")
     found = {name: _fields(by_type) for name, by_type in json.loads(text).items()}
     found["inspect"] |= answers("plane curve", "space curve")
@@ -41,6 +40,10 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
     # a row may also be the bisector of a point and a curve
     found["bisector"] |= {name: field | {"optional": True} for name, field in answers("pair of space curves").items()}
     found["between"] |= answers("two curves")
+    for name, fields in FORMS_BESIDE.items():
+        found[name] |= {field: form | {"optional": True} for field, form in fields.items()}
+    forms = surface_answer_forms()
+    found["oracle surface"]["answer"] = {"anyOf": [values_form(), *forms.values(), {"type": "null"}]}
     return found
 
 
@@ -63,35 +66,18 @@ def answers(*of: str) -> dict[str, dict[str, object]]:
     """The fields of an inspection of these kinds of objects: the questions that it answers, each with the form of its
     answer. One that is not asked of all of them is optional.
     """
+    from exactspline.display.answer_forms import answer_form
     from exactspline.geometry.registry import REGISTRY
     from exactspline.questions.entry import Of
 
     kinds = [Of(kind) for kind in of]
     entries = {name: entry for kind in kinds for name, entry in REGISTRY[kind].items()}
     return {
-        name: _form(entry)
+        name: answer_form(entry)
         | {"description": entry.meaning}
         | ({} if set(kinds) <= set(entry.about.of) else {"optional": True})
         for name, entry in entries.items()
         if entry.about.reported
-    }
-
-
-def _form(entry: Entry) -> dict[str, object]:
-    """The form of an answer: a list, if it is neither places nor a single thing."""
-    from exactspline.questions.entry import CURVES, Answered
-
-    if entry.about.answered is Answered.PLACES:
-        parts = ["points", "everywhere"] + ([] if set(entry.about.of) <= set(CURVES) else ["undecided"])
-        fields = {part: {"type": "array"} for part in parts}
-        return {"type": "object", "required": parts, "additionalProperties": False, "properties": fields}
-    if entry.about.answered is Answered.PAIRS:
-        parts = ["points", "left_out"]
-        return {"type": "object", "required": parts, "properties": {part: {"type": "array"} for part in parts}}
-    return {
-        "type": {Answered.PLANE: ["null", "string"], Answered.VALUE: "string", Answered.POINT: ["null", "array"]}.get(
-            entry.about.answered, "array"
-        )
     }
 
 

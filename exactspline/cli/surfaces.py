@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
-from functools import partial
-from pathlib import Path
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from exactspline.cli.common import at_standard_input, each_read, standard_input, tell_notes, tell_skipped, tell_written
+from exactspline.cli.common import each_read, reading_of, tell_notes, tell_skipped, tell_written
 from exactspline.cli.output import OptionsError, Output, leave_out
 from exactspline.cli.parameters import Exit
-from exactspline.errors import CurveFileError, ExactSplineError, command_name, counted
+from exactspline.errors import CurveFileError, command_name, counted
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
@@ -20,61 +18,20 @@ if TYPE_CHECKING:
     from exactspline.splines.surface import NurbsSurface
 
 
-def is_surface(name: str, given: bytes | None = None) -> bool:
-    """Whether a name, a file or standard input (``-``, which was read before) is meant as a surface.
+def surfaces_among(readings: Sequence[tuple[str, Reading]], *, requested: bool) -> list[tuple[str, Reading]]:
+    """What was read of files that hold surfaces and no curves; of files with both where surfaces are requested."""
+    return [(name, each) for name, each in readings if each.surfaces and (requested or not each.curves)]
 
-    >>> is_surface("torus"), is_surface("circle")
-    (True, False)
+
+def read_surfaces(name: str) -> Sequence[NurbsSurface]:
+    """The surfaces that a name means: an example, those of a file in any format, or of standard input; what else is
+    there is named on standard error.
     """
-    from exactspline.interchange.curve_files import looks_like_surface
-    from exactspline.interchange.examples import example_names, example_surface_names
-    from exactspline.interchange.json_files import MAX_BYTES
-
-    if name == "-":
-        return given is not None and len(given) <= MAX_BYTES and looks_like_surface(given.decode(errors="replace"))
-    place = Path(name)
-    if not place.is_file():
-        return name in example_surface_names() and name not in example_names()
-    if not name.lower().endswith(".json") or place.stat().st_size > MAX_BYTES:
-        return False
-    try:
-        return looks_like_surface(place.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError):
-        return False
-
-
-#: Reads the surfaces that a name means.
-Surfaces = Callable[[], "Sequence[NurbsSurface]"]
-
-
-def surfaces_among(names: Sequence[str], given: bytes | None, *, requested: bool) -> dict[str, Surfaces]:
-    """Those of some names that mean surfaces: examples, our JSON, files that hold surfaces and no curves; files with
-    both where surfaces are `requested`.
-    """
-    found: dict[str, Surfaces] = {}
-    for name in names:
-        if is_surface(name, given):
-            found[name] = partial(_one, name, given)
-        elif reading := _with_surfaces(name, given, requested):
-            found[name] = partial(_reported, reading, name)
-    return found
-
-
-def read_surfaces(name: str, given: bytes | None = None) -> Sequence[NurbsSurface]:
-    """The surfaces that a name means: an example, those of a file in any format, or of standard input, `given` where it
-    was read before; whatever is skipped is named on standard error, and so are notes.
-    """
-    given = standard_input() if name == "-" and given is None else given
-    if is_surface(name, given) or not (name == "-" or Path(name).is_file()):
-        return _one(name, given)
-    from exactspline.interchange.files import read
-
-    reading = read(name) if name != "-" or given is None else at_standard_input(lambda: read(given))
+    reading = reading_of(name)
     if not reading.surfaces:
         tell_skipped(reading, name)
-        where = "standard input" if name == "-" else name
-        raise CurveFileError("holds no surface", where=where, remedy="name a file of surfaces")
-    return _reported(reading, name, "not a surface")
+        raise CurveFileError("holds no surface", where=name, remedy="name a file of surfaces")
+    return surfaces_in(name, reading, "not a surface")
 
 
 def read_surface(name: str) -> NurbsSurface:
@@ -90,38 +47,19 @@ def read_surface(name: str) -> NurbsSurface:
     return found[0]
 
 
-def _one(name: str, given: bytes | None) -> Sequence[NurbsSurface]:
-    return [_loaded(name, given)]
-
-
-def _reported(reading: Reading, name: str, why: str = "without --surfaces these are taken") -> Sequence[NurbsSurface]:
+def surfaces_in(name: str, reading: Reading, why: str = "without --surfaces these are taken") -> Sequence[NurbsSurface]:
     """The surfaces of a file; what else is in it is named on standard error."""
     if reading.curves:
         leave_out()
         sys.stderr.write(f"skipped: {name}: {counted(len(reading.curves), 'curve')}: {why}\n")
     tell_skipped(reading, name, surfaces=False)
-    tell_notes(reading, curves=False)
+    if reading.format != "json":
+        tell_notes(reading, curves=False)
     return reading.surfaces
 
 
-def _with_surfaces(name: str, given: bytes | None, requested: bool) -> Reading | None:
-    """What is read of a file whose surfaces are meant; None for any other."""
-    from exactspline.interchange.files import holds_surfaces, read
-
-    place = given if name == "-" else name
-    if place is None or (name != "-" and not Path(name).is_file()) or not holds_surfaces(place):
-        return None
-    try:
-        reading = read(place)
-    except ExactSplineError:
-        return None
-    return reading if reading.surfaces and (requested or not reading.curves) else None
-
-
-def inspect_surfaces(out: Output, names: dict[str, Surfaces], digits: int, plot: str) -> None:
-    """Print what surfaces have; a bad one is reported and the rest goes on."""
-    read, good = each_read(names, lambda name: names[name]())
-    surfaces = [surface for several in read for surface in several]
+def inspect_surfaces(out: Output, surfaces: Sequence[NurbsSurface], digits: int, plot: str, *, good: bool) -> None:
+    """Print what surfaces have; a bad one is reported and the rest goes on. `good` is whether all could be read."""
     if plot and len(surfaces) > 1:
         raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
     inspected, all_good = each_read(surfaces, lambda surface: _inspected(surface, digits, plot))
@@ -134,19 +72,6 @@ def inspect_surfaces(out: Output, names: dict[str, Surfaces], digits: int, plot:
     )
     if not good:
         raise Exit(2)
-
-
-def _loaded(name: str, given: bytes | None) -> NurbsSurface:
-    """The surface that a name, a file or standard input means."""
-    from exactspline.interchange.curve_files import surface_from_text
-    from exactspline.interchange.examples import load_surface
-
-    if name != "-" or given is None:
-        return load_surface(name)
-    try:
-        return surface_from_text(given.decode(errors="replace"), "stdin")
-    except ExactSplineError as error:
-        raise error.at("standard input") from None
 
 
 def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str, object], Sheet]:

@@ -9,12 +9,10 @@ from exactspline.display.data import picked, plain
 from exactspline.display.described import described
 from exactspline.display.numbers import decimal
 from exactspline.display.sheet import Sheet
-from exactspline.interchange.curve_files import curve_data
 from exactspline.numbers.exact import text
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.conditioning.compare import Conditioning, FormAtRoot, RootConditions
-from exactspline.verification.conditioning.search import Tally
 
 #: The columns of numbers.
 NUMBERS = ("degree", "condition", "minimal / this", "at most", "double error")
@@ -27,7 +25,7 @@ def comparison_sheet(c: Nurbs, each: Conditioning) -> Sheet:
     return Sheet("zero", "form", *NUMBERS, rows=cells, title=title, name=c.name, numbers=NUMBERS, heads=2)
 
 
-def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], tallies: Sequence[Tally], *, quiet: bool) -> None:
+def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], *, quiet: bool) -> None:
     """Print the tables, the verdicts and what was not compared."""
     shown = console.console()
     for c, each in found:
@@ -43,8 +41,6 @@ def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], tallies: Sequ
         for what in each.left_out:
             console.lines(shown, f"left out: {what}")
         shown.print()
-    if tallies:
-        shown.print(tally_sheet(tallies))
     if found and not quiet:
         console.legend(shown, ["zero of a form", *NUMBERS])
 
@@ -59,18 +55,6 @@ def _cells(row: RootConditions, f: FormAtRoot) -> tuple[str, ...]:
 def _place(root: Root) -> str:
     exact = "" if root.exact is None else text(root.exact)
     return exact if 0 < len(exact) < 12 else decimal(root.refine(12)[0], 8) + "…"
-
-
-def tally_sheet(tallies: Sequence[Tally]) -> Sheet:
-    """The counts of a search."""
-    numbers = ("worse", "better", "proved not better", "smallest ratio", "largest ratio")
-    columns = ("curves with", "construction", "against", *numbers)
-    cells = [
-        (t.family, t.construction, t.form, t.worse, t.better, t.proved, *(decimal(ratio, 3) for ratio, _ in t.extremes))
-        for t in tallies
-    ]
-    title = "Search: the reduced form is … conditioned"
-    return Sheet(*columns, rows=cells, title=title, name="search", numbers=numbers, heads=3)
 
 
 def comparison_data(each: Conditioning) -> dict[str, object]:
@@ -93,10 +77,3 @@ def _form_data(f: FormAtRoot) -> dict[str, object]:
         "double_error": None if f.double.error is None else str(f.double.error),
         "double_reason": f.double.reason,
     }
-
-
-def tally_data(t: Tally) -> dict[str, object]:
-    """The counts of a search as data, with the curves of its extremes."""
-    counts = picked(t, "family", "construction", "form", "worse", "better", "equal", "proved", "contradicted")
-    extremes = zip(("smallest", "largest"), t.extremes, strict=True)
-    return counts | {key: {"ratio": str(ratio), "curve": curve_data(curve)} for key, (ratio, curve) in extremes}

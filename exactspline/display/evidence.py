@@ -205,13 +205,6 @@ def _count(n: int | None, what: Counter) -> str:
 
 
 @words.register
-def _(item: e.ZeroForDegree, numbers: Numbers = EXACT) -> str:
-    if item.index is None:
-        return f"zero for degree {item.degree}"
-    return f"coefficient {item.index} of degree {item.degree}"
-
-
-@words.register
 def _(item: e.CoefficientIsZero, numbers: Numbers = EXACT) -> str:
     what = "it" if item.index is None else f"coefficient {item.index}"
     return f"{what} is zero for every curve of degree {item.degree}"

@@ -14,28 +14,13 @@ from exactspline.classroom.parts import Math, Part, Polynomial, Value
 from exactspline.classroom.topics import about
 from exactspline.classroom.triangles import Triangle
 from exactspline.display import mathml
-from exactspline.display.latex import fraction, mathematics
+from exactspline.display.latex import fraction, mathematics, unicode_latex
+from exactspline.display.latex_prose import prose
+from exactspline.display.numbers import polynomial_text
 from exactspline.display.page import page
 from exactspline.display.triangles import scheme_mathml, sheets
 from exactspline.display.wrapping import hanging
 from exactspline.numbers.exact import text
-
-_LATEX = {
-    "\\": r"\textbackslash{}",
-    "_": r"\_",
-    "^": r"\textasciicircum{}",
-    "…": r"\ldots{}",
-    "%": r"\%",
-    "&": r"\&",
-    "#": r"\#",
-    "′": "$'$",
-    "″": "$''$",
-    "κ": r"$\kappa$",
-    "²": "$^2$",
-    "−": "$-$",
-    "·": r"$\cdot$",
-}
-_SYMBOLS = {"′": "'", "″": "''", "κ": r"\kappa", "²": "^{2}", "−": "-"}
 
 
 def title_of(made: Exercise) -> str:
@@ -46,27 +31,9 @@ def title_of(made: Exercise) -> str:
 # ---- text
 
 
-def polynomial_text(p: Polynomial) -> str:
-    """A polynomial as it can be pasted into an answer.
-
-    >>> from exactspline.numbers.exact import mpq
-    >>> polynomial_text(Polynomial((mpq(1), mpq(-3), mpq(0), mpq(1, 2))))
-    '1 - 3t + 1/2 t^3'
-    """
-    text_of_terms = ""
-    for i, c in enumerate(p.coefficients):
-        if not c:
-            continue
-        sign = ("-" if c < 0 else "") if not text_of_terms else (" - " if c < 0 else " + ")
-        size = "" if abs(c) == 1 and i else text(abs(c))
-        gap = " " if "/" in size and i else ""
-        text_of_terms += sign + size + gap + ("" if not i else "t" if i == 1 else f"t^{i}")
-    return text_of_terms or "0"
-
-
 def _value_text(value: Value) -> str:
     if isinstance(value, Polynomial):
-        return polynomial_text(value)
+        return polynomial_text(value.coefficients)
     return shown(value) if isinstance(value, tuple) else text(value)
 
 
@@ -137,13 +104,13 @@ def _value_latex(value: Value) -> str:
 
 def _symbol_latex(name: str) -> str:
     if re.search("[a-z]{3}", name):
-        return rf"\text{{{''.join(_LATEX.get(sign, sign) for sign in name)}}}"
-    return "".join(_SYMBOLS.get(sign, sign) for sign in name)
+        return rf"\text{{{prose(name)}}}"
+    return unicode_latex(name)
 
 
 def _part_latex(part: Part) -> str:
     if isinstance(part, str):
-        return "".join(_LATEX.get(sign, sign) for sign in part)
+        return prose(part)
     if isinstance(part, Triangle):
         return f"\\[\n{mathematics(part)}\n\\]"
     # allow a line break after a comma

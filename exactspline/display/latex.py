@@ -6,6 +6,7 @@ import re
 from functools import singledispatch
 from typing import Any
 
+from exactspline.display.latex_prose import in_mathematics
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE
 from exactspline.language.operand import Operand
@@ -144,17 +145,5 @@ def unicode_latex(line: str) -> str:
     "w^{16}\\,(\\|D_1\\|^{2})^{-4} - x'"
     """
     line = re.sub(r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: f"^{{{m[0].translate(_SUPERSCRIPTS)}}}", line)
-    for sign, code in {
-        "′": "'",
-        "″": "''",
-        "‴": "'''",
-        "·": r"\,",
-        "−": "-",
-        "‖": r"\|",
-        "κ": r"\kappa ",
-        "τ": r"\tau ",
-        "γ": r"\gamma ",
-    }.items():
-        line = line.replace(sign, code)
-    line = line.replace("×", r"\times").replace("⊥", r"^\perp").replace("…", r"\ldots")
+    line = in_mathematics(line.replace("·", r"\,").replace("…", r"\ldots"))
     return re.sub(r"([A-Za-z])(\d+)", r"\1_\2", line)

@@ -12,7 +12,7 @@ from exactspline.display.numbers import EXACT, Numbers
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
 from exactspline.language.kinds import kind_of
-from exactspline.papers import paper
+from exactspline.papers import paper_named
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.claim import Claim
@@ -183,7 +183,7 @@ def refuted(rows: Iterable[Row]) -> list[Failure]:
         fails = [row for row in group if row.status == Status.PRINTED and row.verdict == REFUTED]
         truth = [row for row in group if row.status == Status.MEANT and row.verdict in HOLDS]
         if fails:
-            failures.append(Failure(paper(source).errors[error], fails, truth))
+            failures.append(Failure(paper_named(source).errors[error], fails, truth))
     return failures
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from exactspline.numbers.exact import mpq, text
@@ -53,6 +54,22 @@ class Numbers:
 
 #: Every number in full.
 EXACT = Numbers(exact=True)
+
+
+def polynomial_text(coefficients: Sequence[mpq], variable: str = "t") -> str:
+    """A polynomial as it can be typed, given by its coefficients, the constant term first.
+
+    >>> polynomial_text([mpq(1), mpq(-3), mpq(0), mpq(1, 2)])
+    '1 - 3t + 1/2 t^3'
+    """
+    written = ""
+    for i, c in enumerate(coefficients):
+        if c:
+            sign = ("-" if c < 0 else "") if not written else (" - " if c < 0 else " + ")
+            size = "" if abs(c) == 1 and i else text(abs(c))
+            gap = " " if "/" in size and i else ""
+            written += sign + size + gap + ("" if not i else variable if i == 1 else f"{variable}^{i}")
+    return written or "0"
 
 
 def decimal(value: mpq, digits: int) -> str:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
 from exactspline.display.data import Data
+from exactspline.display.numbers import polynomial_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.curve_pair import CurvePair
@@ -120,21 +120,5 @@ def _map_of(arc: dict[str, Any]) -> str:
     if arc["numerator"] is None:
         return ""
     value, variable = ("t", "s") if arc["of_second"] else ("s", "t")
-    top, bottom = (_polynomial([int(x) for x in arc[name]], variable) for name in ("numerator", "denominator"))
+    top, bottom = (polynomial_text([mpq(x) for x in arc[name]], variable) for name in ("numerator", "denominator"))
     return f"{value} = {top}" if bottom == "1" else f"{value} = ({top})/({bottom})"
-
-
-def _polynomial(coefficients: list[int], variable: str) -> str:
-    """A polynomial as text.
-
-    >>> _polynomial([1, -1, 0, 2], "t")
-    '2 t^3 - t + 1'
-    """
-    power: Callable[[int], str] = lambda k: "" if k == 0 else variable if k == 1 else f"{variable}^{k}"  # noqa: E731
-    terms = []
-    for k, c in reversed(list(enumerate(coefficients))):
-        if c:
-            size = "" if abs(c) == 1 and k else str(abs(c))
-            terms.append((c < 0, f"{size} {power(k)}".strip()))
-    first = ("-" if terms[0][0] else "") + terms[0][1] if terms else "0"
-    return first + "".join(f" {'-' if negative else '+'} {term}" for negative, term in terms[1:])

@@ -5,14 +5,14 @@ verdict in the margin.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from html import escape
 from itertools import chain, groupby, repeat
 
-from exactspline.display.evidence import worded
 from exactspline.display.latex_prose import in_mathematics
 from exactspline.display.quotations import quoted
+from exactspline.display.statement import fields
 from exactspline.display.tables import breakable
 from exactspline.display.theorem import begun, method
 from exactspline.errors import ClaimError, as_instance, counted, nearest
@@ -20,8 +20,7 @@ from exactspline.hooks import Displayed
 from exactspline.papers import Paper, default_papers
 from exactspline.papers.passages import Passage, passages, sections_of
 from exactspline.verification.claims import claims_of
-from exactspline.verification.divisors import divisors
-from exactspline.verification.errata import numbered, true_relation
+from exactspline.verification.errata import numbered
 from exactspline.verification.rows import Counts, count_statements
 from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import PROVED
@@ -31,6 +30,8 @@ from exactspline.verification.vocabulary import Status
 LOST = "\ufffd"
 #: What claims are that a source does not print.
 STATUS = {Status.MEANT: "as it must read", Status.OURS: "beyond the source"}
+#: The fields of a statement that unfold below its proof.
+UNFOLDED = ("found", "factor", "witness", "assumes", "divides by", "used", "note")
 STYLE = """<style>
 .along .passage{display:grid;grid-template-columns:8.5em minmax(0,1fr);gap:0 1em;margin:.35em 0}
 .along .margin{text-align:right;border:0 solid transparent;border-right-width:4px;padding-right:.6em;
@@ -175,20 +176,7 @@ def _formula(tex: str, remark: str) -> str:
 
 def _proof(s: Statement) -> Iterator[str]:
     """How it was decided, and with what; as lines of HTML."""
-    c, f = s.claim, s.finding
-    if f.verdict == PROVED:
+    if s.finding.verdict == PROVED:
         yield escape(method(s))
-    yield from _facts(
-        ("Found", worded(true_relation(c, f) or f.computed)),
-        ("Factor", worded(f.factor)),
-        ("Witness", worded(f.witness)),
-        ("Assumed", c.assumed),
-        ("Divides by", ", ".join(divisors(c))),
-        ("Uses", ", ".join(f.assumptions)),
-        ("Note", c.note),
-    )
-    yield f"Again: <code>exactspline show {escape(c.key)}</code>, reading <i>{escape(str(s.reading))}</i>"
-
-
-def _facts(*pairs: tuple[str, str]) -> Iterable[str]:
-    return (f"{name}: {breakable(text)}" for name, text in pairs if text)
+    yield from (f"{begun(name)}: {breakable(text)}" for name, text in fields(s) if name in UNFOLDED)
+    yield f"Again: <code>exactspline show {escape(s.claim.key)}</code>, reading <i>{escape(str(s.reading))}</i>"

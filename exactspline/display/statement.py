@@ -27,7 +27,7 @@ def fields(s: Statement) -> list[tuple[str, str]]:
     rows += [
         ("where", "; ".join(each.text for each in s.defined)),
         ("claimed", claimed(c)),
-        ("found", _found(s)),
+        ("found", worded(true_relation(c, f) or f.computed)),
         ("factor", worded(f.factor) if not isinstance(c, DegreeClaim | Identity) else ""),
         ("witness", worded(f.witness)),
         ("assumes", c.assumed),
@@ -38,10 +38,6 @@ def fields(s: Statement) -> list[tuple[str, str]]:
     ]
     recorded = "as recorded" if s.as_recorded else f"recorded: {c.expected}"
     return [*[(what, text) for what, text in rows if text], ("verdict", f"{f.verdict} [{s.reading}], {recorded}")]
-
-
-def _found(s: Statement) -> str:
-    return worded(true_relation(s.claim, s.finding) or s.finding.computed)
 
 
 def statement_data(s: Statement) -> dict[str, object]:

@@ -64,14 +64,11 @@ def theorem(s: Statement) -> str:
     """
     c = s.claim
     environment = "theorem" if s.finding.verdict in (PROVED, VERIFIED, REFUTED) else "conjecture"
-    head = "; ".join(prose(part) for part in (c.id, c.source, _status(s)) if part)
+    status = "as it must read" if c.status == Status.MEANT else ""
+    head = "; ".join(prose(part) for part in (c.id, c.source, status) if part)
     lines = [f"% {s.finding.verdict}: {c.paper}/{c.key}", rf"\begin{{{environment}}}[{{{head}}}]\label{{{c.key}}}"]
     lines += [*_stated(s), rf"\end{{{environment}}}", r"\begin{proof}", *_proof(s), r"\end{proof}"]
     return "\n".join(lines)
-
-
-def _status(s: Statement) -> str:
-    return "as it must read" if s.claim.status == Status.MEANT else ""
 
 
 def _stated(s: Statement) -> Iterator[str]:

@@ -6,7 +6,7 @@ has none; a pickled analysis is that of its curve, computed anew.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from threading import Lock
 from typing import TYPE_CHECKING, overload
 from weakref import ref
@@ -21,10 +21,12 @@ from exactspline.geometry.intersections import Intersections, self_intersections
 from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.geometry.nearby import NearbyFeature, features_nearby, singular_points_nearby
+from exactspline.geometry.nearest import Nearest, nearest
 from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
 from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized
 from exactspline.geometry.space_features import SpaceFacts
 from exactspline.geometry.stability import StableFeature, stability
+from exactspline.geometry.winding import winding_number
 from exactspline.hooks import Displayed
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
@@ -52,6 +54,11 @@ if TYPE_CHECKING:
     from exactspline.geometry.surface.inspection import SurfaceInspection
 
 _LOCK = Lock()
+
+
+def _coordinates(point: str | tuple[Number, ...]) -> Sequence[Number]:
+    """Those of a point, which may be given as a text such as ``1/2,2``."""
+    return point.split(",") if isinstance(point, str) else point
 
 
 class Kept(Remembers):
@@ -223,6 +230,30 @@ class Analysis(SpaceFacts, Displayed):
         """
         return self_intersections(self.curve)
 
+    @question_with("1/2,2", *CURVES, answered=Answered.NEAREST)
+    def nearest(self, point: str | tuple[Number, ...]) -> Nearest:
+        """The points of the curve that are nearest to a point, given by its coordinates.
+
+        >>> from exactspline import example
+        >>> analyse(example("circle")).nearest("0,3")
+        [<nearest point at 1: distance 2>]
+
+        Raises `ShapeError` for a point of another dimension.
+        """
+        return nearest(self.curve, _coordinates(point))
+
+    @question_with("1/2,2", Of.PLANE_CURVE, answered=Answered.VALUE)
+    def winding_number(self, point: str | tuple[Number, ...]) -> int:
+        """How often a closed plane curve winds around a point, counterclockwise.
+
+        >>> from exactspline import example
+        >>> analyse(example("circle")).winding_number("1/2,1/3")
+        1
+
+        Raises `DomainError` for a point on the curve, and `ShapeError` for a curve that is not closed.
+        """
+        return winding_number(self.curve, _coordinates(point))
+
     @question(Of.SPACE_CURVE, answered=Answered.PLANAR_PIECES, of_piece="planar, τ ≡ 0")
     def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
         """The pieces of a space curve that lie in one plane without being straight, and their planes."""
@@ -274,14 +305,14 @@ class Analysis(SpaceFacts, Displayed):
         return features_nearby(self.curve, epsilon)
 
     @question_with("1/1000", Of.PLANE_CURVE, answered=Answered.DESCRIBED)
-    def near_cusps(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
+    def cusps_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """Where curves whose control points and weights differ by at most this may have cusps or other singular points;
         none of them has one elsewhere.
 
         See `exactspline.geometry.nearby.singular_points_nearby`.
 
         >>> from exactspline import example
-        >>> len(analyse(example("cusp")).near_cusps("1/1000")), analyse(example("circle")).near_cusps("1/1000")
+        >>> len(analyse(example("cusp")).cusps_within("1/1000")), analyse(example("circle")).cusps_within("1/1000")
         (1, ())
 
         Raises `ShapeError` like `features_within`.
@@ -399,9 +430,15 @@ class Analysis(SpaceFacts, Displayed):
 
 
 @overload
-def analyse(given: Nurbs) -> Analysis: ...
+def analyse(given: Nurbs) -> Analysis:
+    """Everything that can be computed of a curve."""
+
+
 @overload
-def analyse(given: NurbsSurface) -> SurfaceInspection | MapInspection: ...
+def analyse(given: NurbsSurface) -> SurfaceInspection | MapInspection:
+    """Everything that can be computed of a surface, or of a map of a rectangle into the plane."""
+
+
 def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapInspection:
     """Everything that can be computed of a curve, of a surface in space, or of a map of a rectangle into the plane.
     Each question is answered when it is first asked. The analysis of a curve is made once and kept with the curve.

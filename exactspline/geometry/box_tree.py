@@ -89,10 +89,12 @@ def meets(one: IntegerBox, other: IntegerBox) -> bool:
 
 
 def pairs_that_may_meet(first: BoxTree, second: BoxTree) -> Iterator[tuple[int, int]]:
-    """The indices of segments whose boxes meet."""
+    """The indices of segments whose boxes meet; of a tree and itself every pair once, the smaller index first."""
     todo = [((0, len(first.boxes)), (0, len(second.boxes)))]
     while todo:
         one, other = todo.pop()
+        if first is second and one[0] >= other[1]:
+            continue
         if not meets(first.box(*one), second.box(*other)):
             continue
         sizes = one[1] - one[0], other[1] - other[0]
@@ -104,3 +106,44 @@ def pairs_that_may_meet(first: BoxTree, second: BoxTree) -> Iterator[tuple[int, 
         else:
             middle = sum(other) // 2
             todo += [(one, (middle, other[1])), (one, (other[0], middle))]
+
+
+#: Two vectors: all between them, from the first counterclockwise to the second, by less than a half turn.
+Cone = tuple[tuple[int, int], tuple[int, int]]
+
+
+def legs(segment: SegmentForms) -> list[tuple[int, int]]:
+    """Positive multiples of the vectors from one control point of a segment in the plane to the next, without zeros;
+    none where weights vanish or have different signs.
+
+    >>> from flint import fmpz_poly
+    >>> legs((2, [fmpz_poly([0, 1, 2]), fmpz_poly([0, 1, 1]), fmpz_poly([1, 2, 1])]))
+    [(1, 1), (3, 1)]
+    """
+    n, forms = segment
+    x, y, w = ([int(c[k]) for k in range(n + 1)] for c in forms)
+    if min(w) <= 0 <= max(w):
+        return []
+    crossed = ((x[k + 1] * w[k] - x[k] * w[k + 1], y[k + 1] * w[k] - y[k] * w[k + 1]) for k in range(n))
+    return [leg for leg in crossed if any(leg)]
+
+
+def cone_around(vectors: Sequence[tuple[int, int]]) -> Cone | None:
+    """The least cone around vectors; None where there are none, or no open half plane contains all of them. If it
+    contains the legs of a segment, a curve of positive weights runs on in one direction.
+
+    >>> cone_around([(1, 0), (1, 1), (2, -1)]), cone_around([(1, 0), (0, 1), (-1, 0)])
+    (((2, -1), (1, 1)), None)
+    """
+    if not vectors:
+        return None
+    first = last = vectors[0]
+    for x, y in vectors:
+        behind, before = first[0] * y - first[1] * x, x * last[1] - y * last[0]
+        if behind > 0 > before:
+            last = x, y
+        elif behind < 0 < before:
+            first = x, y
+        elif behind < 0 or before < 0 or (behind == before == 0 and first[0] * x + first[1] * y < 0):
+            return None
+    return first, last

@@ -6,7 +6,7 @@ the numbers in them are exact.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 
@@ -21,7 +21,7 @@ from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, plane_progr
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
-from exactspline.polynomials.bernstein import ONE
+from exactspline.polynomials.bernstein import ONE, raiser
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
 from exactspline.programs.accelerator import SegmentZero, signs
 from exactspline.questions.answers import CurvePiece, Places
@@ -160,7 +160,8 @@ def certain(facts: Facts) -> Certain | None:
     below = operands[0].denominators
     if curve.dimension != 2 or any(x.denominators != below for x in operands):
         return None
-    found = signs(plane_program(curve.degree, rational), [x._polynomials for x in operands], below, rational=rational)
+    program = plane_program(curve.degree, rational)
+    found = signs(program, moved([x._polynomials for x in operands], curve.degree), below, rational=rational)
     if found is None:
         return None
     straight, left = set[int](), set[int]()
@@ -186,12 +187,36 @@ def certain(facts: Facts) -> Certain | None:
             zeros[jump.output].append(jump)
         for own in zeros:
             own.sort(key=partial(_place, facts.breaks))
-    bends = [zero for zero in zeros[CURVATURE] if isinstance(zero, SegmentZero)]
+    bends: dict[int, list[SegmentZero]] = {}
+    for bend in zeros[CURVATURE]:
+        if isinstance(bend, SegmentZero):
+            bends.setdefault(bend.segment, []).append(bend)
     curvature_signs = [_sign_at(zero, found.ends, bends) for zero in zeros[CRITICAL]]
     if 0 in curvature_signs:
         return None
     pieces = facts.straight_runs(straight) if straight else ()
     return Certain(curve.degree, rational, operands, (zeros[CURVATURE], zeros[CRITICAL]), curvature_signs, pieces)
+
+
+def moved(operands: Sequence[Sequence[fmpz_poly]], degree: int) -> list[tuple[fmpz_poly, ...]]:
+    """The operands of a plane curve on every segment, moved so that it begins at the origin there, up to a positive
+    factor: this changes no sign of a form, but doubles lose less where a segment is short compared with its
+    coordinates.
+
+    >>> moved([[fmpz_poly([3, 5])], [fmpz_poly([2, 4])]], 1)
+    [(2*x,), (2*x,)]
+    >>> moved([[fmpz_poly([3, 5])], [fmpz_poly([2, 4])], [fmpz_poly([1, 2])]], 1)
+    [((-1)*x,), (0,), (2*x + 1,)]
+    """
+    if len(operands) == 2:
+        one = raiser(degree)
+        return [tuple([c - one * c[0] for c in own]) for own in operands]
+    *coordinates, weights = operands
+    starts = [w[0] for w in weights]
+    return [
+        *(tuple([c * v - w * c[0] for c, w, v in zip(own, weights, starts, strict=True)]) for own in coordinates),
+        tuple([w * v for w, v in zip(weights, starts, strict=True)]),
+    ]
 
 
 def _polygon(facts: Facts) -> Certain | None:
@@ -211,18 +236,17 @@ def _place(breaks: Sequence[mpq], zero: Found) -> tuple[int, float]:
     return (zero.knot, 0) if isinstance(zero, Jump) else (zero.segment, 1 + zero.low)
 
 
-def _sign_at(zero: Found, ends: Sequence[Sequence[float]], bends: Sequence[SegmentZero]) -> int:
-    """The sign of κ at a zero of κ′, 0 where it is too close to a zero of κ."""
+def _sign_at(zero: Found, ends: Sequence[Sequence[float]], bends: Mapping[int, Sequence[SegmentZero]]) -> int:
+    """The sign of κ at a zero of κ′, 0 where it is too close to a zero of κ; `bends` are these, by segment."""
     if isinstance(zero, Feature):
         return 1
     segment = zero.knot if isinstance(zero, Jump) else zero.segment
     sign = 1 if ends[segment][4 * CURVATURE] > 0 else -1
     if isinstance(zero, Jump):
         return sign
-    for bend in bends:
-        if bend.segment == segment:
-            if bend.low < zero.high and zero.low < bend.high:
-                return 0
-            if bend.high <= zero.low:
-                sign = -sign
+    for bend in bends.get(segment, ()):
+        if bend.low < zero.high and zero.low < bend.high:
+            return 0
+        if bend.high <= zero.low:
+            sign = -sign
     return sign

@@ -43,11 +43,20 @@ Exact: TypeAlias = Number | Real | Feature
 
 # text is one number here, though for a type checker it is a sequence of texts
 @overload
-def floats(values: Exact, rounding: str = ...) -> float: ...  # type: ignore[overload-overlap]  # see above
+def floats(values: Exact, rounding: str = ...) -> float:  # type: ignore[overload-overlap]  # see above
+    """The correctly rounded double of a number."""
+
+
 @overload
-def floats(values: Iterable[Exact], rounding: str = ...) -> list[float]: ...  # type: ignore[overload-overlap]  # likewise
+def floats(values: Iterable[Exact], rounding: str = ...) -> list[float]:  # type: ignore[overload-overlap]  # likewise
+    """Those of the numbers in a sequence."""
+
+
 @overload
-def floats(values: Iterable[Iterable[Exact]], rounding: str = ...) -> list[list[float]]: ...
+def floats(values: Iterable[Iterable[Exact]], rounding: str = ...) -> list[list[float]]:
+    """Those of the numbers in rows."""
+
+
 def floats(
     values: Exact | Iterable[Exact] | Iterable[Iterable[Exact]], rounding: str = Rounding.NEAREST
 ) -> float | list[float] | list[list[float]]:

@@ -13,7 +13,7 @@ from enum import StrEnum
 from typing import Any, NamedTuple
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet, shift_for
+from exactspline.geometry.box_tree import BoxTree, Cone, cone_around, legs, pairs_that_may_meet, shift_for
 from exactspline.geometry.intersection_certificate import intersection_certificate
 from exactspline.geometry.sides_at_knots import changes_side, half_branches, interlace
 from exactspline.geometry.space_meetings import SpaceForms, space_meetings
@@ -220,16 +220,36 @@ class _Collected:
         self.at_knots: dict[tuple[object, object], list[list[_Found]]] = {}
         self.arcs: list[Overlap] = []
         self.left_out: list[str] = []
+        self._cones: dict[int, Cone | None] = {}
         pairs = self._pairs()
         with drawing_on(Budget(QUESTION + PATCH * max(len(pairs) - 1, 0))):
             for i, j in pairs:
-                self._collect(i, j)
+                if not (alone and self._runs_on(i, j)):
+                    self._collect(i, j)
 
     def _pairs(self) -> list[tuple[int, int]]:
         """The pairs of segments whose boxes meet, each once."""
         shift = shift_for([segment for segments in self.segments for segment in segments])
         trees = [BoxTree(segments, shift) for segments in self.segments]
-        return [(i, j) for i, j in pairs_that_may_meet(trees[0], trees[-1]) if not self.alone or i <= j]
+        return list(pairs_that_may_meet(trees[0], trees[-1]))
+
+    def _runs_on(self, i: int, j: int) -> bool:
+        """Whether one curve certainly runs on in one direction on a segment, or from one to the next: then it meets
+        itself there in their common knot at most.
+        """
+        curve, last = self.curves[0], len(self.segments[0]) - 1
+        if j > i + 1 and not (i == 0 and j == last and curve.closed):
+            return False
+        if j == i + 1 and curve.p[0].continuity[i] < 0:
+            return False
+        cones = [self._cone(k) for k in (i, j)]
+        return None not in cones and cone_around([leg for cone in cones for leg in cone or ()]) is not None
+
+    def _cone(self, i: int) -> Cone | None:
+        """The cone around the legs of a segment, computed once."""
+        if i not in self._cones:
+            self._cones[i] = cone_around(legs(self.segments[0][i]))
+        return self._cones[i]
 
     def _form(self, k: int, i: int) -> Any:
         """A segment of one of the curves, in the plane or in space."""
@@ -313,9 +333,11 @@ class _Collected:
         return Intersection(*point.parameters, kind, times, self.curves)
 
     def _ends_an_arc(self, point: _Found) -> bool:
-        s, t = (self._at(k, point) for k in (0, 1))
+        place = tuple(self._at(k, point) for k in (0, 1))
+        # with the seam of a closed curve as its start, the parameters of a curve and itself may change their order
+        places = (place, place[::-1]) if self.alone else (place,)
         return any(
-            self._from_seam(0, x) == s and self._from_seam(1, y) == t
+            (self._from_seam(0, x), self._from_seam(1, y)) in places
             for arc in self.arcs
             for x, y in zip(arc.first, arc.second, strict=True)
         )

@@ -7,13 +7,16 @@ graphs, and by elimination where these do not suffice (`exactspline.geometry.sur
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import product
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from flint import fmpz_mpoly
 
 from exactspline.errors import ReachError
+from exactspline.geometry.common_zeros_certificate import common_zeros_certificate
+from exactspline.geometry.singular_points import PointKind, SingularPoint, singular_on_patch
 from exactspline.geometry.surface.borders import EDGES
 from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, place_of
 from exactspline.geometry.surface.common_factor import square_free
@@ -66,6 +69,32 @@ class CommonZero:
 
 
 @dataclass(frozen=True, repr=False)
+class CommonZeros(SurfacePlaces[CommonZero]):
+    """All common zeros of functions of two parameters."""
+
+    functions: tuple[TensorSpline, ...] = field(default=(), compare=False)
+
+    def certificate(self) -> dict[str, object]:
+        """A proof, as JSON data with exact strings, that these are all (see `exactspline.certificates`): of two
+        functions whose common zeros are simple.
+
+        >>> from exactspline import TensorSpline, check_certificate
+        >>> flat, knots = [0, 0, 1, 1], [0, 0, 0, 1, 1, 1]
+        >>> line = TensorSpline((1, 1), flat, flat, [[0, -1], [1, 0]])  # s − t
+        >>> circle = TensorSpline((2, 2), knots, knots, [[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # s² + t² − 1
+        >>> check_certificate(common_zeros(circle, line).certificate())
+        {'zeros': 1}
+
+        Raises `ReachError` for other answers.
+        """
+        if len(self.functions) != 2 or self.everywhere or self.undecided:
+            raise ReachError(
+                "a certificate of other zeros than single ones of two functions", remedy="ask for the points"
+            )
+        return common_zeros_certificate(*self.functions, [((x.first, x.second), x.patches) for x in self.points])
+
+
+@dataclass(frozen=True, repr=False)
 class ZeroCurves:
     """All zeros of a function of two parameters: `lines` parallel to an axis, other connected `curves`, single
     `points`, and `everywhere` the patches on which it vanishes. `undecided` are rectangles in which there may be more.
@@ -76,11 +105,38 @@ class ZeroCurves:
     points: tuple[CommonZero, ...] = ()
     everywhere: tuple[SurfacePart, ...] = ()
     undecided: tuple[Box, ...] = ()
+    function: TensorSpline | None = field(default=None, compare=False)
 
     @property
     def complete(self) -> bool:
         """Whether every zero is accounted for."""
         return not self.undecided
+
+    @cached_property
+    def singular_points(self) -> tuple[SingularPoint, ...]:
+        """The multiple points: nodes, cusps, tacnodes, isolated points and those of higher multiplicity, by their exact
+        parameters. Where the curve continues beyond the border of the domain, the kind is that of all of it.
+
+        >>> from exactspline import TensorSpline
+        >>> knots = [0, 0, 0, 0, 1, 1, 1, 1]
+        >>> rows = [[0, 0, -1, -3], [0, 0, -1, -3], [0, 0, -1, -3], [1, 1, 0, -2]]  # s³ − 3t²
+        >>> zero_curve(TensorSpline((3, 3), knots, knots, rows)).singular_points
+        (<cusp at 0 and 0>,)
+
+        Raises `ReachError` where that would take too long.
+        """
+        if self.function is None:
+            return ()
+        single = {(_plain(x.first), _plain(x.second)) for x in self.points}
+        found: dict[Place, list[SingularPoint]] = {}
+        with drawing_on(_budget(self.function)):
+            for patch, sides in _patches(self.function):
+                form = self.function.patch_form(*patch)
+                for place, kind, order, milnor in () if form.is_zero else singular_on_patch(form, sides, single):
+                    s, t = map(_real, place)
+                    found.setdefault(place, []).append(SingularPoint(s, t, kind, order, milnor, (patch,)))
+        points = [_of_all_patches(own) for own in found.values()]
+        return tuple(sorted(points, key=lambda point: (point.first, point.second)))
 
     def __bool__(self) -> bool:
         return any((self.lines, self.curves, self.points, self.everywhere, self.undecided))
@@ -91,7 +147,7 @@ class ZeroCurves:
         return ", ".join(parts + [f"undecided in {SurfacePart((0, 0), box)}" for box in self.undecided]) or "nowhere"
 
 
-def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline) -> SurfacePlaces[CommonZero]:
+def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline) -> CommonZeros:
     """All points at which two or more functions of two parameters vanish together: simple and multiple ones, on borders
     and at knots, each once; and `everywhere` the patches, lines and curves on which they do.
 
@@ -129,7 +185,7 @@ def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline)
             whole += parts
             undecided += open_boxes
     kept = [zero for zero in found if not _is_on(zero.place, whole)]
-    return SurfacePlaces(_each_once(kept, functions[0]), tuple(whole), tuple(undecided))
+    return CommonZeros(_each_once(kept, functions[0]), tuple(whole), tuple(undecided), tuple(functions))
 
 
 def zero_curve(function: TensorSpline) -> ZeroCurves:
@@ -172,7 +228,22 @@ def zero_curve(function: TensorSpline) -> ZeroCurves:
         points, open_boxes = _single(component for component in components if component.shape is Shape.POINT)
     kept = [zero for zero in points if not (_is_on(zero.place, whole) or any(_is_in(zero.place, x.box) for x in lines))]
     curves = tuple(component for component in components if component.shape is not Shape.POINT)
-    return ZeroCurves(lines, curves, _each_once(kept, f), tuple(whole), (*undecided, *open_boxes))
+    return ZeroCurves(lines, curves, _each_once(kept, f), tuple(whole), (*undecided, *open_boxes), f)
+
+
+def _of_all_patches(own: Sequence[SingularPoint]) -> SingularPoint:
+    """One point that is singular on several patches."""
+    first, patches = own[0], tuple(patch for point in own for patch in point.patches)
+    kind = first.kind if len(set(own)) == 1 else PointKind.KNOT
+    return replace(first, kind=kind, multiplicity=min(point.multiplicity for point in own), patches=patches)
+
+
+def _real(x: Parameter) -> Real:
+    return x if isinstance(x, Root) else Real(x)
+
+
+def _plain(x: Real) -> Parameter:
+    return x if isinstance(x, Root) else cast(mpq, x.exact)
 
 
 class _Zero(NamedTuple):
@@ -269,10 +340,10 @@ def _each_once(found: Sequence[_Zero], f: TensorSpline) -> tuple[CommonZero, ...
             inner.append([zero])
     points = []
     for group in (*inner, *at_knots.values()):
-        first, second = (x if isinstance(x, Root) else Real(x) for x in group[0].place)
+        first, second = map(_real, group[0].place)
         times = min((zero.multiplicity for zero in group if zero.multiplicity is not None), default=None)
         points.append(CommonZero(first, second, times, tuple(zero.patch for zero in group)))
     return tuple(sorted(points, key=lambda point: (point.first, point.second)))
 
 
-__all__ = ["CommonZero", "ZeroCurves", "common_zeros", "zero_curve"]
+__all__ = ["CommonZero", "CommonZeros", "ZeroCurves", "common_zeros", "zero_curve"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from exactspline.errors import ExactSplineError, ShapeError, counted
 from exactspline.interchange.limits import work
@@ -136,6 +136,7 @@ class Collector:
         homogeneous: bool = False,
         u_fastest: bool = True,
         name: str = "",
+        notes: Sequence[str] = (),
         within: tuple[tuple[mpq, mpq], tuple[mpq, mpq]] | None = None,
     ) -> None:
         """Build one surface of control points in the order of the file, along u first or along v first; otherwise as
@@ -151,6 +152,30 @@ class Collector:
         name = name or f"{self.format} surface {len(self.surfaces) + 1}"
         surface = NurbsSurface(degree, *knots, net, plain, name=name, source=source)
         self.surfaces.append(surface if within in (None, surface.domain) else surface.restrict(*within))
+        for note in notes:
+            self.note(f"{where}: {note}")
+
+    def add_spline(
+        self,
+        what: str,
+        where: str,
+        degrees: Sequence[int],
+        knots: Sequence[Sequence[mpq]],
+        points: Points,
+        weights: Sequence[mpq] | None = None,
+        *,
+        homogeneous: bool = False,
+        u_fastest: bool = True,
+        name: str = "",
+        notes: Sequence[str] = (),
+    ) -> None:
+        """Build one curve or one surface, by the number of its parameters."""
+        more: dict[str, Any] = {"homogeneous": homogeneous, "name": name, "notes": notes}
+        if len(degrees) == 1:
+            self.add(what, where, degrees[0], knots[0], points, weights, **more)
+        else:
+            sides = (degrees[0], degrees[1]), (knots[0], knots[1])
+            self.add_surface(what, where, *sides, points, weights, u_fastest=u_fastest, **more)
 
     def _check_net(
         self, degree: tuple[int, int], knots: Sequence[Sequence[mpq]], points: Points, weights: Sequence[mpq]

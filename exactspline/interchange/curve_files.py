@@ -18,14 +18,12 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from exactspline.atomic_write import write_text
-from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_path, as_text, counted
+from exactspline.errors import CurveFileError, NumberError, as_path, counted
 from exactspline.interchange.json_files import (
     CURVE,
     SURFACE,
     USUAL,
     check_fields,
-    from_file,
-    json_object,
     number_of,
     numbers_of,
     points_of,
@@ -40,29 +38,6 @@ from exactspline.splines.given import checked_degree
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
-
-
-def read_curve(path: str | os.PathLike[str]) -> Nurbs:
-    """The curve in a file.
-
-    Raises `CurveFileError` (file missing, a directory, unreadable, too large, not JSON; a field missing or unknown) or
-    the error for an invalid field, preceded by the name of the file.
-    """
-    return from_file(path, curve_from_text)
-
-
-def curve_from_text(text: str, name: str = "") -> Nurbs:
-    """The curve in a JSON text; `name` is used if the text gives none.
-
-    >>> curve_from_text('{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [0.1, "1/3"]]}')(1)
-    (mpq(1,10), mpq(1,3))
-    """
-    data: dict[str, Any] = json_object(
-        text,
-        'one curve is {"degree": …, "knots": […], "control_points": […]}; several, {"curves": […]}, are '
-        "read by exactspline.interchange.files.read",
-    )
-    return curve_from_data(data, as_text(name, "the name of a curve"))
 
 
 def curve_from_data(given: Mapping[str, object], name: str = "", limits: Limits = USUAL) -> Nurbs:
@@ -184,26 +159,6 @@ def _rational(value: object, key: str, limits: Limits) -> mpq:
 NET = "points"
 
 
-def read_surface(path: str | os.PathLike[str]) -> NurbsSurface:
-    """The surface in a file.
-
-    Raises `CurveFileError` (file missing, a directory, unreadable, too large, not JSON; a field missing or unknown) or
-    the error for an invalid field, preceded by the name of the file.
-    """
-    return from_file(path, surface_from_text)
-
-
-def surface_from_text(text: str, name: str = "") -> NurbsSurface:
-    """The surface in a JSON text; `name` is used if the text gives none.
-
-    >>> surface_from_text('''{"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]],
-    ...     "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0.1]]]}''')(1, 1)
-    (mpq(1,1), mpq(1,1), mpq(1,10))
-    """
-    remedy = 'write {"degree": [m, n], "knots": [[…], […]], "control_points": [[…], …]}'
-    return surface_from_data(json_object(text, remedy), name)
-
-
 def surface_from_data(given: Mapping[str, object], name: str = "", limits: Limits = USUAL) -> NurbsSurface:
     """The surface in JSON data, with numbers as text (`exactspline.interchange.json_files.parsed`), within the limits
     on single numbers.
@@ -227,18 +182,6 @@ def surface_from_data(given: Mapping[str, object], name: str = "", limits: Limit
         None if weights is None else _numbers(weights, limits),
         **_labels(data, name),
     )
-
-
-def looks_like_surface(text: str) -> bool:
-    """Whether a JSON text describes a surface: an object whose degree is a list.
-
-    >>> looks_like_surface('{"degree": [1, 1]}'), looks_like_surface('{"degree": 2}'), looks_like_surface("{")
-    (True, False, False)
-    """
-    try:
-        return isinstance(json_object(text, "").get("degree"), list)
-    except ExactSplineError:
-        return False
 
 
 def _list(value: Any, where: str, count: int | None = None) -> list[Any]:

@@ -1,19 +1,16 @@
-"""Named example curves and surfaces, and readers and writers of their files."""
+"""Named example curves and surfaces."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
 from importlib import resources
-from pathlib import Path
-from typing import Literal, TypeVar, overload
+from typing import Literal, overload
 
-from exactspline.errors import CurveFileError, FormulaError, as_path, as_text, nearest
-from exactspline.interchange.curve_files import curve_from_text, read_curve, read_surface, surface_from_text
+from exactspline.errors import CurveFileError, FormulaError, as_text, nearest
+from exactspline.interchange import own_json
+from exactspline.interchange.records import Reading, Source
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
-
-V = TypeVar("V")
 
 
 @cache
@@ -63,9 +60,15 @@ def examples(of: str = "") -> tuple[str, ...]:
 
 
 @overload
-def example(name: SurfaceName) -> NurbsSurface: ...  # type: ignore[overload-overlap]  # the other names are curves'
+def example(name: SurfaceName) -> NurbsSurface:  # type: ignore[overload-overlap]  # the other names are curves'
+    """The example surface with this name."""
+
+
 @overload
-def example(name: str) -> Nurbs: ...
+def example(name: str) -> Nurbs:
+    """The example curve with this name."""
+
+
 def example(name: str) -> Nurbs | NurbsSurface:
     """The example curve or surface with this name (see `examples`).
 
@@ -85,7 +88,7 @@ def _example_curve(name: str) -> Nurbs:
     if name not in example_names():
         remedy = nearest(name, examples(), listed_by="list curves")
         raise CurveFileError(f"there is neither a file nor an example called {name!r}", remedy=remedy)
-    return curve_from_text(_text("example_curves", name), name)
+    return _read("example_curves", name).curve
 
 
 def example_text(name: str) -> str:
@@ -115,35 +118,16 @@ def example_surface(name: str) -> NurbsSurface:
     if as_text(name, "the name of a surface") not in example_surface_names():
         remedy = nearest(name, example_surface_names(), listed_by="list surfaces")
         raise CurveFileError(f"there is neither a file nor an example surface called {name!r}", remedy=remedy)
-    return surface_from_text(_text("example_surfaces", name), name)
-
-
-def load_surface(name_or_path: str) -> NurbsSurface:
-    """An example surface by its name, otherwise a surface file by its path; for an unknown name the error lists the
-    nearest ones.
-
-    >>> load_surface("enneper").degree
-    (3, 3)
-    """
-    return _loaded(name_or_path, example_surface_names(), example_surface, read_surface)
-
-
-def load(name_or_path: str) -> Nurbs:
-    """An example curve by its name, otherwise a curve file by its path; for an unknown name the error lists the nearest
-    ones.
-    """
-    return _loaded(name_or_path, example_names(), _example_curve, read_curve)
-
-
-def _loaded(given: str, names: tuple[str, ...], named: Callable[[str], V], read: Callable[[str], V]) -> V:
-    place = as_path(given)
-    is_name = place in names or (place.isidentifier() and not Path(place).exists())
-    return named(place) if is_name else read(place)
+    return _read("example_surfaces", name).surface
 
 
 def _names(folder: str) -> tuple[str, ...]:
     files = resources.files(__package__).joinpath(folder).iterdir()
     return tuple(sorted(entry.name.removesuffix(".json") for entry in files if entry.name.endswith(".json")))
+
+
+def _read(folder: str, name: str) -> Reading:
+    return own_json.read(Source(_text(folder, name).encode(), f"{name}.json"))
 
 
 def _text(folder: str, name: str) -> str:

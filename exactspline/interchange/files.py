@@ -19,6 +19,7 @@ from exactspline.errors import (
     as_path,
     as_text,
     counted,
+    nearest,
     written,
 )
 from exactspline.interchange.examples import example_text, examples
@@ -26,12 +27,15 @@ from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
+from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
 #: How many bytes of a file are used to recognize its format.
 HEAD = 16_384
+#: A byte order mark, and blanks.
+BLANK = b"\xef\xbb\xbf \t\r\n"
 
 
 def read(
@@ -79,26 +83,6 @@ def _distance(approximate: Number | None) -> mpq | None:
     return within
 
 
-def holds_surfaces(place: str | os.PathLike[str] | bytes) -> bool:
-    """Whether a file, or what bytes hold, is in a format that can hold surfaces, by its beginning and its suffix.
-
-    >>> holds_surfaces("nothing.here")
-    False
-    """
-    path = "" if isinstance(place, bytes) else as_path(place)
-    try:
-        return _recognized(_beginning(place), Path(path).name).write_surfaces is not None
-    except (OSError, ExactSplineError):
-        return False
-
-
-def _beginning(place: str | os.PathLike[str] | bytes) -> bytes:
-    if isinstance(place, bytes):
-        return place[:HEAD]
-    with open(as_path(place), "rb") as stream:
-        return stream.read(HEAD)
-
-
 def read_in_pieces(place: str, approximate: Number | None = None) -> Iterator[Piece]:
     """The curves of a file as `read` returns them, piece by piece if the format supports it, so that a large font is
     never in memory as a whole.
@@ -126,11 +110,13 @@ def _format(source: Source, named: str | None) -> Format:
     limits = source.limits
     if len(source.data) > limits.megabytes << 20:
         raise CurveFileError(f"{counted(len(source.data), 'byte')}", remedy=f"at most {limits.megabytes} MB are read")
+    if not source.data.strip(BLANK):
+        raise CurveFileError("is empty", remedy="name a file of curves")
     return _recognized(source.data, source.name) if named is None else named_format(named)
 
 
 def write(
-    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve] | Iterable[NurbsSurface],
+    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve | NurbsSurface],
     place: str | os.PathLike[str],
     format: str | None = None,
     *,
@@ -153,52 +139,33 @@ def write(
     place = as_path(place)
     chosen = _by_suffix(place) if format is None else named_format(format)
     try:
-        data, notes = _encoded(given, chosen, rounding)
+        data, notes = encoded(given, chosen.name, rounding=rounding)
     except ExactSplineError as error:
         raise error.at(os.fspath(place)) from None
     write_atomically(place, lambda stream: stream.write(data))
     return notes
 
 
-def _encoded(
-    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve] | Iterable[NurbsSurface], chosen: Format, rounding: bool
-) -> tuple[bytes, tuple[str, ...]]:
-    several: Any = [given] if isinstance(given, (Nurbs, NurbsSurface)) else as_items(given, "curves or surfaces")
-    surfaces = [each for each in several if isinstance(each, NurbsSurface)]
-    if not surfaces:
-        return encoded(several, chosen.name, rounding=rounding)
-    if len(surfaces) < len(several):
-        raise CurveFileError("curves and surfaces", remedy="write them into two files")
-    return encoded_surfaces(surfaces, chosen.name, rounding=rounding)
-
-
-def encoded_surfaces(
-    surfaces: Sequence[NurbsSurface], format: str, *, rounding: bool = False
-) -> tuple[bytes, tuple[str, ...]]:
-    """The bytes that `write` writes of surfaces, and notes on what was lost."""
-    chosen = named_format(format)
-    if chosen.write_surfaces is None:
-        able = ", ".join(sorted(known.name for known in FORMATS if known.write_surfaces))
-        raise CurveFileError(f"{chosen.title}: no surfaces are written", remedy=f"these hold surfaces: {able}")
-    numbers = NumberText(rounding)
-    data = chosen.write_surfaces(surfaces, numbers)
-    return data, tuple([f"{numbers.rounded} numbers were rounded to doubles"] if numbers.rounded else [])
-
-
 def encoded(
-    curves: Nurbs | Iterable[Nurbs | NamedCurve], format: str, *, rounding: bool = False
+    given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve | NurbsSurface], format: str, *, rounding: bool = False
 ) -> tuple[bytes, tuple[str, ...]]:
     """The bytes that `write` writes, and notes on what was lost."""
     chosen = named_format(format)
-    curves = [curves] if isinstance(curves, Nurbs) else as_items(curves, "curves")
-    if chosen.write is None:
-        written = ", ".join(sorted(known.name for known in FORMATS if known.write))
-        raise CurveFileError(f"{chosen.title} can be read but not written", remedy=f"these can be written: {written}")
-    named = [c if isinstance(c, NamedCurve) else NamedCurve(c.name or f"curve {i}", c) for i, c in enumerate(curves, 1)]
+    several: Any = [given] if isinstance(given, (Nurbs, NurbsSurface)) else as_items(given, "curves or surfaces")
+    named = [NamedCurve(c.name or f"curve {i}", c) if isinstance(c, Nurbs) else c for i, c in enumerate(several, 1)]
+    surfaces = [each for each in named if isinstance(each, NurbsSurface)]
     if not named:
         raise CurveFileError("no curves to write", remedy="give at least one")
+    if surfaces and len(surfaces) < len(named):
+        raise CurveFileError("curves and surfaces", remedy="write them into two files")
+    if surfaces and not chosen.surfaces:
+        able = ", ".join(sorted(known.name for known in FORMATS if known.surfaces))
+        raise CurveFileError(f"{chosen.title}: no surfaces are written", remedy=f"these hold surfaces: {able}")
+    if chosen.write is None:
+        known = ", ".join(sorted(known.name for known in FORMATS if known.write))
+        raise CurveFileError(f"{chosen.title} can be read but not written", remedy=f"these can be written: {known}")
     numbers = NumberText(rounding)
-    data = chosen.write(named, numbers)
+    data = chosen.write(list(map(Spline, named)), numbers)
     notes = [f"{numbers.rounded} numbers were rounded to doubles"] if numbers.rounded else []
     return data, (*notes, *([chosen.loses] if chosen.loses else []))
 
@@ -241,7 +208,12 @@ def _is_example(path: str) -> bool:
 
 def _parted(path: str) -> tuple[str, str]:
     """The path of a file, and the part named after a colon."""
-    if os.path.lexists(path) or path in examples() or ":" not in path:
+    if os.path.lexists(path) or path in examples():
+        return path, ""
+    if path.isidentifier():
+        remedy = nearest(path, examples(), listed_by="list curves")
+        raise CurveFileError(f"there is neither a file nor an example called {path!r}", remedy=remedy)
+    if ":" not in path:
         return path, ""
     file, _, part = path.partition(":") if path.count(":") == 1 else path.rpartition(":")
     return file, part
@@ -260,8 +232,9 @@ def _bytes(path: str, limits: Limits) -> bytes:
     if _is_example(path):
         return example_text(path).encode()
     try:
-        if not stat.S_ISREG(os.stat(path).st_mode):
-            raise CurveFileError("is not a regular file", remedy="give a curve file")
+        if not stat.S_ISREG(mode := os.stat(path).st_mode):
+            what = "is a directory, not a regular file" if stat.S_ISDIR(mode) else "is not a regular file"
+            raise CurveFileError(what, remedy="give a curve file")
         with open(path, "rb") as stream:
             return stream.read(most)
     except (OSError, ValueError) as error:

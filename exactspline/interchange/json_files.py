@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import json
-import os
 import re
-import stat
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from pathlib import Path
-from typing import NoReturn, TypeVar, cast
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NoReturn, cast
 
-from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_text, counted
+from exactspline.errors import CurveFileError, NumberError, counted
 from exactspline.interchange.limits import Limits
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.exact import text as text_of
 from exactspline.splines.control_points import Direction
 
-T = TypeVar("T")
 USUAL = Limits()
 _EXPONENT = re.compile(r"[+-]?0*(\d*)", re.ASCII)
 #: Exact numbers are written with this many times the digits, and exponents, that other formats need.
@@ -26,58 +22,10 @@ LONGER = 50
 REQUIRED = ("degree", "knots", "control_points")
 OPTIONAL = ("weights", "name", "source", "note")
 CURVE, SURFACE = "a curve", "a surface"
-#: Largest file read, in bytes: room for a hundred thousand control points.
-MAX_BYTES = 8 * 1024 * 1024
-
-
-def _text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
-    """The text of a file, and its path.
-
-    Raises `CurveFileError` for a file that is missing, a directory, unreadable or too large.
-    """
-    place = Path(path)
-    try:
-        status = place.stat()
-        if not stat.S_ISREG(status.st_mode):
-            kind = "a directory" if stat.S_ISDIR(status.st_mode) else "not a regular file"
-            raise CurveFileError(f"is {kind}", where=str(place), remedy="name a JSON curve file")
-        if status.st_size > MAX_BYTES:
-            raise CurveFileError(f"{status.st_size} bytes", where=str(place), remedy=f"at most {MAX_BYTES} are read")
-        return place, place.read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise CurveFileError("is not UTF-8 text", where=str(place), remedy="a curve file is JSON") from None
-    except OSError as error:
-        raise CurveFileError(
-            f"cannot be read ({error.strerror})",
-            where=str(place),
-            remedy="name a file, or an example (see `exactspline list curves`)",
-        ) from None
-
-
-def from_file(path: str | os.PathLike[str], read: Callable[[str, str], T]) -> T:
-    """What a file holds, read from its text and its name by `read`, whose errors are given the file's place.
-
-    Raises `CurveFileError` for a file that is missing, a directory, unreadable or too large.
-    """
-    place, text = _text_of_file(path)
-    try:
-        return read(text, place.stem)
-    except ExactSplineError as error:
-        raise error.at(f"{place}: ") if error.where.startswith("[") else error.at(str(place)) from None
-
-
-def json_object(text: str, remedy: str) -> dict[str, object]:
-    """The JSON object that a text holds; `remedy` is the advice given for anything else."""
-    data = parsed(as_text(text, "JSON"))
-    if not isinstance(data, dict):
-        raise CurveFileError("the JSON text is not an object", remedy=remedy)
-    return data
 
 
 def check_fields(data: Mapping[str, object], what: str) -> None:
     """Raise `CurveFileError` unless these are the fields of a curve or of a surface (`what`)."""
-    if what == CURVE and isinstance(data.get("degree"), list):
-        raise CurveFileError("is a surface, where a curve is expected", remedy="`exactspline inspect` reads surfaces")
     remedy = f"{what} has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}"
     for field in REQUIRED:
         if field not in data:

@@ -14,6 +14,7 @@ from exactspline.splines.surface import NurbsSurface
 
 if TYPE_CHECKING:
     from exactspline.interchange.numbers import NumberText
+    from exactspline.interchange.writing import Spline
 
 
 @dataclass(frozen=True)
@@ -121,7 +122,7 @@ class Source:
 class Format:
     """A file format: its name, its title, the suffixes of its files, a function that recognizes the beginning of a
     file, its reader and writer, and a note on what is lost in writing; for formats with large files, also a reader that
-    yields piece after piece; and a writer of surfaces.
+    yields piece after piece; and whether surfaces are written, too.
     """
 
     name: str
@@ -129,7 +130,7 @@ class Format:
     suffixes: tuple[str, ...]
     looks_like: Callable[[bytes], bool]
     read: Callable[[Source], Reading]
-    write: Callable[[Sequence[NamedCurve], NumberText], bytes] | None = None
+    write: Callable[[Sequence[Spline], NumberText], bytes] | None = None
     loses: str = ""
     pieces: Callable[[Source], Iterator[Piece]] | None = None
-    write_surfaces: Callable[[Sequence[NurbsSurface], NumberText], bytes] | None = None
+    surfaces: bool = False

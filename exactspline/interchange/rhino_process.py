@@ -53,9 +53,9 @@ def _described(rhino: Any, geometry: Any, where: str, name: str, notes: list[str
     return [
         entry
         | {
-            "degree": int(curve.Degree),
+            "degrees": [int(curve.Degree)],
             "rational": bool(curve.IsRational),
-            "knots": _hex(*curve.Knots),
+            "knots": [_hex(*curve.Knots)],
             "points": [_hex(p.X, p.Y, p.Z, p.W) for p in points],
         }
     ]

@@ -79,7 +79,8 @@ class Edges:
         self.file.collector.add_segments(EDGE, where, mapped(arc_around_origin(u, v), frame), where, [note])
 
     def _kind(self, reference: Value) -> str:
-        text = self.file.instances.get(int(reference[1:]), "") if isinstance(reference, str) and _is(reference) else ""
+        found = _REFERENCE.fullmatch(reference) if isinstance(reference, str) else None
+        text = self.file.instances.get(int(found[0][1:]), "") if found else ""
         if not text:
             raise ShapeError("an edge without a curve", remedy="refer to one")
         return text.partition("(")[0].strip()
@@ -116,10 +117,6 @@ class Edges:
         if len(ratios) != 3:
             raise ShapeError("a direction that is not in space", remedy="write three ratios")
         return ratios
-
-
-def _is(text: str) -> bool:
-    return bool(_REFERENCE.fullmatch(text))
 
 
 def _minus(a: Sequence[mpq], b: Sequence[mpq]) -> list[mpq]:

@@ -21,7 +21,7 @@ _INSTANCE = re.compile(r"\s*#\s*(\d{1,12})\s*=\s*(.*)", re.S)
 _TOKEN = re.compile(r"\s*('(?:[^']|'')*(?:'|\Z)|[(),]|[^\s(),']+)", re.S)
 _REFERENCE = re.compile(r"#\d{1,12}", re.ASCII)
 _KEYWORD = re.compile(r"[A-Z_][A-Z0-9_]*", re.ASCII)
-_FIRST = re.compile(r"\(?\s*([A-Z0-9_]+)", re.ASCII)
+_FIRST = re.compile(r"(?P<complex>\()|\s*(?P<keyword>[A-Z0-9_]+)", re.ASCII)
 _STRING = re.compile(r"'(?:[^']|'')*(?:'|\Z)", re.S)
 _CALLED = re.compile(r"([A-Z0-9_]+)\s*\(", re.ASCII)
 
@@ -57,10 +57,10 @@ def keywords(text: str) -> list[str]:
     >>> keywords("LINE('A(',#1)"), keywords("(A(1.) B((#2),'C()'))")
     (['LINE'], ['A', 'B'])
     """
-    if text.startswith("("):
-        return _CALLED.findall(_STRING.sub("", text))
     first = _FIRST.match(text)
-    return [first[1]] if first else []
+    if first is None:
+        return []
+    return _CALLED.findall(_STRING.sub("", text)) if first["complex"] else [first["keyword"]]
 
 
 def spline_parts(

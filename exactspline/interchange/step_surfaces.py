@@ -5,16 +5,12 @@ Faces trim surfaces; the trims are not read.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from exactspline.errors import CurveFileError
 from exactspline.interchange.numbers import whole
 from exactspline.interchange.step_knots import listed_knots, standard_knots
 from exactspline.interchange.step_records import StepFile, Value, spline_parts
 from exactspline.interchange.step_text import StepText, name_of, string
-from exactspline.interchange.writing import Point, cartesian_net
-from exactspline.numbers.exact import mpq
-from exactspline.splines.surface import NurbsSurface
+from exactspline.interchange.writing import Spline
 
 SPLINE = "B_SPLINE_SURFACE"
 WITH_KNOTS, RATIONAL = "B_SPLINE_SURFACE_WITH_KNOTS", "RATIONAL_B_SPLINE_SURFACE"
@@ -46,12 +42,14 @@ def add_surface(file: StepFile, entity: dict[str, list[Value]], where: str) -> N
         knots = listed_knots(file, specific[0], specific[2]), listed_knots(file, specific[1], specific[3])
     else:
         knots = standard_knots(kind, m, len(net)), standard_knots(kind, n, len(net[0]))
-        file.collector.note(f"{where}: {kind}: knots as defined by the standard")
     weights = None
     if entity.get(RATIONAL):
         weights = [w for row in _rows(file, entity[RATIONAL][0]) for w in file.numbers(row)]
     points = [point for row in net for point in row]
-    file.collector.add_surface(kind, where, (m, n), knots, points, weights, u_fastest=False, name=name_of(name, where))
+    notes = [] if kind == WITH_KNOTS else [f"{kind}: knots as defined by the standard"]
+    file.collector.add_surface(
+        kind, where, (m, n), knots, points, weights, u_fastest=False, name=name_of(name, where), notes=notes
+    )
 
 
 def _rows(file: StepFile, values: Value) -> list[Value]:
@@ -62,11 +60,12 @@ def _rows(file: StepFile, values: Value) -> list[Value]:
     return values
 
 
-def written(surface: NurbsSurface, text: StepText) -> str:
+def written(surface: Spline, text: StepText) -> str:
     """Add a surface, which is in space; returns the reference to it."""
-    rows = list(_in_rows(surface))
-    points = _listed([",".join(text.point(point) for point, _ in row) for row in rows])
-    m, n = surface.degree
+    net, length = surface.in_space(u_fastest=False), surface.counts[1]
+    rows = [net[i : i + length] for i in range(0, len(net), length)]
+    points = ",".join(f"({','.join(text.point(point) for point, _ in row)})" for row in rows)
+    m, n = surface.degrees
     base = f"{m},{n},({points}),.UNSPECIFIED.,.U.,.U.,.U."
     counts = ",".join(f"({','.join(map(str, knots.multiplicities))})" for knots in surface.knots)
     values = ",".join(text.reals(knots.breakpoints) for knots in surface.knots)
@@ -78,15 +77,3 @@ def written(surface: NurbsSurface, text: StepText) -> str:
         f"(BOUNDED_SURFACE() {SPLINE}({base}) {WITH_KNOTS}({knots}) GEOMETRIC_REPRESENTATION_ITEM() "
         f"{RATIONAL}(({weights})) REPRESENTATION_ITEM({string(surface.name)}) SURFACE())"
     )
-
-
-def _listed(rows: list[str]) -> str:
-    return ",".join(f"({row})" for row in rows)
-
-
-def _in_rows(surface: NurbsSurface) -> Iterator[list[tuple[Point, mpq]]]:
-    """The control points with their weights, one row along v per index of u; a map of the plane at z = 0."""
-    net = [((*point, mpq(0))[:3], weight) for point, weight in cartesian_net(surface, u_fastest=False)]
-    length = len(surface.control_points[0])
-    for i in range(0, len(net), length):
-        yield net[i : i + length]

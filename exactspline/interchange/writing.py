@@ -1,34 +1,76 @@
-"""The points of a curve in the forms in which file formats store them."""
+"""Curves and surfaces in the form in which file formats store them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 
-from exactspline.errors import ShapeError, WeightError
+from exactspline.errors import ShapeError, WeightError, as_instance
+from exactspline.interchange.records import NamedCurve
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
+from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
 Point = tuple[mpq, ...]
 
 
-def cartesian(curve: Nurbs) -> tuple[Point, ...]:
-    """The Cartesian control points; raises `WeightError` if one has weight zero (a control vector), because it has no
-    Cartesian coordinates.
+class Spline:
+    """A curve or a surface as a file holds it: degree and knots for each parameter, and the control points with their
+    weights one after the other, those of a surface along u first or along v first.
     """
-    if not all(curve.weights):
-        raise WeightError(
-            "a control point of weight zero",
-            where=f"weights[{curve.weights.index(mpq(0))}]",
-            remedy="use json or a homogeneous format (g2, itd)",
-        )
-    return curve.control_points
+
+    def __init__(self, given: NamedCurve | NurbsSurface) -> None:
+        self.of = of = given.curve if isinstance(given, NamedCurve) else given
+        self.name, self.polynomial, self.dimension = given.name, of.polynomial, of.dimension
+        self.degrees: Sequence[int] = of.degree if isinstance(of, NurbsSurface) else [of.degree]
+        self.knots: Sequence[KnotVector] = of.knots if isinstance(of, NurbsSurface) else [of.knots]
+        self.domains: Sequence[Interval] = of.domain if isinstance(of, NurbsSurface) else [of.domain]
+        self.is_surface = isinstance(of, NurbsSurface)
+        self.counts = [len(knots) - degree - 1 for knots, degree in zip(self.knots, self.degrees, strict=True)]
+
+    @property
+    def curve(self) -> Nurbs:
+        """The curve, for formats without surfaces."""
+        return as_instance(self.of, Nurbs, "a curve", "write it in a format that holds surfaces")
+
+    def points(self, *, u_fastest: bool = True) -> list[tuple[Point, mpq]]:
+        """The control points with their weights, in the order of a file."""
+        of = self.of
+        if isinstance(of, Nurbs):
+            return list(zip(of.control_points, of.weights, strict=True))
+        rows = [list(zip(*both, strict=True)) for both in zip(of.control_points, of.weights, strict=True)]
+        return [pair for row in (zip(*rows, strict=True) if u_fastest else rows) for pair in row]
+
+    def cartesian(self, *, u_fastest: bool = True) -> list[tuple[Point, mpq]]:
+        """The same; raises `WeightError` for a weight of zero (a control vector), because such a point has no Cartesian
+        coordinates.
+        """
+        points = self.points(u_fastest=u_fastest)
+        if not all(weight for _, weight in points):
+            where = "" if self.is_surface else f"weights[{[weight for _, weight in points].index(mpq(0))}]"
+            remedy = "use json or a homogeneous format (g2, itd)"
+            raise WeightError("a control point of weight zero", where=where, remedy=remedy)
+        return points
+
+    def in_space(self, *, u_fastest: bool = True) -> list[tuple[Point, mpq]]:
+        """The same in space, a curve in the plane and a map of it at z = 0; raises `ShapeError` above dimension 3."""
+        if self.dimension > 3:
+            what = f"a {'surface' if self.is_surface else 'curve'} in R{self.dimension}"
+            raise ShapeError(what, remedy="this format holds what is in the plane and in space")
+        return [((*point, mpq(0))[:3], weight) for point, weight in self.cartesian(u_fastest=u_fastest)]
+
+    def rows(self) -> list[Point]:
+        """The control points, where there are weights as (w x, w y, …, w)."""
+        if self.polynomial:
+            return [point for point, _ in self.points()]
+        return [homogeneous(*each) for each in self.points()]
 
 
-def homogeneous(curve: Nurbs) -> list[Point]:
-    """The points (w x, w y, …, w)."""
-    rows = zip(curve.control_points, curve.weights, strict=True)
-    return [(*(x * (w or 1) for x in point), w) for point, w in rows]
+def homogeneous(point: Point, weight: mpq) -> Point:
+    """The point (w x, w y, …, w)."""
+    return (*(x * (weight or 1) for x in point), weight)
 
 
 def pen_segments(curve: Nurbs) -> list[list[Point]]:
@@ -43,30 +85,3 @@ def pen_segments(curve: Nurbs) -> list[list[Point]]:
         if before[-1] != after[0]:
             raise ShapeError("a jump", remedy="split the curve there")
     return segments
-
-
-def in_space(curve: Nurbs) -> list[Point]:
-    """The Cartesian control points in space, a plane curve at z = 0; raises `ShapeError` above dimension 3."""
-    if curve.dimension > 3:
-        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this format holds curves in the plane and in space")
-    return [(*point, mpq(0)) if curve.dimension == 2 else point for point in cartesian(curve)]
-
-
-def net_rows(surface: NurbsSurface, *, u_fastest: bool = True) -> list[tuple[Point, mpq]]:
-    """The control points of a surface with their weights, in the order of a file."""
-    rows = [list(zip(*both, strict=True)) for both in zip(surface.control_points, surface.weights, strict=True)]
-    ordered = zip(*rows, strict=True) if u_fastest else rows
-    return [pair for row in ordered for pair in row]
-
-
-def cartesian_net(surface: NurbsSurface, *, u_fastest: bool = True) -> list[tuple[Point, mpq]]:
-    """The same; raises `WeightError` for a weight of zero, because such a point has no Cartesian coordinates."""
-    rows = net_rows(surface, u_fastest=u_fastest)
-    if not all(weight for _, weight in rows):
-        raise WeightError("a control point of weight zero", remedy="use json or a homogeneous format (g2, itd)")
-    return rows
-
-
-def homogeneous_net(surface: NurbsSurface, *, u_fastest: bool = True) -> list[Point]:
-    """The points (w x, w y, …, w) in the order of a file."""
-    return [(*(x * (w or 1) for x in point), w) for point, w in net_rows(surface, u_fastest=u_fastest)]

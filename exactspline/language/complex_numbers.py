@@ -36,9 +36,15 @@ def conjugate(a: Vector[S]) -> Vector[S]:
 
 
 @overload
-def complex_quotient(a: Vector[F], b: Vector[F]) -> Vector[F]: ...
+def complex_quotient(a: Vector[F], b: Vector[F]) -> Vector[F]:
+    """``a / b`` in a reading with division: a vector."""
+
+
 @overload
-def complex_quotient(a: Vector[C], b: Vector[C]) -> Rational[C]: ...
+def complex_quotient(a: Vector[C], b: Vector[C]) -> Rational[C]:
+    """``a / b`` in a reading without division: a quotient."""
+
+
 def complex_quotient(a: Vector[S], b: Vector[S]) -> object:
     """``a / b = a b̄ / (b b̄)``, a quotient over the squared length of b.
 

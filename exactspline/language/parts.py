@@ -17,18 +17,30 @@ Value = Operand | Vector[Operand] | RuledSurface[Operand | Vector[Operand]]
 
 
 @overload
-def numerator(value: Rational[C]) -> C | Vector[C]: ...
+def numerator(value: Rational[C]) -> C | Vector[C]:
+    """The numerator of a quotient."""
+
+
 @overload
-def numerator(value: V) -> V: ...
+def numerator(value: V) -> V:
+    """A value without a denominator, unchanged."""
+
+
 def numerator(value: object) -> object:
     """The numerator of a quotient; any other value unchanged."""
     return value.numerator if isinstance(value, Rational) else value
 
 
 @overload
-def joined(value: RuledSurface[V]) -> V: ...
+def joined(value: RuledSurface[V]) -> V:
+    """Directrix and generator of a ruled surface as one vector."""
+
+
 @overload
-def joined(value: V) -> V: ...
+def joined(value: V) -> V:
+    """Any other value, unchanged."""
+
+
 def joined(value: object) -> object:
     """Directrix and generator of a ruled surface concatenated to one vector; any other value unchanged."""
     return value.joined if isinstance(value, RuledSurface) else value

@@ -147,21 +147,34 @@ def is_float(value: object) -> TypeGuard[float]:
 
 
 @overload
-def from_floats(values: Iterable[float]) -> list[mpq]: ...
-@overload
-def from_floats(values: Iterable[Iterable[float]]) -> list[list[mpq]]: ...
-def from_floats(values: Iterable[float] | Iterable[Iterable[float]]) -> list[mpq] | list[list[mpq]]:
-    """The exact binary values of the floats in a sequence, or in a sequence of sequences such as control points.
+def from_floats(values: float) -> mpq:
+    """The exact value of a float."""
 
+
+@overload
+def from_floats(values: Iterable[float]) -> list[mpq]:
+    """The exact values of floats in a sequence."""
+
+
+@overload
+def from_floats(values: Iterable[Iterable[float]]) -> list[list[mpq]]:
+    """The exact values of rows of floats."""
+
+
+def from_floats(values: float | Iterable[float] | Iterable[Iterable[float]]) -> mpq | list[mpq] | list[list[mpq]]:
+    """The exact binary value of a float, or of those in a sequence, or in rows such as control points.
+
+    >>> from_floats(0.1) == rational("0.1")
+    False
     >>> from_floats([(0.5, 1.0), (0.25, -2.0)])
     [[mpq(1,2), mpq(1,1)], [mpq(1,4), mpq(-2,1)]]
 
     Raises `NumberError`, with its position, for an element that is not a float.
     """
-    return _from_floats(values, DEEPEST)
+    return from_float(values) if is_float(values) else _from_floats(values, DEEPEST)
 
 
-def _from_floats(values: Iterable[Any], depth: int) -> list[Any]:
+def _from_floats(values: Any, depth: int) -> list[Any]:
     """The values of floats in nested sequences, up to a depth."""
     if depth == 0:
         raise NumberError(

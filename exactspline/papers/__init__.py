@@ -34,6 +34,7 @@ __all__ = [
     "named_papers",
     "owner",
     "paper",
+    "paper_named",
     "papers",
     "resolve",
 ]
@@ -68,15 +69,26 @@ def default_papers() -> tuple[Paper, ...]:
     return tuple(each for each in papers() if each.default)
 
 
-def paper(name: str) -> Paper:
-    """The paper with this name: one included in the library, or one that was loaded.
+def paper(name: str | Path, *, trust: bool = False) -> Paper:
+    """The paper with this name, one included in the library, or the one in a user's folder (see `load_paper`).
 
     >>> paper("lifted").uses[0].name
     'chen_riesenfeld_cohen_2007'
 
+    Raises `FormulaError`, with the nearest names, for what is neither a name nor a folder.
+    """
+    said = str(name) if isinstance(name, Path) else as_text(name, "the name of a paper")
+    if said not in _by_name() and (Path(said).is_dir() or "/" in said):
+        return load_paper(said, trust=trust)
+    return paper_named(said)
+
+
+def paper_named(name: str) -> Paper:
+    """The paper with this name: one included in the library, or one that was loaded.
+
     Raises `FormulaError`, with the nearest names, for an unknown one.
     """
-    if as_text(name, "the name of a paper") in _loaded:
+    if name in _loaded:
         return _loaded[name]
     known = _by_name()
     if name not in known:
@@ -85,7 +97,7 @@ def paper(name: str) -> Paper:
     return known[name]
 
 
-copyreg.pickle(Paper, lambda each: (paper, (each.name,)))  # pickled by name: formulas are code
+copyreg.pickle(Paper, lambda each: (paper_named, (each.name,)))  # pickled by name: formulas are code
 
 
 @cache
@@ -119,7 +131,7 @@ def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:
     taken |= {each.name: each.folder for each in _loaded.values()}
     while name in taken and not _is_folder(taken[name], place):
         name += "′"
-    loaded = paper_in(place, name, paper, trusted=trust, importable=formulas_by_module)
+    loaded = paper_in(place, name, paper_named, trusted=trust, importable=formulas_by_module)
     loaded.formulas  # noqa: B018  # read now: errors in them are reported before anything is decided
     _loaded[name] = loaded
     return loaded
@@ -134,20 +146,8 @@ def named_papers(names: Iterable[str], *, trust: bool = False) -> tuple[Paper, .
 
     Raises `FormulaError`, with the nearest names, for a name that is neither.
     """
-    names = list(names)
-    if not names:
-        return default_papers()
-    named: list[Paper] = []
-    for name in names:
-        if name == "all":
-            named += papers()
-        elif any(name == each.name for each in papers()):
-            named.append(paper(name))
-        elif Path(name).is_dir() or "/" in name:
-            named.append(load_paper(name, trust=trust))
-        else:
-            named.append(paper(name))
-    return tuple(dict.fromkeys(named))
+    named = [each for name in names for each in (papers() if name == "all" else [paper(name, trust=trust)])]
+    return tuple(dict.fromkeys(named)) or default_papers()
 
 
 @cache

@@ -29,9 +29,10 @@ def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
     (-4)*x^2 + (-4)*x + 9
     """
     m = len(rows) - 1
-    bound = (2 * m - 2) * max(row.degree() for row in rows)
+    degree = max(row.degree() for row in rows)
+    bound = (2 * m - 2) * degree
     bits = (2 * m - 1) * (_bits(rows, bound) + m.bit_length())
-    _check(bound + 1, m * m, bits, f"the discriminant of a polynomial of degree {_degree(rows)} × {m}")
+    _check(bound + 1, m * m, bits, f"the discriminant of a polynomial of degree {degree} × {m}")
     start = _start(rows[-1], bound + 1)
     values = [_at(rows, k).discriminant() for k in range(start, start + bound + 1)]
     return _through_whole(values, start)
@@ -51,10 +52,6 @@ def resultant(first: Sequence[fmpz_poly], second: Sequence[fmpz_poly]) -> fmpz_p
     start = _start(first[-1] * second[-1], bound + 1)
     values = [_at(first, k).resultant(_at(second, k)) for k in range(start, start + bound + 1)]
     return _through_whole(values, start)
-
-
-def _degree(rows: Sequence[fmpz_poly]) -> int:
-    return max(row.degree() for row in rows)
 
 
 def _bits(rows: Sequence[fmpz_poly], count: int) -> int:

@@ -98,6 +98,8 @@ class Answered(StrEnum):
     SOLUTIONS = "solutions"
     #: Pairs of parameters of two curves, and arcs that they have in common; what is not decided is named.
     PAIRS = "pairs"
+    #: The points of it at the least distance, and pieces all of whose points are.
+    NEAREST = "nearest points"
     #: A value, or one point.
     VALUE = "value"
     POINT = "point"

@@ -87,9 +87,15 @@ def signed_root(sign: int, square: Real) -> Real:
 
 
 @overload
-def at(function: BSpline, t: Number | Real, *, side: Side | str = Side.RIGHT) -> mpq | Real: ...
+def at(function: BSpline, t: Number | Real, *, side: Side | str = Side.RIGHT) -> mpq | Real:
+    """The value of a spline at a parameter."""
+
+
 @overload
-def at(function: Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT) -> tuple[mpq | Real, ...]: ...
+def at(function: Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT) -> tuple[mpq | Real, ...]:
+    """The point of a curve at a parameter."""
+
+
 def at(
     function: BSpline | Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT
 ) -> mpq | Real | tuple[mpq | Real, ...]:

@@ -206,19 +206,24 @@ def _patterns(t: Sequence[mpq], n: int, spans: Sequence[int]) -> Iterator[tuple[
 
 
 def _weights_of(keys: Sequence[tuple[int, Pattern]]) -> list[Weights] | None:
-    """The weights of patterns, None where some of them occurred too rarely; then their occurrences are counted."""
+    """The weights of patterns, None where those that are not known occurred too rarely; then their occurrences are
+    counted.
+    """
     found = [*map(_weights.get, keys)]
     if None in found:
         if len(_met) > PATTERNS:
             _met.clear()
         _met.update(keys)
-        if not all(_met[key] > key[0] for key in keys):
+        made = dict(zip(keys, found, strict=True))
+        new = [key for key, weights in made.items() if weights is None]
+        # the weights of a pattern cost as much as the forms of degree + 1 spans
+        if sum(key[0] + 1 for key in new) > len(keys) and not all(_met[key] > key[0] for key in new):
             return None
         if len(_weights) > PATTERNS:
             _weights.clear()
-        made = {key: _weights_for(*key) for key in set(keys)}
-        _weights.update(made)
-        return [made[key] for key in keys]
+        made.update((key, _weights_for(*key)) for key in new)
+        _weights.update(cast(dict[tuple[int, Pattern], Weights], made))
+        found = [made[key] for key in keys]
     return cast(list[Weights], found)
 
 

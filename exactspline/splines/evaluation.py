@@ -9,7 +9,7 @@ from itertools import accumulate, repeat
 from math import comb, gcd
 from operator import mul
 
-from exactspline.numbers.exact import mpq, mpz, over_one_denominator
+from exactspline.numbers.exact import mpq, over_one_denominator
 from exactspline.polynomials.bernstein import Form, in_parameter, over_common_denominator
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
@@ -18,6 +18,8 @@ from exactspline.splines.knots import Mesh
 TOGETHER, BITS = 64, 256
 #: The integer coefficients of numerators and denominator on one segment, the highest first.
 Rows = list[list[int]]
+#: The same for numerators of the parameter, each row by its first number and the others.
+Scaled = list[tuple[int, list[int]]]
 
 
 def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
@@ -43,6 +45,8 @@ class Evaluation:
         self.splines: Sequence[BSpline] = p if w is None else [*p, w]
         self.polynomial = w is None
         self._rows: dict[int, Rows] = {}
+        #: The rows for parameters over the denominator that was used last.
+        self._over: tuple[int, dict[int, Scaled]] = 1, {}
         self._slopes: dict[tuple[int, int], list[Rows]] = {}
 
     @property
@@ -72,18 +76,22 @@ class Evaluation:
 
     def _points(self, ts: Sequence[mpq], numerators: Sequence[int], q: int, left: bool) -> list[tuple[mpq, ...]]:
         """The points at parameters over the denominator q."""
-        breaks, found = self.mesh.breaks, []
-        powers = [*accumulate(repeat(q, self.splines[0].degree), mul, initial=1)]
-        rows, low, high = Rows(), 0, 0
+        mesh, breaks, found = self.mesh, self.mesh.breaks, []
+        over = self._over
+        if over[0] != q:
+            over = self._over = q, {}
+        made, powers = over[1], [*accumulate(repeat(q, self.splines[0].degree), mul, initial=1)]
+        here, rows, low, high = -1, Scaled(), breaks[0], breaks[0]
         for t, a in zip(ts, numerators, strict=True):
-            if not low <= a < high:
-                i = self.mesh.locate(t, left=left)
-                rows = [[*map(mul, row, powers)] for row in self._rows_of(i)]
-                low, high = [_next(x.numerator * q, x.denominator, left) for x in breaks[i : i + 2]]
+            if not low < t < high and (i := mesh.locate(t, left=left)) != here:
+                here, low, high = i, breaks[i], breaks[i + 1]
+                if i not in made:
+                    made[i] = [(row[0], [*map(mul, row[1:], powers[1:])]) for row in self._rows_of(i)]
+                rows = made[i]
             values = []
-            for row in rows:
-                value = 0
-                for c in row:
+            for first, rest in rows:
+                value = first
+                for c in rest:
                     value = value * a + c
                 values.append(value)
             below = values.pop()
@@ -154,8 +162,3 @@ class Evaluation:
             rows.append([0] * n + [int(common * parts[0][1])])
         shared = gcd(*[x for row in rows for x in row])
         return [[x // shared for x in row] for row in rows]
-
-
-def _next(numerator: mpz, denominator: mpz, left: bool) -> int:
-    """The least integer that is not less than a quotient (with `left`, that is greater)."""
-    return int(numerator // denominator) + 1 if left else -int(-numerator // denominator)

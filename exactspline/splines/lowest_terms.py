@@ -5,7 +5,7 @@ division).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import overload
+from typing import Any, TypeVar, cast
 
 from flint import fmpz_poly
 
@@ -180,15 +180,10 @@ def primitive(f: BSpline) -> BSpline:
     return BSpline.from_parts(f.degree, f.mesh, f.continuity, tuple(polynomials), ones, leaf())
 
 
-@overload
-def in_lowest_terms(value: BSpline) -> BSpline: ...
-@overload
-def in_lowest_terms(value: Vector[BSpline]) -> Vector[BSpline]: ...
-@overload
-def in_lowest_terms(value: Rational[BSpline]) -> Rational[BSpline]: ...
-@overload
-def in_lowest_terms(value: SplineSurface) -> SplineSurface: ...
-def in_lowest_terms(value: SplineValue) -> SplineValue:
+V = TypeVar("V", bound=SplineValue)
+
+
+def in_lowest_terms(value: V) -> V:
     """The same scalar, vector or quotient in the lowest degree that holds on all segments.
 
     A quotient is reduced segment by segment, each by a different factor, so that numerator and denominator are only C⁻¹
@@ -204,20 +199,21 @@ def in_lowest_terms(value: SplineValue) -> SplineValue:
     factor may be removed from the generator: it becomes g/v with the primitive polynomial vector g of its direction,
     segment by segment. As a quotient (q + ζ g)/v this is the surface of least degree in s with this directrix.
     """
+    reduced: Any = value
     if isinstance(value, RuledSurface):
         directrix, generator = in_lowest_terms(value.directrix), primitive_part(value.generator)
-        if isinstance(directrix, Vector):
-            return RuledSurface(directrix, generator)
-        return RuledSurface(directrix, Rational(generator, directrix.product))
-    if isinstance(value, Vector):
+        over = generator if isinstance(directrix, Vector) else Rational(generator, directrix.product)
+        reduced = RuledSurface(directrix, over)
+    elif isinstance(value, Vector):
         by = min(c.degree - c.true_degree for c in value if not c.is_zero) if not value.is_zero else 0
-        return Vector(*[c.reduce_degree(by) if not c.is_zero else c for c in value])
-    if isinstance(value, BSpline):
-        if value.is_zero:
-            return value.constant(0)
-        by = value.degree - value.true_degree
-        return value if by == 0 and all(c < value.degree for c in value.continuity) else value.reduce_degree(by)
-    return _over_rows(value, lowest_terms(value))
+        reduced = Vector(*[c.reduce_degree(by) if not c.is_zero else c for c in value])
+    elif isinstance(value, Rational):
+        reduced = _over_rows(value, lowest_terms(value))
+    elif value.is_zero:
+        reduced = value.constant(0)
+    elif value.true_degree < value.degree or any(c >= value.degree for c in value.continuity):
+        reduced = value.reduce_degree(value.degree - value.true_degree)
+    return cast(V, reduced)
 
 
 def primitive_part(value: SplineVector) -> Vector[BSpline]:

@@ -25,7 +25,7 @@ from exactspline.splines.common import splines_over, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.evaluation import Evaluation
 from exactspline.splines.given import checked_degree, checked_side, exact_row
-from exactspline.splines.insertion import inserted, is_clamped, unchanged
+from exactspline.splines.insertion import inserted
 from exactspline.splines.knots import KnotVector, Mesh, mesh_of
 from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.refinement import insertable
@@ -340,23 +340,11 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
         Raises `DomainError` outside the domain and at its ends, `KnotError` where the multiplicity would exceed
         degree + 1.
         """
-        t, _ = insertable(self.p[0], t, times)
-        splines = list(self.p) if self.polynomial else [*self.p, self.w]
-        shared = all(f.denominators == splines[0].denominators for f in splines)
-        if not (shared and is_clamped(self.knots, self.degree)):
-            return changed(self, lambda f: f.insert_knot(t, times))
-        made = inserted(splines, t, times)
-        count = len(self.knots) + times - self.degree - 1
-        if self.polynomial:
-            points, weights = tuple(zip(*[f.control_points for f in made], strict=True)), (mpq(1),) * count
-        else:
-            rows, given = list(zip(*[f.control_points for f in made], strict=True)), self.control_points
-            before, after = unchanged(self.knots.knots, self.degree, t)
-            new = rows[before : count - (len(given) - after)]
-            points, weights = (*given[:before], *map(projected, new), *given[after:]), made[-1].control_points
+        mesh, continuity, _ = mesh_of(self.knots, self.degree)
+        t, _ = insertable(self.degree, mesh, continuity, t, times)
+        knots, points, weights = inserted(self.knots, self.degree, self.control_points, self.weights, t, times)
         curve = object.__new__(Nurbs)
-        vars(curve).update(_fields(self.degree, made[0].knots, points, weights))
-        vars(curve).update(_splines=tuple(made), name=self.name, source="", note="")
+        vars(curve).update(_fields(self.degree, knots, points, weights), name=self.name, source="", note="")
         return curve
 
     def elevate_degree(self, by: int = 1) -> Nurbs:

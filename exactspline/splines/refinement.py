@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Protocol, Self, TypeVar
+
+from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError, shown
 from exactspline.language.provenance import Provenance
@@ -26,6 +29,7 @@ class Piecewise(Protocol):
     mesh: Mesh
     continuity: tuple[int, ...]
     provenance: Provenance
+    denominators: tuple[fmpz, ...]
 
     @classmethod
     def from_forms(
@@ -41,6 +45,10 @@ class Piecewise(Protocol):
     @property
     def forms(self) -> tuple[Form, ...]:
         """The form of every segment."""
+
+    @property
+    def polynomials(self) -> Sequence[fmpz_poly]:
+        """The polynomials of the forms, copies."""
 
     @property
     def domain(self) -> Interval:
@@ -79,10 +87,10 @@ def over(f: S, mesh: Mesh) -> S:
 
 
 def _parts(f: Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
-    forms = f.forms
     for a, b in pairwise(mesh.breaks):
         i = f.mesh.locate(a)
-        yield bernstein.restrict(forms[i], f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
+        form = f.polynomials[i], f.denominators[i]
+        yield bernstein.restrict(form, f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
 
 
 def elevate_degree(f: S, by: int = 1) -> S:
@@ -138,9 +146,9 @@ def _without_smooth_knots(f: S) -> S:
     return type(f).from_forms(f.degree, Mesh(breaks), tuple(f.continuity[i] for i in keep), merged)
 
 
-def _inner(f: Piecewise, given: Number) -> mpq:
+def _inner(mesh: Mesh, given: Number) -> mpq:
     """A parameter inside the domain."""
-    (a, b), t = f.domain, rational(given)
+    (a, b), t = mesh.domain, rational(given)
     if not a < t < b:
         raise DomainError(
             f"{short_text(t)} is not inside the domain ({text(a)}, {text(b)})",
@@ -150,26 +158,24 @@ def _inner(f: Piecewise, given: Number) -> mpq:
     return t
 
 
-def insertable(f: Piecewise, t: Number, times: int) -> tuple[mpq, int]:
+def insertable(degree: int, mesh: Mesh, continuities: Sequence[int], t: Number, times: int) -> tuple[mpq, int]:
     """The parameter at which knots are to be inserted, and the continuity that remains there."""
-    t = _inner(f, t)
+    t = _inner(mesh, t)
     if type(times) is not int or times < 1:
         raise KnotError(f"{shown(times)} knots to insert", remedy="insert an integer of them, at least one")
-    breaks = f.mesh.breaks
-    continuity = f.continuity[breaks.index(t) - 1] if t in breaks else SMOOTH
-    lowered = min(continuity, f.degree) - times
+    i = bisect_left(mesh.breaks, t)
+    continuity = continuities[i - 1] if mesh.breaks[i] == t else SMOOTH
+    lowered = min(continuity, degree) - times
     if lowered < -1:
         raise KnotError(
-            f"{text(t)} would get multiplicity {f.degree - lowered}",
-            remedy=f"at most degree + 1 = {f.degree + 1}",
-            knot=t,
+            f"{text(t)} would get multiplicity {degree - lowered}", remedy=f"at most degree + 1 = {degree + 1}", knot=t
         )
     return t, lowered
 
 
 def insert_knot(f: S, t: Number, times: int = 1) -> S:
     """The same function with one more knot (or several) at a parameter inside the domain."""
-    t, lowered = insertable(f, t, times)
+    t, lowered = insertable(f.degree, f.mesh, f.continuity, t, times)
     g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
     position = g.mesh.breaks.index(t) - 1
     return type(f).from_forms(f.degree, g.mesh, _replaced(g.continuity, position, lowered), g.forms)
@@ -177,7 +183,7 @@ def insert_knot(f: S, t: Number, times: int = 1) -> S:
 
 def remove_knot(f: S, t: Number, times: int = 1) -> S:
     """The same function with one knot (or several) removed; `ReductionError` names the derivative that jumps there."""
-    t = _inner(f, t)
+    t = _inner(f.mesh, t)
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
     if type(times) is not int or not 1 <= times <= multiplicity:
         raise KnotError(
@@ -211,7 +217,7 @@ def continuity_at(f: Piecewise, t: Number) -> int:
     >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
     1
     """
-    t = _inner(f, t)
+    t = _inner(f.mesh, t)
     if t not in f.mesh.breaks:
         return f.degree
     derivative = f
@@ -243,10 +249,9 @@ def restrict(f: S, a: Number, b: Number) -> S:
             remedy="give a < b inside the domain",
             domain=f.domain,
         )
-    inner = [t for t in f.mesh.breaks if a < t < b]
-    known = dict(zip(f.mesh.breaks[1:-1], f.continuity, strict=True))
-    mesh = Mesh([a, *inner, b])
-    return type(f).from_forms(f.degree, mesh, tuple(known[t] for t in inner), _parts(f, mesh))
+    first, last = f.mesh.locate(a), f.mesh.locate(b, left=True)
+    mesh = Mesh([a, *f.mesh.breaks[first + 1 : last + 1], b])
+    return type(f).from_forms(f.degree, mesh, f.continuity[first:last], _parts(f, mesh))
 
 
 def reverse(f: S) -> S:

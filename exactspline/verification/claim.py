@@ -18,8 +18,7 @@ from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.numbers.immutable import Immutable
-from exactspline.papers import Paper
-from exactspline.papers import paper as paper_named
+from exactspline.papers import Paper, paper_named
 from exactspline.readings.differential_order import order_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface

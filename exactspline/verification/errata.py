@@ -205,7 +205,7 @@ def _loading(source: Paper) -> tuple[str, ...]:
     if source.package:
         return ()
     trust = ", trust=True" if source.trusted else ""
-    return ("import exactspline", f"paper = exactspline.load_paper({str(source.folder)!r}{trust})")
+    return ("import exactspline", f"paper = exactspline.paper({str(source.folder)!r}{trust})")
 
 
 def _shown(claim: Claim) -> tuple[str, ...]:

@@ -163,19 +163,6 @@ class OnWholePatch(Evidence, words="on a whole patch"):
     """Some patch as a whole."""
 
 
-class AtKnot(Evidence, words="at the knot {parameter}"):
-    """A zero at a knot."""
-
-    parameter: mpq
-
-
-class Isolated(Evidence, words="between {low} and {high}"):
-    """A zero in an interval."""
-
-    low: mpq
-    high: mpq
-
-
 Place = At | Between | OnAllOf | On | AtBoth | OnPatch | OnWholePatch
 
 
@@ -471,13 +458,6 @@ class ZeroCoefficient(Evidence, words="coefficient {index} of {formula} is 0"):
     index: int
 
 
-class ZeroForDegree(Evidence):
-    """Coefficients that vanish for every curve of a degree: one, or (None) all."""
-
-    degree: int
-    index: int | None = None
-
-
 # ---- zeros, signs, squares
 
 
@@ -629,10 +609,10 @@ class Conditions(Evidence):
     pairs: tuple[tuple[Enclosure, Enclosure], ...]
 
 
-class NotBetter(Evidence, words="not better at the zero {zero}"):
+class NotBetter(Evidence, words="not better {place}"):
     """A zero at which the condition number is not smaller."""
 
-    zero: AtKnot | Isolated
+    place: Place
 
 
 # ---- types

@@ -5,8 +5,9 @@ from __future__ import annotations
 from functools import cache
 
 from exactspline.errors import ClaimError, ExactSplineError, nearest
-from exactspline.interchange.curve_files import curve_from_text
+from exactspline.interchange import own_json
 from exactspline.interchange.examples import example, example_names, example_surface, example_surface_names
+from exactspline.interchange.records import Source
 from exactspline.papers import Paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
@@ -32,9 +33,8 @@ def own_curves(source: Paper) -> dict[str, Nurbs]:
     curves = {}
     for file in source.curve_files():
         if file.name.endswith(".json"):
-            name = file.name.removesuffix(".json")
             try:
-                curves[name] = curve_from_text(file.read_text(encoding="utf-8"), name)
+                curves[file.name.removesuffix(".json")] = own_json.read(Source(file.read_bytes(), file.name)).curve
             except ExactSplineError as error:
                 raise error.at(f"{source.name}/curves/{file.name}") from None
     return curves

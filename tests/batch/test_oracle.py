@@ -292,7 +292,7 @@ def test_random_enclosures_hold_their_doubles():
             for item in answer_data(oracle(curve, asked))["items"]:
                 for number in item["values"].values():
                     low, high = mpq(number["low"]), mpq(number["high"])
-                    near = xs.from_float(number["double"])
+                    near = xs.from_floats(number["double"])
                     assert low <= high
                     assert abs(near - low) <= abs(near) / 2**52 + mpq(1, 10**29)
                     if number["exact"] and "√" not in number["exact"]:
@@ -384,3 +384,17 @@ def test_self_intersections_are_pairs_of_parameters_and_what_is_not_decided_is_a
     thrice = xs.Nurbs.from_splines([x, x * x])
     with pytest.raises(QuestionError, match="not decided"):
         oracle(thrice, "self_intersections")
+
+
+def test_two_curves_a_curve_and_a_point():
+    """Entries about two curves are asked with the name or the file of the other one."""
+    circle = xs.example("circle")
+    assert [item.what for item in items(circle, "intersections:ellipse")] == ["touching", "touching"]
+    assert value(circle, "distance:ellipse", "distance") == 0
+    (near,) = items(circle, "nearest:0,3")
+    assert (near.values["parameter"], near.values["distance"], near.values["y"]) == (1, 2, 1)
+    assert [item.what for item in items(circle, "nearest:0,0")] == ["everywhere"]
+    assert value(circle.reverse(), "winding_number:1/2,1/3", "value") == -1
+    for asked in ("intersections", "intersections:nothing", "nearest:1", "winding_number:1,0", "nearest:x,y"):
+        with pytest.raises(ExactSplineError):
+            oracle(circle, asked)

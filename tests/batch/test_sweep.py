@@ -19,7 +19,7 @@ import exactspline as xs
 from exactspline.batch import backends, parquet
 from exactspline.batch.corpus import Problem, items
 from exactspline.batch.families import Family
-from exactspline.batch.inspections import asked_by_sweeps, enclosed
+from exactspline.batch.inspections import asked_by_sweeps, enclosed, inspected
 from exactspline.batch.lines import line_schema
 from exactspline.batch.results import JsonLines, ResultsError
 from exactspline.batch.summary import Summary
@@ -480,3 +480,17 @@ def test_a_question_with_an_argument_is_asked_of_every_curve():
 def test_an_argument_that_is_none_is_refused_before_the_first_curve(asked, told):
     with pytest.raises(xs.ExactSplineError, match=told):
         next(iter(xs.sweep("ellipse", find=[asked])))
+
+
+def test_self_intersections_are_pairs_of_parameters():
+    """Passed before: a sweep could not ask for them."""
+    loop = xs.Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
+    there_and_back = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (4, 4), (0, 0)])
+    (node,), (arc,) = (
+        inspected(c, ["self_intersections"], 3, values=True)["self_intersections"] for c in (loop, there_and_back)
+    )
+    assert (node.kind, node.low, node.high, node.other_low, node.other_high) == (
+        ("crossing", "0.066", "0.067", "0.933", "0.934")
+    )
+    assert (node.x, node.y) == (0.5, 0.5625)
+    assert (arc.kind, arc.low, arc.high, arc.other_low, arc.other_high) == ("everywhere", "0", "1/2", "1/2", "1")

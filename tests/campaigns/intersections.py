@@ -4,8 +4,8 @@ python -m tests.campaigns.intersections --pairs 10000 --seed 1 --record campaign
 python -m tests.campaigns.intersections --pairs 1 --seed 4711 --family tangent       one case again
 
 The oracle eliminates by resultants in powers of the parameters and tries all pairs of complex roots
-(`tests.support.elimination_oracle`). Beside the points, contact orders and common arcs are compared where the family
-knows them.
+(`tests.support.elimination_oracle`), segment by segment. Beside the points, contact orders and common arcs are compared
+where the family knows them. In the family `itself` a curve is met with itself.
 """
 
 import argparse
@@ -14,13 +14,14 @@ import sys
 import time
 from collections import Counter
 from fractions import Fraction
+from itertools import pairwise
 from math import comb
 from pathlib import Path
 from random import Random
 
 from exactspline import Nurbs
 from exactspline.errors import ExactSplineError, WeightError
-from exactspline.geometry.intersections import intersections
+from exactspline.geometry.intersections import intersections, self_intersections
 from tests.support.elimination_oracle import common_points
 
 #: Parameters of the answer and of the oracle are the same below this distance.
@@ -31,12 +32,20 @@ LEFT_OUT = "left out"
 CEILING = 1
 
 
-# ---- curves by rows of homogeneous control points
+# ---- curves by rows of homogeneous control points, or by several segments of one degree, each by its rows
 
 
-def curve(rows):
-    n = len(rows) - 1
-    return Nurbs.from_homogeneous(n, [0] * (n + 1) + [1] * (n + 1), rows)
+def segments_of(given):
+    return given if isinstance(given[0], list) else [given]
+
+
+def curve(given):
+    """The segments of a curve follow each other from 0, 1, 2, …; each begins with the last row of the one before."""
+    segments = segments_of(given)
+    n, count = len(segments[0]) - 1, len(segments)
+    rows = [*segments[0], *[row for segment in segments[1:] for row in segment[1:]]]
+    inner = [k for k in range(1, count) for _ in range(n)]
+    return Nurbs.from_homogeneous(n, [0] * (n + 1) + inner + [count] * (n + 1), rows)
 
 
 def bezier_rows(polynomials):
@@ -110,7 +119,7 @@ def number(random):
 
 
 def any_rows(random, degree=None):
-    n = degree or random.choice([1, 2, 2, 3, 3, 3, 4])
+    n = degree or random.choice([1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 5])
     kind = random.choice(["small", "one", "one"])
     weights = [Fraction(random.randint(1, 4)) if random.random() < 0.3 else Fraction(1) for _ in range(n + 1)]
     draw = (lambda r: Fraction(r.randint(-2, 2))) if kind == "small" else number
@@ -209,6 +218,84 @@ def circles(random):
     return arcs[0], arcs[1], {}
 
 
+def doubles(random):
+    """Control points of 17 digits, of any size."""
+    size = 2.0 ** random.randint(-30, 30)
+
+    def point():
+        return Fraction(random.uniform(-1, 1) * size), Fraction(random.uniform(-1, 1) * size), Fraction(1)
+
+    first, second = ([point() for _ in range(random.randint(2, 5))] for _ in range(2))
+    if random.random() < 0.3:  # weights, of 17 digits, too
+        weights = [Fraction(random.uniform(0.5, 2)) for _ in first]
+        first = [(x * w, y * w, w) for (x, y, _), w in zip(first, weights, strict=True)]
+    return first, second, {}
+
+
+def any_segments(random, degree, count):
+    """Segments that follow each other, at some knots with one tangent, perhaps in the end at the beginning."""
+    draw = random.choice([lambda: Fraction(random.randint(-3, 3)), lambda: number(random)])
+    points = [(draw(), draw(), Fraction(1)) for _ in range(degree * count + 1)]
+    if degree > 1:
+        for k in range(degree, degree * count, degree):
+            if random.random() < 0.5:
+                points[k] = tuple((a + b) / 2 for a, b in zip(points[k - 1], points[k + 1], strict=True))
+    if random.random() < 0.4:
+        points[-1] = points[0]
+    if random.random() < 0.3:
+        points = [tuple(x * w for x in p) for p, w in zip(points, weights_that_close(random, len(points)), strict=True)]
+    return [points[degree * k : degree * k + degree + 1] for k in range(count)]
+
+
+def weights_that_close(random, count):
+    weights = [Fraction(random.randint(1, 3)) for _ in range(count)]
+    weights[-1] = weights[0]
+    return weights
+
+
+def through_knots(random):
+    """Curves of several segments, of which one passes through a knot of the other, at its own knot, its end or between,
+    perhaps with its tangent; some knots are inserted where both neighbours are one curve.
+    """
+    first, second = (any_segments(random, random.randint(1, 3), random.randint(2, 3)) for _ in range(2))
+    for given in (first, second):
+        if random.random() < 0.3:
+            given[:1] = halved(given[0])
+    i, j = (random.randrange(1, len(given)) for given in (first, second))
+    target, shift = first[i][0], second[j][0]
+    moved = tuple(a / target[2] - b / shift[2] for a, b in zip(target[:2], shift[:2], strict=True))
+    if random.random() < 0.7:  # knot upon knot
+        second = [[(x + w * moved[0], y + w * moved[1], w) for x, y, w in segment] for segment in second]
+    elif random.random() < 0.5:  # a line through the knot
+        a, b = random.randint(-2, 2), random.randint(1, 3)
+        x, y = (c / target[2] for c in target[:2])
+        second = [[(x - a, y - b, Fraction(1)), (x + 2 * a, y + 2 * b, Fraction(1))]]
+    return first, second, {}
+
+
+def halved(rows):
+    """Both halves of a segment, by de Casteljau's algorithm."""
+    left, right = [rows[0]], [rows[-1]]
+    while len(rows) > 1:
+        rows = [tuple((a + b) / 2 for a, b in zip(p, q, strict=True)) for p, q in pairwise(rows)]
+        left, right = [*left, rows[0]], [rows[-1], *right]
+    return [left, right]
+
+
+def itself(random):
+    """A curve of one or several segments with itself."""
+    kind = random.random()
+    if kind < 0.5:
+        given = [any_rows(random, random.choice([3, 3, 4, 4, 5]))]
+    elif kind < 0.6:
+        given = [through_a_node(random)[0]]
+    else:
+        given = any_segments(random, random.randint(1, 3), random.randint(2, 4))
+    if random.random() < 0.3:
+        given = [*halved(given[0]), *given[1:]]
+    return given, given, {"itself": True}
+
+
 def elevated(random):
     """A curve of no kind with its degree raised, against another."""
     first, second = any_rows(random, random.choice([1, 2])), any_rows(random)
@@ -226,37 +313,74 @@ def elevated(random):
 
 FAMILIES = {
     family.__name__: family
-    for family in (of_no_kind, tangent, nearly_touching, through_ends, overlapping, through_a_node, circles, elevated)
+    for family in (
+        of_no_kind,
+        doubles,
+        tangent,
+        nearly_touching,
+        through_ends,
+        through_knots,
+        overlapping,
+        through_a_node,
+        circles,
+        elevated,
+        itself,
+    )
 }
 
 
 # ---- comparison
 
 
-def seam_once(expected, found, curves):
-    """The seam of a closed curve counts once, at its start; and not where an arc in common ends at it."""
+def expected_points(first, second, *, alone):
+    """The oracle's points of all pairs of segments, and whether two of these have a common component. With itself, a
+    curve has only pairs s < t, and neighbouring segments do not meet in their common knot.
+    """
+    found, shared = [], False
+    for i, one in enumerate(first):
+        for j, other in enumerate(second):
+            if alone and j < i:
+                continue
+            points, component = common_points(one, other)
+            shared |= component
+            points = [e._replace(s=i + e.s, t=j + e.t) for e in points]
+            found += [e for e in points if e.s < e.t] if alone else points
+    return found, shared
+
+
+def at_knots_once(expected, found, curves, *, alone):
+    """A point at a knot counts once, the seam of a closed curve at its start, and not where an arc in common ends."""
 
     def from_seam(pair):
-        return tuple(0.0 if c.closed and x == 1 else x for c, x in zip(curves, pair, strict=True))
+        s, t = (0.0 if c.closed and x == c.domain.high else x for c, x in zip(curves, pair, strict=True))
+        return (min(s, t), max(s, t)) if alone else (s, t)
+
+    def near(one, other):
+        return all(abs(x - y) < NEAR for x, y in zip(one, other, strict=True))
 
     ends = [from_seam(map(float, pair)) for arc in found.everywhere for pair in zip(arc.first, arc.second, strict=True)]
-    merged = {}
+    kept = []
     for e in expected:
-        s, t = from_seam((e.s, e.t))
-        at_seam = any(c.closed and x in (0, 1) for c, x in zip(curves, (e.s, e.t), strict=True))
-        if not (at_seam and any(abs(s - x) < NEAR and abs(t - y) < NEAR for x, y in ends)):
-            merged.setdefault((s, t), e._replace(s=s, t=t))
-    return sorted(merged.values())
+        pair = from_seam((e.s, e.t))
+        if e.s.is_integer() or e.t.is_integer():
+            if any(near(pair, end) for end in ends) or (alone and pair[0] == pair[1]):
+                continue
+            if (k := next((k for k, x in enumerate(kept) if near(pair, x[:2])), None)) is not None:
+                kept[k] = kept[k]._replace(of_s=max(kept[k].of_s, e.of_s), of_t=max(kept[k].of_t, e.of_t))
+                continue
+        kept.append(e._replace(s=pair[0], t=pair[1]))
+    return sorted(kept)
 
 
 def difference(first, second, known):
     """What is wrong with the answer for two curves, "" if nothing is, and how many points it has."""
+    alone = "itself" in known
     curves = curve(first), curve(second)
-    found = intersections(*curves)
+    found = self_intersections(curves[0]) if alone else intersections(*curves)
     if found.left_out:
         return LEFT_OUT, 0
-    expected, shared = common_points(first, second)
-    expected = seam_once(expected, found, curves)
+    expected, shared = expected_points(segments_of(first), segments_of(second), alone=alone)
+    expected = at_knots_once(expected, found, curves, alone=alone)
     ours = sorted((float(p.first), float(p.second), p.multiplicity) for p in found if p.multiplicity is not None)
     same = len(ours) == len(expected) and all(
         abs(e.s - s) < NEAR and abs(e.t - t) < NEAR and times <= min(e.of_s, e.of_t)

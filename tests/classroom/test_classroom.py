@@ -98,8 +98,10 @@ def test_a_sheet_of_several_topics_has_headings_and_lines_for_name_date_and_answ
     made = [exercise("circle", 0), exercise("circle", 1), exercise("power", 0)]
     text = text_lines(made, 80, solutions=False)
     assert [line for line in text if line.startswith(("Whether", "Conversion"))] == [about("circle"), about("power")]
-    for written, square in ((html_page(made, solutions=False), "²"), (latex_document(made, solutions=False), "$^2$")):
-        assert all(word in written for word in ("Name:", "Date:", f"no, or centre x, centre y, radius{square}"))
+    asked = "no, or centre x, centre y, radius²", "no, or centre $x$, centre $y$, radius$^{2}$"
+    pages = html_page(made, solutions=False), latex_document(made, solutions=False)
+    for written, form in zip(pages, asked, strict=True):
+        assert all(word in written for word in ("Name:", "Date:", form))
     assert invoke("teach", "exercise", "circle", "power", "--count", 2).output.count("[") >= 4
 
 

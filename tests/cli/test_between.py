@@ -37,7 +37,7 @@ def test_a_map_between_arcs_is_shown(tmp_path):
     part = parabola.restrict("1/4", "3/4").reverse()
     for name, curve in (("one", parabola), ("other", part)):
         write(curve, tmp_path / f"{name}.json")
-    assert "s = -t + 1" in run("between", tmp_path / "one.json", tmp_path / "other.json").stdout
+    assert "s = 1 - t" in run("between", tmp_path / "one.json", tmp_path / "other.json").stdout
 
 
 def test_two_dimensions_are_bad_input():

@@ -10,8 +10,9 @@ from exactspline import Nurbs
 from exactspline.cli import app
 from exactspline.display.plot.depth import REMARK, knows_depth
 from exactspline.geometry.bisector.two_curves import curve_bisector
-from exactspline.interchange.curve_files import curve_data, curve_from_text, read_curve, write_json
+from exactspline.interchange.curve_files import curve_data, write_json
 from exactspline.interchange.examples import example
+from exactspline.interchange.files import read
 from tests.support.bisector_oracle import FAMILIES
 from tests.support.command import run
 
@@ -90,7 +91,7 @@ def test_a_derived_net_can_be_read_back():
     data = json.loads(run("bisector", "helix_like", "--point", "0,0,1", "--json").stdout)["rows"][0]
     directrix = data["pieces"][0]["directrix"]
     points = [[mpq(x) for x in row] for row in directrix["homogeneous_control_points"]]
-    curve = curve_from_text(
+    curve = read(
         json.dumps(
             {
                 "degree": directrix["degree"],
@@ -98,8 +99,8 @@ def test_a_derived_net_can_be_read_back():
                 "control_points": [[str(x / row[3]) for x in row[:3]] for row in points],
                 "weights": [str(row[3]) for row in points],
             }
-        )
-    )
+        ).encode()
+    ).curve
     assert curve("1/2")[2] == 0
 
 
@@ -187,7 +188,7 @@ def test_an_arc_is_written_trimmed(tmp_path):
         assert [mpq(x) for x in piece["interval"]] == [low, high]
         assert "cut" not in piece
     file.write_text(json.dumps(data | {"pieces": [data["pieces"][0]]}))
-    arc = read_curve(file)
+    arc = read(file).curve
     assert arc.domain == (0, 1)
     assert all(x * x + 4 == 4 * y for x, y in (arc(mpq(k, 5)) for k in range(6)))
 

@@ -9,7 +9,8 @@ import pytest
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach
 from exactspline.geometry.kinds import JointKind
-from tests.geometry.test_shared_curves import FILES, read_curve
+from exactspline.interchange.files import read
+from tests.geometry.test_shared_curves import FILES
 from tests.support.command import invoke
 
 SQUARE = {"degree": 1, "knots": [0, 0, 1, 2, 3, 4, 4], "control_points": [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]}
@@ -81,7 +82,7 @@ def test_a_corner_at_rest_has_its_angle_too(inspected):
 @pytest.mark.parametrize("file", [f for f in FILES if "font" in f.stem], ids=lambda f: f.stem)
 def test_every_corner_of_a_glyph_has_a_row(file, monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
-    curve = read_curve(file)
+    curve = read(file).curve
     rows = [line.split()[0] for line in invoke("inspect", file, "--digits", 5).output.splitlines() if line]
     told = [joint for joint in analyse(curve).joints if joint.kind is JointKind.CORNER]
     assert rows.count("corner") >= len(told)

@@ -60,7 +60,7 @@ def test_files_of_surfaces(tmp_path):
     assert "control_points[1]" in found.output
     assert "umbilic" in found.output
     # what is wrong with a curve is told of curves, and a surface where a curve is expected
-    assert "is a surface" in str(invoke("derive", "evolute", good).exception)
+    assert "holds 1 surface" in str(invoke("derive", "evolute", good).exception)
     assert "one after the other" in str(invoke("inspect", good, "circle").exception)
 
 

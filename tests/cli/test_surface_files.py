@@ -4,11 +4,14 @@ import io
 import json
 import re
 
+import jsonschema
 import pytest
 
 from exactspline import example
+from exactspline.batch.lines import line_schema
+from exactspline.cli.schema import schema_of
 from exactspline.interchange import read
-from exactspline.interchange.files import encoded, encoded_surfaces, write
+from exactspline.interchange.files import encoded, write
 from tests.support.command import run
 
 
@@ -16,7 +19,7 @@ from tests.support.command import run
 def mixed(tmp_path):
     """A g2 file with a curve and two surfaces."""
     place = tmp_path / "mixed.g2"
-    surfaces, _ = encoded_surfaces([example("sphere"), example("torus")], "g2")
+    surfaces, _ = encoded([example("sphere"), example("torus")], "g2")
     curve, _ = encoded([example("cusp")], "g2")
     place.write_bytes(surfaces + curve)
     return place
@@ -100,6 +103,23 @@ def test_a_sweep_of_surfaces(mixed, tmp_path):
     assert run("sweep", mixed, "--find", "inflections", "-o", place).returncode == 2
 
 
+def test_the_elements_of_answers_have_types():
+    """Passed before: a point without a parameter, and a kind that there is not, in rows of ``inspect`` and in lines."""
+    for name, schema in (("ellipse", schema_of("inspect")), ("folded_map", schema_of("inspect surface"))):
+        document = json.loads(run("inspect", name, "--json").stdout)
+        jsonschema.validate(document, schema)
+        answers = document["rows"][0]
+        spoiled = answers["critical_points"]["points"] if name == "ellipse" else answers["zeros"]["undecided"]
+        del spoiled[0]["decimal" if name == "ellipse" else "u"]
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.validate(document, schema)
+    line = json.loads(run("sweep", "--surfaces", "enneper", "--find", "umbilics", "-o", "-").stdout)
+    jsonschema.validate(line, line_schema())
+    for answers in ({"umbilics": []}, {"umbilic": line["answers"]["umbilics"]}, {"value@0,0": 1}):
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.validate(line | {"answers": answers}, line_schema())
+
+
 def test_what_a_sweep_of_surfaces_refuses(mixed, tmp_path):
     for options in (("--claim", "S1.1"), ("--values",), ("--random", "count=2"), ("--find", "inflections")):
         done = run("sweep", mixed, "--surfaces", *options)
@@ -161,7 +181,7 @@ def test_what_holds_no_surface_is_named(tmp_path):
 def test_notes_on_curves_that_are_not_taken_are_not_told(tmp_path):
     """`inspect --surfaces` told the notes of the curves that it left out."""
     place = tmp_path / "both.stp"
-    surface, _ = encoded_surfaces([example("sphere")], "step")
+    surface, _ = encoded([example("sphere")], "step")
     curve, _ = encoded([example("circle")], "step")
     entities = curve.split(b"DATA;")[1].split(b"ENDSEC;")[0]
     shifted = re.sub(rb"#(\d+)", lambda found: b"#%d" % (int(found[1]) + 10_000), entities)

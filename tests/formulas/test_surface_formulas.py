@@ -11,7 +11,7 @@ from click.testing import CliRunner
 from gmpy2 import isqrt, mpq
 
 import exactspline as xs
-from exactspline import example, load_paper, paper
+from exactspline import example, paper
 from exactspline.cli import app
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
@@ -19,7 +19,7 @@ from exactspline.language.arguments import Curve
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import CURVE_ON_SURFACE, FORMS, SURFACE
 from exactspline.language.vector import Vector, cross, dot, norm2
-from exactspline.papers import find
+from exactspline.papers import find, load_paper
 from exactspline.readings.degree import DegreeReading
 from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading

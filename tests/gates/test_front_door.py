@@ -19,7 +19,7 @@ ROOT = Path(xs.__file__).parent
 
 def test_the_front_door_fits_on_a_screen():
     assert {*xs.__all__} - {"__version__"} == set(dir(xs))
-    assert len(dir(xs)) <= 73
+    assert len(dir(xs)) <= 61
 
 
 def test_every_name_is_used_in_a_page():

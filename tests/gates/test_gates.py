@@ -95,7 +95,6 @@ UNREGISTERED = {
     "geometry/certain.py: Certain.inflections": "the answer of the question inflections, where it is certain",
     "geometry/extent.py: turning_points": "the answer of the question turning_points, beside what it shares with boxes",
     "geometry/inspection.py: Inspection.critical_points": "the question critical_points by the approach of a command",
-    "geometry/zeros_in_two_parameters.py: common_zeros": "of any functions, not of a curve or a surface",
 }
 QUESTION = "class A(Facts):\n    @{}\n    def loops(self) -> Places[Feature]:\n        return Places(())"
 
@@ -212,6 +211,7 @@ BARE_LISTS = {
     "geometry/space_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
     "geometry/poles.py: BetweenPoles.reversals": "its cusps and its corners of 180°, both of them answers",
     "geometry/space_features.py: torsion_zeros": "the points of an entry's answer, which adds the pieces",
+    "geometry/singular_points.py: singular_on_patch": "isolated, of a square-free function: there are no pieces",
     "geometry/surface/borders.py: roots_along": "on a border where the form does not vanish throughout",
     "geometry/surface/merged.py: merged_places": "the points of an entry's answer, which adds the parts of patches",
     "geometry/surface/merged.py: merged_umbilics": "the points of an entry's answer, which adds the parts of patches",
@@ -264,7 +264,6 @@ ROUNDED = {
     "geometry/many_splines.py: Segments.at_knots": "the certified filter",
     "interchange/bridges/numpy.py: points_at": "rounds to doubles, on request",
     "interchange/formats/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
-    "interchange/formats/rhino.py: write_surfaces": "the same of surfaces",
     "interchange/rhino_process.py: _hex": "doubles of a file, bit by bit",
     "programs/accelerator.py: signs": "the certified filter",
     "programs/masses.py: factors": "the certified filter",
@@ -276,7 +275,6 @@ ROUNDED = {
     "reals/digits.py: Digits.doubles": "rounds to a double, on request",
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "verification/conditioning/compare.py: _at_root": "what is measured is the error of doubles",
-    "verification/conditioning/search.py: search_witnesses": "chooses by a seed",
     "verification/minimality.py: witness": "chooses by a seed",
     "verification/patch_degrees.py: witness": "chooses by a seed",
 }

@@ -6,8 +6,9 @@ from gmpy2 import mpq
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.files import read
 from exactspline.papers import find
-from tests.geometry.test_shared_curves import FILES, read_curve
+from tests.geometry.test_shared_curves import FILES
 
 
 def check_agreement(curve):
@@ -33,7 +34,7 @@ def test_on_the_example_curves(name):
 
 @pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
 def test_on_real_curves(file):
-    check_agreement(read_curve(file))
+    check_agreement(read(file).curve)
 
 
 PLANE = ["rational_cubic_s", "rational_quartic", "ellipse_turned", "six_segment_cubic"]

@@ -10,7 +10,8 @@ from gmpy2 import mpq
 from exactspline import Nurbs
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.kinds import JointKind
-from tests.geometry.test_shared_curves import FILES, read_curve
+from exactspline.interchange.files import read
+from tests.geometry.test_shared_curves import FILES
 from tests.support.answers import places
 from tests.support.chains import EQUAL, as_curve, closed_chain, curvature_at, cut_and_rotated, expected_pieces, meeting
 from tests.support.space_curves import TURNED
@@ -151,7 +152,7 @@ def test_planar_pieces_go_on_across_the_seam():
 
 @pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
 def test_nothing_that_is_told_of_a_real_curve_is_outside_its_domain(file):
-    curve = read_curve(file)
+    curve = read(file).curve
     if curve.dimension > 3:
         return
     (a, b), found = curve.domain, analyse(curve)

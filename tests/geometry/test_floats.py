@@ -36,7 +36,7 @@ def random_curve(chance, dimension, rational, least_degree=2):
         return chance.choice(
             [
                 lambda: mpq(chance.randint(-9, 9)),
-                lambda: xs.from_float(chance.uniform(-3, 3)),
+                lambda: xs.from_floats(chance.uniform(-3, 3)),
                 lambda: mpq(chance.randint(-99, 99), chance.randint(1, 99)),
             ]
         )()
@@ -122,7 +122,7 @@ def parameters(chance, curve, count):
 
 
 def exact_parameter(t):
-    return xs.from_float(t) if is_float(t) else t
+    return xs.from_floats(t) if is_float(t) else t
 
 
 def doubles_of(ours, theirs, curve, t, way):
@@ -164,7 +164,7 @@ def test_roots_are_correctly_rounded():
     chance, held = random.Random(5), 0
     with mp.workprec(BITS + 20):
         while held < COUNT:
-            points = [chance.choice([mpq(chance.randint(-9, 9)), xs.from_float(chance.gauss(0, 1))]) for _ in range(4)]
+            points = [chance.choice([mpq(chance.randint(-9, 9)), xs.from_floats(chance.gauss(0, 1))]) for _ in range(4)]
             for root in xs.zeros(xs.BSpline.bezier(points)):
                 if root.exact is not None:
                     continue
@@ -247,7 +247,7 @@ def test_floats_of_numpy_and_lists_in_one_call():
     np = pytest.importorskip("numpy")
     curve = xs.Nurbs.from_floats(2, np.array([0, 0, 0, 1, 1, 1]), np.array([[0, 0], [0.1, 1], [1, 0]]))
     single = xs.Nurbs.from_floats(2, [0, 0, 0, 1, 1, 1], np.array([[0, 0], [0.1, 1], [1, 0]], dtype=np.float32))
-    assert curve.control_points[1][0] == xs.from_float(0.1) != single.control_points[1][0]
+    assert curve.control_points[1][0] == xs.from_floats(0.1) != single.control_points[1][0]
     snapped = xs.Nurbs.from_floats(1, [0, 0, 1, 1], [[0.1, 0], [1, 2]], weights=[0.3, 1], snap=True)
     assert snapped.weights[0] == mpq(3, 10)
     ts = np.linspace(0, 1, 5)

@@ -10,6 +10,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, example, intersections, self_intersections
 from exactspline.errors import ShapeError
+from exactspline.geometry.intersections import _Collected
 from exactspline.numbers.exact import rational
 from tests.campaigns.intersections import FAMILIES, above_ceiling, bezier_rows, campaign, curve, multiplied
 from tests.support.bisector_oracle import bezier
@@ -225,6 +226,15 @@ def test_a_closed_curve_that_touches_its_seam():
     assert (found.first, found.second) == (0, 3)
 
 
+def test_an_arc_that_a_closed_curve_runs_over_again_and_that_ends_at_its_seam():
+    """Passed before: the end of the arc as a point, too, with the seam as 0 (seed 401962 of the campaign)."""
+    corners = [(0, -2), (-1, 3), (0, -3), (0, 0), (0, -2)]
+    found = self_intersections(Nurbs(1, [0, 0, 1, 2, 3, 4, 4], corners))
+    assert not found.points
+    (arc,) = found.everywhere
+    assert [str(x) for x in (*arc.first, *arc.second)] == ["3", "7/3", "3", "4"]
+
+
 # ---- space
 
 
@@ -359,3 +369,28 @@ def test_straight_curves_that_turn_back_at_irrational_parameters():
     assert turn.minimal_polynomial() == [5, -26, 25]
     other = zigzag.restrict("1/4", 1).reverse()
     assert len(intersections(zigzag, other).everywhere) == 8
+
+
+def test_a_curve_that_runs_on_is_not_searched(monkeypatch):
+    """Closed, broken and doubled chains of integers up to doubles: the answers are those of the search of all pairs. A
+    search that took a gap for a joint, or a half turn for a cone, would have left out crossings.
+    """
+    chance, curves = Random(5), []
+    for k in range(60):
+        size, degree = chance.choice([2, 9, 10**17]), chance.randint(1, 3)
+        points = [(chance.randint(-size, size), chance.randint(-size, size)) for _ in range(degree + 3)]
+        if k % 3 == 0:
+            points.sort()
+        if k % 4 == 0:
+            points[-1] = points[0]
+        inner = [1] * chance.choice([1, degree + 1 if degree < 3 else 1]) + [2]
+        inner = [*inner, 2][: len(points) - degree - 1] if k % 2 else inner
+        inner += [3] * (len(points) - degree - 1 - len(inner))
+        weights = [chance.choice([1, 2, "1/7"]) for _ in points] if k % 5 == 0 else None
+        curves.append(
+            Nurbs(degree, [0] * (degree + 1) + inner[: len(points) - degree - 1] + [4] * (degree + 1), points, weights)
+        )
+    found = [repr(self_intersections(c)) for c in curves]
+    monkeypatch.setattr(_Collected, "_runs_on", lambda *_: False)
+    assert found == [repr(self_intersections(c)) for c in curves]
+    assert len(set(found)) > 20

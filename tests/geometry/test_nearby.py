@@ -63,16 +63,16 @@ def test_questions_and_errors():
 
 
 @pytest.mark.parametrize("k", [4, 10, 20, 30])
-def test_near_cusps_of_curves_with_a_dial(k):
+def test_cusps_within_of_curves_with_a_dial(k):
     """A curve with a cusp, moved by ε = 2⁻ᵏ in one coordinate of one point, is near one within ε and far from one
     within a number that is much smaller; the place is where the cusp was.
     """
     curves = [Nurbs.from_floats(len(p) - 1, [0] * len(p) + [1] * len(p), p) for p in map(SHAPES["cusp"], (2.0**-k, 0))]
     for curve in curves:
-        [found] = xs.analyse(curve).near_cusps(mpq(1, 1 << k))
+        [found] = xs.analyse(curve).cusps_within(mpq(1, 1 << k))
         assert found.place.low < mpq(1, 2) < found.place.high
         assert not found.certain
-    assert xs.analyse(curves[0]).near_cusps(mpq(1, 1 << k + 6)) == ()
+    assert xs.analyse(curves[0]).cusps_within(mpq(1, 1 << k + 6)) == ()
     for within in ("1/2", "1e-9"):
         stops = [one for one in features_nearby(curves[0], within) if one.kind is FeatureKind.STOP]
-        assert [*xs.analyse(curves[0]).near_cusps(within)] == stops
+        assert [*xs.analyse(curves[0]).cusps_within(within)] == stops

@@ -13,7 +13,7 @@ from exactspline.errors import ShapeError
 from exactspline.geometry.constructions import constructions_for
 from exactspline.geometry.derived import derive
 from exactspline.geometry.planarity import with_plane_curves
-from exactspline.interchange.curve_files import read_curve
+from exactspline.interchange.files import read
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.verification.claims import all_claims
 from exactspline.verification.generic_proof import symbolic_minimum
@@ -29,7 +29,7 @@ needs_curves = pytest.mark.skipif(not FILES, reason="no folder of real curves at
 @needs_curves
 @pytest.mark.parametrize("file", sample(FILES, 20), ids=lambda f: f.stem)
 def test_every_claim_on_real_curves(file):
-    curve = read_curve(file)
+    curve = read(file).curve
     rows = list(audit(all_claims(), with_plane_curves([curve])))
     assert rows
     assert [(row.id, row.statement, row.verdict, worded(row.witness)) for row in rows if not row.as_recorded] == []
@@ -39,7 +39,7 @@ def test_every_claim_on_real_curves(file):
 @needs_curves
 @pytest.mark.parametrize("file", sample(FILES, 30, seed=2), ids=lambda f: f.stem)
 def test_no_real_curve_exceeds_the_proved_degree_and_every_minimal_form_has_a_certificate(file):
-    curve = read_curve(file)
+    curve = read(file).curve
     for made in constructions_for(curve.dimension):
         proved = symbolic_minimum(made, made.dimension, polynomial=curve.polynomial).at({"d": max(curve.degree, 3)})
         try:

@@ -8,6 +8,9 @@ from gmpy2 import mpq
 from exactspline import Nurbs, TensorSpline, common_zeros, intersections, zero_curve
 from exactspline.errors import DomainError, ShapeError
 from exactspline.geometry import zeros_in_two_parameters
+from exactspline.geometry.singular_points import singular_on_patch
+from exactspline.numbers.intervals import UNIT
+from exactspline.polynomials.two_parameters import S, T, as_form
 
 
 def function(p, end=1):
@@ -114,6 +117,81 @@ def test_zeros_of_one_function(p, shown):
     assert repr(found) == shown
     assert found.complete
     assert bool(found) == (shown != "nowhere")
+
+
+def around(p):
+    """A polynomial in x and y on the square from −2 to 2."""
+    return function(lambda s, t: p(4 * s - 2, 4 * t - 2))
+
+
+@pytest.mark.parametrize(
+    ("p", "shape", "kind", "milnor"),
+    [
+        (lambda x, y: x**2 * (x + 1) - y**2, "branches that cross", "node", 1),
+        (lambda x, y: (x * x + y * y) ** 2 - 2 * (x * x - y * y), "branches that cross", "node", 1),  # lemniscate
+        (lambda x, y: x**3 - y**2, "arc from border to border", "cusp", 2),
+        (lambda x, y: y * y - x**5, "arc from border to border", "cusp", 4),
+        (lambda x, y: x**4 - y**2, "branches that cross", "tacnode", 3),
+        (lambda x, y: x**6 - y**2, "branches that cross", "tacnode", 5),
+        (lambda x, y: x**4 + y**2, None, "isolated point", 3),
+        (lambda x, y: x**2 * (x - 1) - y**2, "arc from border to border", "isolated point", 1),  # acnode
+    ],
+)
+def test_double_points_of_known_curves(p, shape, kind, milnor):
+    found = zero_curve(around(p))
+    (point,) = found.singular_points
+    assert (point.first, point.second, str(point.kind), point.multiplicity) == (mpq(1, 2), mpq(1, 2), kind, 2)
+    assert point.milnor == milnor
+    assert [curve.shape.value for curve in found.curves] == [shape] * (shape is not None)
+
+
+@pytest.mark.parametrize(
+    ("p", "times"),
+    [
+        (lambda x, y: (x * x + y * y) ** 2 - x * (x * x - 3 * y * y), 3),  # three leaves
+        (lambda x, y: y**3 - x**4, 3),
+        (lambda x, y: x * y * (x - y) * (x + 2 * y), 4),
+    ],
+)
+def test_points_of_higher_multiplicity(p, times):
+    (point,) = zero_curve(around(p)).singular_points
+    assert (str(point.kind), point.multiplicity, point.milnor) == ("multiple point", times, None)
+    assert repr(point) == f"<multiple point at 1/2 and 1/2, multiplicity {times}>"
+
+
+def test_four_leaves():
+    """The multiple point of (x² + y²)³ = 4 x² y², and those of a circle, a line, and a point on the circle."""
+    leaves = as_form((S * S + T * T) ** 3 - 4 * S * S * T * T)
+    assert [found[1:] for found in singular_on_patch(leaves, UNIT, ())] == [("multiple point", 4, None)]
+    x, y = 2 * S - 1, 2 * T - 1
+    more = as_form((x * x + y * y - 1) * (x * x + (y - 1) ** 2) * (x - y))
+    found = [(str(kind), order) for _, kind, order, _ in singular_on_patch(more, UNIT, ())]
+    assert sorted(found) == [("multiple point", 3), ("node", 2), ("node", 2)]
+
+
+def test_singular_points_at_irrational_places_and_of_multiple_factors():
+    cusps = zero_curve(function(lambda s, t: ((2 * s * s - 1) ** 3 - (3 * t * t - 1) ** 2) ** 2))
+    (cusp,) = cusps.singular_points
+    assert (str(cusp.kind), cusp.first.minimal_polynomial()) == ("cusp", [-1, 0, 2])
+    (crossing,) = zero_curve(function(lambda s, t: (2 * s * s - 1) ** 2 * (t - s))).singular_points
+    assert (str(crossing.kind), crossing.first == crossing.second) == ("node", True)
+    assert zero_curve(function(lambda s, t: s * s + t * t - 1)).singular_points == ()
+
+
+def test_a_singular_point_at_a_knot():
+    """x y has its node at a knot of both parameters; with another slope on one patch it is still one on all of them."""
+    knots = [0, 0, 1, 2, 2]
+    same = zero_curve(TensorSpline((1, 1), knots, knots, [[1, 0, -1], [0, 0, 0], [-1, 0, 1]]))
+    (node,) = same.singular_points
+    assert (node.first, node.second, str(node.kind), len(node.patches)) == (1, 1, "node", 4)
+    wide = [0, 0, 0, 1, 1, 2, 2, 2]
+    p, q = (
+        TensorSpline((2, 0), wide, [0, 2], [[1], [0], [0], [0], [1]]),
+        TensorSpline((0, 2), [0, 2], wide, [[1, 0, 0, 0, 2]]),
+    )
+    turned = TensorSpline((2, 0), wide, [0, 2], [[1], [0], [0], [0], [-1]])
+    assert [str(x.kind) for x in zero_curve(p + q).singular_points] == ["isolated point"]
+    assert [str(x.kind) for x in zero_curve(turned + q).singular_points] == ["at a knot"]
 
 
 def test_what_is_refused():

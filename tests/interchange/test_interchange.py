@@ -14,12 +14,11 @@ from exactspline import Nurbs
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError, ShapeError, WeightError
 from exactspline.interchange import Limits, read, write
-from exactspline.interchange.curve_files import curve_from_text
-from exactspline.interchange.examples import example, example_names, load, load_surface
+from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
-from exactspline.interchange.formats.own_json import schema
 from exactspline.interchange.limits import work
+from exactspline.interchange.own_json import schema
 from tests.support.interchange_seeds import (
     ARC,
     BREP,
@@ -147,7 +146,8 @@ def test_own_files_follow_the_published_schema():
     '{"degree": 1, "knots": [0, 0, 1, "1/0"], "control_points": [[0, 0], [1, 1]]}',
 ])  # fmt: skip
 def test_what_the_reader_refuses_is_refused(broken):
-    assert not read(broken.encode()).curves
+    with pytest.raises(ExactSplineError):
+        read(broken.encode())
     if "1/0" not in broken:
         with pytest.raises(jsonschema.ValidationError):
             jsonschema.validate(json.loads(broken), schema())
@@ -156,8 +156,8 @@ def test_what_the_reader_refuses_is_refused(broken):
 @pytest.mark.parametrize("number", ["1e+-9", "1e", "1e20001", "0x1p99999", "1/0", "٣", "", "1 2", "--1", "1e9e9"])
 def test_what_is_no_number_or_beyond_the_limits_is_no_coordinate(number):
     data = {"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [number, 1]]}
-    reading = read(json.dumps(data).encode(), "json")
-    assert (len(reading.curves), len(reading.skipped)) == (0, 1)
+    with pytest.raises(ExactSplineError):
+        read(json.dumps(data).encode(), "json")
 
 
 LINE = '{{"degree": {degree}, "knots": [0, 0, {knot}, {knot}], "control_points": [[0, 0], {point}]{more}}}'
@@ -165,7 +165,7 @@ LINE = '{{"degree": {degree}, "knots": [0, 0, {knot}, {knot}], "control_points":
 
 def curve_or_error(text):
     try:
-        return curve_from_text(text)
+        return read(text.encode()).curve
     except ExactSplineError as error:
         return str(error)
 
@@ -176,13 +176,13 @@ MORE = ["", ', "weights": null', ', "weights": [1, "1/2"]', ', "weights": 1', ',
 
 @pytest.mark.parametrize("degree", ["1", "1.0", '"1"', "1.5", "true", "null"])
 @pytest.mark.parametrize("knot", ["1", '"1/3"', "1e9999", "1e300", '"x"', "true", "null"])
-def test_a_curve_file_is_read_alike_alone_and_among_files(degree, knot):
+def test_a_curve_is_read_alike_alone_and_among_others(degree, knot):
     """Passed before: there were two readers; a degree 1.0 and a knot 1e9999 were accepted by one of them, a degree "1"
     by the other.
     """
     for point, more in product(POINTS, MORE):
         text = LINE.format(degree=degree, knot=knot, point=point, more=more)
-        found = read(text.encode())
+        found = read(f"[{text}]".encode())
         alone = curve_or_error(text)
         assert [*(named.curve for named in found.curves), *(skipped.why for skipped in found.skipped)] == [alone]
 
@@ -479,7 +479,7 @@ def test_what_derive_wrote_is_read_as_inspect_reads_it(tmp_path):
     several.write_text(json.dumps({"curves": [derived, derived]}), encoding="utf-8")
     piece.write_text(json.dumps(derived["pieces"][0]), encoding="utf-8")
     found = [named.curve for path in (written, several, piece) for named in read(path).curves]
-    assert found == [load(str(written))] * 4
+    assert found == [read(str(written)).curve] * 4
     assert found[0].domain == example("ellipse").domain
 
 
@@ -489,15 +489,17 @@ def test_a_long_number_is_read_by_every_door(number):
     data = {"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [number, 1]]}
     (alone,) = read(json.dumps(data).encode()).curves
     (listed,) = read(json.dumps([data]).encode()).curves
-    assert alone.curve == listed.curve == curve_from_text(json.dumps(data))
-    assert curve_from_text("\ufeff" + json.dumps(data)) == alone.curve
+    assert alone.curve == listed.curve == read(json.dumps(data).encode()).curve
+    assert read(("\ufeff" + json.dumps(data)).encode()).curve == alone.curve
     net = [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, number]]]
     surface = {"degree": [1, 1], "knots": [[0, 0, 1, 1]] * 2, "control_points": net}
     assert len(read(json.dumps(surface).encode()).surfaces) == 1
     narrow = Limits(exponent=10, digits=10)
-    for each in (data, surface, data | {"kind": "polynomial", "control_points": [[0], [1]], "high": number}):
-        reading = read(json.dumps(each).encode(), limits=narrow)
+    for each in (data, surface, data | {"kind": "polynomial", "control_points": [[0, 0], [1, 1]], "high": number}):
+        reading = read(json.dumps([each]).encode(), limits=narrow)
         assert (len(reading.curves) + len(reading.surfaces), len(reading.skipped)) == (0, 1)
+        with pytest.raises(NumberError):
+            read(json.dumps(each).encode(), limits=narrow)
 
 
 @pytest.mark.parametrize(("field", "value"), [("low", "abc"), ("high", True), ("interval", [None, 1])])
@@ -505,12 +507,14 @@ def test_the_end_of_a_piece_that_is_no_number_is_named(field, value):
     """Passed before: a message without a place."""
     piece = {"kind": "polynomial", "degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], field: value}
     with pytest.raises(ExactSplineError, match=rf"^{field}.*: .*number"):
-        curve_from_text(json.dumps(piece))
+        read(json.dumps(piece).encode())
 
 
-def test_examples_come_before_files_of_their_names(tmp_path, monkeypatch):
+def test_files_come_before_examples_of_their_names(tmp_path, monkeypatch):
+    """Two doors differed: `inspect circle` read the example, `read("circle")` the file."""
     monkeypatch.chdir(tmp_path)
-    for name in ("circle", "enneper"):
-        (tmp_path / name).write_text("no curve", encoding="utf-8")
-    assert load("circle") == example("circle")
-    assert load_surface("enneper").degree == (3, 3)
+    assert read("circle").curve == example("circle")
+    assert read("enneper").surface.degree == (3, 3)
+    (tmp_path / "circle").write_text("no curve", encoding="utf-8")
+    with pytest.raises(CurveFileError, match="known format"):
+        read("circle")

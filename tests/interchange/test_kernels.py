@@ -2,11 +2,12 @@
 
 import pytest
 
-from exactspline import Nurbs, from_float
+from exactspline import Nurbs
 from exactspline.interchange import read
 from exactspline.interchange.examples import example
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
+from exactspline.numbers.exact import from_float
 from tests.support.interchange_seeds import ARC, CUBIC, SPACE
 
 PERIODIC = b"""DBRep_DrawableShape

@@ -9,7 +9,6 @@ import pytest
 
 from exactspline.errors import NumberError
 from exactspline.interchange import read
-from exactspline.interchange.curve_files import read_curve
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
 from tests.geometry.test_shared_curves import FILES, needs_curves
@@ -109,14 +108,14 @@ TAKEN = {
 @needs_curves
 @pytest.mark.parametrize("name", TAKEN)
 def test_the_same_numbers_as_taken_by_hand(name):
-    by_hand = next(read_curve(file) for file in FILES if file.stem == name)
+    by_hand = next(read(file).curve for file in FILES if file.stem == name)
     assert shape(by_hand) in [shape(named.curve) for named in opened(TAKEN[name]).curves]
 
 
 @needs_files
 @needs_curves
 def test_control_points_alone_with_their_degree_and_knots():
-    by_hand = next(read_curve(file) for file in FILES if file.stem == "geomdl_circle_9cp_3digit")
+    by_hand = next(read(file).curve for file in FILES if file.stem == "geomdl_circle_9cp_3digit")
     for name in ("geomdl_ex_curve04.cptw", "geomdl_CPw_Curve4.json"):
         [named] = opened(name, degree=2, knots=by_hand.knots).curves
         assert shape(named.curve)[3] == shape(by_hand)[3]
@@ -127,7 +126,7 @@ def test_control_points_alone_with_their_degree_and_knots():
 @needs_curves
 @pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
 def test_every_real_curve_through_every_writer(file):
-    curve = read_curve(file)
+    curve = read(file).curve
     held = []
     for known in FORMATS:
         if known.write is None or known.name in ("svg", "3dm"):

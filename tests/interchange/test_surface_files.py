@@ -10,7 +10,7 @@ import pytest
 from exactspline import NurbsSurface, example
 from exactspline.errors import CurveFileError, NumberError
 from exactspline.interchange import read
-from exactspline.interchange.files import encoded_surfaces, write
+from exactspline.interchange.files import encoded, write
 from tests.interchange.test_shared_files import needs_files, opened
 
 HALF = "1/2"
@@ -38,7 +38,7 @@ PLACES = [("0", "2"), ("1/4", "5/2"), ("3/4", "4"), ("1", "5")]
 def test_what_is_written_is_read(format):
     if format == "3dm":
         pytest.importorskip("rhino3dm")
-    data, notes = encoded_surfaces([PLAIN, RATIONAL, example("sphere")], format)
+    data, notes = encoded([PLAIN, RATIONAL, example("sphere")], format)
     reading = read(data, format)
     assert reading.surfaces == (PLAIN, RATIONAL, example("sphere"))
     assert [surface.polynomial for surface in reading.surfaces] == [True, False, False]
@@ -50,8 +50,8 @@ def test_a_number_that_the_format_cannot_hold_is_not_written(format):
     if format == "3dm":
         pytest.importorskip("rhino3dm")
     with pytest.raises(NumberError):
-        encoded_surfaces([example("enneper")], format)
-    data, notes = encoded_surfaces([example("enneper")], format, rounding=True)
+        encoded([example("enneper")], format)
+    data, notes = encoded([example("enneper")], format, rounding=True)
     assert read(data, format).surface != example("enneper")
     assert "rounded to doubles" in notes[0]
 

@@ -177,7 +177,7 @@ OPTIONS = {
     "insertion_triangle": (T, "1/2"),
     "inspection_data": (CUSP,),
     "jets_for": (["f2"], 2),
-    "load_paper": ("no such folder",),
+    "paper": ("no such folder",),
     "new_figure": (),
     "plot": (CUSP,),
     "plot_approaches": (CUSP,),

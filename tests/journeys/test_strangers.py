@@ -13,7 +13,7 @@ from exactspline.cli.commands import leaves
 from exactspline.cli.common import load_curve
 from exactspline.display.evidence import worded
 from exactspline.errors import CurveFileError, DomainError, ExactSplineError, KnotError, NumberError
-from exactspline.interchange.curve_files import curve_data, curve_from_text
+from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.interchange.files import read
 from exactspline.interchange.formats import FORMATS
@@ -45,14 +45,12 @@ def test_one_curve_under_any_other_suffix_is_read(tmp_path):
     assert load_curve(str(place)) == example("circle")
 
 
-def test_a_list_of_curves_is_read_by_commands_and_named_by_the_reader_of_one(tmp_path):
+def test_a_list_of_curves_is_read_by_commands(tmp_path):
     both = [curve_data(example(name)) for name in ("circle", "ellipse")]
     place = tmp_path / "list.json"
     place.write_text(json.dumps(both), encoding="utf-8")
     rows = json.loads(invoke("inspect", place, "--json").stdout)["rows"]
     assert [row["curve"] for row in rows] == ["circle", "ellipse"]
-    with pytest.raises(CurveFileError, match=r'\{"curves": \[…\]\}'):
-        curve_from_text(json.dumps(both))
 
 
 def test_claims_that_say_nothing_of_a_curve_say_why_and_print_no_table():

@@ -9,6 +9,7 @@ to `BITS` bits.
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import reduce
 from math import comb, lcm
 from typing import NamedTuple
 
@@ -80,9 +81,15 @@ def common_points(first: Rows, second: Rows) -> tuple[list[Common], bool]:
             _lifted(p[i], 0) * _lifted(q[j], 1) - _lifted(p[j], 0) * _lifted(q[i], 1)
             for i, j in ((0, 2), (1, 2), (0, 1))
         ]
+        return solutions(equations)
+
+
+def solutions(equations) -> tuple[list[Common], bool]:
+    """The common zeros of polynomials in s and t on the unit square, and whether they have a common component."""
+    with ctx.workprec(BITS):
         if not any(equations):
             return [], True
-        component = equations[0].gcd(equations[1]).gcd(equations[2])
+        component = reduce(lambda p, q: p.gcd(q), equations)
         shared = component.total_degree() > 0
         if not all(equations):
             equations = [e for e in equations if e] * 2

@@ -4,9 +4,8 @@ from dataclasses import replace
 from time import perf_counter
 
 import pytest
-from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs, zeros
+from exactspline import BSpline, Nurbs
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.interchange.examples import example
@@ -28,12 +27,12 @@ from exactspline.verification.degree_tables import construction_table, formula_d
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import check, unrecorded
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import AtKnot, Fact, Isolated
+from exactspline.verification.evidence import Fact
 from exactspline.verification.generic_proof import factor_of, factor_of_numerators
 from exactspline.verification.kinds.coefficients import Coefficients, is_decided
 from exactspline.verification.kinds.contact import Contact
 from exactspline.verification.kinds.equality import Identity, IsoCurve, Vanishing
-from exactspline.verification.kinds.examples import Count, place_of_root
+from exactspline.verification.kinds.examples import Count
 from exactspline.verification.kinds.invariance import times_unit
 from exactspline.verification.kinds.types import Existence
 from exactspline.verification.kinds.zeros import SquareClass, ZeroSet
@@ -223,15 +222,6 @@ def test_a_formula_is_missing_where_its_denominator_vanishes_on_one_segment():
         if nowhere:
             assert one.missing(own.argument("plane")).formula in one.named
     assert gone > 3
-
-
-def test_the_place_of_a_zero():
-    t = BSpline.identity(0, 2)
-    (at_end,) = zeros(t)
-    (inside,) = zeros(t * t - 2)
-    assert place_of_root(at_end) == AtKnot(mpq(0))
-    low, high = inside.low, inside.high
-    assert place_of_root(inside) == Isolated(low, high)
 
 
 def test_the_time_of_a_row_is_what_it_took():

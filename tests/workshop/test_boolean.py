@@ -2,6 +2,7 @@
 
 import json
 import random
+from dataclasses import replace
 from importlib.util import find_spec
 
 import pytest
@@ -11,10 +12,12 @@ from exactspline.errors import CurveFileError, ShapeError
 from exactspline.geometry.winding import FillRule, winding_number
 from exactspline.interchange import read
 from workshop.boolean.__main__ import main
-from workshop.boolean.angles import confirms
-from workshop.boolean.judge import Operation, judged
-from workshop.boolean.pairs import pairs
+from workshop.boolean.angles import confirms, suspects
+from workshop.boolean.grading import ENGINES, Outcome, graded, started
+from workshop.boolean.judge import Operation, judged, judged_at
+from workshop.boolean.pairs import Pair, pairs
 from workshop.boolean.pieces import Region, is_far
+from workshop.boolean.shrink import shrunk, smaller
 
 A, B = "M0 0H2V2H0Z", "M1 1H3V3H1Z"
 RIGHT = {
@@ -95,6 +98,69 @@ def test_the_command(capsys, tmp_path):
     assert "should be inside" in capsys.readouterr().out
     with pytest.raises(CurveFileError, match="no engine called"):
         main(["grade", "skia"])
+
+
+class Last:
+    """An engine whose results are the second path, wrong but for what the dial hides; an exclusive or it does not
+    offer, and what has a control point (9, 9) it refuses.
+    """
+
+    library = "last"
+
+    def exchange(self, request):
+        if request["operation"] == "xor":
+            return {"declined": "no"}
+        if " 9 9 " in request["first"]:
+            return {"raised": "ValueError: nine"}
+        return {"path": request["second"], "rule": "nonzero"}
+
+
+def test_a_failure_is_shrunk_to_a_smaller_pair_with_the_same_failure():
+    """A difference that is the second path; whatever is left cannot be left out or made smaller."""
+    pair = Pair(((2, 1), (3, 9), (8, 7), (9, 2), (5, 0), (4, 3)), 12)
+    assert [each.operation for each in graded(Last(), [pair], Operation, WITHIN)] == [*Operation][:3]
+    [found] = graded(Last(), [pair], [Operation.DIFFERENCE], WITHIN)
+    assert found.outcome is Outcome.WRONG
+    assert found.confirmed
+    least = shrunk(Last(), found, WITHIN)
+    assert least.outcome is Outcome.WRONG
+    assert len(least.pair.points) == 3
+    for each in smaller(least.pair):
+        tried = next(graded(Last(), [each], [Operation.DIFFERENCE], WITHIN, whole=False))
+        assert tried.outcome is not Outcome.WRONG
+    nine = replace(pair, points=(*pair.points[:4], (9, 9), (4, 3)))
+    [raised] = graded(Last(), [nine], [Operation.UNION], WITHIN)
+    assert "9 9" in shrunk(Last(), raised, WITHIN).pair.first
+
+
+def test_a_suspected_point_is_judged_exactly():
+    """The sums of angles only propose: what they take for wrong, near a path or on the result, is not a witness."""
+    a, b, result = map(Region.of, (A, B, A))
+    points = suspects(a, b, Operation.UNION, result, float(WITHIN))
+    assert all(2 < z.real < 3 or 2 < z.imag < 3 for z in points)
+    assert judged_at((mpq(5, 2), mpq(5, 2)), a, b, Operation.UNION, result, WITHIN).inside
+    for point in ((mpq(1, 2), mpq(1, 2)), (mpq(5, 2), 3 - WITHIN), (mpq(9), mpq(9))):
+        assert judged_at(point, a, b, Operation.UNION, result, WITHIN) is None
+    on_it = Region.of("M0 0H2.5V2H0Z")
+    assert judged_at((mpq(5, 2), mpq(3, 2)), a, b, Operation.UNION, on_it, WITHIN) is None
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_an_engine_that_is_installed_makes_a_union(name):
+    """Two discs. FontForge 20230101 takes the layer from the argument of ``layer.exclude``, which says that it takes the
+    argument from the layer.
+    """
+    try:
+        worker = started(name)
+    except ImportError:
+        pytest.skip(f"{name} is not installed")
+    try:
+        pair = Pair(((0, 4), (0, 8), (8, 8), (8, 4), (8, 0), (0, 0)), 1)
+        outcomes = [each.outcome for each in graded(worker, [pair], [Operation.UNION, Operation.DIFFERENCE], WITHIN)]
+    finally:
+        worker.close()
+    assert outcomes == [Outcome.RIGHT, Outcome.WRONG if name == "FontForge" else Outcome.RIGHT]
+    assert worker.version
 
 
 @pytest.mark.skipif(find_spec("pathops") is None, reason="needs skia-pathops")

@@ -87,3 +87,19 @@ def test_more_curves_of_a_family(tmp_path):
     assert [c.curve for c in corpus("cad", 3, seed=9)] != [c.curve for c in corpus("cad", 3)]
     assert main(["corpus", str(tmp_path / "near.json"), "--family", "near", "--count", "3"]) == 0
     assert checked(tmp_path / "near.json", share=1)[0] == 3
+
+
+#: Issues that are named for what they ask of a program, and not for a curve.
+CRITERIA = {"https://github.com/linebender/kurbo/issues/277"}
+
+
+def test_every_public_issue_that_is_named_is_a_case():
+    """An issue that a page or a test names, and whose curve nobody can find in the pack."""
+    root = READERS.parents[2]
+    pages = [*root.glob("docs/*.md"), root / "README.md", *root.glob("tests/workshop/*.py")]
+    pattern = re.compile(r"https://github\.com/[\w.-]+/[\w.-]+/(?:issues|pull)/\d+")
+    named = {link for page in pages for link in pattern.findall(page.read_text(encoding="utf-8"))}
+    cases = {case.link: case.key for case in corpus("named", SIZES["named"])}
+    assert named > CRITERIA
+    assert named - CRITERIA <= set(cases)
+    assert all(re.search(r"\d", key) for key in cases.values())

@@ -21,6 +21,7 @@ from workshop.boolean.grading import ENGINES, Graded, Outcome, graded, started
 from workshop.boolean.judge import Operation, judged
 from workshop.boolean.pairs import pairs
 from workshop.boolean.pieces import Region
+from workshop.boolean.shrink import shrunk
 from workshop.printing import add_formats, ended, show
 
 
@@ -41,6 +42,8 @@ def arguments(given: Sequence[str] | None) -> argparse.Namespace:
     many.add_argument("engine", nargs="*", metavar="ENGINE", help=f"{', '.join(ENGINES)}; all that are installed")
     many.add_argument("--count", metavar="N", type=int, default=100, help="pairs")
     many.add_argument("--seed", metavar="N", type=int, default=1)
+    many.add_argument("--hunt", action="store_true", help="judge at some points alone: quicker, nothing is found right")
+    many.add_argument("--shrink", action="store_true", help="search for smaller pairs with the same failure")
     many.add_argument(
         "--failures", metavar="FILE", default="", help="write every result that is not right (JSON Lines)"
     )
@@ -82,10 +85,14 @@ def _grade(options: argparse.Namespace) -> int:
         except ImportError:
             continue
         try:
-            found = list(graded(worker, pairs(options.count, options.seed), Operation, rational(options.within)))
+            within = rational(options.within)
+            chosen = pairs(options.count, options.seed)
+            found = list(graded(worker, chosen, Operation, within, whole=not options.hunt))
+            passed = (Outcome.RIGHT, Outcome.UNDECIDED) if options.hunt else (Outcome.RIGHT,)
+            not_right = [each for each in found if each.outcome not in passed]
+            failures += [shrunk(worker, each, within) for each in not_right] if options.shrink else not_right
         finally:
             worker.close()
-        failures += [each for each in found if each.outcome is not Outcome.RIGHT]
         for operation in Operation:
             own = [each for each in found if each.operation is operation]
             counts = Counter(each.outcome for each in own)

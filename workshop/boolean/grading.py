@@ -9,13 +9,14 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from importlib import resources
+from importlib.util import find_spec
 from pathlib import Path
 
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.winding import FillRule
 from exactspline.numbers.exact import mpq, text
-from workshop.boolean.angles import confirms
-from workshop.boolean.judge import Operation, judged
+from workshop.boolean.angles import confirms, suspects
+from workshop.boolean.judge import Judgement, Operation, judged, judged_at
 from workshop.boolean.pairs import Pair
 from workshop.boolean.pieces import Region
 from workshop.boolean.python_engines import ENGINES as IN_PYTHON
@@ -24,6 +25,10 @@ from workshop.grade.runner import Worker
 #: Engines of npm, in the folder that EXACTSPLINE_NODE_MODULES names, or in node_modules here.
 OF_NPM = ("paper", "pathkit-wasm", "path-bool")
 ENGINES = (*IN_PYTHON, *OF_NPM)
+
+
+#: How many points are judged by themselves before the whole plane is, and their denominator.
+SUSPECTS, GRID = 8, 64
 
 
 class Outcome(StrEnum):
@@ -69,7 +74,10 @@ class Graded:
 def started(engine: str) -> Worker:
     """An engine in a process of its own; ImportError where it is not installed."""
     if engine in IN_PYTHON:
-        return Worker(engine, (sys.executable, "-m", "workshop.boolean.python_engines", engine))
+        # FontForge comes with the Python of the system
+        here = engine != "FontForge" or find_spec("fontforge") is not None
+        script = resources.files(__package__).joinpath("python_engines.py")
+        return Worker(engine, (sys.executable if here else "/usr/bin/python3", str(script), engine))
     folder = Path(os.environ.get("EXACTSPLINE_NODE_MODULES") or "node_modules").resolve()
     node = shutil.which("node")
     if node is None or not (folder / engine).is_dir():
@@ -78,16 +86,21 @@ def started(engine: str) -> Worker:
     return Worker(engine, (node, str(script), engine, str(folder)))
 
 
-def graded(worker: Worker, pairs: Iterable[Pair], operations: Iterable[Operation], within: mpq) -> Iterator[Graded]:
-    """The judgements on what an engine makes of pairs."""
+def graded(
+    worker: Worker, pairs: Iterable[Pair], operations: Iterable[Operation], within: mpq, *, whole: bool = True
+) -> Iterator[Graded]:
+    """The judgements on what an engine makes of pairs; without `whole` at some points alone, by which nothing is found
+    right.
+    """
     chosen = tuple(operations)
     for pair in pairs:
         for operation in chosen:
             reply = worker.exchange({"first": pair.first, "second": pair.second, "operation": operation.value})
-            yield _graded(worker.library, operation, pair, reply, within)
+            if "declined" not in reply:
+                yield _graded(worker.library, operation, pair, reply, within, whole)
 
 
-def _graded(engine: str, operation: Operation, pair: Pair, reply: dict[str, str], within: mpq) -> Graded:
+def _graded(engine: str, operation: Operation, pair: Pair, reply: dict[str, str], within: mpq, whole: bool) -> Graded:
     if "raised" in reply:
         return Graded(engine, operation, pair, Outcome.RAISED, why=reply["raised"])
     made, rule = reply["path"], reply["rule"]
@@ -96,7 +109,12 @@ def _graded(engine: str, operation: Operation, pair: Pair, reply: dict[str, str]
         result = Region.of(made, FillRule(rule)) if made else Region(())
     except ExactSplineError as error:
         return Graded(engine, operation, pair, Outcome.RAISED, made, rule, f"not path data: {error}")
-    found = judged(first, second, operation, result, within)
+    points = suspects(first, second, operation, result, float(within))[:SUSPECTS]
+    exact = [(mpq(round(GRID * point.real), GRID), mpq(round(GRID * point.imag), GRID)) for point in points]
+    shown = (judged_at(point, first, second, operation, result, within) for point in exact)
+    found = next(filter(None, shown), None) or (
+        judged(first, second, operation, result, within) if whole else Judgement(None)
+    )
     if found.right is not False:
         return Graded(engine, operation, pair, Outcome.RIGHT if found.right else Outcome.UNDECIDED, made, rule)
     assert found.witness is not None

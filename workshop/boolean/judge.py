@@ -19,6 +19,8 @@ from workshop.boolean.pieces import Box, Piece, Point, Region, is_far, reaching
 
 #: Squares smaller than this fraction of ε are not divided; pieces smaller than that fraction are not halved.
 SMALLEST, FINE = mpq(1, 64), mpq(1, 4)
+#: A point nearer to the result than this fraction of ε is not judged by itself.
+FINEST = mpq(1, 1 << 30)
 #: With this many squares that are not decided no more are looked at.
 MOST = 200
 
@@ -93,6 +95,18 @@ def judged(first: Region, second: Region, operation: Operation, result: Region, 
         else:
             waiting += [(quarter, near, own) for quarter in square.quarters]
     return Judgement(None if undecided else True, undecided=tuple(undecided), squares=squares)
+
+
+def judged_at(
+    point: Point, first: Region, second: Region, operation: Operation, result: Region, within: mpq
+) -> Judgement | None:
+    """The judgement on a result at one point alone: None where it is right there, where the point may be in the tube,
+    and where it may be on the result.
+    """
+    if not is_far((*first.pieces, *second.pieces), point, within) or not is_far(result.pieces, point, within * FINEST):
+        return None
+    inside = operation.holds(first.contains(point), second.contains(point))
+    return None if result.contains(point) == inside else Judgement(False, point, inside)
 
 
 def _around(pieces: Sequence[Piece]) -> Box:

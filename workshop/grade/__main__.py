@@ -19,7 +19,7 @@ from exactspline.errors import FormulaError, nearest
 from exactspline.testing import all_cases
 from workshop.grade.adapters import LIBRARIES
 from workshop.grade.judge import OUTCOMES
-from workshop.grade.report import page, rows, wrong
+from workshop.grade.report import PICTURE, draw, page, rows, wrong
 from workshop.grade.runner import failures, grade
 from workshop.grade.shrink import defects_of
 from workshop.printing import add_formats, ended, on_a_terminal, show
@@ -35,7 +35,7 @@ def arguments(given: Sequence[str] | None) -> argparse.Namespace:
     )
     parser.add_argument("--cases", metavar="N", type=int, default=0, help="the first N cases of each family; 0 for all")
     parser.add_argument("--cache", metavar="FILE", type=Path, help="keep exact answers with certificates (.jsonl.gz)")
-    parser.add_argument("--page", metavar="FILE", default="", help="write the scoreboard in Markdown")
+    parser.add_argument("--page", metavar="FILE", default="", help="write the scoreboard in Markdown, and its picture")
     parser.add_argument(
         "--failures",
         metavar="FILE",
@@ -67,6 +67,7 @@ def main(given: Sequence[str] | None = None) -> int:
     if options.page:
         written = page(reports, defects, chosen, truths.uncertified)
         write_text(options.page, written)
+        draw(reports, str(Path(options.page).parent / PICTURE))
     if options.failures:
         lines = [json.dumps(each, ensure_ascii=False) + "\n" for each in failures(reports)]
         write_text(options.failures, "".join(lines))

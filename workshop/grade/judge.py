@@ -88,7 +88,7 @@ def judged(case: Case, question: str, truth: Answer, reply: Reply) -> Verdict:
     try:
         return _JUDGES[QUESTIONS[question].judged](case, question, truth, reply["answer"])
     except (TypeError, ValueError, KeyError, IndexError, ExactSplineError) as error:
-        return Verdict(OFF, note=f"not an answer of the requested kind ({type(error).__name__})")
+        return Verdict(OFF, note=f"not an answer of the requested kind: {error}")
 
 
 def _middles(truth: Answer) -> list[mpq]:
@@ -99,7 +99,7 @@ def _errors(exact: Sequence[mpq], given: Sequence[float]) -> list[mpq] | None:
     """The absolute errors, None where a number is NaN or missing."""
     values = [float(x) for x in given]
     if len(values) != len(exact):
-        raise ValueError("a different number of numbers")
+        raise ValueError(f"{len(values)} numbers instead of {len(exact)}")
     if not all(map(isfinite, values)):
         return None
     return [abs(from_float(x) - y) for x, y in zip(values, exact, strict=True)]
@@ -326,7 +326,7 @@ def _compared(truth: Answer, answer: Any, soft: list[mpq]) -> Verdict:
     """Lists of parameters against certificates of zero sets; those near a soft parameter may be named or not."""
     missed, invented = list[mpq](), list[mpq]()
     if len(answer) != len(truth["certificates"]):
-        raise ValueError("a different number of lists")
+        raise ValueError(f"{len(answer)} lists instead of {len(truth['certificates'])}")
     for certificate, parameters in zip(truth["certificates"], answer, strict=True):
         form = _Form(certificate)
         values = [float(t) for t in parameters]

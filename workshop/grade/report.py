@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
+from exactspline.display.plot.canvas import BLACK, BLUE, ORANGE, PAGE, SILVER, SKY, VERMILLION, new_figure, save
 from exactspline.numbers.exact import double, mpq, text
 from exactspline.testing import VERSION, Case
-from workshop.grade.judge import OUTCOMES, RIGHT, WRONG
+from workshop.grade.judge import CRASHED, DECLINED, INVENTED, MISSED, OFF, OUTCOMES, RIGHT, TOLERATED, WRONG
 from workshop.grade.questions import QUESTIONS
 from workshop.grade.runner import Judged, Report
 from workshop.grade.shrink import Defect
@@ -62,6 +63,10 @@ def _ulps(ulps: float) -> str:
     return f"off by {ulps:.3g} ulps"
 
 
+#: Where the page expects its picture, and the colours there.
+PICTURE = "pictures/scoreboard.png"
+COLOURS = {OFF: VERMILLION, MISSED: BLUE, INVENTED: ORANGE, CRASHED: BLACK, DECLINED: SILVER, TOLERATED: SKY}
+
 HEAD = """# Libraries compared with exact answers
 
 Made by `./run grade --page docs/scoreboard.md`; do not edit. {cases} cases (version {version}: {families}), {questions}
@@ -70,9 +75,9 @@ independent checker (`workshop/grade/recheck.py`, `exactspline/certificates`) ac
 answers were excluded because it did not. A library is asked only what it offers for the given curve, through its public
 functions (`workshop/grade/adapters`), and is judged with the tolerance of the question (below). A cell shows the right
 answers out of those asked, then the other outcomes; *declined* means that the library reports that it has no answer,
-*tolerated* that what it missed or invented is a matter of the distance δ that it documents ({documented}): missed
-where not all curves within δ have it or the radius of curvature is at most δ, invented where some curve within δ may
-have it or at most δ in space from a place that there is.
+*tolerated* that what it missed or invented is a matter of what it documents:
+
+{documented}
 """
 
 
@@ -92,7 +97,7 @@ def page(
         libraries=len(reports),
         answers=sum(len(report.judged) for report in reports),
         uncertified=len(uncertified),
-        documented="; ".join(f"{name}, {each.where}" for name, each in DOCUMENTED.items()),
+        documented="\n".join(f"- {name}: {each}." for name, each in DOCUMENTED.items()),
     )
     return "\n".join(
         [
@@ -116,7 +121,28 @@ def _overview(reports: Sequence[Report]) -> str:
         counted = Counter(one.verdict.outcome for one in report.judged)
         cells = [str(counted.total()), *(str(counted[outcome]) for outcome in OUTCOMES)]
         lines.append(f"| {report.library} {report.version} | " + " | ".join(cells) + " |")
-    return "\n".join([*lines, ""])
+    picture = "![what is not right, by library: per cent of the answers, one colour per outcome]"
+    return "\n".join([*lines, "", f"{picture}({PICTURE})", ""])
+
+
+def draw(reports: Sequence[Report], path: str) -> None:
+    """Draw how many answers of each library are not right, in per cent, by outcome. Raises `PlotError`."""
+    figure = new_figure(PAGE, 2 + len(reports) / 3)
+    axes, names, left = figure.subplots(), [report.library for report in reports], [0.0] * len(reports)
+    for outcome, colour in COLOURS.items():
+        counts = [sum(one.verdict.outcome == outcome for one in report.judged) for report in reports]
+        widths = [100 * n / max(len(report.judged), 1) for n, report in zip(counts, reports, strict=True)]
+        axes.barh(names, widths, left=left, color=colour, label=outcome)
+        left = [a + b for a, b in zip(left, widths, strict=True)]
+    for row, report in enumerate(reports):
+        axes.annotate(
+            f"{left[row]:.2g} % of {len(report.judged)}", (left[row], row), (4, -4), textcoords="offset points"
+        )
+    axes.set_xlim(0, 1.25 * max(left, default=0) or 1)
+    axes.invert_yaxis()
+    axes.set_xlabel("per cent of the answers that are not right")
+    axes.legend(loc="lower right")
+    save(figure, path)
 
 
 def _scores(reports: Sequence[Report]) -> str:

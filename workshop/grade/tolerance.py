@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from exactspline.errors import ExactSplineError
@@ -16,35 +16,67 @@ from exactspline.testing import Case
 from workshop.grade.data import Answer
 from workshop.grade.judge import INVENTED, MISSED, PLACE, TOLERATED, Verdict
 
-
-@dataclass(frozen=True)
-class Documented:
-    """A distance within which points are one for a library, and where it says so."""
-
-    distance: mpq
-    where: str
-
-
+#: The distance within which points are one for Open CASCADE, its ``Precision::Confusion()``.
+CONFUSION = mpq(1, 10**7)
+#: For fontTools, a cubic s³ − 3Qs + 2R with R² and |Q|³ below this has a threefold root, rounded to so many digits.
+THREEFOLD, ROUNDED = mpq(1, 10**10), 6
+#: What each library documents.
 DOCUMENTED = {
-    "Open CASCADE": Documented(
-        mpq(1, 10**7), "`Precision::Confusion()`: points at most 10⁻⁷ apart are considered to coincide"
-    )
+    "Open CASCADE": (
+        "the distance δ = 10⁻⁷ of `Precision::Confusion()`, within which points are considered to coincide: missed "
+        "where not all curves within δ have it or the radius of curvature is at most δ, invented where some curve "
+        "within δ may have it or at most δ in space from a place that there is"
+    ),
+    "fontTools": (
+        "the threefold roots in the examples of `solveCubic`, which takes the real roots of s³ − 3Qs + 2R for 0 where "
+        "R² and |Q|³ are below 10⁻¹⁰"
+    ),
 }
 #: The features that a question asks for.
 KINDS = {"inflections": (FeatureKind.INFLECTION,), "extrema": (FeatureKind.MAXIMUM, FeatureKind.MINIMUM)}
 
 
 def tolerated(library: str, case: Case, question: str, verdict: Verdict, truth: Answer) -> Verdict:
-    """The verdict without what is a matter of the library's documented distance δ; `TOLERATED` where nothing remains.
+    """The verdict without what is a matter of what the library documents; `TOLERATED` where nothing remains."""
+    if verdict.outcome not in (MISSED, INVENTED):
+        return verdict
+    if library == "Open CASCADE" and question in KINDS:
+        return _within(CONFUSION, case, question, verdict, truth)
+    if library == "fontTools" and question == "roots":
+        return _threefold(case.curve, verdict)
+    return verdict
 
-    A place that was missed is such a matter where not all curves within δ of the curve have it (as far as is proved),
+
+def _remaining(verdict: Verdict, missed: Iterable[mpq], invented: Iterable[mpq]) -> Verdict:
+    """The verdict on these alone."""
+    left, more = tuple(missed), tuple(invented)
+    return replace(verdict, outcome=MISSED if left else INVENTED if more else TOLERATED, missed=left, invented=more)
+
+
+def _threefold(curve: Nurbs, verdict: Verdict) -> Verdict:
+    """A cubic that is taken to have a threefold root: all its roots may be missed, and that one named."""
+    if curve.degree != 3:
+        return verdict
+    y = [point[1] for point in curve.control_points]
+    a, b, c = y[3] - 3 * y[2] + 3 * y[1] - y[0], 3 * (y[2] - 2 * y[1] + y[0]), 3 * (y[1] - y[0])
+    if a == 0:
+        return verdict
+    b, c, d = b / a, c / a, y[0] / a
+    q, r = (b * b - 3 * c) / 9, (2 * b**3 - 9 * b * c + 27 * d) / 54
+    if r * r >= THREEFOLD or abs(q) ** 3 >= THREEFOLD:
+        return verdict
+    reach = mpq(1, 10**ROUNDED)
+    return _remaining(verdict, (), [t for t in verdict.invented if abs(t + b / 3) > reach])
+
+
+def _within(within: mpq, case: Case, question: str, verdict: Verdict, truth: Answer) -> Verdict:
+    """Judged with a distance δ within which points are one.
+
+    A place that was missed is a matter of it where not all curves within δ of the curve have it (as far as is proved),
     or where the radius of curvature is at most δ; one that was invented, where some curve within δ may have it, or
     where it is at most δ in space from a place that there is.
     """
-    documented = DOCUMENTED.get(library)
-    if documented is None or question not in KINDS or verdict.outcome not in (MISSED, INVENTED):
-        return verdict
-    curve, within, kinds = case.curve, documented.distance, KINDS[question]
+    curve, kinds = case.curve, KINDS[question]
     try:
         features = analyse(curve).features_within(within)
     except ExactSplineError:
@@ -55,8 +87,7 @@ def tolerated(library: str, case: Case, question: str, verdict: Verdict, truth: 
     there = [mpq(root["low"]) for each in truth["certificates"] for root in _roots(each)]
     missed = [t for t in verdict.missed if _is_in(t, certain, reach) and not _bends_within(curve, t, within)]
     invented = [t for t in verdict.invented if not _is_in(t, possible, reach) and not _is_near(curve, t, there, within)]
-    outcome = MISSED if missed else INVENTED if invented else TOLERATED
-    return replace(verdict, outcome=outcome, missed=tuple(missed), invented=tuple(invented))
+    return _remaining(verdict, missed, invented)
 
 
 def _roots(certificate: dict[str, Any]) -> list[dict[str, Any]]:

@@ -23,41 +23,21 @@ def conditioning(
     construction: Annotated[
         str, Option("--construction", metavar="NAME", help="zero_curvature or critical_curvature.")
     ] = "critical_curvature",
-    search: Annotated[
-        int, Option("--search", metavar="N", min=0, max=10_000, help="Search N random curves of each family too.")
-    ] = 0,
-    seed: Annotated[
-        int, Option("--seed", metavar="N", help="The seed of the search: the same seed gives the same result.")
-    ] = 0,
 ) -> None:
     """Condition numbers of every zero in every form: naive, paper, minimal; and the error of double precision in
     each.
     """
-    from exactspline.display.conditioning import (
-        comparison_data,
-        comparison_sheet,
-        print_comparisons,
-        tally_data,
-        tally_sheet,
-    )
+    from exactspline.display.conditioning import comparison_data, comparison_sheet, print_comparisons
     from exactspline.verification.conditioning.compare import conditioning as compared
-    from exactspline.verification.conditioning.search import search_witnesses
 
-    chosen, good = loaded(curve or (() if search else WITNESSES))
+    chosen, good = loaded(curve or WITNESSES)
     found = tracked([partial(compared, c, construction) for c in chosen], "comparing")
-    (tallies,) = tracked([lambda: search_witnesses(seed, search)], "searching") if search else ([],)
     pairs = list(zip(chosen, found, strict=True))
     out.give(
         "conditioning",
-        [
-            *({"key": f"{e.curve}: {e.construction}", "what": "curve", "data": comparison_data(e)} for e in found),
-            *(
-                {"key": f"search: {t.family}, {t.construction}, {t.form}", "what": "search", "data": tally_data(t)}
-                for t in tallies
-            ),
-        ],
-        [*[comparison_sheet(c, each) for c, each in pairs], *([tally_sheet(tallies)] if tallies else [])],
-        lambda: print_comparisons(pairs, tallies, quiet=out.quiet),
+        [{"key": f"{e.curve}: {e.construction}", "what": "curve", "data": comparison_data(e)} for e in found],
+        [comparison_sheet(c, each) for c, each in pairs],
+        lambda: print_comparisons(pairs, quiet=out.quiet),
     )
     if not good:
         raise Exit(2)

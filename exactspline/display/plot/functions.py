@@ -76,10 +76,7 @@ def plot_function(
     if scale is not None and (not isinstance(scale, str) or scale not in SCALES):
         raise PlotError(f"{shown(scale)} is not a scale", where="scale", remedy=f"scales are {', '.join(SCALES)}")
     ax = axes_for(ax)
-    spread: list[Point | None] = []
-    for samples in sampled(f, f.breakpoints):
-        spread += samples if not spread or spread[-1] == samples[0] else [None, *samples]
-    graph = joined(spread)
+    graph = _runs(f)
     points = list(zip(greville_abscissae(f), f.control_points, strict=True)) if control_polygon else []
     power = _power([y for _, y in [*points, *[p for run in graph for p in run]]])
     graph, points = (
@@ -96,17 +93,30 @@ def plot_function(
             1 if ax.get_yscale() == "linear" else BENDS,
             polygon_color,
         )
-    for i, run in enumerate(graph):
-        draw(ax, run, color=color, linewidth=1.8, label="_graph" if i else label or "graph", zorder=3)
-    for left, right in pairwise(graph):
-        draw(ax, left[-1:], "o", color=color, markerfacecolor="white", markersize=5, label="_limit", zorder=4)
-        draw(ax, right[:1], "o", color=color, markersize=5, label="_value", zorder=4)
+    _draw_graph(ax, graph, color, label or "graph")
     if roots is not None:
         draw_roots(ax, roots, f.domain, *MARKS[0])
     ax.set_xlabel("parameter")
     ax.set_ylabel(f"value / $10^{{{power}}}$" if power else "value")
     legend_below(ax)
     return ax
+
+
+def _runs(f: BSpline) -> list[list[Point]]:
+    """Points of the graph, in runs without a jump."""
+    spread: list[Point | None] = []
+    for samples in sampled(f, f.breakpoints):
+        spread += samples if not spread or spread[-1] == samples[0] else [None, *samples]
+    return joined(spread)
+
+
+def _draw_graph(ax: Axes, graph: Sequence[Sequence[Point]], color: str, label: str) -> None:
+    """Draw the runs of a graph, and at jumps the limit and the value."""
+    for i, run in enumerate(graph):
+        draw(ax, run, color=color, linewidth=1.8, label="_graph" if i else label, zorder=3)
+    for left, right in pairwise(graph):
+        draw(ax, left[-1:], "o", color=color, markerfacecolor="white", markersize=5, label="_limit", zorder=4)
+        draw(ax, right[:1], "o", color=color, markersize=5, label="_value", zorder=4)
 
 
 def _power(values: Iterable[mpq]) -> int:

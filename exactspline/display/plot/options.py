@@ -26,9 +26,9 @@ def check_options(**given: object) -> None:
     exactspline.display.plot.canvas.PlotError: color: 'reddish' is not a colour; give a name or '#rrggbb'
     """
     for name, value in given.items():
-        is_good, remedy = CHECKS[name]
+        what, is_good, remedy = CHECKS[name]
         if not is_good(value):
-            raise PlotError(f"{shown(value)} is not {WHAT[name]}", where=name, remedy=remedy)
+            raise PlotError(f"{shown(value)} is not {what}", where=name, remedy=remedy)
 
 
 def exact_box(box: Box | None, dimension: int) -> Box | None:
@@ -94,23 +94,15 @@ def _is_label(value: object) -> bool:
     return value is None or isinstance(value, str)
 
 
-_COLOR = (_is_color, "give a name or '#rrggbb'")
-_FLAG = (_is_flag, "give True or False")
-#: For each option: whether a value fits, and what would.
-CHECKS: dict[str, tuple[Callable[[Any], bool], str]] = {
+_COLOR = ("a colour", _is_color, "give a name or '#rrggbb'")
+_FLAG = ("a choice between two", _is_flag, "give True or False")
+_SIZE = f"give a number between 0 and {LARGEST_SIZE}"
+#: For each option: what it is, whether a value is that, and what would be.
+CHECKS: dict[str, tuple[str, Callable[[Any], bool], str]] = {
     **dict.fromkeys(("color", "polygon_color", "net_color"), _COLOR),
     **dict.fromkeys(("control_polygon", "control_net", "knots", "hollow"), _FLAG),
-    "label": (_is_label, "give a text"),
-    "marker": (_is_marker, "give one of matplotlib's, such as 'o', 'D', '^'"),
-    "size": (lambda x: _is_number(x) and 0 < x <= LARGEST_SIZE, f"give a number between 0 and {LARGEST_SIZE}"),
-    "box": (_is_box, "give two opposite corners, the lower one first: ((0, 0), (1, 2))"),
-}
-#: What a value is not.
-WHAT = {
-    **dict.fromkeys(("color", "polygon_color", "net_color"), "a colour"),
-    **dict.fromkeys(("control_polygon", "control_net", "knots", "hollow"), "a choice between two"),
-    "label": "a label",
-    "marker": "a marker",
-    "size": "a size of markers",
-    "box": "a box",
+    "label": ("a label", _is_label, "give a text"),
+    "marker": ("a marker", _is_marker, "give one of matplotlib's, such as 'o', 'D', '^'"),
+    "size": ("a size of markers", lambda x: _is_number(x) and 0 < x <= LARGEST_SIZE, _SIZE),
+    "box": ("a box", _is_box, "give two opposite corners, the lower one first: ((0, 0), (1, 2))"),
 }

@@ -16,9 +16,15 @@ from exactspline.splines.nurbs import Nurbs
 
 
 @overload
-def bisector(first: Nurbs, second: Nurbs) -> CurveBisector: ...
+def bisector(first: Nurbs, second: Nurbs) -> CurveBisector:
+    """The bisector of two curves in space."""
+
+
 @overload
-def bisector(first: Nurbs, second: Iterable[Number]) -> PointBisector | TrimmedBisector: ...
+def bisector(first: Nurbs, second: Iterable[Number]) -> PointBisector | TrimmedBisector:
+    """The bisector of a curve and a point."""
+
+
 def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
     """The bisector of a curve and another curve, or a point (its coordinates), in pieces.
 

@@ -4,10 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from operator import mul
 
 import flint
 
-from exactspline.geometry.recognition.shapes import Circle, Conic, Line, Point, Shape, minus, scalar, upper_square_root
+from exactspline.geometry.recognition.shapes import (
+    NOTHING,
+    Circle,
+    Conic,
+    Line,
+    Point,
+    Shape,
+    minus,
+    scalar,
+    upper_square_root,
+)
 from exactspline.numbers.exact import decimal_unit, from_flint, mpq, over_one_denominator, to_fmpq
 
 #: The points from which a shape is guessed, at most.
@@ -18,6 +29,8 @@ WORSE = 1024
 #: `FINE` times the distance that the guess leaves.
 ROUND = mpq(1, 2**64)
 FINE = mpq(1, 32)
+#: Bits behind the point, more than conics through points that are almost on several need.
+FIXED = 384
 
 
 def candidates(points: Sequence[Point], limit: mpq) -> Iterator[Shape]:
@@ -29,23 +42,24 @@ def candidates(points: Sequence[Point], limit: mpq) -> Iterator[Shape]:
     line: point (0, 0), direction (2, 4)
     """
     squared = limit * limit
-    if (line := _line(points)) is not None and _farthest(line, points) <= squared:
+    if (line := _line(points)) is not None and _all_near(line, points, squared):
         yield line
     in_plane = len(points[0]) == 2
     makers = ((_circle_through, 3, _fitted_circle), (_conic_through, 5, _fitted_conic))
     for through, count, fitted in makers if in_plane else ((_circle_in_space_through, 3, _fitted_circle_in_space),):
         first = through(_spread(points[:-1], count))
-        away = None if first is None else _farthest(first, points)
-        if away is None or away > squared * WORSE * WORSE:
+        if first is None or not _all_near(first, points, squared * WORSE * WORSE):
             continue
-        found = fitted(_spread(points, MOST_POINTS)) if away else first
-        if found is not None and _farthest(found, points) <= squared:
+        found = first if _all_near(first, points, NOTHING) else fitted(_spread(points, MOST_POINTS))
+        if found is not None and _all_near(found, points, squared):
             yield found
 
 
-def _farthest(shape: Shape, points: Sequence[Point]) -> mpq:
-    """About the square of the largest distance of the points."""
-    return max(map(shape.estimate, points))
+def _all_near(shape: Shape, points: Sequence[Point], squared: mpq) -> bool:
+    """Whether about the square of the distance of no point is above this; from the last point on, which is not one of
+    those through which a shape was laid.
+    """
+    return all(shape.estimate(point) <= squared for point in reversed(points))
 
 
 def _spread(points: Sequence[Point], count: int) -> list[Point]:
@@ -87,10 +101,9 @@ def _solved(rows: Sequence[Sequence[mpq]], right: Sequence[mpq]) -> list[mpq] | 
 
 def _line(points: Sequence[Point]) -> Line | None:
     """From the first point to the last, or to the one farthest from it."""
-    start = points[0]
-    end = max(points, key=lambda point: scalar(minus(point, start), minus(point, start)))
-    direction = minus(end, start)
-    return Line(start, direction) if any(direction) else None
+    offsets = [minus(point, points[0]) for point in points]
+    direction = max(offsets, key=lambda offset: scalar(offset, offset))
+    return Line(points[0], direction) if any(direction) else None
 
 
 # ---- circles
@@ -102,10 +115,14 @@ def _circle_through(points: Sequence[Point], normal: Point = ()) -> Circle | Non
         return None
     a, b, c = points
     sides = [minus(x, a) for x in (b, c)]
-    rows, right = [*sides], [scalar(x, x) / 2 for x in sides]
+    right = [scalar(x, x) / 2 for x in sides]
+    step: Sequence[mpq] | None
     if normal:
-        rows, right = [*rows, normal], [*right, mpq(0)]
-    step = _solved(rows, right)
+        step = _solved([*sides, normal], [*right, NOTHING])
+    else:
+        (x, y), (u, v) = sides
+        area = x * v - y * u
+        step = ((right[0] * v - right[1] * y) / area, (right[1] * x - right[0] * u) / area) if area else None
     if step is None:
         return None
     return Circle(tuple(x + y for x, y in zip(a, step, strict=True)), scalar(step, step), normal)
@@ -192,12 +209,29 @@ def _conic(k: Sequence[mpq]) -> Conic | None:
 
 
 def _conic_through(points: Sequence[Point]) -> Conic | None:
-    """The conic through five points."""
+    """The conic through five points: of the conics through the first four, which two pairs of lines span."""
     if len(points) < 5:
         return None
-    rows = [over_one_denominator(_monomials(point))[0] for point in points]
-    basis, count = flint.fmpz_mat(rows).nullspace()
-    return _conic([from_flint(basis[i, 0]) for i in range(6)]) if count == 1 else None
+    numbers, unit = over_one_denominator([x for point in points for x in point])
+    first, second, third, fourth, (x, y) = list(zip(numbers[::2], numbers[1::2], strict=True))
+    pairs = []
+    for b, c in ((second, third), (third, second)):
+        (p, q, r), (s, t, u) = _through(first, b), _through(c, fourth)
+        pairs.append(
+            (
+                (p * x + q * y + r) * (s * x + t * y + u),
+                (p * s, p * t + q * s, q * t, p * u + r * s, q * u + r * t, r * u),
+            )
+        )
+    (v, one), (w, other) = pairs
+    degrees = (2, 2, 2, 1, 1, 0)
+    return _conic([mpq((w * k - v * m) * unit**e) for k, m, e in zip(one, other, degrees, strict=True)])
+
+
+def _through(a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int, int]:
+    """The coefficients of x, y and 1 in the equation of the line through two points."""
+    (x, y), (u, v) = a, b
+    return y - v, u - x, x * v - y * u
 
 
 def _fitted_conic(points: Sequence[Point]) -> Conic | None:
@@ -208,21 +242,48 @@ def _fitted_conic(points: Sequence[Point]) -> Conic | None:
         return None
     middle, size = _box(points)
     local = [tuple(_rounded((x - m) / size, ROUND) for x, m in zip(p, middle, strict=True)) for p in points]
-    columns = list(zip(*map(_monomials, local), strict=True))
-    scatter = [[scalar(x, y) + (ROUND * ROUND if x is y else 0) for y in columns] for x in columns]
-    k = [mpq(1, i + 2) for i in range(6)]
-    for _ in range(3):
-        solution = _solved(scatter, k)
-        if solution is None:
-            return None
-        largest = max(solution, key=abs)
-        k = [_rounded(x / largest, ROUND * ROUND) for x in solution]
-    found = _conic(k)
+    found = _conic(k) if (k := _smallest(local)) else None
     left = found and max(map(found.estimate, local))
     if not left:
         return None
     unit = mpq(2) ** (1 - (1 / (upper_square_root(left) * FINE)).numerator.bit_length())
     return _moved([_rounded(x, unit) for x in k], middle, size)
+
+
+def _smallest(points: Sequence[Point]) -> list[mpq]:
+    """The coefficients, the largest of them 1, with the least sum of squares at points whose coordinates are multiples
+    of `ROUND`, to twice its digits; none where there is no such conic. In numbers of a fixed number of bits.
+    """
+    unit = int(1 / ROUND)
+    whole = [[int(x * unit) for x in point] for point in points]
+    columns = [*zip(*[(x * x, x * y, y * y, x * unit, y * unit, unit * unit) for x, y in whole], strict=True)]
+    scatter = [[sum(map(mul, x, y)) << FIXED for y in columns[: i + 1]] for i, x in enumerate(columns)]
+    for row in scatter:
+        row[-1] += unit * unit << FIXED
+    # the matrix is L D Lᵀ
+    lower, diagonal = [[0] * 6 for _ in range(6)], list[int]()
+    for j in range(6):
+        weighted = [x * d >> FIXED for x, d in zip(lower[j], diagonal, strict=False)]
+        pivot = scatter[j][j] - (sum(map(mul, lower[j], weighted)) >> FIXED)
+        if pivot <= 0:
+            return []
+        diagonal.append(pivot)
+        for i in range(j + 1, 6):
+            lower[i][j] = ((scatter[i][j] << FIXED) - sum(map(mul, lower[i], weighted))) // pivot
+    upper = [*zip(*lower, strict=True)]
+    # a start that is in no way special
+    numbers, fine = [210, 140, 105, 84, 70, 60], unit * unit
+    for _ in range(3):
+        for i in range(6):
+            numbers[i] = (numbers[i] << FIXED) - (sum(map(mul, lower[i], numbers[:i])) >> FIXED)
+        numbers = [(x << 2 * FIXED) // d for x, d in zip(numbers, diagonal, strict=True)]
+        for i in range(4, -1, -1):
+            numbers[i] -= sum(map(mul, upper[i][i + 1 :], numbers[i + 1 :])) >> FIXED
+        largest = max(numbers, key=abs)
+        if not largest:
+            return []
+        numbers = [(2 * fine * x + largest) // (2 * largest) for x in numbers]
+    return [mpq(x, fine) for x in numbers]
 
 
 def _moved(k: Sequence[mpq], middle: Point, size: mpq) -> Conic | None:

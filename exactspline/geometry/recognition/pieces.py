@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, count, pairwise
+from operator import mul
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.candidates import candidates
@@ -23,8 +24,8 @@ from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
 
-#: Where in a segment points are taken to guess a shape.
-PLACES = tuple(mpq(i, 6) for i in range(1, 6))
+#: A segment is divided into this many parts, at whose ends points are taken to guess a shape.
+PARTS = 6
 #: The distance that is asked for where none is given, in units of the curve's size.
 SMALL = mpq(1, 10**9)
 #: Factors, at first, by which the bound that is proved may exceed the distance found at these points.
@@ -138,8 +139,15 @@ def small_distance(curve: Nurbs) -> mpq:
 
 def _points(curve: Nurbs) -> list[list[Point]]:
     """Points of each segment, from its start to its end."""
-    mesh = pairwise(curve.breakpoints)
-    return [[curve(a), *[curve(a + (b - a) * t) for t in PLACES], curve(b, "left")] for a, b in mesh]
+    n, found = curve.degree, []
+    basis = [[(PARTS - i) ** (n - k) * i**k for k in range(n + 1)] for i in range(PARTS + 1)]
+    splines = list(curve.p) if curve.polynomial else [*curve.p, curve.w]
+    for i in range(curve.segments):
+        rows = [([*map(int, f._polynomials[i].coeffs())], int(f.denominators[i])) for f in splines]
+        values = [[mpq(sum(map(mul, c, own)), below) for own in basis] for c, below in rows]
+        below = [mpq(PARTS**n)] * (PARTS + 1) if curve.polynomial else values.pop()
+        found.append([tuple([x / w for x in point]) for *point, w in zip(*values, below, strict=True)])
+    return found
 
 
 def _size(points: Sequence[Sequence[Point]]) -> mpq:

@@ -14,6 +14,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from operator import mul, sub
 
 from gmpy2 import isqrt
 
@@ -26,6 +27,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.words import Word
 
 Point = tuple[mpq, ...]
+NOTHING = mpq(0)
 #: Steps along the gradient lead to the shape within this multiple of E.
 ALONG_GRADIENT = mpq(17, 16)
 #: How much larger than EΛ the gradient has to be for that.
@@ -300,12 +302,12 @@ def _along(vector: Vector[BSpline], direction: Sequence[mpq]) -> BSpline:
 
 def scalar(a: Sequence[mpq], b: Sequence[mpq]) -> mpq:
     """The scalar product of two tuples of numbers."""
-    return sum((x * y for x, y in zip(a, b, strict=True)), start=mpq(0))
+    return sum(map(mul, a, b), start=NOTHING)
 
 
 def minus(a: Point, b: Point) -> Point:
     """The vector from b to a."""
-    return tuple(x - y for x, y in zip(a, b, strict=True))
+    return tuple(map(sub, a, b))
 
 
 def upper_square_root(q: mpq) -> mpq:

@@ -44,6 +44,6 @@ def to_geomdl(curve: Nurbs) -> geomdl.abstract.Curve:
     if curve.polynomial:
         made.ctrlpts = [doubles(point) for point in curve.control_points]
     else:
-        made.ctrlptsw = [doubles(point) for point in homogeneous(curve)]
+        made.ctrlptsw = [doubles(homogeneous(*each)) for each in zip(curve.control_points, curve.weights, strict=True)]
     made.knotvector = doubles(curve.knots)
     return made

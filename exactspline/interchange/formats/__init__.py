@@ -5,6 +5,7 @@ Files are recognized by content; the formats are tried in the order of this list
 
 from __future__ import annotations
 
+from exactspline.interchange import own_json
 from exactspline.interchange.formats import (
     brep,
     control_points,
@@ -16,7 +17,6 @@ from exactspline.interchange.formats import (
     glif,
     iges,
     irit,
-    own_json,
     rhino,
     step,
     svg,

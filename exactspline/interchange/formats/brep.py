@@ -15,10 +15,10 @@ from exactspline.errors import CurveFileError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, finite_double
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.records import Format, Reading, Source
 from exactspline.interchange.segments import bezier_knots, ellipse
 from exactspline.interchange.tokens import Tokens
-from exactspline.interchange.writing import cartesian
+from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
@@ -135,29 +135,25 @@ def _ellipse(collector: Collector, words: Tokens, dimension: int, where: str, ki
     collector.add_segments(name, where, ellipse(frame), notes=[note])
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """Space curves under ``Curves``, each with an edge and its vertices in a compound; plane curves under ``Curve2ds``
     without edges, because a plane curve is an edge only on a surface.
     """
-    plane = [named.curve for named in curves if named.curve.dimension == 2]
-    space = [named.curve for named in curves if named.curve.dimension == 3]
-    if len(plane) + len(space) != len(curves):
+    plane, space = ([spline for spline in splines if spline.dimension == n] for n in (2, 3))
+    if len(plane) + len(space) != len(splines):
         raise CurveFileError("a curve that is neither in the plane nor in space", remedy="choose another format")
     lines = ["DBRep_DrawableShape", "", "CASCADE Topology V1, (c) Matra-Datavision", "Locations 0"]
     for title, group in (("Curve2ds", plane), ("Curves", space)):
         lines.append(f"{title} {len(group)}")
-        for curve in group:
-            lines += _written(curve, numbers)
+        for spline in group:
+            lines += _written(spline, numbers)
     lines += ["Polygon3D 0", "PolygonOnTriangulations 0", "Surfaces 0", "Triangulations 0", ""]
-    return "\n".join([*lines, *_shapes(space), ""]).encode()
+    return "\n".join([*lines, *_shapes([spline.curve for spline in space]), ""]).encode()
 
 
-def _written(curve: Nurbs, numbers: NumberText) -> list[str]:
-    rational = not curve.polynomial
-    rows = [
-        " ".join(map(numbers, [*point, *([weight] if rational else [])]))
-        for point, weight in zip(cartesian(curve), curve.weights, strict=True)
-    ]
+def _written(spline: Spline, numbers: NumberText) -> list[str]:
+    curve, rational = spline.curve, not spline.polynomial
+    rows = [" ".join(map(numbers, [*point, *([weight] if rational else [])])) for point, weight in spline.cartesian()]
     pairs = zip(curve.knots.breakpoints, curve.knots.multiplicities, strict=True)
     knots = " ".join(f"{numbers(knot)} {times}" for knot, times in pairs)
     counts = f"{curve.degree} {len(rows)} {len(curve.knots.breakpoints)}"

@@ -18,9 +18,9 @@ from exactspline.interchange.affine import Affine, cross, unit
 from exactspline.interchange.angles import quarter_turns_of_degrees, quarter_turns_of_radians
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, whole
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.records import Format, Reading, Source
 from exactspline.interchange.segments import Segment, arc_around_origin, bulged, mapped, polynomial
-from exactspline.interchange.writing import in_space
+from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 
 CLOSED, PERIODIC, RATIONAL, PLANAR = 1, 2, 4, 8
@@ -267,19 +267,19 @@ _READERS: dict[str, Callable[[_Values], None]] = {
 }
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """The curves as SPLINE entities of a drawing in the AutoCAD 2000 format (AC1015)."""
     pairs: list[tuple[int, str]] = [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1015"), (0, "ENDSEC")]
     pairs += [(0, "SECTION"), (2, "ENTITIES")]
-    for handle, named in enumerate(curves, 0x100):
-        curve, points = named.curve, in_space(named.curve)
+    for handle, spline in enumerate(splines, 0x100):
+        curve, points = spline.curve, spline.in_space()
         flags = (PLANAR if curve.dimension == 2 else 0) | (0 if curve.polynomial else RATIONAL)
         flags |= CLOSED if curve.closed else 0
         pairs += [(0, "SPLINE"), (5, f"{handle:X}"), (100, "AcDbEntity"), (8, "0"), (100, "AcDbSpline")]
         pairs += [(210, "0"), (220, "0"), (230, "1"), (70, str(flags)), (71, str(curve.degree))]
         pairs += [(72, str(len(curve.knots))), (73, str(len(points))), (74, "0")]
         pairs += [(40, numbers(knot)) for knot in curve.knots]
-        for point, weight in zip(points, curve.weights, strict=True):
+        for point, weight in points:
             pairs += [(code, numbers(x)) for code, x in zip((10, 20, 30), point, strict=True)]
             pairs += [] if curve.polynomial else [(41, numbers(weight))]
     pairs += [(0, "ENDSEC"), (0, "EOF")]

@@ -10,14 +10,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from math import prod
 
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.records import Format, Reading, Source
 from exactspline.interchange.tokens import Tokens
-from exactspline.interchange.writing import homogeneous, homogeneous_net, net_rows
+from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
-from exactspline.splines.surface import NurbsSurface
 
 CURVE, SURFACE, POINTS, LINES, VOLUME = 100, 200, 400, 410, 700
 CLASSES = {
@@ -51,11 +51,8 @@ def read(source: Source) -> Reading:
         number += 1
         where = f"object {number} (line {words.line})"
         words.numbers(words.count())
-        if kind == CURVE:
-            _curve(collector, words, where)
-            continue
-        if kind == SURFACE:
-            _surface(collector, words, where)
+        if kind in (CURVE, SURFACE):
+            _spline(collector, words, where, kind)
             continue
         collector.skip(CLASSES.get(kind, f"class {kind}"), where, "not a spline curve", curve=kind in OTHER_CURVES)
         if kind == VOLUME:
@@ -68,21 +65,14 @@ def read(source: Source) -> Reading:
     return collector.reading()
 
 
-def _curve(collector: Collector, words: Tokens, where: str) -> None:
-    dimension, rational = words.count(), words.whole()
-    count, order = words.count(), words.count()
-    knots = words.numbers(count + order)
-    points = words.rows(count, dimension + (rational != 0))
-    collector.add("spline curve", where, order - 1, knots, points, homogeneous=rational != 0)
-
-
-def _surface(collector: Collector, words: Tokens, where: str) -> None:
+def _spline(collector: Collector, words: Tokens, where: str, kind: int) -> None:
     dimension, rational = words.count(), words.whole() != 0
-    (m, knots_u), (n, knots_v) = (_side(words) for _ in range(2))
-    points = words.rows((len(knots_u) - m) * (len(knots_v) - n), dimension + rational)
-    with collector.skipping("spline surface", where, curve=False):
-        degree = m - 1, n - 1
-        collector.add_surface("spline surface", where, degree, (knots_u, knots_v), points, homogeneous=rational)
+    sides = [_side(words) for _ in range(1 if kind == CURVE else 2)]
+    points = words.rows(prod(len(knots) - order for order, knots in sides), dimension + rational)
+    what = CLASSES.get(kind, "spline curve")
+    with collector.skipping(what, where, curve=kind == CURVE):
+        degrees, knots = [order - 1 for order, _ in sides], [knots for _, knots in sides]
+        collector.add_spline(what, where, degrees, knots, points, homogeneous=rational)
 
 
 def _side(words: Tokens) -> tuple[int, Sequence[mpq]]:
@@ -100,33 +90,16 @@ def _step_over(words: Tokens, parameters: int) -> None:
     words.rows(total, length)
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves, one object per curve."""
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+    """One object per curve or surface."""
     lines = []
-    for curve in (named.curve for named in curves):
-        rational = not curve.polynomial
-        lines += [
-            f"{CURVE} 1 0 0",
-            f"{curve.dimension} {int(rational)}",
-            f"{len(curve.control_points)} {curve.degree + 1}",
-            " ".join(map(numbers, curve.knots)),
-        ]
-        lines += [" ".join(map(numbers, row)) for row in (homogeneous(curve) if rational else curve.control_points)]
-        lines.append("")
+    for spline in splines:
+        rational, kind = int(not spline.polynomial), SURFACE if spline.is_surface else CURVE
+        lines += [f"{kind} 1 0 0", f"{spline.dimension} {rational}"]
+        for degree, knots, count in zip(spline.degrees, spline.knots, spline.counts, strict=True):
+            lines += [f"{count} {degree + 1}", " ".join(map(numbers, knots))]
+        lines += [*(" ".join(map(numbers, row)) for row in spline.rows()), ""]
     return "\n".join(lines).encode()
 
 
-def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
-    """The surfaces, one object per surface."""
-    lines = []
-    for surface in surfaces:
-        rational = not surface.polynomial
-        lines += [f"{SURFACE} 1 0 0", f"{surface.dimension} {int(rational)}"]
-        for degree, knots in zip(surface.degree, surface.knots, strict=True):
-            lines += [f"{len(list(knots)) - degree - 1} {degree + 1}", " ".join(map(numbers, knots))]
-        rows = homogeneous_net(surface) if rational else [point for point, _ in net_rows(surface)]
-        lines += [*(" ".join(map(numbers, row)) for row in rows), ""]
-    return "\n".join(lines).encode()
-
-
-FORMAT = Format("g2", "SISL and GoTools text", (".g2",), looks_like, read, write, write_surfaces=write_surfaces)
+FORMAT = Format("g2", "SISL and GoTools text", (".g2",), looks_like, read, write, surfaces=True)

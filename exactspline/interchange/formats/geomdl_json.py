@@ -16,10 +16,9 @@ from exactspline.interchange.collector import Collector
 from exactspline.interchange.formats.control_points import complete
 from exactspline.interchange.json_files import parsed
 from exactspline.interchange.numbers import NumberText, whole
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.writing import cartesian, cartesian_net
+from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
-from exactspline.splines.surface import NurbsSurface
 
 
 def looks_like(head: bytes) -> bool:
@@ -38,7 +37,7 @@ def read(source: Source) -> Reading:
         where = f"shape {number}"
         surface = isinstance(entry, dict) and "knotvector_u" in entry and "knotvector_w" not in entry
         try:
-            (_surface if surface else _curve)(collector, entry, where)
+            _spline(collector, entry, where, ("_u", "_v") if surface else ("",))
         except ExactSplineError as error:
             # volumes are also shapes
             kind = entry.get("type", "curve") if isinstance(entry, dict) else "curve"
@@ -56,17 +55,6 @@ def _entries(data: object) -> Iterator[Any]:
         yield entry if kind == "curve" or not isinstance(entry, dict) else entry | {"type": str(kind)}
 
 
-def _surface(collector: Collector, entry: Any, where: str) -> None:
-    points, weights = _points(collector, entry)
-    m, n = (whole(str(entry.get(f"degree_{side}", ""))) for side in "uv")
-    knots_u, knots_v = (_row(collector, entry.get(f"knotvector_{side}")) for side in "uv")
-    if entry.get("trims"):
-        collector.note("trims of surfaces are not read")
-    name = str(entry.get("name", "") or "")
-    parts = (m, n), (knots_u, knots_v), points, weights
-    collector.add_surface("surface", where, *parts, u_fastest=False, name=name)
-
-
 def _points(collector: Collector, entry: Any) -> tuple[list[list[mpq]], list[mpq] | None]:
     """The control points and the weights of a shape."""
     points = entry.get("control_points")
@@ -78,19 +66,17 @@ def _points(collector: Collector, entry: Any) -> tuple[list[list[mpq]], list[mpq
     return [_row(collector, row) for row in rows], None if weights is None else _row(collector, weights)
 
 
-def _curve(collector: Collector, entry: Any, where: str) -> None:
-    if not isinstance(entry, dict) or entry.get("type", "spline") not in ("spline", "curve"):
+def _spline(collector: Collector, entry: Any, where: str, sides: Sequence[str]) -> None:
+    """Read a shape whose parameters have these suffixes."""
+    if len(sides) == 1 and (not isinstance(entry, dict) or entry.get("type", "spline") not in ("spline", "curve")):
         raise CurveFileError("is not a spline curve", remedy="shapes of type curve are read")
     points, weights = _points(collector, entry)
-    collector.add(
-        "curve",
-        where,
-        whole(str(entry.get("degree", ""))),
-        _row(collector, entry.get("knotvector")),
-        points,
-        weights,
-        name=str(entry.get("name", "") or ""),
-    )
+    degrees = [whole(str(entry.get(f"degree{side}", ""))) for side in sides]
+    knots = [_row(collector, entry.get(f"knotvector{side}")) for side in sides]
+    if entry.get("trims"):
+        collector.note("trims of surfaces are not read")
+    what, name = "curve" if len(sides) == 1 else "surface", str(entry.get("name", "") or "")
+    collector.add_spline(what, where, degrees, knots, points, weights, u_fastest=False, name=name)
 
 
 def _arrays(collector: Collector, data: dict[str, Any]) -> None:
@@ -112,42 +98,25 @@ def _row(collector: Collector, values: Any) -> list[mpq]:
     return collector.numbers(list(map(str, values)))
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as one shape, with numbers as JSON numbers."""
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+    """The curves or surfaces as one shape, with numbers as JSON numbers."""
+    kind, sides = ("surface", ("_u", "_v")) if splines[0].is_surface else ("curve", ("",))
     entries = []
-    for named in curves:
-        curve = named.curve
-        rows = ", ".join(f"[{', '.join(map(numbers, point))}]" for point in cartesian(curve))
-        weights = "" if curve.polynomial else f', "weights": [{", ".join(map(numbers, curve.weights))}]'
-        entries.append(
-            f'  {{"type": "spline", "name": {json.dumps(named.name)}, "degree": {curve.degree}, '
-            f'"dimension": {curve.dimension}, "rational": {json.dumps(not curve.polynomial)},\n'
-            f'   "knotvector": [{", ".join(map(numbers, curve.knots))}],\n'
-            f'   "control_points": {{"points": [{rows}]{weights}}}}}'
-        )
-    body = ",\n".join(entries)
-    return f'{{"shape": {{"type": "curve", "count": {len(entries)}, "data": [\n{body}\n]}}}}\n'.encode()
-
-
-def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
-    """The surfaces as one shape, with numbers as JSON numbers."""
-    entries = []
-    for surface in surfaces:
-        net, sides = cartesian_net(surface, u_fastest=False), zip("uv", surface.degree, surface.knots, strict=True)
+    for spline in splines:
+        net = spline.cartesian(u_fastest=False)
         rows = ", ".join(f"[{', '.join(map(numbers, point))}]" for point, _ in net)
-        weights = "" if surface.polynomial else f', "weights": [{", ".join(numbers(w) for _, w in net)}]'
+        weights = "" if spline.polynomial else f', "weights": [{", ".join(numbers(w) for _, w in net)}]'
         parts = [
-            f'"degree_{side}": {degree}, "size_{side}": {len(list(knots)) - degree - 1}, '
-            f'"knotvector_{side}": [{", ".join(map(numbers, knots))}],'
-            for side, degree, knots in sides
+            f'"degree{side}": {degree}, "size{side}": {count}, "knotvector{side}": [{", ".join(map(numbers, knots))}],'
+            for side, degree, count, knots in zip(sides, spline.degrees, spline.counts, spline.knots, strict=True)
         ]
         entries.append(
-            f'  {{"type": "spline", "name": {json.dumps(surface.name)}, "dimension": {surface.dimension}, '
-            f'"rational": {json.dumps(not surface.polynomial)},\n   {" ".join(parts)}\n'
+            f'  {{"type": "spline", "name": {json.dumps(spline.name)}, "dimension": {spline.dimension}, '
+            f'"rational": {json.dumps(not spline.polynomial)},\n   {" ".join(parts)}\n'
             f'   "control_points": {{"points": [{rows}]{weights}}}}}'
         )
     body = ",\n".join(entries)
-    return f'{{"shape": {{"type": "surface", "count": {len(entries)}, "data": [\n{body}\n]}}}}\n'.encode()
+    return f'{{"shape": {{"type": "{kind}", "count": {len(entries)}, "data": [\n{body}\n]}}}}\n'.encode()
 
 
-FORMAT = Format("geomdl", "geomdl JSON", (".json",), looks_like, read, write, write_surfaces=write_surfaces)
+FORMAT = Format("geomdl", "geomdl JSON", (".json",), looks_like, read, write, surfaces=True)

@@ -9,11 +9,10 @@ from collections.abc import Sequence
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, whole
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.writing import Point, cartesian, cartesian_net
+from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.writing import Spline
 from exactspline.interchange.xml_tree import Element, attribute, parse
 from exactspline.numbers.exact import mpq
-from exactspline.splines.surface import NurbsSurface
 
 CURVES = ("BSpline", "Nurbs")
 SURFACES = ("TensorBSpline2", "TensorNurbs2")
@@ -40,12 +39,8 @@ def read(source: Source) -> Reading:
         with collector.skipping(f"geometry {kind}", where, curve=kind in CURVES):
             sides, points, weights = _parts(collector, element, 1 if kind in CURVES else 2)
             name = element.attributes.get("label", "")
-            what, (degrees, vectors) = f"geometry {kind}", zip(*sides, strict=True)
-            if kind in CURVES:
-                collector.add(what, where, degrees[0], vectors[0], points, weights, name=name)
-            else:
-                pair, knots = (degrees[0], degrees[1]), (vectors[0], vectors[1])
-                collector.add_surface(what, where, pair, knots, points, weights, name=name)
+            degrees, vectors = zip(*sides, strict=True)
+            collector.add_spline(f"geometry {kind}", where, degrees, vectors, points, weights, name=name)
     return collector.reading()
 
 
@@ -85,57 +80,32 @@ def _side(collector: Collector, vector: Element) -> Side:
     return whole(vector.attributes.get("degree", "")), collector.numbers(vector.text.split())
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves, one geometry per curve."""
-    geometries = []
-    for i, named in enumerate(curves):
-        curve = named.curve
-        basis = [' <Basis type="BSplineBasis">', f"  {_vector(curve.degree, curve.knots.knots, numbers)}", " </Basis>"]
-        head = f'<Geometry type="{CURVES[not curve.polynomial]}" id="{i}" label={attribute(named.name)}>'
-        rational = None if curve.polynomial else ("NurbsBasis", curve.weights)
-        geometries.append([head, *_geometry(basis, rational, cartesian(curve), numbers)])
-    return _document(geometries)
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+    """One geometry per curve or surface."""
+    lines = ['<?xml version="1.0" encoding="UTF-8"?>', "<xml>"]
+    for i, spline in enumerate(splines):
+        points, weights = zip(*spline.cartesian(), strict=True)
+        kind = (SURFACES if spline.is_surface else CURVES)[not spline.polynomial]
+        basis = _basis(spline, numbers)
+        if not spline.polynomial:
+            written = f"  <weights>{' '.join(map(numbers, weights))}</weights>"
+            tensor = "TensorNurbsBasis2" if spline.is_surface else "NurbsBasis"
+            basis = [f' <Basis type="{tensor}">', *basis, written, " </Basis>"]
+        rows = [" ".join(map(numbers, point)) for point in points]
+        lines += [f'<Geometry type="{kind}" id="{i}" label={attribute(spline.name)}>', *basis]
+        lines += [f' <coefs geoDim="{spline.dimension}">', *rows, " </coefs>", "</Geometry>"]
+    return "\n".join([*lines, "</xml>", ""]).encode()
 
 
-def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
-    """The surfaces, one geometry per surface."""
-    geometries = []
-    for i, surface in enumerate(surfaces):
-        points, weights = zip(*cartesian_net(surface), strict=True)
-        vectors = [
-            f'  <Basis type="BSplineBasis" index="{k}">{_vector(degree, knots.knots, numbers)}</Basis>'
-            for k, (degree, knots) in enumerate(zip(surface.degree, surface.knots, strict=True))
-        ]
-        basis = [' <Basis type="TensorBSplineBasis2">', *vectors, " </Basis>"]
-        head = f'<Geometry type="{SURFACES[not surface.polynomial]}" id="{i}" label={attribute(surface.name)}>'
-        rational = None if surface.polynomial else ("TensorNurbsBasis2", weights)
-        geometries.append([head, *_geometry(basis, rational, points, numbers)])
-    return _document(geometries)
+def _basis(spline: Spline, numbers: NumberText) -> list[str]:
+    vectors = [
+        f'<KnotVector degree="{degree}">{" ".join(map(numbers, knots))}</KnotVector>'
+        for degree, knots in zip(spline.degrees, spline.knots, strict=True)
+    ]
+    if not spline.is_surface:
+        return [' <Basis type="BSplineBasis">', f"  {vectors[0]}", " </Basis>"]
+    bases = [f'  <Basis type="BSplineBasis" index="{k}">{vector}</Basis>' for k, vector in enumerate(vectors)]
+    return [' <Basis type="TensorBSplineBasis2">', *bases, " </Basis>"]
 
 
-def _vector(degree: int, knots: Sequence[mpq], numbers: NumberText) -> str:
-    return f'<KnotVector degree="{degree}">{" ".join(map(numbers, knots))}</KnotVector>'
-
-
-def _geometry(
-    basis: list[str], rational: tuple[str, Sequence[mpq]] | None, points: Sequence[Point], numbers: NumberText
-) -> list[str]:
-    """What is in a geometry: the basis, in a rational one with weights where there is one, and the control points."""
-    if rational is not None:
-        kind, weights = rational
-        basis = [
-            f' <Basis type="{kind}">',
-            *basis,
-            f"  <weights>{' '.join(map(numbers, weights))}</weights>",
-            " </Basis>",
-        ]
-    rows = [" ".join(map(numbers, point)) for point in points]
-    return [*basis, f' <coefs geoDim="{len(points[0])}">', *rows, " </coefs>", "</Geometry>"]
-
-
-def _document(geometries: Sequence[list[str]]) -> bytes:
-    lines = [line for geometry in geometries for line in geometry]
-    return "\n".join(['<?xml version="1.0" encoding="UTF-8"?>', "<xml>", *lines, "</xml>", ""]).encode()
-
-
-FORMAT = Format("gismo", "G+Smo XML", (".xml",), looks_like, read, write, write_surfaces=write_surfaces)
+FORMAT = Format("gismo", "G+Smo XML", (".xml",), looks_like, read, write, surfaces=True)

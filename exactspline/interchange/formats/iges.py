@@ -17,11 +17,11 @@ from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.iges_records import Entry, entries, formatted, unit_of
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.records import Format, Reading, Source
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped, polynomial
-from exactspline.interchange.writing import cartesian_net, in_space
+from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
-from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.nurbs import Nurbs
 
 ARC, COMPOSITE, CONIC, LINE, MATRIX, SPLINE, SURFACE = 100, 102, 104, 110, 124, 126, 128
 NAMES = {
@@ -152,14 +152,13 @@ def _surface(collector: Collector, entry: Entry, where: str, placed: Affine) -> 
     weights, points = values.numbers(count), [placed(point) for point in values.rows(count)]
     ends = values.numbers(4)
     sides = [_used(*side) for side in zip(knots, (m, n), ends[::2], ends[1::2], strict=True)]
-    for _, remarks in sides:
-        for remark in remarks:
-            collector.note(f"{where}: {remark}")
+    notes = [remark for _, remarks in sides for remark in remarks]
     whole = [(vector[d], vector[-d - 1]) for vector, d in zip(knots, (m, n), strict=True)]
     used_u, used_v = (part or domain for (part, _), domain in zip(sides, whole, strict=True))
     plain = None if polynomial and set(weights) == {1} else weights
-    name, within = f"{entry.label or entry.kind} {entry.number}", (used_u, used_v)
-    collector.add_surface(f"entity {SURFACE}", where, (m, n), knots, points, plain, name=name, within=within)
+    name, kind = f"{entry.label or entry.kind} {entry.number}", f"entity {SURFACE}"
+    parts, within = (points, plain), (used_u, used_v)
+    collector.add_surface(kind, where, (m, n), knots, *parts, name=name, notes=notes, within=within)
 
 
 Parts = tuple[int, Sequence[mpq], Sequence[Sequence[mpq]], Sequence[mpq] | None]
@@ -223,37 +222,27 @@ _READERS = {SPLINE: _spline, SURFACE: _surface, LINE: _line, ARC: _arc, CONIC: _
 LONGEST_NUMBER = 63
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as entities 126; a plane curve is placed at z = 0 and flagged planar."""
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+    """The curves as entities 126, surfaces as entities 128; what is in the plane is placed at z = 0, a curve there
+    flagged planar.
+    """
     numbers.longest = LONGEST_NUMBER
     entities = []
-    for i, named in enumerate(curves, 1):
-        curve, points = named.curve, in_space(named.curve)
-        plane = curve.dimension == 2
-        values = [len(points) - 1, curve.degree, int(plane), int(curve.closed), int(curve.polynomial), 0]
-        coordinates = [x for point in points for x in point]
-        weights = [mpq(1)] * len(points) if curve.polynomial else curve.weights
-        reals = [*curve.knots, *weights, *coordinates, *curve.domain, mpq(0), mpq(0), mpq(int(plane))]
-        texts = [*map(str, values), *(with_point(numbers(x)) for x in reals)]
-        entities.append((SPLINE, 0, 0, f"CURVE{i}", texts))
-    return formatted(entities, "Curves written by exactspline: every number is exact unless rounding was asked for.")
+    for i, spline in enumerate(splines, 1):
+        of, points = spline.of, spline.in_space()
+        flags, normal = [0, 0, int(of.polynomial), 0, 0], list[mpq]()
+        kind, name, domain = SURFACE, f"SURF{i}", [end for side in spline.domains for end in side]
+        if isinstance(of, Nurbs):
+            plane = int(of.dimension == 2)
+            flags, normal = [plane, int(of.closed), int(of.polynomial), 0], [mpq(0), mpq(0), mpq(plane)]
+            kind, name = SPLINE, f"CURVE{i}"
+        weights = [mpq(1) if of.polynomial else weight for _, weight in points]
+        coordinates = [x for point, _ in points for x in point]
+        reals = [*(t for knots in spline.knots for t in knots), *weights, *coordinates, *domain, *normal]
+        values = [*(count - 1 for count in spline.counts), *spline.degrees, *flags]
+        entities.append((kind, 0, 0, name, [*map(str, values), *(with_point(numbers(x)) for x in reals)]))
+    what = "Surfaces" if splines[0].is_surface else "Curves"
+    return formatted(entities, f"{what} written by exactspline: every number is exact unless rounding was asked for.")
 
 
-def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
-    """The surfaces as entities 128; a map of the plane is placed at z = 0."""
-    numbers.longest = LONGEST_NUMBER
-    entities = []
-    for i, surface in enumerate(surfaces, 1):
-        net, degrees = cartesian_net(surface), surface.degree
-        lasts = [len(list(knots)) - d - 2 for d, knots in zip(degrees, surface.knots, strict=True)]
-        values = [*lasts, *degrees, 0, 0, int(surface.polynomial), 0, 0]
-        coordinates = [x for point, _ in net for x in (*point, mpq(0))[:3]]
-        weights = [mpq(1) if surface.polynomial else weight for _, weight in net]
-        domain = [end for side in surface.domain for end in side]
-        reals = [*surface.knots[0], *surface.knots[1], *weights, *coordinates, *domain]
-        texts = [*map(str, values), *(with_point(numbers(x)) for x in reals)]
-        entities.append((SURFACE, 0, 0, f"SURF{i}", texts))
-    return formatted(entities, "Surfaces written by exactspline: every number is exact unless rounding was asked for.")
-
-
-FORMAT = Format("iges", "IGES text", (".igs", ".iges"), looks_like, read, write, write_surfaces=write_surfaces)
+FORMAT = Format("iges", "IGES text", (".igs", ".iges"), looks_like, read, write, surfaces=True)

@@ -24,11 +24,10 @@ from exactspline.errors import CurveFileError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.records import Format, Reading, Source
 from exactspline.interchange.segments import ellipse
-from exactspline.interchange.writing import cartesian_net, homogeneous, in_space
+from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq, rational
-from exactspline.splines.surface import NurbsSurface
 
 #: Time limit for reading one archive, in seconds.
 SECONDS = 30
@@ -59,13 +58,11 @@ def read(source: Source) -> Reading:
             collector.note(f"lengths in {entry['unit']}: read as written")
             continue
         where, kind = entry["where"], entry["kind"]
-        with collector.skipping(kind, where, curve="degrees" not in entry):
+        with collector.skipping(kind, where, curve=len(entry.get("degrees", ())) < 2):
             if "degrees" in entry:
-                _surface(collector, entry)
+                _spline(collector, entry)
             elif "plane" in entry:
                 _circle(collector, entry)
-            elif "points" in entry:
-                _spline(collector, entry)
             else:
                 collector.skip(kind, where, "this type of object is not read", curve=kind in CURVES)
     return collector.reading()
@@ -87,33 +84,20 @@ def _entries(source: Source) -> list[dict[str, Any]]:
     return entries
 
 
-def _surface(collector: Collector, entry: dict[str, Any]) -> None:
-    u, v = ([rational(knot) for knot in knots] for knots in entry["knots"])
-    if not u or not v:
+def _spline(collector: Collector, entry: dict[str, Any]) -> None:
+    inner = [[rational(knot) for knot in knots] for knots in entry["knots"]]
+    if not all(inner):
         raise CurveFileError("no knots", remedy="repair the object")
     rows, homogeneous_points = [[rational(x) for x in row] for row in entry["points"]], entry["rational"]
     points = rows if homogeneous_points else [row[:3] for row in rows]
-    m, n = entry["degrees"]
-    collector.add_surface(
-        entry["kind"], entry["where"], (m, n), ([u[0], *u, u[-1]], [v[0], *v, v[-1]]), points,
-        homogeneous=homogeneous_points, u_fastest=False, name=entry["name"],
+    knots = [[vector[0], *vector, vector[-1]] for vector in inner]
+    collector.add_spline(
+        entry["kind"], entry["where"], entry["degrees"], knots, points,
+        homogeneous=homogeneous_points, u_fastest=False, name=entry["name"], notes=entry["notes"],
     )  # fmt: skip
     collector.note(MISSING)
     if entry.get("trimmed"):
         collector.note("trims are not read, surfaces are read as wholes: Brep")
-    for note in entry["notes"]:
-        collector.note(f"{entry['where']}: {note}")
-
-
-def _spline(collector: Collector, entry: dict[str, Any]) -> None:
-    inner, rows = [rational(knot) for knot in entry["knots"]], [[rational(x) for x in row] for row in entry["points"]]
-    if not inner:
-        raise CurveFileError("no knots", remedy="repair the object")
-    knots, notes = [inner[0], *inner, inner[-1]], [MISSING, *entry["notes"]]
-    kind, where, name, homogeneous_points = entry["kind"], entry["where"], entry["name"], entry["rational"]
-    points = rows if homogeneous_points else [row[:3] for row in rows]
-    degree = entry["degree"]
-    collector.add(kind, where, degree, knots, points, homogeneous=homogeneous_points, name=name, notes=notes)
 
 
 def _circle(collector: Collector, entry: dict[str, Any]) -> None:
@@ -126,41 +110,26 @@ def _circle(collector: Collector, entry: dict[str, Any]) -> None:
     collector.add_segments("ArcCurve", entry["where"], ellipse(frame), entry["name"], [note, *entry["notes"]])
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as objects of a version 7 archive; numbers that are not doubles require rounding."""
-    rhino = _rhino()
-    model = rhino.File3dm()
-    for named in curves:
-        curve, points = named.curve, in_space(named.curve)
-        weights = [row[-1] for row in homogeneous(curve)]
-        made = rhino.NurbsCurve(3, not curve.polynomial, curve.degree + 1, len(points))
-        for i, (point, weight) in enumerate(zip(points, weights, strict=True)):
-            w = mpq(1) if curve.polynomial else weight
-            made.Points[i] = rhino.Point4d(*(numbers.double(x * w) for x in point), numbers.double(w))
-        for i, knot in enumerate(list(curve.knots)[1:-1]):
-            made.Knots[i] = numbers.double(knot)
-        model.Objects.AddCurve(made, _named(rhino, named.name))
-    return _archive(model)
-
-
-def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
-    """The surfaces as objects of a version 7 archive, a map of the plane at z = 0; numbers that are not doubles require
-    rounding.
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+    """The curves or surfaces as objects of a version 7 archive, what is in the plane at z = 0; numbers that are not
+    doubles require rounding.
     """
     rhino = _rhino()
     model = rhino.File3dm()
-    for surface in surfaces:
-        rational_net, (m, n) = not surface.polynomial, surface.degree
-        counts = len(surface.control_points), len(surface.control_points[0])
-        made = rhino.NurbsSurface.Create(3, rational_net, m + 1, n + 1, *counts)
-        for k, (point, weight) in enumerate(cartesian_net(surface, u_fastest=False)):
-            w = weight if rational_net else mpq(1)
-            row = [numbers.double(x * w) for x in (*point, mpq(0))[:3]]
-            made.Points[divmod(k, counts[1])] = rhino.Point4d(*row, numbers.double(w))
-        for held, knots in zip((made.KnotsU, made.KnotsV), surface.knots, strict=True):
+    for spline in splines:
+        points, counts = spline.in_space(u_fastest=False), spline.counts
+        sizes = not spline.polynomial, *(degree + 1 for degree in spline.degrees), *counts
+        made = (rhino.NurbsSurface.Create if spline.is_surface else rhino.NurbsCurve)(3, *sizes)
+        for k, (point, weight) in enumerate(points):
+            w = mpq(1) if spline.polynomial else weight
+            place = divmod(k, counts[1]) if spline.is_surface else k
+            made.Points[place] = rhino.Point4d(*(numbers.double(x * w) for x in point), numbers.double(w))
+        held = (made.KnotsU, made.KnotsV) if spline.is_surface else (made.Knots,)
+        for entries, knots in zip(held, spline.knots, strict=True):
             for i, knot in enumerate(list(knots)[1:-1]):
-                held[i] = numbers.double(knot)
-        model.Objects.AddSurface(made, _named(rhino, surface.name))
+                entries[i] = numbers.double(knot)
+        add = model.Objects.AddSurface if spline.is_surface else model.Objects.AddCurve
+        add(made, _named(rhino, spline.name))
     return _archive(model)
 
 
@@ -178,4 +147,4 @@ def _archive(model: Any) -> bytes:
         return place.read_bytes()
 
 
-FORMAT = Format("3dm", "openNURBS archive", (".3dm",), looks_like, read, write, write_surfaces=write_surfaces)
+FORMAT = Format("3dm", "openNURBS archive", (".3dm",), looks_like, read, write, surfaces=True)

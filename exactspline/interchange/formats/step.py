@@ -16,16 +16,15 @@ from collections.abc import Sequence
 from exactspline.errors import CurveFileError
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, whole
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.records import Format, Reading, Source
 from exactspline.interchange.step_edges import EDGE, ELEMENTARY, Edges
 from exactspline.interchange.step_knots import listed_knots, standard_knots
 from exactspline.interchange.step_records import StepFile, Value, keywords, parts, spline_parts
 from exactspline.interchange.step_surfaces import ANY as ANY_SURFACE
 from exactspline.interchange.step_surfaces import FACES, OTHERS, add_surface, written
 from exactspline.interchange.step_text import StepText, name_of, string
-from exactspline.interchange.writing import cartesian
+from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
-from exactspline.splines.surface import NurbsSurface
 
 SPLINE, WITH_KNOTS, RATIONAL = "B_SPLINE_CURVE", "B_SPLINE_CURVE_WITH_KNOTS", "RATIONAL_B_SPLINE_CURVE"
 #: How the sets of curves and of surfaces are represented.
@@ -139,22 +138,27 @@ def _last(arguments: list[Value]) -> Value:
     return arguments[-1] if arguments else ""
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves in one set per dimension, each set in a context of its dimension."""
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+    """The curves in one set per dimension, each set in a context of its dimension; surfaces in one set, maps of the
+    plane at z = 0.
+    """
     text = StepText(numbers)
-    for dimension in sorted({named.curve.dimension for named in curves}):
-        references = [_written(named, text) for named in curves if named.curve.dimension == dimension]
+    if splines[0].is_surface:
+        text.add_set("GEOMETRIC_SET", BOUNDED_SURFACES, [written(spline, text) for spline in splines], 3)
+        return text.encoded()
+    for dimension in sorted({spline.dimension for spline in splines}):
+        references = [_written(spline, text) for spline in splines if spline.dimension == dimension]
         text.add_set("GEOMETRIC_CURVE_SET", WIREFRAME, references, dimension)
     return text.encoded()
 
 
-def _written(named: NamedCurve, text: StepText) -> str:
-    curve = named.curve
-    points = [text.point(point) for point in cartesian(curve)]
+def _written(spline: Spline, text: StepText) -> str:
+    curve = spline.curve
+    points = [text.point(point) for point, _ in spline.cartesian()]
     closed = ".T." if curve.closed else ".F."
     base = f"{curve.degree},({','.join(points)}),.UNSPECIFIED.,{closed},.U."
     counts = ",".join(map(str, curve.knots.multiplicities))
-    knots, name = f"({counts}),{text.reals(curve.knots.breakpoints)},.UNSPECIFIED.", string(named.name)
+    knots, name = f"({counts}),{text.reals(curve.knots.breakpoints)},.UNSPECIFIED.", string(spline.name)
     if curve.polynomial:
         return text.add(f"{WITH_KNOTS}({name},{base},{knots})")
     return text.add(
@@ -163,14 +167,4 @@ def _written(named: NamedCurve, text: StepText) -> str:
     )
 
 
-def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
-    """The surfaces in one set; a map of the plane is placed at z = 0."""
-    text = StepText(numbers)
-    references = [written(surface, text) for surface in surfaces]
-    text.add_set("GEOMETRIC_SET", BOUNDED_SURFACES, references, 3)
-    return text.encoded()
-
-
-FORMAT = Format(
-    "step", "STEP part 21", (".stp", ".step", ".p21"), looks_like, read, write, write_surfaces=write_surfaces
-)
+FORMAT = Format("step", "STEP part 21", (".stp", ".step", ".p21"), looks_like, read, write, surfaces=True)

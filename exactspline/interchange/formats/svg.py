@@ -21,12 +21,12 @@ from exactspline.errors import ExactSplineError, ShapeError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.records import Format, Reading, Source
 from exactspline.interchange.segments import Segment, ellipse, mapped, polynomial
 from exactspline.interchange.svg_paths import Subpath, least_size, subpaths
 from exactspline.interchange.svg_styles import HIDING, MOVING, ORIGIN, SHAPING, Sheet, declarations, in_words
 from exactspline.interchange.svg_transforms import about, length, transform
-from exactspline.interchange.writing import pen_segments
+from exactspline.interchange.writing import Spline, pen_segments
 from exactspline.interchange.xml_tree import Element, attribute, parse
 from exactspline.numbers.exact import mpq, text
 
@@ -323,17 +323,17 @@ def _round(element: Element, size: Callable[[str], mpq]) -> list[Segment]:
     return ellipse(Affine([[rx, 0, size("cx")], [0, ry, size("cy")]]))
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """Polynomial plane curves of degree 1 to 3 as paths. SVG stores no knots: the segments are kept, their parameter
     intervals are not.
     """
     paths = []
-    for named in curves:
-        segments = pen_segments(named.curve)
-        letter = " LQC"[named.curve.degree]
+    for spline in splines:
+        segments = pen_segments(spline.curve)
+        letter = " LQC"[spline.curve.degree]
         data = [f"M{_pair(numbers, segments[0][0])}"]
         data += [letter + " ".join(_pair(numbers, point) for point in points[1:]) for points in segments]
-        paths.append(f'<path id={attribute(named.name)} d="{" ".join(data)}" fill="none" stroke="black"/>')
+        paths.append(f'<path id={attribute(spline.name)} d="{" ".join(data)}" fill="none" stroke="black"/>')
     return "\n".join(['<svg xmlns="http://www.w3.org/2000/svg">', *paths, "</svg>", ""]).encode()
 
 

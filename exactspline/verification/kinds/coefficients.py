@@ -16,14 +16,7 @@ from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import (
-    CoefficientIsZero,
-    Fact,
-    ForDegrees,
-    OnlyForDegrees,
-    ZeroCoefficient,
-    ZeroForDegree,
-)
+from exactspline.verification.evidence import CoefficientIsZero, Fact, ForDegrees, OnlyForDegrees, ZeroCoefficient
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, sampled, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Curves, Name
 
@@ -76,10 +69,10 @@ class Coefficients(Claim):
             value = formula(GenericReading(d).argument(CURVE, dimension, polynomial=polynomial))
             components = list(value) if isinstance(value, Vector) else [value]
             if all(c.is_zero for c in components):
-                return Finding(REFUTED, ZeroForDegree(d), witness=CoefficientIsZero(d))
+                return Finding(REFUTED, Fact.ALL_VANISH, witness=CoefficientIsZero(d))
             for i, parts in enumerate(zip(*[c.coefficients for c in components], strict=True)):
                 if not any(parts):
-                    return Finding(REFUTED, ZeroForDegree(d, i), witness=CoefficientIsZero(d, i))
+                    return Finding(REFUTED, Fact.ONE_VANISHES, witness=CoefficientIsZero(d, i))
         degrees = ForDegrees(GENERIC_DEGREES[0], GENERIC_DEGREES[-1])
         return sampled(Finding(VERIFIED, OnlyForDegrees(degrees)), degrees)
 

@@ -21,18 +21,8 @@ from exactspline.splines.lowest_terms import control_point_count, in_lowest_term
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim, example_name, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import (
-    AtKnot,
-    Conditions,
-    Counted,
-    Enclosure,
-    Fact,
-    Isolated,
-    NotBetter,
-    OnExample,
-    Undefined,
-)
+from exactspline.verification.evaluation import Evaluation, between
+from exactspline.verification.evidence import Conditions, Counted, Enclosure, Fact, NotBetter, OnExample, Undefined
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Counter, Name, word
 
@@ -212,7 +202,7 @@ class Condition(ExampleClaim):
             return Finding(VERIFIED, conditions)
         for root, a, b in pairs:
             if a[0] >= b[1]:
-                witness = OnExample(Name(self.example), NotBetter(place_of_root(root)))
+                witness = OnExample(Name(self.example), NotBetter(between(Interval(root.low, root.high))))
                 return Finding(REFUTED, conditions, witness=witness)
         return Finding(UNDECIDED, conditions)
 
@@ -227,8 +217,3 @@ def _condition(f: BSpline, root: Root) -> Enclosure:
         raise ClaimError("a zero without a segment", remedy="report this")
     i = f.breakpoints.index(root.segment[0])
     return condition_number(f.forms[i], f.degree, root, root.multiplicity)
-
-
-def place_of_root(root: Root) -> AtKnot | Isolated:
-    """Where a root is, as a typed place."""
-    return AtKnot(root.low) if root.at_knot else Isolated(root.low, root.high)

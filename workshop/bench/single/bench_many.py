@@ -11,8 +11,9 @@ from time import process_time
 
 import numpy as np
 
-from exactspline import Nurbs, analyse, from_float
+from exactspline import Nurbs, analyse
 from exactspline.geometry.many_curves import features_of_many
+from exactspline.numbers.exact import from_float
 
 
 def curves(count, seed=1, *, doubles=False):

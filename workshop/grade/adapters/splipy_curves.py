@@ -48,7 +48,7 @@ class Splipy(Adapter):
         return [abs(float(self._curve(given).curvature(given.t)))]
 
     def torsion(self, given: Given) -> list[float]:
-        """``curve.torsion(t)``."""
+        """``curve.torsion([t])``; of a single t it is (v × a) · a, which is 0 for every curve."""
         return floats(self._curve(given).torsion([given.t]).ravel())
 
     def insert(self, given: Given) -> Rows:

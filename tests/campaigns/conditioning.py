@@ -1,9 +1,10 @@
-"""A reproducible search for curves whose reduced form is worse, or better, conditioned than an unreduced one."""
+"""A reproducible search for curves whose reduced form is worse, or better, conditioned than an unreduced one.
 
-from __future__ import annotations
+``python -m tests.campaigns.conditioning COUNT SEED`` searches this many curves of each family.
+"""
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+import sys
+from dataclasses import dataclass
 from random import Random
 
 from exactspline.errors import ShapeError
@@ -11,7 +12,7 @@ from exactspline.geometry.constructions import Variant
 from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.conditioning.compare import RootConditions, conditioning
+from exactspline.verification.conditioning.compare import conditioning
 
 #: The zero-set constructions included in the search.
 SEARCHED = ("zero_curvature", "critical_curvature")
@@ -39,17 +40,10 @@ class Tally:
     contradicted: int = 0
     double_worse: int = 0
     double_better: int = 0
-    smallest: tuple[mpq, Nurbs] | None = field(default=None)
-    largest: tuple[mpq, Nurbs] | None = field(default=None)
+    smallest: tuple[mpq, Nurbs] | None = None
+    largest: tuple[mpq, Nurbs] | None = None
 
-    @property
-    def extremes(self) -> tuple[tuple[mpq, Nurbs], tuple[mpq, Nurbs]]:
-        """The smallest and the largest ratio of those counted, each with its curve."""
-        assert self.smallest is not None
-        assert self.largest is not None
-        return self.smallest, self.largest
-
-    def add(self, row: RootConditions, curve: Nurbs) -> None:
+    def add(self, row, curve):
         """Count one zero."""
         sign, ratio, own = row.compare(self.form), row.ratio(self.form), row[self.form]
         self.worse, self.better, self.equal = (
@@ -70,7 +64,7 @@ class Tally:
             self.double_worse, self.double_better = self.double_worse + (gap > 1), self.double_better + (gap < -1)
 
 
-def search_witnesses(seed: int = 0, count: int = 10, *, doubles: bool = False) -> list[Tally]:
+def search_witnesses(seed=0, count=10, *, doubles=False):
     """Compare the forms at the zeros of `count` random curves of each family, of degree 2 or 3 with one segment and
     small integer control points.
 
@@ -79,15 +73,11 @@ def search_witnesses(seed: int = 0, count: int = 10, *, doubles: bool = False) -
     denominator with it. The same seed always gives the same curves. With `doubles` the errors of double precision are
     compared too, which takes about a second per curve.
 
-    >>> tallies = search_witnesses(seed=1, count=2)
-    >>> [(t.family, t.worse > 0, t.better > 0) for t in tallies if t.form == "direct"]
-    [('positive weights', True, False), ('a weight near zero', True, False), ('a denominator near zero', False, True)]
-
     Raises `ShapeError` when `count` is negative.
     """
     if count < 0:
         raise ShapeError(f"{count} curves", where="count", remedy="give an integer ≥ 0")
-    tallies: dict[tuple[str, str, str], Tally] = {}
+    tallies = {}
     for family, make in FAMILIES.items():
         for curve in _curves(family, make, Random(seed), count):
             for name in SEARCHED:
@@ -99,24 +89,24 @@ def search_witnesses(seed: int = 0, count: int = 10, *, doubles: bool = False) -
     return list(tallies.values())
 
 
-def _curves(family: str, make: Callable[[Random, int], list[mpq]], random: Random, count: int) -> Iterator[Nurbs]:
+def _curves(family, make, random, count):
     for i in range(count):
         n = random.choice((2, 3))
         points = [(random.randint(-9, 9), random.randint(-9, 9)) for _ in range(n + 1)]
         yield Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points, make(random, n), name=f"{family}, curve {i}")
 
 
-def _positive(random: Random, n: int) -> list[mpq]:
+def _positive(random, n):
     return [mpq(random.randint(1, 9)) for _ in range(n + 1)]
 
 
-def _near_zero(random: Random, n: int) -> list[mpq]:
+def _near_zero(random, n):
     weights = _positive(random, n)
     weights[random.randrange(n + 1)] = mpq(1, 10 ** random.randint(1, 6))
     return weights
 
 
-def _dip(random: Random, n: int) -> list[mpq]:
+def _dip(random, n):
     """``(t − a)² + ε``, for degree 3 times ``1 + c t``."""
     t = BSpline.identity(0, 1)
     w = (t - mpq(random.randint(3, 7), 10)) ** 2 + mpq(1, 10 ** random.randint(2, 5))
@@ -124,3 +114,14 @@ def _dip(random: Random, n: int) -> list[mpq]:
 
 
 FAMILIES = {"positive weights": _positive, "a weight near zero": _near_zero, "a denominator near zero": _dip}
+
+
+def main(count, seed):
+    for t in search_witnesses(seed, count):
+        ratios = ", ".join(f"{float(ratio):.3g}" for ratio, _ in (t.smallest, t.largest))
+        said = f"worse {t.worse}, better {t.better}, proved not better {t.proved}; ratios {ratios}"
+        print(f"{t.family}, {t.construction}, {t.form}: {said}")
+
+
+if __name__ == "__main__":
+    main(*map(int, sys.argv[1:]))

@@ -10,6 +10,7 @@ import json
 import re
 from collections.abc import Sequence
 from importlib import resources
+from pathlib import Path
 from typing import Any
 
 from exactspline.errors import CurveFileError
@@ -17,7 +18,8 @@ from exactspline.interchange.collector import Collector
 from exactspline.interchange.curve_files import curve_data, curve_from_data, surface_data, surface_from_data
 from exactspline.interchange.json_files import parsed
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.writing import Spline
 from exactspline.splines.surface import NurbsSurface
 
 #: The fields of a curve that are long.
@@ -43,20 +45,33 @@ def looks_like(head: bytes) -> bool:
 
 
 def read(source: Source) -> Reading:
-    """The curves of a file."""
+    """The curves and surfaces of a file. Of several a bad one is skipped; what is wrong with the only one is raised."""
     collector = Collector("json", source)
-    data: Any = parsed(source.text)
-    entries = data.get("curves", [data]) if isinstance(data, dict) else data
+    try:
+        data: Any = parsed(source.data.decode("utf-8-sig"))
+    except UnicodeDecodeError:
+        raise CurveFileError("is not UTF-8 text", remedy="a curve file is JSON") from None
+    if isinstance(data, dict) and "curves" not in data:
+        _add(collector, data, "curve 1")
+        return collector.reading()
+    entries = data["curves"] if isinstance(data, dict) else data
     if not isinstance(entries, list):
         raise CurveFileError("the JSON text holds no curves", remedy='write one curve or {"curves": […]}')
     for number, entry in enumerate(entries, 1):
-        is_surface = isinstance(entry, dict) and isinstance(entry.get("degree"), list)
-        what = "surface" if is_surface else "curve"
+        what = "surface" if _is_surface(entry) else "curve"
         name = entry.get("name") if isinstance(entry, dict) else None
         where = f"{what} {number}" + (f" ({name})" if isinstance(name, str) and name else "")
-        with collector.skipping(what, where, curve=not is_surface):
-            (_surface if is_surface else _curve)(collector, entry, where)
+        with collector.skipping(what, where, curve=what == "curve"):
+            _add(collector, entry, where)
     return collector.reading()
+
+
+def _is_surface(entry: Any) -> bool:
+    return isinstance(entry, dict) and isinstance(entry.get("degree"), list)
+
+
+def _add(collector: Collector, entry: Any, where: str) -> None:
+    (_surface if _is_surface(entry) else _curve)(collector, entry, where)
 
 
 def _curve(collector: Collector, entry: Any, where: str) -> None:
@@ -64,7 +79,7 @@ def _curve(collector: Collector, entry: Any, where: str) -> None:
         raise CurveFileError("is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
     collector.count(sum(len(entry[key]) for key in SIZED if isinstance(entry.get(key), list)))
     piece = "pieces" in entry or "kind" in entry
-    curve = curve_from_data(entry, where if piece else collector.source.name.removesuffix(".json"), collector.limits)
+    curve = curve_from_data(entry, where if piece else Path(collector.source.name).stem, collector.limits)
     remarks = [curve.note, f"source: {curve.source}" if curve.source else ""]
     notes = ["written by `derive`"] if piece else list(filter(None, remarks))
     collector.keep(curve, notes, rational=not piece and entry.get("weights") is not None)
@@ -73,21 +88,19 @@ def _curve(collector: Collector, entry: Any, where: str) -> None:
 def _surface(found: Collector, entry: Any, where: str) -> None:
     rows = entry.get("control_points", entry.get("points", ()))
     found.count(sum(len(row) for row in rows if isinstance(row, list)) if isinstance(rows, list) else 1)
-    found.surfaces.append(surface_from_data(entry, found.source.name or where, found.limits))
+    found.surfaces.append(surface_from_data(entry, Path(found.source.name).stem or where, found.limits))
 
 
-def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """A single curve as an object, several as ``{"curves": […]}``; always exact."""
-    entries = [curve_data(named.curve) | {"name": named.name} for named in curves]
-    data: Any = entries[0] if len(entries) == 1 else {"curves": entries}
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+    """A single curve or surface as an object, several curves as ``{"curves": […]}``, surfaces as a list; always
+    exact.
+    """
+    entries = [
+        (surface_data(s.of) if isinstance(s.of, NurbsSurface) else curve_data(s.of)) | {"name": s.name} for s in splines
+    ]
+    several: Any = entries if splines[0].is_surface else {"curves": entries}
+    data = entries[0] if len(entries) == 1 else several
     return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
 
 
-def write_surfaces(surfaces: Sequence[NurbsSurface], numbers: NumberText) -> bytes:
-    """A single surface as an object, several as a list; always exact."""
-    entries = [surface_data(surface) for surface in surfaces]
-    data: Any = entries[0] if len(entries) == 1 else entries
-    return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
-
-
-FORMAT = Format("json", "exactspline JSON", (".json",), looks_like, read, write, write_surfaces=write_surfaces)
+FORMAT = Format("json", "exactspline JSON", (".json",), looks_like, read, write, surfaces=True)

@@ -1,0 +1,182 @@
+"""Certificates of intersections and of common zeros, changed at random: what the checker accepts must be true of the
+changed data, by elimination (`tests.support.elimination_oracle`), which shares no code with the checker.
+
+python -m tests.campaigns.certificates --count 1000 --seed 1 --record campaign.json
+"""
+
+import argparse
+import copy
+import json
+import sys
+from collections import Counter
+from fractions import Fraction
+from math import comb
+from pathlib import Path
+from random import Random
+
+from exactspline import TensorSpline, check_certificate, common_zeros, intersections
+from exactspline.errors import ReachError, ShapeError
+from tests.campaigns.intersections import FAMILIES, curve
+from tests.support.elimination_oracle import S, T, common_points, solutions
+
+#: Texts in certificates that are not numbers.
+WORDS = ("inside", "outside", "start", "end"), ("crossed", "point", "edge"), ("first", "second")
+
+
+# ---- certificates
+
+
+def of_intersections(random):
+    """A pair of the campaign of intersections, without common arcs, and its certificate."""
+    while True:
+        family = random.choice([f for name, f in FAMILIES.items() if name not in ("overlapping", "elevated", "itself")])
+        curves = [curve(rows) for rows in family(random)[:2]]
+        try:
+            return curves, intersections(*curves).certificate()
+        except (ReachError, ShapeError):
+            continue
+
+
+def of_common_zeros(random):
+    """Two functions on one or two patches, perhaps with zeros on borders and in corners, and their certificate."""
+    while True:
+        m, n = random.randint(1, 3), random.randint(1, 2)
+        first, second = (
+            [0] * (m + 1) + [1] * (m + 1),
+            random.choice([[0] * (n + 1) + [1] * (n + 1), [0] * (n + 1) + [1] + [2] * (n + 1)]),
+        )
+        shape = len(first) - m - 1, len(second) - n - 1
+        nets = [[[random.randint(-5, 5) for _ in range(shape[1])] for _ in range(shape[0])] for _ in range(2)]
+        for net in nets:
+            if random.random() < 0.5:
+                net[0][0] = 0
+        if random.random() < 0.3:  # the same function on a border
+            nets[1][-1] = nets[0][-1]
+        functions = [TensorSpline((m, n), first, second, net) for net in nets]
+        try:
+            return functions, common_zeros(*functions).certificate()
+        except ReachError:
+            continue
+
+
+# ---- changes
+
+
+def spots(data, path=()):
+    """The paths to everything in a certificate."""
+    inside = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
+    return [path, *[spot for key, x in inside for spot in spots(x, (*path, key))]]
+
+
+def changed(certificate, random):
+    """A copy with one thing changed, removed, repeated or exchanged."""
+    forged = copy.deepcopy(certificate)
+    path = random.choice(spots(forged)[1:])
+    holder = forged
+    for key in path[:-1]:
+        holder = holder[key]
+    key, value = path[-1], holder[path[-1]]
+    if isinstance(value, (list, dict)) or random.random() < 0.2:
+        if not isinstance(holder, list) or (way := random.randrange(3)) == 0:
+            del holder[key]
+        elif way == 1:
+            holder.insert(key, copy.deepcopy(value))
+        else:
+            other = random.randrange(len(holder))
+            holder[key], holder[other] = holder[other], holder[key]
+    else:
+        holder[key] = another(value, random)
+    return forged
+
+
+def another(value, random):
+    """Another value of the same type."""
+    if isinstance(value, bool):
+        return not value
+    if isinstance(value, int):
+        return value + random.choice([-1, 1])
+    for words in WORDS:
+        if value in words:
+            return random.choice([word for word in words if word != value])
+    try:
+        number = Fraction(value)
+    except ValueError:
+        return value + "x"
+    return str(random.choice([number - 1, number + 1, number + Fraction(1, 3), -number, 2 * number]))
+
+
+# ---- what is true of the data
+
+
+def points_of(certificate):
+    """The number of common points of all pairs of segments, None where two have a common component."""
+    curves = [
+        [
+            [tuple(Fraction(int(form[i]), comb(len(form) - 1, i)) for form in forms) for i in range(len(forms[0]))]
+            for forms in ([segment[name] for name in ("x", "y", "w")] for segment in certificate[side])
+        ]
+        for side in ("first", "second")
+    ]
+    found = [common_points(one, other) for one in curves[0] for other in curves[1]]
+    return None if any(shared for _, shared in found) else sum(len(points) for points, _ in found)
+
+
+def zeros_of(certificate):
+    """The number of common zeros on all patches, None where a component is common."""
+    found = [solutions([polynomial(net) for net in patch["functions"]]) for patch in certificate["patches"]]
+    return None if any(shared for _, shared in found) else sum(len(zeros) for zeros, _ in found)
+
+
+def polynomial(net):
+    m, n = len(net) - 1, len(net[0]) - 1
+    terms = [
+        int(x) * comb(m, i) * comb(n, j) * S**i * (1 - S) ** (m - i) * T**j * (1 - T) ** (n - j)
+        for i, row in enumerate(net)
+        for j, x in enumerate(row)
+    ]
+    return sum(terms, S * 0)
+
+
+SORTS = {"intersections": (of_intersections, points_of, "points"), "common zeros": (of_common_zeros, zeros_of, "zeros")}
+
+
+def campaign(sort, count, seed, every=8):
+    """Change certificates until this many are rejected; a new certificate for each `every` changes."""
+    write, true_of, what = SORTS[sort]
+    random, counts, wrong = Random(seed), Counter(), []
+    while counts["rejected"] < count:
+        if counts["changed"] % every == 0:
+            certificate = json.loads(json.dumps(write(random)[1]))
+            if check_certificate(certificate)[what] != true_of(certificate):
+                wrong.append(certificate)
+        counts["changed"] += 1
+        forged = changed(certificate, random)
+        try:
+            claimed = check_certificate(forged)[what]
+        except ValueError:
+            counts["rejected"] += 1
+            continue
+        counts["accepted"] += 1
+        data = "first", "second", "patches"
+        counts["accepted with other data"] += any(forged.get(key) != certificate.get(key) for key in data)
+        if claimed != true_of(forged):
+            wrong.append(forged)
+    return {"sort": sort, "seed": seed, **counts, "accepted and false": wrong}
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--count", type=int, default=1000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--record", type=Path)
+    chosen = parser.parse_args()
+    found = [campaign(sort, chosen.count, chosen.seed) for sort in SORTS]
+    text = json.dumps(found, indent=2)
+    if chosen.record:
+        chosen.record.write_text(text, encoding="utf-8")
+    print(text)
+    return int(any(each["accepted and false"] for each in found))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

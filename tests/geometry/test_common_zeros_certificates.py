@@ -1,0 +1,113 @@
+"""Certificates of common zeros of two functions: accepted by the standard-library checker; false ones are refused with
+their flaw.
+"""
+
+import json
+from fractions import Fraction
+from random import Random
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import check_certificate, common_zeros
+from exactspline.errors import ReachError
+from tests.campaigns.certificates import of_common_zeros
+from tests.geometry.test_zeros_in_two_parameters import function
+
+
+def certificate_of(*functions):
+    found = common_zeros(*functions)
+    return found, json.loads(json.dumps(found.certificate()))
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_the_checker_counts_the_same_zeros(seed):
+    functions, certificate = of_common_zeros(Random(seed))
+    found = common_zeros(*functions)
+    assert check_certificate(certificate) == {"zeros": sum(len(zero.patches) for zero in found)}
+
+
+def test_a_certificate_has_a_thousand_bytes():
+    """A random pair of cubics: the differences of their coordinates."""
+    circle, line = function(lambda s, t: s * s + t * t - 1), function(lambda s, t: s - t)
+    _, certificate = certificate_of(circle, line)
+    assert check_certificate(certificate) == {"zeros": 1}
+    assert len(json.dumps(certificate)) < 1000
+
+
+def of_all_kinds():
+    """Zeros at (1, 1/2), proved by a point, at (√½, 0), by an edge, and at (√½, √⅓), by opposite signs."""
+    f = function(lambda s, t: (2 * s * s - 1) * (s - 1))
+    g = function(lambda s, t: t * (3 * t * t - 1))
+    return common_zeros(f, g)
+
+
+def test_zeros_inside_on_edges_and_at_rational_points():
+    found = of_all_kinds()
+    certificate = found.certificate()
+    assert check_certificate(certificate) == {"zeros": 4}
+    proofs = sorted(zero["by"] for zero in certificate["patches"][0]["zeros"])
+    assert proofs == ["crossed", "edge", "edge", "point"]
+
+
+def forged(change):
+    certificate = json.loads(json.dumps(of_all_kinds().certificate()))
+    zeros = {zero["by"]: zero for zero in certificate["patches"][0]["zeros"]}
+    change(certificate["patches"][0], zeros)
+    return certificate
+
+
+def exchanged(zero):
+    zero["combinations"].reverse()
+
+
+@pytest.mark.parametrize(
+    ("change", "flaw"),
+    [
+        (lambda patch, zeros: patch["functions"].pop(), "another number of functions"),
+        (lambda patch, zeros: patch["functions"][0].pop(), "different degrees"),
+        (lambda patch, zeros: patch["functions"][1][0].pop(), "different degrees"),
+        (lambda patch, zeros: patch["boxes"].pop(), "boxes that are missing"),
+        (lambda patch, zeros: patch["boxes"].append(["1", "0"]), "more boxes"),
+        (lambda patch, zeros: patch["boxes"].__setitem__(0, ["1", "0"]), "not one sign"),
+        (lambda patch, zeros: patch["boxes"].__setitem__(0, 0), "not inside the region"),
+        (lambda patch, zeros: patch["boxes"].__setitem__(0, 4), "does not exist"),
+        (lambda patch, zeros: patch["boxes"].__setitem__(0, "12"), "neither a cut"),
+        (lambda patch, zeros: patch["zeros"].append(patch["zeros"][0]), "regions of two zeros that meet"),
+        (lambda patch, zeros: zeros["crossed"].update(region=[["0", "1"], ["0", "1"]]), "may be singular"),
+        (lambda patch, zeros: zeros["crossed"].update(region=[["0", "2"], ["0", "1"]]), "not in the square"),
+        (lambda patch, zeros: zeros["crossed"].update(combinations=[["1", "0"]] * 2), "may be singular"),
+        (lambda patch, zeros: zeros["crossed"].update(by="nothing"), "without a proof"),
+        (lambda patch, zeros: exchanged(zeros["crossed"]), "without opposite signs"),
+        (lambda patch, zeros: zeros["edge"].update(by="crossed"), "without opposite signs"),
+        (lambda patch, zeros: zeros["edge"].update(edge=[0, 0]), "not in the region"),
+        (lambda patch, zeros: zeros["edge"].update(edge=[2, 0]), "not in the region"),
+        (lambda patch, zeros: zeros["point"].update(point=["1", "1/2"]), "outside its region"),
+        (lambda patch, zeros: zeros["point"].update(point=["1", "1/1000"]), "is not zero"),
+    ],
+)
+def test_a_false_certificate_is_refused_with_its_flaw(change, flaw):
+    with pytest.raises(ValueError, match=flaw):
+        check_certificate(forged(change))
+
+
+def test_a_region_beside_an_edge_does_not_prove_a_zero_on_it():
+    """The common divisor on the edge has its zero elsewhere."""
+
+    def moved(patch, zeros):
+        region = next(zero["region"] for zero in patch["zeros"] if zero["by"] == "edge")
+        high = Fraction(region[0][1])
+        region[0] = [str(high), str(high + Fraction(1, 64))]
+
+    with pytest.raises(ValueError, match="an edge without a zero"):
+        check_certificate(forged(moved))
+
+
+def test_what_has_no_certificate_says_so():
+    line, parabola = function(lambda s, t: t), function(lambda s, t: t - (2 * s - 1) ** 2)
+    with pytest.raises(ReachError, match="not simple"):
+        common_zeros(line, parabola).certificate()
+    with pytest.raises(ReachError, match="single ones"):
+        common_zeros(line, line * parabola).certificate()
+    with pytest.raises(ReachError, match="single ones"):
+        common_zeros(line, parabola, function(lambda s, t: s - mpq(1, 3))).certificate()
