@@ -56,8 +56,7 @@ class CommonZero:
     @property
     def place(self) -> Place:
         """Both parameters, rational ones as such."""
-        s, t = (x if isinstance(x, Root) else mpq(x.exact) for x in (self.first, self.second))
-        return s, t
+        return _plain(self.first), _plain(self.second)
 
     def box(self, digits: int = 20) -> Box:
         """A box that contains it, its sides at most ``10^−digits`` long."""
@@ -127,7 +126,7 @@ class ZeroCurves:
         """
         if self.function is None:
             return ()
-        single = {(_plain(x.first), _plain(x.second)) for x in self.points}
+        single = {x.place for x in self.points}
         found: dict[Place, list[SingularPoint]] = {}
         with drawing_on(_budget(self.function)):
             for patch, sides in _patches(self.function):

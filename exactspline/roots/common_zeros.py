@@ -24,7 +24,7 @@ from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
-from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.numbers.intervals import UNIT, Box, Interval, shifted
 from exactspline.polynomials.bernstein import from_integers, in_parameter
 from exactspline.polynomials.certified_boxes import Isolated, isolate
 from exactspline.polynomials.cost import bounded, check_reach
@@ -66,7 +66,8 @@ class CommonZero:
         return CommonZero, (self.sides, self._local, self.isolated, self._place)
 
     def __repr__(self) -> str:
-        return f"<common zero in {self.box(6).shortly}>"
+        s, t = (shifted(round(x * 10**6), 6, negative=x < 0) for x in self.box(9).middle)
+        return f"<common zero near {s} and {t}>"
 
     @classmethod
     def at(cls, sides: Box, place: tuple[Parameter, Parameter]) -> CommonZero:
@@ -226,10 +227,9 @@ def zeros_of(
     common zeros. Those at which one of `also` is certainly not zero, or one of `not_positive` certainly positive, are
     left out.
 
-    >>> from exactspline.polynomials.patch_forms import PatchForm
     >>> circle = PatchForm.of_net([[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # x² + y² − 1
     >>> zeros_of([circle, PatchForm.of_net([[0, -1], [1, 0]])]).zeros
-    [<common zero in [0.7071065…, 0.7071071…] × [0.7071065…, 0.7071071…]>]
+    [<common zero near 0.707107 and 0.707107>]
     """
     if any(f.sign in (1, -1) for f in (*forms, *also)):
         return Found([], [])
@@ -355,7 +355,7 @@ def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:
     [3, 1]
     """
     jacobian = f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)
-    if zero.isolated is not None or not vanish_at([jacobian], *zero.place):
+    if not vanish_at([jacobian], *zero.place):
         return 1
     slope = 0
     while True:

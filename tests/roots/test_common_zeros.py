@@ -11,6 +11,7 @@ from exactspline.geometry.surface.umbilics import UmbilicKind
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials import certified_boxes
 from exactspline.polynomials.certified_boxes import Isolation
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.two_parameters import S, T, as_form, value_at
@@ -129,6 +130,7 @@ def test_boxes_find_what_arithmetic_in_the_field_finds(monkeypatch):
             sum((random.randint(-999, 999) * S**i * T**j for i in range(4) for j in range(4)), S * 0) for _ in range(2)
         )
         with monkeypatch.context() as patch:
+            patch.setattr(certified_boxes, "PER_SQUARE", 100)
             patch.setattr(Column, "of", lambda *_: pytest.fail("boxes decide here"))
             by_boxes = common_zeros([f, g], sides)
         with monkeypatch.context() as patch:
