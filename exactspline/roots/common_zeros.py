@@ -66,7 +66,7 @@ class CommonZero:
         return CommonZero, (self.sides, self._local, self.isolated, self._place)
 
     def __repr__(self) -> str:
-        s, t = (shifted(int(floor(x * 10**6 + mpq(1, 2))), 6) for x in self.box(9).middle)
+        s, t = (shifted(floor(x * 10**6 + mpq(1, 2)), 6) for x in self.box(9).middle)
         return f"<common zero near {s} and {t}>"
 
     @classmethod
