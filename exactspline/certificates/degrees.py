@@ -113,8 +113,8 @@ def _gcd(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
 def is_irreducible(form: Polynomial, p: int) -> bool:
     """Rabin's test: x^(pⁿ) ≡ x modulo f, and x^(p^(n/q)) − x is coprime to f for every prime q that divides n."""
     f, n = [x % p for x in form], len(form) - 1
-    if n == 1:
-        return True
+    if n < 2:
+        return n == 1  # a constant is not irreducible
     powers, x = [[0, 1]], [0, 1]
     for _ in range(n):
         x = _power(x, p, f, p)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from exactspline.cli.common import Trust, check_output, load_curve
-from exactspline.cli.output import Output, print_json, printing
+from exactspline.cli.output import Output, print_json, printing, unchecked
 from exactspline.cli.parameters import Argument, Option
 
 
@@ -53,6 +53,8 @@ def derive(
         data = surface_value_data(requested, read_surface(curve), curve)
     else:
         data = derived_data(derived(requested, load_curve(curve), variant), curve)
+    if unchecked():
+        data |= {"unchecked": list(unchecked())}
     if output:
         write_json(output, data)
     else:

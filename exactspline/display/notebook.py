@@ -31,6 +31,7 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.questions.entry import Of, questions_of
+from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
@@ -60,11 +61,12 @@ def html(x: object) -> str | None:
 def facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
     """Lines of HTML next to a picture."""
     rows = "".join(
-        f'<tr><td style="text-align:left">{escape(name)}</td><td style="text-align:left;width:100%">{value}</td></tr>'
+        f'<tr><td style="text-align:left;white-space:nowrap">{escape(name)}</td>'
+        f'<td style="text-align:left;width:100%">{value}</td></tr>'
         for name, value in lines
     )
     table = f'<div style="flex:1;min-width:15em"><b>{escape(title)}</b><table>{rows}</table></div>'
-    return f'<div style="display:flex;flex-wrap:wrap;gap:1em;align-items:center">{picture}{table}</div>'
+    return f'<div style="display:flex;flex-wrap:wrap;gap:1em;align-items:center;margin:.8em 0">{picture}{table}</div>'
 
 
 def numbers(values: Iterable[mpq]) -> str:
@@ -130,12 +132,18 @@ def _(value: Any) -> str | None:
     return facts(described, []) if described and mathematics(value) is None else None
 
 
+def _isolating(root: Root) -> str:
+    """The ends of an isolating interval; of one that was refined until they look alike, one of them and the width."""
+    low, high = _short(root.low), _short(root.high)
+    return f"{low} … {high}" if low != high else f"{low}, narrower than {10 * float(root.high - root.low):.0e}"
+
+
 @html.register
 def _(zero_set: ZeroSet) -> str:
     rows = []
     for root in zero_set:
         left, right = ({None: "end", 1: "+", -1: "−", 0: "0"}[s] for s in root.signs)
-        interval = f"{_short(root.low)} … {_short(root.high)}" if root.exact is None else ""
+        interval = _isolating(root) if root.exact is None else ""
         rows.append(
             (
                 f"${mathematics(root)}$",

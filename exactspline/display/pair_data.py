@@ -38,7 +38,8 @@ def _answer_data(answer: object, digits: int) -> Data:
     pairs = [{"first": real_data(p.first, digits), "second": real_data(p.second, digits)} for p in answer.pairs]
     value = {"squared": real_data(answer.squared, digits), "value": real_data(answer.value, digits)}
     lower = None if answer.lower is None else text(answer.lower)
-    return {"points": pairs, "lower": lower, "left_out": list(answer.left_out), **value}
+    arcs = [_overlap_data(arc, digits) for arc in answer.everywhere]
+    return {"points": pairs, "everywhere": arcs, "lower": lower, "left_out": list(answer.left_out), **value}
 
 
 def intersections_data(found: Intersections, digits: int) -> Data:
@@ -91,14 +92,20 @@ def pair_sheet(data: Data, title: str) -> Sheet:
         at = ", ".join(x["exact"] or x["decimal"] for x in point["point"])
         made.add_row(point["kind"], _shown(point["first"]), _shown(point["second"]), f"({at})", _remark(point))
     for arc in common["everywhere"]:
-        s, t = (f"[{', '.join(map(_shown, arc[name]))}]" for name in ("first", "second"))
-        made.add_row("common arc", s, t, "", _map_of(arc))
+        made.add_row("common arc", *_sides_of(arc), "", _map_of(arc))
     if not made.row_count:
         distance: Any = data["distance"]
+        value = f"distance {_shown(distance['value'])}"
         for pair in distance["points"]:
-            value = f"distance {_shown(distance['value'])}"
             made.add_row("nearest", _shown(pair["first"]), _shown(pair["second"]), "", value)
+        for arc in distance["everywhere"]:
+            made.add_row("nearest arc", *_sides_of(arc), "", value)
     return made
+
+
+def _sides_of(arc: dict[str, Any]) -> list[str]:
+    """The parameters of both curves along an arc."""
+    return [f"[{', '.join(map(_shown, arc[name]))}]" for name in ("first", "second")]
 
 
 def _shown(x: dict[str, Any]) -> str:

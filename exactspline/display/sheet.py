@@ -217,7 +217,7 @@ class Sheet:
 #: Characters with a meaning in a cell of Markdown: of HTML, of the end of a cell, of a link.
 _MEANT = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "|": "\\|", "](": "]\\(", "\n": " ", "\r": " "}
 #: The beginnings of texts that a spreadsheet evaluates.
-_COMPUTED = tuple("=+-@\t\r")
+_COMPUTED = tuple("=+-@＝＋－＠\t\r")
 #: A printed number: abbreviated or not, a fraction, or infinite.
 _NUMBER = re.compile(r"[-+−]?(∞|[\d.,/…]+([eE][-+]?\d+)?)")
 

@@ -10,7 +10,7 @@ from typing import Any, cast
 
 from exactspline.display.bisector_data import control_net
 from exactspline.display.data import Data, picked, plain
-from exactspline.display.described import described_surface
+from exactspline.display.described import described_surface, shape_text
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, counted
@@ -21,6 +21,7 @@ from exactspline.geometry.surface.forms import Patch, lowest
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Parameter, Place, enclosing
+from exactspline.geometry.surface.recognized import RecognizedPart
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.geometry.surface.zero_lines import ZeroLine
 from exactspline.language.formula import Formula
@@ -82,6 +83,7 @@ def answers_data(inspection: SurfaceInspection | MapInspection, digits: int) -> 
     return {
         name: surface_answer_data(entry.answer(inspection), digits)
         for name, entry in questions_of(type(inspection)).items()
+        if entry.about.reported
     }
 
 
@@ -148,6 +150,13 @@ def _place_data(place: Place, digits: int) -> Data:
         for k, (name, (a, b)) in enumerate(zip("uv", box, strict=True))
     }
     return {**sides, **picked(place, "patches")}
+
+
+@_element_data.register
+def _shape_data(part: RecognizedPart, digits: int) -> Data:
+    return {"kind": str(part.kind), "patches": [list(patch) for patch in part.patches], "whole": part.whole} | {
+        "numbers": {name: [str(x) for x in values] for name, values in part.values.items()}
+    }
 
 
 @_element_data.register
@@ -258,14 +267,18 @@ def surface_value_data(formula: Formula, surface: NurbsSurface, name: str) -> Da
 # ---- a table
 
 
-def surface_sheet(inspection: SurfaceInspection, digits: int) -> Sheet:
-    """The features of a surface, one per row."""
+def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[RecognizedPart] | None = None) -> Sheet:
+    """The features of a surface, one per row; its shapes are those within 10⁻⁹ of its size if others are not given."""
     surface = inspection.surface
     closed = f", closed in {' and '.join(along.value for along in inspection.closed)}" if inspection.closed else ""
     title = f"{surface.name}: {described_surface(surface)}{closed}{'' if inspection.complete else INCOMPLETE}"
     made = Sheet("what", "u", "v", "remark", title=title, name=surface.name, prose=["remark"], heads=1)
     for kind, box, remark in _regions(inspection):
         made.add_row(kind, *(str(side) for side in box), remark)
+    for part in inspection.shapes if shapes is None else shapes:
+        sides = [surface.w.patch(*patch) for patch in part.patches]
+        for box in _together(_together(sorted(sides), 0), 1):
+            made.add_row(str(part.kind), *(str(side) for side in box), shape_text(part.shape.numbers, part.within))
     for line in inspection.parabolic_lines:
         note = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
         made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), note)

@@ -19,6 +19,7 @@ from exactspline.geometry.plane_features import critical_points, flat_points
 from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, SPEED
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import raiser
+from exactspline.splines.knots import mesh_of
 from exactspline.splines.nurbs import Nurbs
 
 #: Forms and weights below this are not used: products of their powers could underflow.
@@ -61,7 +62,7 @@ def jumps(
     `ends`: for every segment and output the ordinates at both ends, each followed by a bound of its error; these signs
     are certain, and γ′ ≠ 0. `weights`: the weight function at both ends.
     """
-    continuity = facts.curve.p[0].continuity
+    continuity = mesh_of(facts.curve.knots, facts.curve.degree)[1]
     for i in range(0 if facts.closed else 1, len(ends)):
         if others and (i in others or (i - 1) % len(ends) in others):
             continue

@@ -9,6 +9,7 @@ from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
+from math import comb
 
 from flint import fmpz, fmpz_poly
 
@@ -21,12 +22,13 @@ from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, plane_progr
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
-from exactspline.polynomials.bernstein import ONE, raiser
+from exactspline.polynomials.bernstein import ONE
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
+from exactspline.programs import accelerator
 from exactspline.programs.accelerator import SegmentZero, signs
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.roots.root import Root
-from exactspline.splines.bspline import BSpline
+from exactspline.splines.blossom import CommonRows
 
 #: A zero of κ or κ′.
 Found = SegmentZero | Jump | Feature
@@ -34,19 +36,18 @@ Found = SegmentZero | Jump | Feature
 
 @dataclass
 class SegmentForm:
-    """An output of a program on one segment, from the polynomials of its operands."""
+    """An output of a program on one segment, from the integers of its operands."""
 
     degree: int
     rational: bool
     output: int
-    operands: tuple[fmpz_poly, ...]
-    below: fmpz
+    rows: CommonRows
 
     @cached_property
     def inner(self) -> list[LocalZero]:
         """Its zeros inside the segment, by exact arithmetic."""
-        program = plane_program(self.degree, self.rational)
-        forms = program.run([[c] for c in self.operands], [[self.below]], [(ONE, ONE)])[0]
+        program, (operands, below) = plane_program(self.degree, self.rational), self.rows
+        forms = program.run([[fmpz_poly(c)] for c in operands], [[fmpz(below)]], [(ONE, ONE)])[0]
         return isolate(fmpz_poly(forms[self.output]), program.terms[self.output].degrees[0]).inner
 
 
@@ -86,7 +87,8 @@ class Certain:
 
     degree: int
     rational: bool
-    operands: tuple[BSpline, ...]
+    breaks: tuple[mpq, ...]
+    rows: list[CommonRows]
     zeros: tuple[list[Found], list[Found]]
     #: The sign of κ at every zero of κ′ that is not a feature already.
     curvature_signs: list[int]
@@ -114,7 +116,7 @@ class Certain:
     def _features(self, output: int) -> tuple[Feature, ...]:
         """The objects that describe the zeros."""
         forms: dict[int, tuple[SegmentForm, Interval]] = {}
-        breaks, found, number = self.operands[0].mesh.breaks, [], 0
+        breaks, found, number = self.breaks, [], 0
         for k, zero in enumerate(self.zeros[output]):
             if isinstance(zero, Feature):
                 found.append(zero)
@@ -125,9 +127,7 @@ class Certain:
                 i = zero.segment
                 if i not in forms:
                     number = 0
-                    polynomials = tuple([x._polynomials[i] for x in self.operands])
-                    below = self.operands[0].denominators[i]
-                    form = SegmentForm(self.degree, self.rational, output, polynomials, below)
+                    form = SegmentForm(self.degree, self.rational, output, self.rows[i])
                     forms[i] = form, Interval(breaks[i], breaks[i + 1])
                 form, ends = forms[i]
                 low, high = ends.at(mpq(zero.low)), ends.at(mpq(zero.high))
@@ -156,12 +156,12 @@ def certain(facts: Facts) -> Certain | None:
     curve, rational = facts.curve, not facts.curve.polynomial
     if curve.degree == 1 and curve.dimension == 2:
         return _polygon(facts)
-    operands = (*facts.operands.p, facts.operands.w) if rational else tuple(facts.operands.p)
-    below = operands[0].denominators
-    if curve.dimension != 2 or any(x.denominators != below for x in operands):
+    if curve.dimension != 2 or accelerator.filter_curve is None:
         return None
-    program = plane_program(curve.degree, rational)
-    found = signs(program, moved([x._polynomials for x in operands], curve.degree), below, rational=rational)
+    rows = curve.rows
+    if rational and rows[0][0][-1][0] < 0:
+        rows = [([[-x for x in c] for c in operands], below) for operands, below in rows]
+    found = signs(plane_program(curve.degree, rational), moved(rows, rational=rational), rational=rational)
     if found is None:
         return None
     straight, left = set[int](), set[int]()
@@ -169,7 +169,7 @@ def certain(facts: Facts) -> Certain | None:
         if slow:
             left.add(i)
         elif open_:
-            (straight if is_straight([x._polynomials[i] for x in operands], curve.degree) else left).add(i)
+            (straight if is_straight([*map(fmpz_poly, rows[i][0])], curve.degree) else left).add(i)
     zeros: tuple[list[Found], list[Found]] = ([], [])
     if left:
         exactly = on_runs(curve, left)
@@ -195,28 +195,31 @@ def certain(facts: Facts) -> Certain | None:
     if 0 in curvature_signs:
         return None
     pieces = facts.straight_runs(straight) if straight else ()
-    return Certain(curve.degree, rational, operands, (zeros[CURVATURE], zeros[CRITICAL]), curvature_signs, pieces)
+    return Certain(
+        curve.degree, rational, facts.breaks, rows, (zeros[CURVATURE], zeros[CRITICAL]), curvature_signs, pieces
+    )
 
 
-def moved(operands: Sequence[Sequence[fmpz_poly]], degree: int) -> list[tuple[fmpz_poly, ...]]:
-    """The operands of a plane curve on every segment, moved so that it begins at the origin there, up to a positive
-    factor: this changes no sign of a form, but doubles lose less where a segment is short compared with its
-    coordinates.
+def moved(rows: Sequence[CommonRows], *, rational: bool) -> list[CommonRows]:
+    """The segments of a plane curve, each moved so that it begins at the origin, up to a positive factor: this changes
+    no sign of a form, but doubles lose less where a segment is short compared with its coordinates.
 
-    >>> moved([[fmpz_poly([3, 5])], [fmpz_poly([2, 4])]], 1)
-    [(2*x,), (2*x,)]
-    >>> moved([[fmpz_poly([3, 5])], [fmpz_poly([2, 4])], [fmpz_poly([1, 2])]], 1)
-    [((-1)*x,), (0,), (2*x + 1,)]
+    >>> moved([([[3, 5], [2, 4]], 1)], rational=False), moved([([[3, 5], [2, 4], [1, 2]], 1)], rational=True)
+    ([([[0, 2], [0, 2]], 1)], [([[0, -1], [0, 0], [1, 2]], 1)])
     """
-    if len(operands) == 2:
-        one = raiser(degree)
-        return [tuple([c - one * c[0] for c in own]) for own in operands]
-    *coordinates, weights = operands
-    starts = [w[0] for w in weights]
-    return [
-        *(tuple([c * v - w * c[0] for c, w, v in zip(own, weights, starts, strict=True)]) for own in coordinates),
-        tuple([w * v for w, v in zip(weights, starts, strict=True)]),
-    ]
+    if not rational:
+        degree = len(rows[0][0][0]) - 1
+        binomials = [comb(degree, k) for k in range(degree + 1)]
+        return [
+            ([[x - m * c[0] for x, m in zip(c, binomials, strict=True)] for c in operands], below)
+            for operands, below in rows
+        ]
+    found = []
+    for (*coordinates, w), below in rows:
+        v = w[0]
+        parts = [[x * v - y * c[0] for x, y in zip(c, w, strict=True)] for c in coordinates]
+        found.append(([*parts, [y * v for y in w]], below))
+    return found
 
 
 def _polygon(facts: Facts) -> Certain | None:
@@ -224,7 +227,7 @@ def _polygon(facts: Facts) -> Certain | None:
     segments = range(facts.curve.segments)
     if not all(any(end_direction(facts.operands, i, Side.LEFT)) for i in segments):
         return None
-    return Certain(1, False, tuple(facts.operands.p), ([], []), [], facts.straight_runs(set(segments)))
+    return Certain(1, False, facts.breaks, [], ([], []), [], facts.straight_runs(set(segments)))
 
 
 def _place(breaks: Sequence[mpq], zero: Found) -> tuple[int, float]:

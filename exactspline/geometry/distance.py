@@ -1,4 +1,4 @@
-"""The distance of two curves: the pairs of nearest points, each certified.
+"""The distance of two curves: the pairs of nearest points, each certified, and the arcs of such pairs.
 
 A pair at the least distance is a common point, or has an end or a knot of one of the curves, or is a common zero of the
 two derivatives of the squared distance. These are isolated by boxes (`exactspline.roots.common_zeros`), where the
@@ -7,16 +7,17 @@ distance is not above that of a pair already known.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import partial, reduce
 from operator import add
+from typing import TypeVar
 
 from flint import arb, fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.box_tree import IntegerBox, box_of, shift_for
-from exactspline.geometry.intersections import intersections
+from exactspline.geometry.intersections import Overlap, intersections
 from exactspline.geometry.nearest import nearest
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq, to_fmpz
@@ -31,6 +32,7 @@ from exactspline.roots.local_parameters import SegmentForms, segment_forms
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
+T = TypeVar("T")
 #: How near a lower bound is brought to a bound: by a factor of 1 − 2^−k with k below this.
 NARROW = 40
 #: The digits to which squared distances are compared before pairs count as equally near.
@@ -55,13 +57,17 @@ class ClosestPair:
 class Distance(Displayed):
     """The least distance of two curves, and the pairs of points at it; several are equally near to `TIED` digits.
 
-    `left_out` names what could not be decided: pairs of segments near each other along arcs, say. Then the square of
-    the distance is at least `lower`, a rational number; otherwise `lower` is None.
+    `everywhere` are the arcs all of whose points are at it, by their parameters on both curves: arcs in common, arcs of
+    a circle about a point of the other curve, and pieces that stand still (with an arc of a circle, all pairs of
+    both). Their ends are among the pairs, the points between are not listed. `left_out` names what could not be
+    decided: pairs of segments near each other along arcs, say. Then the square of the distance is at least `lower`, a
+    rational number; otherwise `lower` is None.
     """
 
     pairs: tuple[ClosestPair, ...]
     lower: mpq | None = None
     left_out: tuple[str, ...] = ()
+    everywhere: tuple[Overlap, ...] = ()
 
     @property
     def squared(self) -> Real:
@@ -74,8 +80,9 @@ class Distance(Displayed):
         return square_root(self.squared)
 
     def __repr__(self) -> str:
+        arcs = f", everywhere on {list(self.everywhere)}" if self.everywhere else ""
         doubt = f", undecided: {'; '.join(self.left_out)}" if self.left_out else ""
-        return f"<Distance {self.value.shortly()} between {list(self.pairs)}{doubt}>"
+        return f"<Distance {self.value.shortly()} between {list(self.pairs)}{arcs}{doubt}>"
 
 
 def distance(first: Nurbs, second: Nurbs) -> Distance:
@@ -98,11 +105,30 @@ def distance(first: Nurbs, second: Nurbs) -> Distance:
     zero = Real(0)
     if meeting.points or meeting.everywhere:
         pairs = [ClosestPair(p.first, p.second, zero) for p in meeting]
-        pairs += [
-            ClosestPair(s, t, zero) for arc in meeting.everywhere for s, t in zip(arc.first, arc.second, strict=True)
-        ]
-        return Distance(tuple(pairs))
+        for arc in meeting.everywhere:
+            pairs += _ends(arc, zero)
+        lower = mpq(0) if meeting.left_out else None
+        return Distance(_each_once(pairs), lower, meeting.left_out, meeting.everywhere)
     return _Search(first, second, meeting.left_out).answer()
+
+
+def _ends(arc: Overlap, squared: Real) -> list[ClosestPair]:
+    """The pairs at the ends of an arc."""
+    return [ClosestPair(s, t, squared) for s, t in zip(arc.first, arc.second, strict=True)]
+
+
+def _within(arc: Overlap, other: Overlap) -> bool:
+    """Whether an arc is a part of another one."""
+    sides = (arc.first, other.first), (arc.second, other.second)
+    return arc is not other and all(c <= a and b <= d for (a, b), (c, d) in sides)
+
+
+def _each_once(pairs: Iterable[ClosestPair]) -> tuple[ClosestPair, ...]:
+    each: list[ClosestPair] = []
+    for pair in pairs:
+        if not any(_same(pair, other) for other in each):
+            each.append(pair)
+    return tuple(each)
 
 
 class _Search:
@@ -112,17 +138,34 @@ class _Search:
         self.curves, self.left_out = (first, second), list(left_out)
         self.lower: mpq | None = mpq(0) if left_out else None
         self.segments = [[segment_forms(curve, i) for i in range(curve.segments)] for curve in self.curves]
+        self.arcs: list[tuple[Overlap, Real]] = []
         self.found = [pair for k in (0, 1) for pair in self._at_knots(k)]
         self.bound = min(pair.squared.enclosure(BOUND).high for pair in self.found)
         for i, j in self._near_pairs():
             self._inside(i, j)
 
     def _at_knots(self, k: int) -> Iterator[ClosestPair]:
-        """The points of curve k nearest to the ends and knots of the other one."""
-        for t in self.curves[1 - k].breakpoints:
-            for point in nearest(self.curves[k], self.curves[1 - k](t)):
-                pair = (Real(t), point.parameter)
-                yield ClosestPair(pair[1 - k], pair[k], point.squared)
+        """The points of curve k nearest to the ends and knots of the other one, and to its pieces that stand still."""
+        for place in self._places(1 - k):
+            centre = self.curves[1 - k](place.low)
+            around = nearest(self.curves[k], centre)
+            arcs = [(part, point.squared) for point in around for part in [(point.parameter,) * 2]]
+            for low, high in (part for piece in around.everywhere for part in piece.parts):
+                squared = Real(_total([(x - y) ** 2 for x, y in zip(self.curves[k](low), centre, strict=True)]))
+                arcs.append(((Real(low), Real(high)), squared))
+            for part, squared in arcs:
+                sides = ((Real(place.low), Real(place.high)), part)
+                arc = Overlap(sides[1 - k], sides[k], None, None)
+                if place.low < place.high or part[0] < part[1]:
+                    self.arcs.append((arc, squared))
+                yield from _ends(arc, squared)
+
+    def _places(self, k: int) -> list[Interval]:
+        """The pieces of a curve that stand still, and its ends and knots that belong to none of them."""
+        curve = self.curves[k]
+        sides = [Interval(*curve.breakpoints[i : i + 2]) for i in range(curve.segments)]
+        still = [side for side, (degree, _) in zip(sides, self.segments[k], strict=True) if degree == 0]
+        return still + [Interval(t, t) for t in curve.breakpoints if not any(low <= t <= high for low, high in still)]
 
     def _near_pairs(self) -> Iterator[tuple[int, int]]:
         """The pairs of segments that may be nearer than the bound."""
@@ -155,13 +198,12 @@ class _Search:
             limit = min(high for _, high in bounds)
             found = [pair for pair, (low, _) in zip(found, bounds, strict=True) if low <= limit]
             digits *= 2
-        each: list[ClosestPair] = []
-        for pair in found:
-            if not any(_same(pair, other) for other in each):
-                each.append(pair)
+        each, least = _each_once(found), found[0].squared.enclosure(TIED).high
+        near = dict.fromkeys(arc for arc, squared in self.arcs if squared.enclosure(TIED).low <= least)
+        arcs = tuple(arc for arc in near if not any(_within(arc, other) for other in near))
         if self.lower is not None and each[0].squared < self.lower:
-            return Distance(tuple(each))
-        return Distance(tuple(each), self.lower, tuple(self.left_out))
+            return Distance(each, everywhere=arcs)
+        return Distance(each, self.lower, tuple(self.left_out), arcs)
 
 
 def _same(one: ClosestPair, other: ClosestPair) -> bool:
@@ -226,7 +268,7 @@ class _Forms:
         return enclosed(self.squared, s, t) / enclosed(self.weight, s, t)
 
 
-def _total(terms: list[fmpz_mpoly]) -> fmpz_mpoly:
+def _total(terms: list[T]) -> T:
     return reduce(add, terms)
 
 

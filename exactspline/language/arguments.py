@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from typing import Any, Generic, Protocol, TypeVar
 
 from exactspline.hooks import Displayed
 from exactspline.language.choices import Parameter
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.vector import Vector
+from exactspline.polynomials.cost import Priced
 
 
 class Callee(Protocol):
@@ -43,15 +45,15 @@ class Evaluated(Argument):
     """
 
     #: The memo: values of the formulas called so far. None except in a copy made for an evaluation.
-    _values: dict[Callee, object] | None = None
+    _values: dict[Callee, Priced[object]] | None = None
 
     def calls(self, formula: Callee) -> object:
         """The value of a formula."""
         if self._values is None:
             return self.remembering().calls(formula)
         if formula not in self._values:
-            self._values[formula] = formula.function(self)
-        return self._values[formula]
+            self._values[formula] = Priced(partial(formula.function, self))
+        return self._values[formula].value
 
     def remembering(self) -> Evaluated:
         """A copy that memoizes every formula for its lifetime; for evaluating many formulas on one argument."""

@@ -14,6 +14,8 @@ dagger ddagger flat sharp natural
 """
 #: LaTeX commands that are allowed in a symbol: letters, signs, accents and alphabets.
 COMMANDS = frozenset(_COMMANDS.split())
+#: The largest number of characters.
+LONGEST = 200
 #: Single characters allowed after a backslash: spaces, and characters that need to be escaped.
 SIGNS = frozenset(",;:!| {}")
 
@@ -30,6 +32,10 @@ def not_a_symbol(symbol: str) -> str:
             return f"the command \\{command}"
     if character := re.search(r"[%#&~$]|\^\^", symbol):
         return f"{character[0]!r} in it"
+    if len(symbol) > LONGEST:
+        return f"more than {LONGEST} characters"
+    if len(re.findall(r"\\left(?![A-Za-z])", symbol)) != len(re.findall(r"\\right(?![A-Za-z])", symbol)):
+        return r"a \left without its \right"
     depth = 0
     for brace in re.findall(r"(?<!\\)[{}]", symbol):
         depth += 1 if brace == "{" else -1

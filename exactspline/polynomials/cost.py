@@ -7,13 +7,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cache, partial, wraps
 from operator import methodcaller
+from typing import Any, Generic, ParamSpec, TypeVar
 
 from flint import fmpq, fmpz
 
 from exactspline.errors import ReachError
 
+V = TypeVar("V")
+P = ParamSpec("P")
 #: The largest estimate allowed for a call into FLINT, and for a loop of such calls (which can be interrupted), in
 #: nanoseconds.
 LONGEST, LONGEST_LOOP = 2_000_000_000, 10_000_000_000
@@ -39,10 +43,35 @@ class Budget:
 
     total: int = QUESTION
     remaining: int = -1
+    #: The values that are computed once and have been paid from it.
+    paid: set[Priced[Any]] = field(default_factory=set, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if self.remaining < 0:
             self.remaining = self.total
+
+    def pay(self, known: Priced[Any]) -> None:
+        """Deduct what a value that is known cost when it was computed, and the values that it uses, each once.
+
+        Raises `ReachError` if that exceeds what remains.
+        """
+        due = [known]
+        while due:
+            each = due.pop()
+            if each not in self.paid:
+                self.paid.add(each)
+                self.deduct(each.cost, lambda: "a value that is known")
+                due += each.uses
+
+    def deduct(self, nanoseconds: int, what: Callable[[], str]) -> None:
+        """Deduct an estimate; raises `ReachError` if it exceeds what remains."""
+        if nanoseconds > self.remaining:
+            raise ReachError(
+                f"{what()} ({_duration(nanoseconds)}) exceeds what remains of the bound on the whole answer",
+                remedy=REMEDY,
+                seconds=_seconds(nanoseconds),
+            )
+        self.remaining -= nanoseconds
 
     @property
     def spent(self) -> bool:
@@ -50,24 +79,73 @@ class Budget:
         return 50 * self.remaining < self.total
 
 
+class Priced(Generic[V]):
+    """A value that is computed once. Its cost is kept, so that every question that uses it pays for it: whether a
+    question is answered within its budget must not depend on what was asked before.
+
+    >>> known = Priced(lambda: check_reach(10**9, lambda: "the resultant"))
+    >>> with drawing_on(Budget(5 * 10**9)) as budget:
+    ...     known.value, known.value
+    (None, None)
+    >>> budget.remaining
+    4000000000
+    """
+
+    def __init__(self, compute: Callable[[], V]) -> None:
+        self.cost, self.uses = 0, set[Priced[Any]]()
+        token = _COMPUTED.set(self)
+        try:
+            self._value = compute()
+        finally:
+            _COMPUTED.reset(token)
+        if budget := _BUDGET.get():
+            budget.paid.add(self)
+
+    @property
+    def value(self) -> V:
+        """The value, paid from the budget of the question. Raises `ReachError` if it exceeds what remains of it."""
+        if within := _COMPUTED.get():
+            within.uses.add(self)
+        if budget := _BUDGET.get():
+            budget.pay(self)
+        return self._value
+
+
+def at_its_cost(function: Callable[P, V]) -> Callable[P, V]:
+    """`functools.cache`, with the cost of the value paid by every question that asks for it."""
+    known: Callable[..., Priced[V]] = cache(lambda *given, **named: Priced(partial(function, *given, **named)))
+
+    @wraps(function)
+    def call(*given: P.args, **named: P.kwargs) -> V:
+        return known(*given, **named).value
+
+    return call
+
+
 _BUDGET: ContextVar[Budget | None] = ContextVar("budget", default=None)
+#: The value that is being computed.
+_COMPUTED: ContextVar[Priced[Any] | None] = ContextVar("computed", default=None)
 
 
 @contextmanager
 def drawing_on(budget: Budget) -> Iterator[Budget]:
     """A context in which all estimates are deducted from one budget."""
-    token = _BUDGET.set(budget)
+    token, within = _BUDGET.set(budget), _COMPUTED.set(None)
     try:
         yield budget
     finally:
         _BUDGET.reset(token)
+        _COMPUTED.reset(within)
 
 
 @contextmanager
 def bounded() -> Iterator[Budget]:
     """A context in which there is a budget: the present one, or where there is none a new one."""
-    with drawing_on(_BUDGET.get() or Budget()) as budget:
+    if budget := _BUDGET.get():
         yield budget
+    else:
+        with drawing_on(Budget()) as new:
+            yield new
 
 
 def check_reach(nanoseconds: int, what: Callable[[], str], longest: int = LONGEST) -> None:
@@ -82,19 +160,14 @@ def check_reach(nanoseconds: int, what: Callable[[], str], longest: int = LONGES
     Traceback (most recent call last):
     exactspline.errors.ReachError: the resultant (about 2 s) exceeds what remains of the bound on the whole answer; ...
     """
-    budget = _BUDGET.get()
     if nanoseconds > longest:
         raise ReachError(
             f"{what()} is out of reach ({_duration(nanoseconds)})", remedy=REMEDY, seconds=_seconds(nanoseconds)
         )
-    if budget is not None:
-        if nanoseconds > budget.remaining:
-            raise ReachError(
-                f"{what()} ({_duration(nanoseconds)}) exceeds what remains of the bound on the whole answer",
-                remedy=REMEDY,
-                seconds=_seconds(nanoseconds),
-            )
-        budget.remaining -= nanoseconds
+    if budget := _BUDGET.get():
+        budget.deduct(nanoseconds, what)
+    if within := _COMPUTED.get():
+        within.cost += nanoseconds
 
 
 def affords(nanoseconds: int, longest: int = LONGEST) -> bool:
@@ -104,6 +177,8 @@ def affords(nanoseconds: int, longest: int = LONGEST) -> bool:
         return False
     if budget is not None:
         budget.remaining -= nanoseconds
+    if within := _COMPUTED.get():
+        within.cost += nanoseconds
     return True
 
 

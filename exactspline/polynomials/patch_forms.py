@@ -127,6 +127,14 @@ class PatchForm:
         by = _differences(n)
         return PatchForm(by * self.matrix if direction == 0 else self.matrix * by.transpose())
 
+    @property
+    def steeper(self) -> int:
+        """The direction in which neighbouring coefficients differ more, if both sides are halved as often as that is
+        of use.
+        """
+        changes = [max(map(abs, self.derivative(k).entries)) / max(n, 1) for k, n in enumerate(self.degree)]
+        return int(changes[1] > changes[0])
+
     def edge(self, direction: int, end: int) -> list[fmpz]:
         """The Bernstein coefficients along the edge on which x (direction 0) or y is 0 or 1."""
         (m, n), entries = self.degree, self.entries
@@ -184,9 +192,10 @@ class Sized(NamedTuple):
     depth: int
 
 
-def halved(part: Sized) -> tuple[Sized, Sized]:
-    """The two halves of the part, by bisection of its longer side."""
-    direction = 0 if part.box.first.width >= part.box.second.width else 1
+def halved(part: Sized, direction: int | None = None) -> tuple[Sized, Sized]:
+    """The two halves of the part, by bisection of one of its sides, without a direction of the longer one."""
+    if direction is None:
+        direction = 0 if part.box.first.width >= part.box.second.width else 1
     pairs = [f.halves(direction) for f in part.forms]
     first, second = (
         Sized(box, [pair[k].primitive() if len(pairs) == 1 else pair[k] for pair in pairs], part.depth + 1)

@@ -16,8 +16,6 @@ from os import environ
 from pathlib import Path
 from typing import NamedTuple
 
-from flint import fmpz, fmpz_poly
-
 from exactspline.errors import FormulaError
 from exactspline.programs.instructions import UNIT, ZERO
 from exactspline.programs.masses import factors, known_of
@@ -123,24 +121,19 @@ def _in_c(program: Program, rational: bool) -> _Program | None:
     )
 
 
-def signs(
-    program: Program, operands: Sequence[Sequence[fmpz_poly]], below: Sequence[fmpz], *, rational: bool
-) -> Signs | None:
-    """What is certain of the outputs of a program (the last of which must have no zero) on segments over common
-    denominators; where it is rational, the last operand is a weight function. None without the extension, and where the
-    numbers are too large for it.
+def signs(program: Program, rows: Sequence[tuple[list[list[int]], int]], *, rational: bool) -> Signs | None:
+    """What is certain of the outputs of a program (the last of which must have no zero) on segments, each given by the
+    integers of its operands and their denominator; where it is rational, the last operand is a weight function. None
+    without the extension, and where the numbers are too large for it.
     """
     prepared = _in_c(program, rational) if filter_curve is not None else None
     if prepared is None or filter_curve is None:
         return None
-    width, segments = prepared.degree + 1, len(below)
-    numbers: list[float] = []
+    segments = len(rows)
+    columns = zip(*[parts for parts, _ in rows], strict=True)
+    numbers = [x for column in columns for row in column for x in row]
     try:
-        for operand in operands:
-            for c in operand:
-                row = [*map(float, c.coeffs())]
-                numbers += row if len(row) == width else row + [0] * (width - len(row))
-        data = array("d", [*numbers, *map(float, below)])
+        data = array("d", numbers + [below for _, below in rows])
     except OverflowError:
         return None
     outputs = prepared.outputs
@@ -150,9 +143,9 @@ def signs(
     count = filter_curve(byref(prepared), data.buffer_info()[0], segments, found.buffer_info()[0], room)
     if count < 0:
         return None
-    rows = [found[s : s + stride].tolist() for s in range(0, start, stride)]
+    made = [found[s : s + stride].tolist() for s in range(0, start, stride)]
     zeros = [
         SegmentZero(int(k), int(s), low, high, int(before))
         for k, s, low, high, before in (found[i : i + OF_ZERO] for i in range(start, start + OF_ZERO * count, OF_ZERO))
     ]
-    return Signs([OPEN[int(row[0])] for row in rows], [row[1:-2] for row in rows], [row[-2:] for row in rows], zeros)
+    return Signs([OPEN[int(row[0])] for row in made], [row[1:-2] for row in made], [row[-2:] for row in made], zeros)

@@ -7,7 +7,7 @@ patch.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple, TypeVar
 
 from flint import fmpz, fmpz_poly
@@ -109,16 +109,20 @@ class Program:
         self.value = value
         self.terms = terms_of(value, Term)
         self.outputs = [term.output() for term in self.terms]
-        outputs = list(zip(self.outputs, [term.below for term in self.terms], strict=True))
         #: One operand of each group with the same denominators.
         self.groups = sorted(set(self.signature.groups))
-        listed, multipliers = self.instructions.listed, reading.recorder.multipliers
+        listed, self._multipliers = self.instructions.listed, reading.recorder.multipliers
         parameters = reading.recorder.all
         self._stages = [self._stage(reading, which) for which in range(len(parameters))] if len(parameters) > 1 else []
         loads = {one.numbers[0]: i for i, one in enumerate(listed) if one.name == "load"}
         given = [i for stage in self._stages for i in stage.spread]
-        columns = given if self._stages else [loads.get(k) for k in range(len(self.leaves))]
-        self.run: Run = compiled(listed, outputs, columns, self.groups, multipliers)
+        self._columns = given if self._stages else [loads.get(k) for k in range(len(self.leaves))]
+
+    @cached_property
+    def run(self) -> Run:
+        """The function over all segments or patches, compiled when it is first needed."""
+        outputs = list(zip(self.outputs, [term.below for term in self.terms], strict=True))
+        return compiled(self.instructions.listed, outputs, self._columns, self.groups, self._multipliers)
 
     def _stage(self, reading: ProgramReading, which: int) -> Stage:
         listed, own = self.instructions.listed, reading.recorder.all[which]

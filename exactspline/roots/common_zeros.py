@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache, reduce
+from functools import cached_property, lru_cache, partial, reduce
 from itertools import pairwise, product
 from math import ceil, floor
 from typing import NamedTuple
@@ -27,7 +27,7 @@ from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import UNIT, Box, Interval, shifted
 from exactspline.polynomials.bernstein import from_integers, in_parameter
 from exactspline.polynomials.certified_boxes import Isolated, isolate
-from exactspline.polynomials.cost import bounded, check_reach
+from exactspline.polynomials.cost import Priced, bounded, check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot, by_powers
@@ -484,10 +484,14 @@ def _without_t(first: list[fmpz_poly], second: list[fmpz_poly]) -> fmpz_poly:
 
 
 @lru_cache(maxsize=32)
-def _eliminants(first: PatchForm, second: PatchForm) -> tuple[list[fmpz_poly], list[fmpz_poly]]:
+def _eliminants(first: PatchForm, second: PatchForm) -> Priced[tuple[list[fmpz_poly], list[fmpz_poly]]]:
     """Square-free polynomials among whose roots are the numbers s, and those among whose roots are the numbers t, of
     all isolated common zeros of two forms.
     """
+    return Priced(partial(_both_eliminants, first, second))
+
+
+def _both_eliminants(first: PatchForm, second: PatchForm) -> tuple[list[fmpz_poly], list[fmpz_poly]]:
     p, q = map(as_polynomial, (first, second))
     shared = greatest_common_divisor([p, q])
     pair = [p / shared, q / shared]
@@ -500,7 +504,7 @@ def _eliminants(first: PatchForm, second: PatchForm) -> tuple[list[fmpz_poly], l
 def _numbers(zero: Isolated) -> Place:
     """The numbers of a zero certified in a box, as roots of resultants."""
     numbers = list[Parameter]()
-    for k, parts in enumerate(_eliminants(*zero.forms)):
+    for k, parts in enumerate(_eliminants(*zero.forms).value):
         bits = 4 * DIGITS
         while len(roots := [t for p in parts for t in roots_in(p, *zero.refine(bits)[k])]) > 1:
             bits *= 2

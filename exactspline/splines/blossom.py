@@ -139,18 +139,22 @@ ALONG = 64
 _along: dict[tuple[int, tuple[mpq, ...]], list[Weights]] = {}
 
 
-def common_forms(
+#: The integers of the forms of a segment, one list for every component, and their denominator.
+CommonRows = tuple[list[list[int]], int]
+
+
+def common_rows(
     t: Sequence[mpq], n: int, columns: Sequence[Sequence[mpq]], spans: Sequence[int]
-) -> list[tuple[list[fmpz_poly], fmpz]] | None:
-    """The forms over the spans [t_j, t_{j+1}] of the splines of degree n with knots t and columns of control points,
-    one after the other, over their least common denominator. None where the knots around spans differ so much that
-    weights for each are not worthwhile.
+) -> list[CommonRows] | None:
+    """The integers of the forms over the spans [t_j, t_{j+1}] of the splines of degree n with knots t and columns of
+    control points, one after the other, over their least common denominator. None where the knots around spans differ
+    so much that weights for each are not worthwhile.
 
     >>> from exactspline.numbers.exact import mpq
     >>> for _ in range(4):
-    ...     found = common_forms([mpq(k) for k in range(4)], 1, [[mpq(1, 2), mpq(1)], [mpq(0), mpq(2)]], [1])
+    ...     found = common_rows([mpq(k) for k in range(4)], 1, [[mpq(1, 2), mpq(1)], [mpq(0), mpq(2)]], [1])
     >>> found
-    [([2*x + 1, 4*x], 2)]
+    [([[1, 2], [0, 4]], 2)]
     """
     weights = _weights_along(t, n, spans) if 0 < n <= MOST else None
     if weights is None:
@@ -173,7 +177,7 @@ def common_forms(
                 shared = gcd(below, *[x for part in parts for x in part])
                 if shared != 1:
                     parts, below = [[x // shared for x in part] for part in parts], below // shared
-            found.append(([*map(fmpz_poly, parts)], fmpz(below)))
+            found.append((parts, below))
     return found
 
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
+from flint import fmpz, fmpz_poly
+
 from exactspline.language.provenance import leaf
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bernstein import over_common_denominator
-from exactspline.splines.blossom import common_forms
+from exactspline.splines.blossom import CommonRows, common_rows
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, mesh_of
 from exactspline.splines.tensor import TensorSpline, make
@@ -37,22 +39,25 @@ def with_common_knots(splines: Iterable[S]) -> list[S]:
     return [f + common for f in splines]
 
 
-def splines_over(degree: int, knots: KnotVector, columns: Sequence[tuple[mpq, ...]]) -> list[BSpline]:
+def splines_over(
+    degree: int, knots: KnotVector, columns: Sequence[tuple[mpq, ...]], rows: Sequence[CommonRows] | None = None
+) -> list[BSpline]:
     """The components of one curve by their control points over knots that carry that degree, segment by segment over
-    one denominator, so that sums stay cheap; they share one mesh.
+    one denominator, so that sums stay cheap; they share one mesh. `rows`: the integers of their forms, where they are
+    known.
 
     >>> x, y = splines_over(1, KnotVector([0, 0, 1, 1]), [(mpq(0), mpq(1)), (mpq(1, 2), mpq(1))])
     >>> int(x.denominators[0]), y.denominators == x.denominators, y.control_points
     (2, True, (mpq(1,2), mpq(1,1)))
     """
     mesh, continuity, spans = mesh_of(knots, degree)
-    forms = common_forms(knots.knots, degree, columns, spans)
+    forms = rows or common_rows(knots.knots, degree, columns, spans)
     if forms is None:
         return with_common_denominators([BSpline(degree, knots, column) for column in columns])
-    below = tuple([m for _, m in forms])
+    below = tuple([fmpz(m) for _, m in forms])
     return [
-        BSpline.from_parts(degree, mesh, continuity, polynomials, below, leaf(), knots, column)
-        for polynomials, column in zip(zip(*[own for own, _ in forms], strict=True), columns, strict=True)
+        BSpline.from_parts(degree, mesh, continuity, tuple(map(fmpz_poly, own)), below, leaf(), knots, column)
+        for own, column in zip(zip(*[own for own, _ in forms], strict=True), columns, strict=True)
     ]
 
 

@@ -20,6 +20,7 @@ from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.real import Real, square_root
+from exactspline.splines.blossom import CommonRows, common_rows
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import splines_over, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
@@ -266,9 +267,31 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
     @cached_property
     def _splines(self) -> tuple[BSpline, ...]:
         """The components, the last of them the weight function where the curve is rational."""
+        return tuple(splines_over(self.degree, self.knots, self._columns, vars(self).pop("rows", None)))
+
+    @property
+    def _columns(self) -> list[tuple[mpq, ...]]:
+        """The control points of every component."""
         points, weights = self.control_points, self.weights
         rows = points if self.polynomial else [(*lifted(x, w), w) for x, w in zip(points, weights, strict=True)]
-        return tuple(splines_over(self.degree, self.knots, list(zip(*rows, strict=True))))
+        return list(zip(*rows, strict=True))
+
+    @cached_property
+    def rows(self) -> list[CommonRows]:
+        """The integers of the forms of its components on every segment, over one denominator.
+
+        >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, "1/2")]).rows
+        [([[0, 8], [0, 1]], 2)]
+        """
+        made = None
+        if "_splines" not in vars(self):
+            made = common_rows(self.knots.knots, self.degree, self._columns, mesh_of(self.knots, self.degree)[2])
+        if made is None:
+            n, splines = self.degree, self._splines
+            columns = [[[int(c[k]) for k in range(n + 1)] for c in f._polynomials] for f in splines]
+            below = map(int, splines[0].denominators)
+            made = [(list(own), m) for *own, m in zip(*columns, below, strict=True)]
+        return made
 
     @cached_property
     def p(self) -> Vector[BSpline]:  # type: ignore[override]  # computed when asked for
@@ -313,6 +336,9 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
     @property
     def closed(self) -> bool:
         """Whether the ends agree exactly."""
+        t = self.knots.knots
+        if t[0] == t[self.degree] and t[-1] == t[-1 - self.degree]:
+            return self.control_points[0] == self.control_points[-1]
         w, n = self.w._polynomials, self.w.degree
         # each end has the denominators of one segment, so that only the integers at the ends matter
         start, end = w[0][0] * self.w.denominators[-1], w[-1][n] * self.w.denominators[0]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any
 
 from flint import fmpq_mpoly
@@ -21,6 +21,7 @@ from exactspline.language.kinds import PAIR as PAIR_OF_CURVES
 from exactspline.language.kinds import Kind, kind_of
 from exactspline.language.vector import Vector, norm2
 from exactspline.papers import find
+from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading
 
@@ -239,7 +240,7 @@ def zero_free(jet: Jet, assumed: Iterable[Assumption] = _EVERYWHERE) -> Assumpti
     return None
 
 
-@cache
+@at_its_cost
 def _polynomials(
     assumed: tuple[Assumption, ...], kind: Kind, dimension: int, order: int, polynomial: bool
 ) -> list[tuple[Assumption, fmpq_mpoly]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from operator import attrgetter
 from threading import RLock
 from typing import Any, NamedTuple, cast
@@ -23,6 +23,7 @@ from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import content, from_flint, mpq, sign, to_fmpq
 from exactspline.papers import Paper, default_papers, formula_of
+from exactspline.polynomials.cost import Budget, Priced, drawing_on
 from exactspline.polynomials.factorization import Factorization, multiplied, power_text
 from exactspline.polynomials.factors import factorize
 from exactspline.readings.degree import Degree, DegreeReading
@@ -118,16 +119,16 @@ def jets_for(
         polynomial = polynomial or without_denominator(chosen, factor, dimension)
     order = max((order_of(each, dimension) for each in chosen), default=0)
     shared, key = _SHARED.get(), (kind, dimension, order, polynomial)
-    if shared is not None and key in shared:
-        return shared[key]
-    made = RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
-    if shared is not None:
-        made = shared.setdefault(key, made.remembering())
-    return made
+    make = partial(RationalJetReading(order).argument, kind, dimension, polynomial=polynomial)
+    if shared is None:
+        return make()
+    if key not in shared:
+        shared.setdefault(key, Priced(lambda: make().remembering()))
+    return shared[key].value
 
 
 #: Indeterminate curves by kind, dimension, order and whether w = 1; they memoize the values of formulas.
-SharedJets = dict[tuple[Kind, int, int, bool], Evaluated]
+SharedJets = dict[tuple[Kind, int, int, bool], Priced[Evaluated]]
 _SHARED: ContextVar[SharedJets | None] = ContextVar("shared jets", default=None)
 
 
@@ -348,6 +349,8 @@ class _Names:
         self._argument = argument.remembering()
         self._known: list[tuple[str, object] | None] = []
         self.formulas: dict[str, Formula] = {}
+        #: One for all, since they are computed in one order: what a claim has spent before is no reason to skip one.
+        self._budget = Budget()
         self._lock = RLock()
 
     def __iter__(self) -> Iterator[tuple[str, object]]:
@@ -364,7 +367,8 @@ class _Names:
         that it does not affect verdicts on others.
         """
         try:
-            return self._value(formula)
+            with drawing_on(self._budget):
+                return self._value(formula)
         except ExactSplineError:
             if self._of_library:
                 raise

@@ -16,7 +16,7 @@ from exactspline.language.parts import joined, split
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.papers import Paper, formula_of
-from exactspline.polynomials.cost import Budget, drawing_on
+from exactspline.polynomials.cost import Budget, at_its_cost, drawing_on
 from exactspline.polynomials.factorization import Factorization
 from exactspline.readings.degree import Degree
 from exactspline.readings.differential_order import order_of
@@ -46,7 +46,7 @@ def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, poly
     return _factor(formula_of(left), formula_of(right), dimension, polynomial, naming())
 
 
-@cache
+@at_its_cost
 def _factor(left: Formula, right: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]) -> Factor | None:
     c = jets_for((left, right), dimension, polynomial=polynomial)
     return find_factor(left(c), right(c))
@@ -97,7 +97,7 @@ SHOWN = {
 SHOWN_SURFACES = {False: "rational_biquadratic", True: "bicubic"}
 
 
-@cache
+@at_its_cost
 def vanishes(formula: Formula, dimension: int, polynomial: bool) -> bool:
     """Whether a formula is zero for all arguments of its kind: where it is not, usually one example shows it.
 

@@ -7,7 +7,7 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import distance, example
+from exactspline import Nurbs, distance, example
 from exactspline.errors import ShapeError
 from tests.support.bisector_oracle import bezier
 
@@ -63,3 +63,34 @@ def test_parallel_segments_are_named_and_bounded():
 def test_dimensions_must_agree():
     with pytest.raises(ShapeError, match="R3"):
         distance(example("circle"), example("twisted_cubic"))
+
+
+def arcs_of(found):
+    return [(*map(str, arc.first), *map(str, arc.second)) for arc in found.everywhere]
+
+
+@pytest.mark.parametrize(("first", "second", "value", "arcs"), [
+    (bezier((0, 0), (1, 0)), bezier(("1/2", 0), (3, 0)), 0, [("1/2", "1", "0", "1/5")]),
+    (example("circle"), bezier((0, 0), (0, 0)), 1, [("0", "4", "0", "1")]),
+    (bezier((0, 0), (0, 0)), example("circle"), 1, [("0", "1", "0", "4")]),
+    (example("circle").restrict(0, 1), bezier((0, 0), (-5, -5)), 1, [("0", "1", "0", "0")]),
+    (bezier((1, 2, 2), (1, 2, 2)), bezier((0, 0, 0), (0, 0, 0)), 3, [("0", "1", "0", "1")]),
+    (bezier((0, 0, 3), (0, 0, 3)), bezier((0, 0, 0), (1, 0, 0)), 3, [("0", "1", "0", "0")]),
+    (bezier((0, 3), (1, 4)), bezier((0, 0), (1, 0)), 3, []),
+], ids=["common", "about a point", "a point", "about an end", "two points", "a point in space", "none"])  # fmt: skip
+def test_arcs_of_nearest_points_are_named(first, second, value, arcs):
+    """False before: the ends of arcs were all pairs. A point with a circle around it, or two points: `ValueError`."""
+    found = distance(first, second)
+    assert found.value == value
+    assert arcs_of(found) == arcs
+    assert not found.left_out
+    assert len({(p.first, p.second) for p in found.pairs}) == len(found.pairs)
+
+
+def test_what_intersections_leave_out_is_left_out_of_the_distance():
+    """False before: "these pairs" at the distance 0, where the common points of two segments are undecided."""
+    knots = [0, 0, 1, 2, 3, 3]
+    still = Nurbs(1, knots, [(0, 0, 0), (1, 0, 0), (1, 0, 0), (2, 1, 0)])
+    found = distance(still, bezier((1, -1, 0), (1, 1, 0)))
+    assert (found.value, found.lower) == (0, 0)
+    assert found.left_out

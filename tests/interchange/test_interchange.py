@@ -392,7 +392,7 @@ def test_svg_keeps_the_segments(curve):
 
 def test_svg_refuses_what_it_cannot_draw():
     for curve in (ARC, SPACE):
-        with pytest.raises(ShapeError, match="can be drawn"):
+        with pytest.raises(ShapeError, match="plane curves of degree 1 to 3"):
             encoded([curve], "svg")
 
 

@@ -45,14 +45,14 @@ def test_weights_are_computed_for_what_is_met_again_and_forgotten_in_time(monkey
     monkeypatch.setattr(blossom, "PATTERNS", 5)
     monkeypatch.setattr(blossom, "ALONG", 5)
     t, column = [mpq(k) for k in (0, 0, 0, 1, 1, 1)], [[mpq(k) for k in (1, 2, 5)]]
-    found = [blossom.common_forms(t, 2, column, [2]) for _ in range(4)]
+    found = [blossom.common_rows(t, 2, column, [2]) for _ in range(4)]
     assert [each is None for each in found] == [True, True, False, False]
     for k in range(2, 40):  # every time another knot
-        assert blossom.common_forms([*t[:3], *[mpq(1, k)], *t[3:]], 2, [[mpq(1)] * 4], [2, 3]) is None
+        assert blossom.common_rows([*t[:3], *[mpq(1, k)], *t[3:]], 2, [[mpq(1)] * 4], [2, 3]) is None
     assert len(blossom._met) < 10
     assert len(blossom._weights) < 10
     assert len(blossom._along) < 10
-    assert blossom.common_forms(t, blossom.MOST + 1, column, [2]) is None
+    assert blossom.common_rows(t, blossom.MOST + 1, column, [2]) is None
 
 
 def test_knots_that_carry_one_degree_are_checked_for_another():

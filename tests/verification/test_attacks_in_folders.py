@@ -80,10 +80,11 @@ def test_a_name_stays_in_its_comment(name):
 
 
 @pytest.mark.parametrize(
-    "symbol", [r"\input{/etc/passwd}", r"\write18{x}", r"\href{x}{y}", r"\def\x{y}", "a^^5cinput", "a%b", r"a\\b", "a}"]
-)
+    "symbol", [r"\input{/etc/passwd}", r"\write18{x}", r"\href{x}{y}", r"\def\x{y}", "a^^5cinput", "a%b", r"a\\b", "a}",
+               "{" * 101 + "}" * 101, r"\left("]
+)  # fmt: skip
 def test_a_symbol_is_a_sign_and_nothing_else(symbol, tmp_path):
-    r"""Before, \input and \href stood in the LaTeX and in the pages."""
+    r"""Before, \input and \href stood in the LaTeX and in the pages; later still 10⁴ braces, and a \left alone."""
     body = f"@formula('e', on='plane', symbol={symbol!r})\ndef f(c):\n    return c.w * 1\n"
     with pytest.raises(FormulaError, match=r"line \d: the symbol"):
         load_paper(written(tmp_path / "p", body, []))
@@ -98,7 +99,22 @@ def test_symbols_of_the_papers_are_signs():
 # ---- tables
 
 
-CELLS = ["=1+1", "+cmd|x", "-x", "@SUM(A1)", "-1+cmd", "-1/2", "-0.333…", "1", "−3", "x = 1", "", "-∞", "+1e-3"]
+CELLS = [
+    "=1+1",
+    "+cmd|x",
+    "-x",
+    "@SUM(A1)",
+    "-1+cmd",
+    "＝1+1",
+    "-1/2",
+    "-0.333…",
+    "1",
+    "−3",
+    "x = 1",
+    "",
+    "-∞",
+    "+1e-3",
+]
 
 
 def test_no_cell_of_text_is_computed_and_numbers_stay():
@@ -108,7 +124,7 @@ def test_no_cell_of_text_is_computed_and_numbers_stay():
         sheet.add_row(cell)
     rows = list(csv.reader(io.StringIO(csv_of([sheet], "curve"))))[1:]
     assert {row[0] for row in rows} == {"'=A1"}
-    assert [row[1] for row in rows] == [f"'{cell}" for cell in CELLS[:5]] + CELLS[5:]
+    assert [row[1] for row in rows] == [f"'{cell}" for cell in CELLS[:6]] + CELLS[6:]
 
 
 def test_markdown_has_no_html_and_no_link_of_a_stranger(tmp_path):
@@ -205,6 +221,8 @@ def test_that_formulas_ran_unchecked_is_said_everywhere(tmp_path):
         rows = list(csv.reader(io.StringIO(table)))
         assert (rows[0][-1] == "unchecked") == trust
         assert all((row[-1] == file) == trust for row in rows[1:])
+        derived = json.loads(invoke("derive", f"{folder}:f", "circle", *words[3:]).output)
+        assert derived.get("unchecked") == ([file] if trust else None)
         page = tmp_path / "page.html"
         invoke(*words, "--html", page)
         assert ("unchecked (--trust)" in page.read_text(encoding="utf-8")) == trust

@@ -143,6 +143,18 @@ def test_rabin_test_against_flint():
             assert is_irreducible(form, p) == ([e for _, e in factors] == [1])
 
 
+def test_a_constant_is_not_irreducible():
+    """Accepted before: a certificate that a constant is irreducible modulo 101."""
+
+    data = certificate("critical_curvature", example("ellipse_skew"))
+    constant = {"forms": [["1"]], "weight": ["1"], "degree": 0, "cofactors": [["1"], []], "irreducible modulo": None}
+    data["segments"] = [data["segments"][0] | constant]
+    assert check_certificate(data) == {"degree": 0}
+    data["segments"][0]["irreducible modulo"] = 101
+    with pytest.raises(ValueError, match="not irreducible"):
+        check_certificate(data)
+
+
 def test_witnesses_are_the_same_every_time():
     assert isinstance(witness(2, 3), Nurbs)
     assert witness(3, 4).control_points == witness(3, 4).control_points

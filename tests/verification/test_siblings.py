@@ -4,6 +4,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
+from exactspline import BSpline, Nurbs
 from exactspline.display.evidence import worded
 from exactspline.errors import FormulaError, ReachError
 from exactspline.geometry.surface.merged import merged_umbilics
@@ -11,14 +12,15 @@ from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind, UmbilicsOfPatch
 from exactspline.language.choices import Parameter
 from exactspline.numbers.intervals import Box, Interval
-from exactspline.papers import find
+from exactspline.papers import find, load_paper
 from exactspline.polynomials import factors
 from exactspline.verification import generic_proof
-from exactspline.verification.claims import all_claims
+from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.degree_tables import construction_table, formula_degrees
 from exactspline.verification.kinds.degree import DegreeClaim
-from exactspline.verification.ledger import proved
-from exactspline.verification.verdict import UNDECIDED
+from exactspline.verification.ledger import audit, proved
+from exactspline.verification.verdict import REFUTED, UNDECIDED
+from tests.verification.test_own_paper import plane_formulas, written
 
 S = xs.TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
 T = xs.TensorSpline((0, 1), [0, 1], [0, 0, 1, 1], [[0, 1]])
@@ -98,3 +100,14 @@ def test_verdicts_leave_out_whole_kinds():
     with pytest.raises(xs.ExactSplineError, match="kinds of claims"):
         xs.tables.verdicts("C4.1a", without="identity, degree")
     assert xs.tables.verdicts("C4.1a", without=["identity"])["verdict"] == []
+
+
+def test_a_value_that_is_negative_on_a_short_interval_is_refuted_there(tmp_path):
+    """Before: no end; the witness was sought among ever more samples, of which this interval needs 10⁶⁰."""
+    t, a, width = BSpline.identity(0, 1), mpq(1, 3), mpq(1, 2**200)
+    curve = Nurbs.from_splines([(t - a) * (t - a - width), t])
+    claim = {"id": "1", "kind": "sign", "statement": "said", "curve": "plane", "formula": "f", "sign": "≥ 0"}
+    (one,) = claims_of(load_paper(written(tmp_path / "p", plane_formulas(f="c.p[0] * 1"), [claim])))
+    (row,) = audit([one], [curve])
+    assert row.verdict == REFUTED
+    assert a < row.finding.witness.parameter < a + width

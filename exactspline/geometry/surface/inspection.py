@@ -16,18 +16,19 @@ from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_
 from exactspline.geometry.surface.joints import SurfaceJoint, joints
 from exactspline.geometry.surface.merged import is_in, is_same, merged_places, merged_umbilics
 from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.recognized import RecognizedPart, recognized_surface
 from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
 from exactspline.geometry.surface.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
 from exactspline.hooks import Displayed
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_polynomial
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
-from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
+from exactspline.questions.entry import Answered, Fact, Inspected, Of, question, question_with
 from exactspline.roots.common_zeros import CommonZero
 from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import Along, NurbsSurface
@@ -291,6 +292,30 @@ class SurfaceInspection(Inspected, Displayed):
         {2}
         """
         return joints(self._forms, self.closed)
+
+    @question(Of.SURFACE, answered=Answered.SHAPES)
+    def shapes(self) -> tuple[RecognizedPart, ...]:
+        """The patches that are planes, spheres, cylinders, cones or tori, exactly or within 10⁻⁹ of the surface's size.
+
+        See `exactspline.geometry.surface.recognized.recognized_surface`.
+
+        >>> from exactspline import analyse, example
+        >>> [(str(found.shape), found.exact) for found in analyse(example("cone")).shapes]
+        [('cone: apex (0, 0, 2), axis (0, 0, 1), tan 1/2', True)]
+        """
+        return recognized_surface(self.surface)
+
+    @question_with("1/1000000", Of.SURFACE, answered=Answered.SHAPES)
+    def shapes_within(self, epsilon: Number) -> tuple[RecognizedPart, ...]:
+        """The patches that are planes, spheres, cylinders, cones or tori within this distance.
+
+        >>> from exactspline import analyse, example
+        >>> [found.shape.kind.value for found in analyse(example("torus")).shapes_within("1/1000")]
+        ['torus']
+
+        Raises `ShapeError` for a distance that is not positive.
+        """
+        return recognized_surface(self.surface, epsilon)
 
     @Fact
     def closed(self) -> tuple[Along, ...]:

@@ -15,7 +15,7 @@ from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
 #: Boxes and halvings before the remaining boxes are reported as undecided.
-BOXES, DEPTH = 4000, 40
+BOXES, DEPTH = 4000, 80
 
 Point = tuple[mpq, mpq]
 
@@ -106,7 +106,7 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
         if seen > BOXES or part.depth >= DEPTH:
             undecided = True
         else:
-            todo.extend(halved(part))
+            todo.extend(halved(part, own.steeper))
     positive, negative = witnesses.get(1), witnesses.get(-1)
     if undecided:
         return Signs(Sign.UNDECIDED, positive, negative, tuple(zeros))

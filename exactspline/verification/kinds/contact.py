@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import field
-from functools import cache
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError, VanishingDivisorError
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
+from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import JetFraction, RationalJetReading
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
@@ -137,7 +137,7 @@ def on_diagonal(value: JetFraction) -> JetFraction:
     return equated(value, BAR)
 
 
-@cache
+@at_its_cost
 def is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
     """Whether the equations ``value = 0`` for the point at s̄ have fewer independent gradients where the points meet
     than elsewhere: there is no tangent there, so that contact is not defined. Any formula times ``‖γ(s̄) − γ(s)‖²``

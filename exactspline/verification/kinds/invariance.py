@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import field
 from enum import StrEnum
-from functools import cache, partial
+from functools import partial
 from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, VanishingDivisorError, counted
@@ -17,6 +17,7 @@ from exactspline.language.kind import Symbol
 from exactspline.language.kinds import CurveKind, Kind, kind_of
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.readings.rational_jet import RationalJetReading
@@ -235,7 +236,7 @@ class _Wider(CurveKind):
         return Accompanied(curve, {name: named[name] for name in (*self.constants, SPEED)})
 
 
-@cache
+@at_its_cost
 def _wider(kind: Kind, name: str, dimension: int) -> _Wider:
     """The kind in which a formula is compared with its value on the changed curve."""
     assert isinstance(kind, CurveKind)

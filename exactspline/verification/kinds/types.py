@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import field, replace
-from functools import cache
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, ExactSplineError, VanishingDivisorError
@@ -13,6 +12,7 @@ from exactspline.language.arguments import POINT, Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind, kind_of
 from exactspline.language.parts import joined, split
+from exactspline.polynomials.cost import at_its_cost
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
@@ -265,7 +265,7 @@ class Existence(Claim):
         return replace(general, computed=RationalOfDegree(int(value.degree)))
 
 
-@cache
+@at_its_cost
 def _decided(claim: Existence, dimension: int, polynomial: bool) -> Finding:
     return claim.decide(dimension, polynomial)
 

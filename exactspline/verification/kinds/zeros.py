@@ -5,6 +5,7 @@ on the same curves.
 from __future__ import annotations
 
 from dataclasses import field
+from itertools import pairwise
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
@@ -13,8 +14,10 @@ from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bernstein import is_square_class
+from exactspline.polynomials.common_arcs import between
 from exactspline.polynomials.factors import factorize
-from exactspline.polynomials.isolation import is_nonnegative
+from exactspline.polynomials.isolation import is_nonnegative, isolate
+from exactspline.polynomials.zero_places import Place, at
 from exactspline.readings.jet import Jet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms
@@ -223,15 +226,13 @@ def _zero_free(value: Any, assumed: Any) -> tuple[Name, ...] | None:
 
 
 def _negative(f: BSpline, i: int) -> mpq:
-    """A parameter at which a spline is negative, on a segment on which it has negative values."""
+    """A parameter at which a spline is negative, on a segment on which it has negative values: in the middle between
+    zeros, or an end of the segment and a zero.
+    """
     a, b = f.breakpoints[i : i + 2]
-    n = f.degree + 2
-    while True:
-        for k in range(1, n):
-            t: mpq = a + (b - a) * mpq(k, n)
-            if f(t) < 0:
-                return t
-        n *= 2
+    places = [at(mpq(0), 0), *map(Place, isolate(f.polynomials[i], f.degree).inner), at(mpq(1), 0)]
+    inside = (a + (b - a) * between(*pair) for pair in pairwise(places))
+    return next(t for t in inside if f(t) < 0)
 
 
 @claim_kind
