@@ -141,13 +141,12 @@ def inspect(
         for_curves: dict[str, str | bool] = {
             "--approach": approach,
             "--coordinates": coordinates,
-            "--epsilon": epsilon,
             "--approximate": approximate,
             "--stability": stability,
             "--certificate": certificate,
             "--emit-coq": emit_coq,
         }
-        _inspect_surfaces(out, with_surfaces, ask, for_curves, digits, plot, good)
+        _inspect_surfaces(out, with_surfaces, ask, for_curves, digits, plot, epsilon, good)
     elif ask:
         answer_questions(out, read_curves(read, good), ask, digits, certificates)
     else:
@@ -172,6 +171,7 @@ def _inspect_surfaces(
     for_curves: Mapping[str, str | bool],
     digits: int,
     plot: str,
+    epsilon: str,
     good: bool,
 ) -> None:
     """The surfaces in what was read; `for_curves` are the options that are only for curves."""
@@ -183,7 +183,9 @@ def _inspect_surfaces(
         return
     if refused := next((option for option, value in for_curves.items() if value), ""):
         raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
-    inspect_surfaces(out, own, digits, plot, good=good)
+    if epsilon:
+        check_distance(epsilon)
+    inspect_surfaces(out, own, digits, plot, epsilon, good=good)
 
 
 def _see_that_they_fit(names: Sequence[str], approach: str, epsilon: str, emit_coq: str) -> None:

@@ -24,8 +24,8 @@ from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import counted
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.derived import Derived
+from exactspline.geometry.planar_maps import MapInspection
 from exactspline.geometry.surface.inspection import SurfaceInspection
-from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
