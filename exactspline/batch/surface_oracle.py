@@ -11,10 +11,10 @@ from collections.abc import Callable, Mapping
 from exactspline.batch.oracle_answers import QuestionError, number_data
 from exactspline.display.surface_data import surface_answer_data
 from exactspline.errors import as_text, nearest
+from exactspline.geometry.planar_maps import MapInspection, jacobian_sign
 from exactspline.geometry.registry import REGISTRY
 from exactspline.geometry.surface.forms import SurfaceForms
 from exactspline.geometry.surface.inspection import SurfaceInspection
-from exactspline.geometry.surface.planar_maps import MapInspection, jacobian_sign
 from exactspline.numbers.exact import mpq, rational
 from exactspline.questions.entry import Of
 from exactspline.reals.real import Real, square_root

@@ -85,8 +85,8 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> t
         surface_inspection_data,
         surface_sheet,
     )
+    from exactspline.geometry.planar_maps import jacobian_sign
     from exactspline.geometry.surface.inspection import inspect_surface
-    from exactspline.geometry.surface.planar_maps import jacobian_sign
 
     if surface.dimension == 2:
         if plot:

@@ -14,13 +14,13 @@ from exactspline.display.described import described_surface, shape_text
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, counted
+from exactspline.geometry.planar_maps import MapInspection
 from exactspline.geometry.surface.chains import Piece, ZeroComponent
 from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.forms import Patch, lowest
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Parameter, Place, enclosing
-from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.geometry.surface.recognized import RecognizedPart
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.geometry.surface.zero_lines import ZeroLine
@@ -213,6 +213,16 @@ def _hull(piece: Piece) -> Box:
     return hull(spots) if spots else piece.sides
 
 
+def _extent_of(curve: ZeroComponent) -> Iterator[str]:
+    """The approximate extent of a curve."""
+    return (_near(side, 2) for side in hull(_extent(piece) for piece in curve.pieces))
+
+
+def _of_curve(curve: ZeroComponent) -> str:
+    across = f", across {counted(len(curve.patches), 'patch')}" if len(curve.patches) > 1 else ""
+    return curve.shape.value + across
+
+
 def _extent(piece: Piece) -> Box:
     """Its approximate extent: the hull of points on it."""
     if not piece.part.arcs:
@@ -273,15 +283,17 @@ def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[R
         note = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
         made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), note)
     for curve in inspection.parabolic_curves:
-        extent = hull(_extent(piece) for piece in curve.pieces)
-        across = f", across {counted(len(curve.patches), 'patch')}" if len(curve.patches) > 1 else ""
-        made.add_row("parabolic curve", *(_near(side, 2) for side in extent), curve.shape.value + across)
+        made.add_row("parabolic curve", *_extent_of(curve), _of_curve(curve))
     for place in inspection.parabolic_points:
         made.add_row("parabolic point", *_parameters(place, digits), "K = 0 at this point only")
     for umbilic in inspection.umbilics:
         made.add_row("umbilic", *_parameters(umbilic.place, digits), _of_umbilic(umbilic))
+    for curve in inspection.umbilic_curves:
+        made.add_row("umbilic curve", *_extent_of(curve), _of_curve(curve))
     for place in inspection.singular_points:
         made.add_row("singular point", *_parameters(place, digits), "no tangent plane")
+    for curve in inspection.singular_curves:
+        made.add_row("singular curve", *_extent_of(curve), f"no tangent plane, {_of_curve(curve)}")
     for (along, value, point, gap), intervals in _poles(inspection):
         note = f"the point ({', '.join(text(x) for x in point)})" if point else "no tangent planes along a curve"
         at = f"{note}, {gap.value}"
@@ -423,9 +435,14 @@ def map_sheet(inspection: MapInspection) -> Sheet:
         )
         seen = "" if sides[0] == sides[1] else f" as seen from {_patches(zero.patches)}"
         made.add_row("point", *_parameters(zero, DIGITS_OF_BOXES), f"det = 0{seen}")
-    for patch, edge in inspection.edges:
-        line = f"{'u' if edge.direction == 0 else 'v'} {'highest' if edge.end else 'lowest'}"
-        made.add_row("edge", "", "", f"det = 0 where {line} on patch {patch[0]}, {patch[1]}")
+    for line in inspection.zero_lines:
+        note = ", as seen from one side" if line.one_sided else ""
+        made.add_row("line", *_line(line.along, line.value, line.interval, DIGITS_OF_BOXES), f"det = 0{note}")
+    for curve in inspection.zero_curves:
+        made.add_row("curve", *_extent_of(curve), f"det = 0, {_of_curve(curve)}")
+    if not inspection.regular:
+        for cusp in inspection.cusps:
+            made.add_row("cusp", *_parameters(cusp, DIGITS_OF_BOXES), "det = 0, not a fold")
     _add_open_boxes(made, inspection.undecided)
     return made
 

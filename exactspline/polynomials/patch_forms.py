@@ -28,11 +28,12 @@ class PatchForm:
     (None, 1)
     """
 
-    __slots__ = ("_entries", "matrix")
+    __slots__ = ("_entries", "_range", "matrix")
 
     def __init__(self, matrix: fmpz_mat) -> None:
         self.matrix = matrix
         self._entries: list[fmpz] | None = None
+        self._range: tuple[fmpz, fmpz] | None = None
 
     def __reduce__(self) -> tuple[object, ...]:
         return PatchForm.of_net, ([[int(x) for x in row] for row in self.matrix.tolist()],)
@@ -86,7 +87,9 @@ class PatchForm:
     @property
     def range(self) -> tuple[fmpz, fmpz]:
         """Bounds of all values on the square: the smallest and the largest coefficient."""
-        return min(self.entries), max(self.entries)
+        if self._range is None:
+            self._range = min(self.entries), max(self.entries)
+        return self._range
 
     @property
     def corners(self) -> tuple[fmpz, fmpz, fmpz, fmpz]:
@@ -152,6 +155,8 @@ class PatchForm:
 
     def elevated(self, degree: tuple[int, int]) -> PatchForm:
         """The same polynomial elevated to a higher degree, up to a constant."""
+        if degree == self.degree:
+            return self
         left, right = (_elevation(n, to) for n, to in zip(self.degree, degree, strict=True))
         return PatchForm(left * self.matrix * right.transpose())
 
