@@ -14,8 +14,9 @@ import re
 from collections.abc import Sequence
 
 from exactspline.interchange.collector import Collector
+from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.step_edges import EDGE, ELEMENTARY, Edges
 from exactspline.interchange.step_records import StepFile, Value, keywords, parts
 from exactspline.interchange.step_splines import (

@@ -46,7 +46,7 @@ class Place:
 class Elimination:
     """The resultant, a combination ``slope s + offset``, and the combinations that prove what they say."""
 
-    resultant: fmpq_poly
+    eliminant: fmpq_poly
     slope: fmpq_poly
     offset: fmpq_poly
     exponent: int
@@ -74,7 +74,7 @@ def meeting_theorem(first: Nurbs, second: Nurbs) -> str:
     spans = [sum(t <= c.domain.low for t in c.knots) - 1 for c in (first, second)]
     pieces = [f"(curve_piece {name} {j})" for name, j in zip(("first_curve", "second_curve"), spans, strict=True)]
     boxes = [(x.first, x.second) for x in places if x.first is not None]
-    told = "; ".join(f"({_interval(s)}, {_interval(t)})" for s, t in boxes)
+    listed = "; ".join(f"({_interval(s)}, {_interval(t)})" for s, t in boxes)
     ends = " ".join(f"({number(t)})" for c in (first, second) for t in c.domain)
     named = ", ".join(comment(c.name or "a curve") for c in (first, second))
     return "\n".join(
@@ -91,10 +91,10 @@ def meeting_theorem(first: Nurbs, second: Nurbs) -> str:
             + ";\n  ".join(f"({_interval(x.second)}, {_place_text(x)})" for x in places)
             + "\n].\n",
             f"(** The curves meet at exactly {counted(len(boxes), 'point')}, one in each box. *)\n"
-            f"Theorem the_curves_meet :\n  hold_exactly (same_point {' '.join(pieces)})\n    {ends}\n    [{told}].\n"
+            f"Theorem the_curves_meet :\n  hold_exactly (same_point {' '.join(pieces)})\n    {ends}\n    [{listed}].\n"
             "Proof.\n  apply (curves_meet_exactly _ _ the_elimination _ _ _ _ the_cells the_places).\n"
             f"  vm_cast_no_check (eq_refl (true, ({pairs_text(x.second for x in places)} : list (Q * Q))%Q,\n"
-            f"    ([{told}] : list box)%Q)).\nQed.\n",
+            f"    ([{listed}] : list box)%Q)).\nQed.\n",
         ]
     )
 
@@ -199,7 +199,7 @@ def _by_line(p: Rows, line: Rows, resultant: fmpq_poly, exponent: int) -> tuple[
 
 def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list[Cell], list[Place]]:
     """Cells of the resultant so narrow that each of its zeros has a place, and these places."""
-    todo = [(cell, 0) for cell in reversed(cells_of(found.resultant, *second))]
+    todo = [(cell, 0) for cell in reversed(cells_of(found.eliminant, *second))]
     cells, places = list[Cell](), list[Place]()
     while todo:
         cell, depth = todo.pop()
@@ -208,7 +208,7 @@ def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list
             if depth == DEPTH:
                 raise DomainError("the place of a zero is not decided", remedy=REMEDY)
             middle = (cell.low + cell.high) / 2
-            halves = [c for a, b in ((cell.low, middle), (middle, cell.high)) for c in cells_of(found.resultant, a, b)]
+            halves = [c for a, b in ((cell.low, middle), (middle, cell.high)) for c in cells_of(found.eliminant, a, b)]
             todo += [(half, depth + 1) for half in reversed(halves)]
             continue
         cells.append(cell)
@@ -219,7 +219,7 @@ def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list
 
 def _at_point(found: Elimination, first: Interval, t: mpq) -> list[Place]:
     """The place of a zero at a rational parameter, if it is one."""
-    if found.resultant(to_fmpq(t)) != 0:
+    if found.eliminant(to_fmpq(t)) != 0:
         return []
     a, b = (from_flint(p(to_fmpq(t))) for p in (found.slope, found.offset))
     if a == 0:
@@ -272,7 +272,10 @@ def _rows(rows: Iterable[fmpq_poly]) -> str:
 def _elimination_text(found: Elimination) -> str:
     names = ("of_resultant", "of_line", "first_form", "second_form")
     pairs = (f"{n} := ({_rows(f)}, {_rows(g)})" for n, (f, g) in zip(names, found.combinations, strict=True))
-    polynomials = (f"{n} := {polynomial_text(getattr(found, n))}" for n in ("resultant", "slope", "offset"))
+    polynomials = (
+        f"{n} := {polynomial_text(p)}"
+        for n, p in (("resultant", found.eliminant), ("slope", found.slope), ("offset", found.offset))
+    )
     own = ";\n  ".join([*polynomials, f"exponent := {found.exponent}", *pairs])
     return f"Definition the_elimination : elimination := {{|\n  {own}\n|}}.\n"
 
