@@ -9,6 +9,7 @@ import tarfile
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from fcntl import LOCK_EX, LOCK_NB, flock
 from pathlib import Path
 from time import monotonic
 from typing import Any
@@ -41,6 +42,18 @@ SOURCE = (
 
 
 def main() -> int:
+    """Build the site, where no other build of this checkout is under way: both would write the same folder."""
+    BUILD.mkdir(parents=True, exist_ok=True)
+    with (BUILD / "lock").open("w", encoding="utf-8") as lock:
+        try:
+            flock(lock, LOCK_EX | LOCK_NB)
+        except BlockingIOError:
+            print("error: another ./run site is building this site; wait until it has ended", file=sys.stderr)
+            return 2
+        return build()
+
+
+def build() -> int:
     """Lay out the sources, make what is made, and run Sphinx with warnings as errors."""
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else BUILD / "html"
     source = BUILD / "source"

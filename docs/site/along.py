@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 from shutil import copyfile
+from typing import Any
 
 import exactspline as xs
-from docs.site.pages import plain
+from docs.site.narrow import beside, narrowed, png
+from docs.site.pages import picture, plain
 from exactspline.display.reading_along import ReadingAlong, along_html, reading_along
 from exactspline.papers import default_papers
 from exactspline.papers.passages import sections_of
@@ -56,9 +58,9 @@ def write_reading(folder: Path, drawn: Path) -> list[str]:
     drawn.mkdir(parents=True, exist_ok=True)
     copyfile(Path(__file__).parents[1] / "pictures" / "approximated.png", drawn / "approximated.png")
     for section, (formula, curve, _) in DRAWN.items():
-        xs.plot(xs.find(formula)(xs.example(curve))).figure.savefig(drawn / f"{_name(section)}.svg")
+        _save(xs.plot(xs.find(formula)(xs.example(curve))), drawn / f"{_name(section)}.svg")
     own = [xs.Nurbs(1, [-2, -2, 2, 2], ends) for ends in (((-2, 0, -1), (2, 0, -1)), ((0, -2, 1), (0, 2, 1)))]
-    xs.plot(xs.find("bisector_symmetric")(xs.tables.surface_pair(*own))).figure.savefig(drawn / f"{_name('6.1')}.svg")
+    _save(xs.plot(xs.find("bisector_symmetric")(xs.tables.surface_pair(*own))), drawn / f"{_name('6.1')}.svg")
     read = [reading_along(number) for number in sections_of(default_papers()[0])]
     names = [_name(each.section) for each in read]
     for i, each in enumerate(read):
@@ -66,6 +68,11 @@ def write_reading(folder: Path, drawn: Path) -> list[str]:
         (folder / f"{names[i]}.md").write_text(_page(each, before, after), encoding="utf-8")
     (folder / "index.md").write_text(_index(read), encoding="utf-8")
     return [f"{folder.name}/{name}" for name in ("index", *names)]
+
+
+def _save(ax: Any, file: Path) -> None:
+    ax.figure.savefig(file)
+    beside(file).write_bytes(png(narrowed(ax.figure)))
 
 
 def _name(section: str) -> str:
@@ -80,7 +87,7 @@ def _page(read: ReadingAlong, before: str, after: str) -> str:
     links = [f"[← before]({before}.md)"] * bool(before) + ["[all sections](index.md)"]
     links += [f"[derived in a notebook](../notebooks/{_notebook(read.section)}.ipynb)"]
     links += [f"[next →]({after}.md)"] * bool(after)
-    pictures = [f'<img src="../{file}" alt="{seen}" style="max-width:100%">' for file, seen in _pictures(read.section)]
+    pictures = [picture(f"../{file}", seen) for file, seen in _pictures(read.section)]
     body = f'```{{raw}} html\n<div class="tex2jax_process">{along_html(read)}</div>\n```'
     return "\n\n".join([f"# §{read.section} {plain(read.title)}", " · ".join(links), *pictures, body]) + "\n"
 

@@ -5,6 +5,7 @@ from pathlib import Path
 from docutils import nodes
 from PIL import Image
 
+from docs.site.narrow import NARROW
 from docs.site.navigation import context
 
 project = "exactspline"
@@ -70,12 +71,19 @@ suppress_warnings = ["mystnb.unknown_mime_type"]
 
 
 def _tell(app, document):
-    """Give pictures of notebooks, which say in themselves what they show, that as their alternative text."""
+    """Give pictures of notebooks, which say in themselves what they show, that as their alternative text; and those
+    for narrow windows, which follow the others, a class.
+    """
+    before = None
     for picture in document.findall(nodes.image):
         file = Path(app.srcdir, picture["candidates"].get("*", picture["uri"]))
         if not picture.get("alt") and file.suffix == ".png":
             with Image.open(file) as opened:
                 picture["alt"] = opened.text["Description"]
+                if opened.text.get("Title") == NARROW:
+                    picture["classes"].append(NARROW)
+                    before["classes"].append("wide")
+        before = picture
 
 
 def _load_mathjax(app, page, template, context, document):

@@ -10,6 +10,7 @@ import warnings
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from io import BytesIO
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from pathlib import Path
@@ -104,16 +105,17 @@ def _run(cells: Sequence[str], folder: str, look: Callable[[Any], list[str]] | N
     from IPython.core.displayhook import CapturingDisplayHook
     from IPython.core.interactiveshell import InteractiveShell
     from IPython.utils.capture import capture_output
-    from matplotlib.figure import Figure
 
-    plain, looked_at, noted = Figure.savefig, [], []
+    from docs.site.narrow import narrowed, png, saved
 
-    def savefig(figure: Figure, *given: Any, **options: Any) -> None:
-        plain(figure, *given, **options)
+    looked_at, noted = [], []
+    narrow: dict[bytes, bytes] = {}
+
+    def seen(figure: Any, target: Any) -> None:
         looked_at.append(figure)
         noted.extend(look(figure) if look else [])
-
-    Figure.savefig = savefig
+        if isinstance(target, BytesIO):
+            narrow[target.getvalue()] = png(narrowed(figure))
 
     class Shell(InteractiveShell):
         def enable_gui(self, gui: Any = None) -> None:
@@ -121,16 +123,17 @@ def _run(cells: Sequence[str], folder: str, look: Callable[[Any], list[str]] | N
 
     shell, outputs, error = Shell.instance(), [], ""
     for cell in cells:
-        with capture_output() as captured:
+        with capture_output() as captured, saved(seen):
             # what the last line returns comes after what was displayed before it
             shell.display_trap.hook = CapturingDisplayHook(shell=shell, outputs=shell.display_pub.outputs)
             done = shell.run_cell(cell)
         streams = [("stdout", captured.stdout), ("stderr", captured.stderr)]
         outputs.append([new_output("stream", name=name, text=text) for name, text in streams if text])
-        outputs[-1] += [
-            new_output("display_data", data={kind: _encoded(data) for kind, data in each.data.items()})
-            for each in captured.outputs
-        ]
+        for each in captured.outputs:
+            shown = {kind: _encoded(data) for kind, data in each.data.items()}
+            outputs[-1].append(new_output("display_data", data=shown))
+            if small := narrow.get(each.data.get("image/png")):
+                outputs[-1].append(new_output("display_data", data={"image/png": _encoded(small)}))
         if not done.success:
             error = f"{done.error_before_exec or done.error_in_exec!r} in:\n{cell}"
             break

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import exactspline as xs
+from docs.site.narrow import beside, narrowed, png, saved
 from exactspline.cli import app
 from exactspline.display.evidence import worded
 from exactspline.display.figures import FIGURES, make
@@ -193,17 +194,27 @@ def figure(number: int) -> Drawn:
     return FIGURES[number]()
 
 
+def picture(file: str, alt: str) -> str:
+    """A picture in a page; those that are drawn here have another one for narrow windows."""
+    small = f"{file.removesuffix('.svg')}-narrow.png"
+    source = f'<source media="(max-width: 700px)" srcset="{small}">' if file.endswith(".svg") else ""
+    return f'<picture>{source}<img src="{file}" alt="{alt}" style="max-width:100%"></picture>'
+
+
 def draw_gallery(folder: Path, page: Path) -> None:
     """The figures with their captions, and the page that shows them."""
     folder.mkdir(parents=True, exist_ok=True)
     made = {f"figure{number}": make(number, folder, figure(number)) for number in FIGURES}
+    for number in FIGURES:
+        beside(folder / f"figure{number}.svg").write_bytes(png(narrowed(figure(number).figure)))
     for name, command in DRAWN.items():
-        with redirect_stdout(StringIO()):
+        small = beside(folder / f"{name}.svg")
+        with redirect_stdout(StringIO()), saved(lambda drawn, _, file=small: file.write_bytes(png(narrowed(drawn)))):
             app([*command, "--quiet", "--plot", str(folder / f"{name}.svg")], standalone_mode=False)
     lines = ["# Gallery", "What `./run paper figures`, `inspect --plot` and `bisector --plot` draw."]
     for name in (*made, *DRAWN):
         title = name.replace("_", " ").replace("figure", "figure ").capitalize()
-        lines += [f"## {title}", f'<img src="gallery/{name}.svg" alt="{title}" style="max-width:100%">']
+        lines += [f"## {title}", picture(f"gallery/{name}.svg", title)]
         if name in made:
             lines.append(plain(made[name].caption))
         if (folder / f"{name}.html").exists():

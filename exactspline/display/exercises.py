@@ -75,7 +75,9 @@ def _with_headings(made: Sequence[Exercise]) -> list[tuple[str, Exercise]]:
 def solution_lines(made: Exercise, width: int, number: str = "   ") -> list[str]:
     """The answer of an exercise and the way to it."""
     lines = _paragraph(f"{number}{plain(made.answer.parts)}", width)
-    lines += _paragraph(f"   {plain(made.solution)}", width, 3)
+    # a triangle in text says itself what it is
+    said = plain(made.solution).removesuffix("De Boor's triangle:").rstrip()
+    lines += _paragraph(f"   {said}", width, 3) if said else []
     for part in made.solution:
         if isinstance(part, Triangle):
             lines += [f"   {line}" for line in sheets(part)[0].text(max(20, width - 3)).splitlines()]

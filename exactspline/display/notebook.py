@@ -14,23 +14,24 @@ from exactspline.display.errata import found_text, true_text
 from exactspline.display.evidence import worded
 from exactspline.display.exercises import task_html
 from exactspline.display.latex import fraction, latex, mathematics
-from exactspline.display.ledger import claimed
 from exactspline.display.numbers import Numbers
 from exactspline.display.plot.canvas import in_words, settle
 from exactspline.display.quotations import quoted
 from exactspline.display.reading_along import ReadingAlong, along_html
+from exactspline.display.statement import fields
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import counted
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.derived import Derived
+from exactspline.geometry.planar_maps import MapInspection
 from exactspline.geometry.surface.inspection import SurfaceInspection
-from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.questions.entry import Of, questions_of
+from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
@@ -45,6 +46,8 @@ from exactspline.verification.statement import Side, Statement, sides
 SHOWN, LONG = 8, 24
 #: Characters of an answer that a table of answers shows.
 LONGEST = 200
+#: The fields of a statement that follow its formulas.
+SAID = ("claimed", "found", "factor", "witness", "verdict")
 #: Dots per inch of pictures in a notebook.
 RESOLUTION = 80
 #: A long number as a decimal.
@@ -60,11 +63,12 @@ def html(x: object) -> str | None:
 def facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
     """Lines of HTML next to a picture."""
     rows = "".join(
-        f'<tr><td style="text-align:left">{escape(name)}</td><td style="text-align:left;width:100%">{value}</td></tr>'
+        f'<tr><td style="text-align:left;white-space:nowrap">{escape(name)}</td>'
+        f'<td style="text-align:left;width:100%">{value}</td></tr>'
         for name, value in lines
     )
     table = f'<div style="flex:1;min-width:15em"><b>{escape(title)}</b><table>{rows}</table></div>'
-    return f'<div style="display:flex;flex-wrap:wrap;gap:1em;align-items:center">{picture}{table}</div>'
+    return f'<div style="display:flex;flex-wrap:wrap;gap:1em;align-items:center;margin:.8em 0">{picture}{table}</div>'
 
 
 def numbers(values: Iterable[mpq]) -> str:
@@ -130,12 +134,18 @@ def _(value: Any) -> str | None:
     return facts(described, []) if described and mathematics(value) is None else None
 
 
+def _isolating(root: Root) -> str:
+    """The ends of an isolating interval; of one that was refined until they look alike, one of them and the width."""
+    low, high = _short(root.low), _short(root.high)
+    return f"{low} … {high}" if low != high else f"{low}, narrower than {10 * float(root.high - root.low):.0e}"
+
+
 @html.register
 def _(zero_set: ZeroSet) -> str:
     rows = []
     for root in zero_set:
         left, right = ({None: "end", 1: "+", -1: "−", 0: "0"}[s] for s in root.signs)
-        interval = f"{_short(root.low)} … {_short(root.high)}" if root.exact is None else ""
+        interval = _isolating(root) if root.exact is None else ""
         rows.append(
             (
                 f"${mathematics(root)}$",
@@ -239,20 +249,9 @@ def _(read: ReadingAlong) -> str:
 
 @html.register
 def _(s: Statement) -> str:
-    c, f = s.claim, s.finding
-    fields = [
-        ("claimed", claimed(c)),
-        ("computed", worded(f.computed)),
-        ("factor", worded(f.factor)),
-        ("witness", worded(f.witness)),
-        ("verdict", f.verdict),
-    ]
-    lines = [
-        *_claim_lines(c, s.latex),
-        *_side_lines(s.sides),
-        *[(name, breakable(value)) for name, value in fields if value],
-    ]
-    return facts(f"{c.id}, {c.source}", lines)
+    said = [(name, breakable(value)) for name, value in fields(s) if name in SAID]
+    lines = [*_claim_lines(s.claim, s.latex), *_side_lines(s.sides), *said]
+    return facts(f"{s.claim.id}, {s.claim.source}", lines)
 
 
 def short(x: object) -> str:

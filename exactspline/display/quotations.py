@@ -16,6 +16,8 @@ COMMANDS = {
     r"\norm": r"\mathrm{N}",
     r"\bi": r"\mathrm{B}",
 }
+#: Bold letters of Markdown, and an index of HTML.
+_MARKED = re.compile(r"\*\*(?P<bold>\w+)\*\*|\b(?P<name>[A-Za-z]\w*)<sub>(?P<index>\w+)</sub>")
 _DROPPED = re.compile(r"\\(?:eqlbl|label|index)\{[^{}]*\}")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _FORMULA = re.compile(r"\$([^$]+)\$|\\\((.+?)\\\)|\\\[(.+?)(?:\\\]|$)")
@@ -31,8 +33,10 @@ def parts(words: str) -> list[tuple[bool, str]]:
     [(False, 'Assume '), (True, '|\\gamma|=1'), (False, ' for any\xa0'), (True, 's'), (False, '.')]
     >>> parts(r"\kappa = \frac{1}{R}"), parts("no root of f")
     ([(True, '\\kappa = \\frac{1}{R}')], [(False, 'no root of f')])
+    >>> parts("1/point3<sub>x</sub>, **r**")
+    [(False, '1/'), (True, '\\mathrm{point3}_{x}'), (False, ', '), (True, '\\mathbf{r}')]
     """
-    words = _DROPPED.sub("", words).strip()
+    words = _MARKED.sub(_marked, _DROPPED.sub("", words)).strip()
     if not _FORMULA.search(words):
         is_formula = "\\" in words or (bool(_INSIDE.search(words)) and not _OTHERWISE.search(words))
         return [(is_formula, _formula(words) if is_formula else words)]
@@ -50,6 +54,12 @@ def quoted(words: str) -> str:
     '$\\kappa=\\frac1R,$'
     """
     return "".join(f"${text}$" if is_formula else text for is_formula, text in parts(words))
+
+
+def _marked(found: re.Match[str]) -> str:
+    if found["bold"]:
+        return rf"$\mathbf{{{found['bold']}}}$"
+    return rf"$\mathrm{{{found['name']}}}_{{{found['index']}}}$"
 
 
 def _formula(tex: str) -> str:

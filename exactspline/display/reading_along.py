@@ -42,6 +42,7 @@ font-size:.9em;line-height:1.35}
 .along .formula{margin:.3em 0;overflow-wrap:anywhere}.along .degree{margin-left:1.5em;font-size:.9em;white-space:nowrap}
 @media(max-width:700px){.along .passage{grid-template-columns:minmax(0,1fr)}
 .along .margin{text-align:left;border-width:0 0 0 4px;padding:0 0 0 .6em}
+.along .margin:not([class*=ED]){padding:0;border:0}
 .along .formula{font-size:66%}.along .degree{font-size:1em}}
 </style>"""
 

@@ -44,8 +44,10 @@ COLOURS = dict.fromkeys(Verdict, "#666666") | {
 LONGEST = 160
 #: More rows that hold than these are folded away.
 FEW = 6
-#: Words up to this many characters are not broken in HTML.
-LONGEST_WORD = 24
+#: Words up to this many characters are not broken in HTML; longer ones after a sign, or after this many characters
+#: without one.
+SHORT_WORD, LONGEST_WORD = 14, 24
+_PIECE = re.compile(rf"\S{{4,{LONGEST_WORD - 1}}}?[_.(,:/=]|\S{{1,{LONGEST_WORD}}}")
 #: The columns with words of a source.
 QUOTATIONS = ("words", "printed")
 
@@ -115,9 +117,13 @@ def breakable(text: str) -> str:
 
     >>> breakable("a < b"), breakable("1234567890" * 3)
     ('a &lt; b', '123456789012345678901234<wbr>567890')
+    >>> breakable("claim.refuted_on_examples().witness")
+    'claim.<wbr>refuted_<wbr>on_examples().<wbr>witness'
     """
-    parts = re.split(rf"(\S{{{LONGEST_WORD}}})(?=\S)", text)
-    return "".join(escape(part) + "<wbr>" * (i % 2) for i, part in enumerate(parts))
+    return "".join(
+        "<wbr>".join(map(escape, _PIECE.findall(word))) if len(word) > SHORT_WORD else escape(word)
+        for word in re.split(r"(\s+)", text)
+    )
 
 
 class Decided(Grid):

@@ -78,7 +78,11 @@ def pen_segments(curve: Nurbs) -> list[list[Point]]:
     `ShapeError` for other curves and at a jump.
     """
     if curve.dimension != 2 or not curve.polynomial or not 1 <= curve.degree <= 3:
-        raise ShapeError(repr(curve), remedy="polynomial plane curves of degree 1 to 3 can be drawn")
+        kind = "polynomial" if curve.polynomial else "rational"
+        raise ShapeError(
+            f"a {kind} curve of degree {curve.degree} in R{curve.dimension}",
+            remedy="this format holds polynomial plane curves of degree 1 to 3",
+        )
     columns = [component.segments for component in curve.p]
     segments = [[*zip(*rows, strict=True)] for rows in zip(*columns, strict=True)]
     for before, after in pairwise(segments):

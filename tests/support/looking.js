@@ -38,6 +38,10 @@ window.looking = (() => {
 
   function machineReprs() {
     const repr = /<[^<>]*\bobject at 0x[0-9a-f]+>|\b[A-Z]\w*\(\w+=[^=]/;
+    // objects as Python prints them in brackets: in a printed example, and in the output of a cell, where a list of them
+    // is asked for, they are what is shown
+    const bracketed = /<(?:[A-Z]\w*[a-z]\w*|formula|kind|claim)(?: (?:at|of|on)\b|[:.]| \w+[,:])[^<>]*>/;
+    const PRINTED = ".highlight, .cell_output pre";
     const copy = document.body.cloneNode(true);
     copy.querySelectorAll(TYPED).forEach((e) => e.remove());
     copy.querySelectorAll("p, div, table, tr, td, th, li, dt, dd, pre, h1, h2, h3, h4, summary").forEach((e) => e.before("\n"));
@@ -46,7 +50,8 @@ window.looking = (() => {
       .filter((line) => !/^\s*(>>>|\.\.\.)/.test(line)) // what is typed in an example
       .map((line) => line.match(repr))
       .filter(Boolean)
-      .map((found) => said(found.input.slice(found.index)));
+      .map((found) => said(found.input.slice(found.index)))
+      .concat([...texts(`${TYPED}, ${SPOKEN}, ${PRINTED}`)].filter((n) => bracketed.test(n.data)).map((n) => said(n.data)));
   }
 
   function tooWide() {

@@ -2,8 +2,10 @@
 
 import json
 import random
+import re
 from dataclasses import replace
 from importlib.util import find_spec
+from pathlib import Path
 
 import pytest
 from gmpy2 import mpq
@@ -56,8 +58,10 @@ def test_the_tube_and_the_fill_rule():
     assert mpq("1.9") < found.witness[0] < 2 - WITHIN
     assert judgement("xor", A + B, FillRule.EVEN_ODD).right
     assert judgement("xor", A + B).witness is not None
-    # a line to and fro through the middle changes nothing, but its two sides are looked at without end
-    assert judgement("union", "M0 0H2V1H3V3H1V2H0ZM0 1.5H.8Z").right is not False
+    # lines and curves to and fro through the middle change nothing; it was looked at their two sides without end
+    assert judgement("union", "M0 0H2V1H3V3H1V2H0ZM0 1.5H.8H.2L-1 1.5ZM.5 .5Q1 2 1.5 1Q1 2 .5 .5").right
+    # one that is not run through back bounds something
+    assert judgement("union", "M0 0H2V1H3V3H1V2H0ZM4 4H5H4V5H5Z").right is False
     with pytest.raises(ShapeError, match="above 0"):
         judgement("union", A, within=mpq(0))
     with pytest.raises(ShapeError, match="arc"):
@@ -145,10 +149,44 @@ def test_a_suspected_point_is_judged_exactly():
     assert judged_at((mpq(5, 2), mpq(3, 2)), a, b, Operation.UNION, on_it, WITHIN) is None
 
 
+PAGE = Path(__file__).parents[2] / "docs" / "boolean-results.md"
+ROW = re.compile(
+    r"\| (?P<engine>[\w-]+) (?P<version>[\w.]+) \| (?P<operation>\w+) \| `(?P<path>M[^`]*)` \| "
+    r"2⁻(?P<k>[⁰¹²³⁴-⁹]+) in (?P<axis>[xy]) \| \((?P<x>[\d/]+), (?P<y>[\d/]+)\) (?P<should>inside|outside) \|"
+)
+#: The lines of the page with a witness.
+WITNESSES = [row.groupdict() for row in map(ROW.match, PAGE.read_text(encoding="utf-8").splitlines()) if row]
+
+
+@pytest.mark.parametrize("row", WITNESSES, ids=lambda row: f"{row['engine']}-{row['operation']}-{row['path']}")
+def test_a_witness_of_the_page(row):
+    """It is far from both paths and inside or outside as the page says; an engine of that version is wrong there."""
+    numbers = [int(x) for x in re.findall(r"\d+", row["path"])]
+    exponent = int("".join(str("⁰¹²³⁴⁵⁶⁷⁸⁹".index(c)) for c in row["k"]))
+    pair = Pair(tuple(zip(numbers[:-2:2], numbers[1:-2:2], strict=True)), exponent, row["axis"] == "y")
+    assert pair.first == row["path"]
+    first, second, operation = Region.of(pair.first), Region.of(pair.second), Operation(row["operation"])
+    point, nothing, whole = (mpq(row["x"]), mpq(row["y"])), Region(()), Region.of("M-99 -99H99V99H-99Z")
+    wrong, right = (nothing, whole) if row["should"] == "inside" else (whole, nothing)
+    assert judged_at(point, first, second, operation, wrong, WITHIN)
+    assert judged_at(point, first, second, operation, right, WITHIN) is None
+    try:
+        worker = started(row["engine"])
+    except ImportError:
+        return
+    try:
+        if worker.version == row["version"]:
+            reply = worker.exchange({"first": pair.first, "second": pair.second, "operation": operation.value})
+            result = Region.of(reply["path"], FillRule(reply["rule"]))
+            assert judged_at(point, first, second, operation, result, WITHIN)
+    finally:
+        worker.close()
+
+
 @pytest.mark.parametrize("name", ENGINES)
 def test_an_engine_that_is_installed_makes_a_union(name):
-    """Two discs. FontForge 20230101 takes the layer from the argument of ``layer.exclude``, which says that it takes the
-    argument from the layer.
+    """Two discs. ``layer.exclude`` of FontForge 20230101 says that it takes the argument from the layer, and takes the
+    layer from the argument.
     """
     try:
         worker = started(name)

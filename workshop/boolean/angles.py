@@ -84,3 +84,12 @@ def suspects(first: Region, second: Region, operation: Operation, result: Region
     grid = grid[order][: int((distances > within).sum())]
     wrong = _wrong(grid, first, second, operation, result, FEW)
     return [complex(point) for point, bad in zip(grid, wrong, strict=True) if bad]
+
+
+def farthest(first: Region, second: Region, result: Region) -> float:
+    """About the largest distance of a point of a result from the paths of which it should consist."""
+    import numpy as np
+
+    sources = np.concatenate([_chords(region, CHORDS)[0] for region in (first, second)])
+    points = _chords(result, FEW)[0]
+    return float(max((np.abs(sources - point).min() for point in points), default=0.0))

@@ -15,7 +15,7 @@ from pathlib import Path
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.winding import FillRule
 from exactspline.numbers.exact import mpq, text
-from workshop.boolean.angles import confirms, suspects
+from workshop.boolean.angles import confirms, farthest, suspects
 from workshop.boolean.judge import Judgement, Operation, judged, judged_at
 from workshop.boolean.pairs import Pair
 from workshop.boolean.pieces import Region
@@ -54,6 +54,8 @@ class Graded:
     rule: str = ""
     why: str = ""
     confirmed: bool | None = None
+    #: Of a wrong result, about how far its segments are from the paths: more than ε where a segment is none of theirs.
+    farthest: float | None = None
 
     def data(self) -> dict[str, object]:
         """All of it as data."""
@@ -68,6 +70,7 @@ class Graded:
             "rule": self.rule,
             "why": self.why,
             "confirmed": self.confirmed,
+            "farthest": self.farthest,
         }
 
 
@@ -121,4 +124,5 @@ def _graded(engine: str, operation: Operation, pair: Pair, reply: dict[str, str]
     x, y = map(text, found.witness)
     why = f"({x}, {y}) is {'outside' if found.inside else 'inside'}"
     confirmed = confirms(found, first, second, operation, result)
-    return Graded(engine, operation, pair, Outcome.WRONG, made, rule, why, confirmed)
+    far = farthest(first, second, result)
+    return Graded(engine, operation, pair, Outcome.WRONG, made, rule, why, confirmed, far)

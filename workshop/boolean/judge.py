@@ -15,7 +15,7 @@ from enum import StrEnum
 
 from exactspline.errors import ShapeError
 from exactspline.numbers.exact import mpq
-from workshop.boolean.pieces import Box, Piece, Point, Region, is_far, reaching
+from workshop.boolean.pieces import Box, Piece, Point, Region, is_far, reaching, without_slits
 
 #: Squares smaller than this fraction of ε are not divided; pieces smaller than that fraction are not halved.
 SMALLEST, FINE = mpq(1, 64), mpq(1, 4)
@@ -72,6 +72,7 @@ def judged(first: Region, second: Region, operation: Operation, result: Region, 
     if within <= 0:
         raise ShapeError(f"a distance of {within}", remedy="give a number above 0")
     sources, squares = (*first.pieces, *second.pieces), 0
+    result = Region(tuple(without_slits(result.pieces)), result.rule)
     waiting: deque[tuple[Box, Sequence[Piece], Sequence[Piece]]] = deque()
     if sources or result.pieces:
         waiting.append((_around((*sources, *result.pieces)), sources, result.pieces))

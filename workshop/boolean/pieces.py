@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -86,6 +87,34 @@ class Piece:
             first.append(row[0])
             last.append(row[-1])
         return Piece(tuple(first)), Piece(tuple(last[::-1]))
+
+
+def without_slits(pieces: Iterable[Piece]) -> list[Piece]:
+    """Pieces with the same winding numbers, without those that are run through to and fro: curves with the same control
+    points in reverse, and parts of lines.
+
+    >>> slit = Region.of("M0 0H2V2H0ZM0 1H1.5H.5Z")
+    >>> len(slit.pieces), len(without_slits(slit.pieces))
+    (7, 4)
+    """
+    curves, lines = Counter[tuple[Point, ...]](), dict[tuple[mpq, mpq, mpq], list[tuple[Point, Point]]]()
+    for piece in pieces:
+        if len(piece.points) == 2:
+            (a, b), (c, d) = piece.points
+            if (a, b) != (c, d):
+                scale = (d - b) or (a - c)
+                key = ((d - b) / scale, (a - c) / scale, (a * d - b * c) / scale)
+                lines.setdefault(key, []).append(((a, b), (c, d)))
+        elif piece.points > piece.points[::-1]:
+            curves[piece.points[::-1]] -= 1
+        else:
+            curves[piece.points] += 1
+    for along in lines.values():
+        for start, end in pairwise(sorted({point for line in along for point in line})):
+            times = sum(first <= start and end <= last for first, last in along)
+            times -= sum(last <= start and end <= first for first, last in along)
+            curves[start, end] += times
+    return [Piece(points if times > 0 else points[::-1]) for points, times in curves.items() for _ in range(abs(times))]
 
 
 def reaching(pieces: Iterable[Piece], box: Box, size: mpq) -> list[Piece]:

@@ -338,8 +338,12 @@ def _compared(truth: Answer, answer: Any, soft: list[mpq]) -> Verdict:
     outcome, first = (MISSED, missed) if missed else (INVENTED, invented)
     if not first:
         return Verdict(RIGHT)
-    note = f"{outcome} {', '.join(f'{double(t):.6g}' for t in first[:3])}"
-    return Verdict(outcome, note=note, missed=tuple(missed), invented=tuple(invented))
+    return Verdict(outcome, note=note_of(outcome, first), missed=tuple(missed), invented=tuple(invented))
+
+
+def note_of(outcome: str, places: Sequence[mpq]) -> str:
+    """An outcome with the first places that it is about."""
+    return f"{outcome} {', '.join(f'{double(t):.6g}' for t in places[:3])}"
 
 
 #: An answer of a library may be anything: one of another type raises, and counts as off.

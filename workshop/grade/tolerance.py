@@ -14,7 +14,7 @@ from exactspline.numbers.intervals import Interval
 from exactspline.splines.nurbs import Nurbs
 from exactspline.testing import Case
 from workshop.grade.data import Answer
-from workshop.grade.judge import INVENTED, MISSED, PLACE, TOLERATED, Verdict
+from workshop.grade.judge import INVENTED, MISSED, PLACE, TOLERATED, Verdict, note_of
 
 #: The distance within which points are one for Open CASCADE, its ``Precision::Confusion()``.
 CONFUSION = mpq(1, 10**7)
@@ -50,7 +50,8 @@ def tolerated(library: str, case: Case, question: str, verdict: Verdict, truth: 
 def _remaining(verdict: Verdict, missed: Iterable[mpq], invented: Iterable[mpq]) -> Verdict:
     """The verdict on these alone."""
     left, more = tuple(missed), tuple(invented)
-    return replace(verdict, outcome=MISSED if left else INVENTED if more else TOLERATED, missed=left, invented=more)
+    outcome = MISSED if left else INVENTED if more else TOLERATED
+    return replace(verdict, outcome=outcome, note=note_of(outcome, left or more), missed=left, invented=more)
 
 
 def _threefold(curve: Nurbs, verdict: Verdict) -> Verdict:

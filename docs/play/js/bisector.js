@@ -3,7 +3,7 @@
 import { Editor, copy } from "./editor.js";
 import { Kernel } from "./kernel.js";
 import { Plane } from "./plane.js";
-import { samples } from "./preview.js";
+import { samples, segments } from "./preview.js";
 import { double, snapped } from "./numbers.js";
 import { data, element, statusLine } from "./site.js";
 import { html } from "./svg.js";
@@ -29,7 +29,7 @@ function changed(why) {
     placeHandle();
   }
   plane.clear("curve");
-  plane.line("curve", drawn);
+  for (const segment of segments(editor.curve)) plane.line("curve", segment.map((s) => s.point));
   if (why === "new" || why === "done" || why === "typed") ask();
 }
 
@@ -66,8 +66,8 @@ function show({ answer, milliseconds }) {
     const joined = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]) < near * plane.view.unit;
     plane.line("bisector", p.drawn.map(([b]) => b), { style: `stroke:${COLOURS[i % COLOURS.length]}` }, joined);
   });
-  const head = ["piece", "degree", "from", "to"].map((name) => html("th", { scope: "col" }, name));
-  const rows = pieces.map((p, i) => html("tr", {}, html("td", { style: `color:${COLOURS[i % COLOURS.length]}` }, p.kind), html("td", {}, `${p.degree}`), ...p.ends.map((t) => html("td", { class: "number" }, t))));
+  const head = ["piece", "degree", "from t to t"].map((name) => html("th", { scope: "col" }, name));
+  const rows = pieces.map((p, i) => html("tr", {}, html("td", { style: `color:${COLOURS[i % COLOURS.length]}` }, p.kind), html("td", {}, `${p.degree}`), html("td", { class: "number" }, p.ends[0], html("br"), p.ends[1])));
   element("pieces").replaceChildren(html("thead", {}, html("tr", {}, ...head)), html("tbody", {}, ...rows));
   walk();
   if (milliseconds === undefined) return;

@@ -14,12 +14,14 @@ export function chart(form) {
   const top = Math.min(heights.at(-1), TRIMMED * heights[heights.length >> 1]) || 1;
   const to = ([t, y]) => [PAD + ((WIDTH - 2 * PAD) * (t - low)) / (high - low), HEIGHT / 2 - ((HEIGHT / 2 - PAD) * y) / top];
   const polygon = form.abscissae.map((t, i) => to([t, form.ordinates[i]]));
+  // where a form jumps, two of its control points stand above each other
+  const joined = (a, b) => b[0] - a[0] > 1e-6;
   const radius = form.controls > 60 ? 1.3 : 2.6;
   return svg(
     "svg",
     { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: "chart", role: "img", "aria-label": `function of degree ${form.degree}` },
     svg("path", { d: path([to([low, 0]), to([high, 0])]), class: "zero" }),
-    svg("path", { d: path(polygon), class: "polygon" }),
+    svg("path", { d: path(polygon, joined), class: "polygon" }),
     ...polygon.map(([cx, cy]) => svg("circle", { cx, cy, r: radius })),
     ...drawn.map((segment) => svg("path", { d: path(segment.map(to)), class: "function" })),
     ...drawn.slice(1).map((segment, i) => svg("path", { d: path([to(drawn[i].at(-1)), to(segment[0])]), class: "jump" })),

@@ -4,7 +4,7 @@ import { chart } from "./chart.js";
 import { Editor, copy, fromHash, toHash } from "./editor.js";
 import { Kernel } from "./kernel.js";
 import { Plane, symbol } from "./plane.js";
-import { preview, samples } from "./preview.js";
+import { preview, samples, segments } from "./preview.js";
 import { double } from "./numbers.js";
 import { data, element, embedded, reportHeight, statusLine } from "./site.js";
 import { html } from "./svg.js";
@@ -54,19 +54,21 @@ function fit() {
 }
 
 function draw() {
-  const drawn = samples(editor.curve);
+  const drawn = segments(editor.curve);
   plane.clear("curve", "comb", "evolute", "osculating");
-  plane.line("curve", drawn.map((s) => s.point));
-  const size = Math.max(...drawn.map((s) => Math.abs(s.curvature)).filter(Number.isFinite), 1e-9);
+  for (const segment of drawn) plane.line("curve", segment.map((s) => s.point));
+  const size = Math.max(...drawn.flat().map((s) => Math.abs(s.curvature)).filter(Number.isFinite), 1e-9);
   if (element("comb").checked) {
     const tip = (s) => s.point.map((v, k) => v - (s.normal[k] * s.curvature * 70) / size / plane.view.unit);
-    for (const s of drawn.filter((_, i) => i % 2 === 0)) plane.line("comb", [s.point, tip(s)]);
-    plane.line("comb", drawn.map(tip));
+    for (const segment of drawn) {
+      for (const s of segment.filter((_, i) => i % 2 === 0)) plane.line("comb", [s.point, tip(s)]);
+      plane.line("comb", segment.map(tip));
+    }
   }
   if (element("evolute").checked) {
     const near = 3000 / plane.view.unit;
     const joined = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]) < near;
-    plane.line("evolute", drawn.map((s) => s.centre), {}, joined);
+    for (const segment of drawn) plane.line("evolute", segment.map((s) => s.centre), {}, joined);
   }
 }
 

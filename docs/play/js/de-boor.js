@@ -4,7 +4,7 @@ import { Editor, copy, fromHash, toHash } from "./editor.js";
 import { formula } from "./fractions.js";
 import { Kernel } from "./kernel.js";
 import { Plane } from "./plane.js";
-import { preview, samples } from "./preview.js";
+import { preview, samples, segments } from "./preview.js";
 import { double } from "./numbers.js";
 import { data, element, embedded, reportHeight, statusLine } from "./site.js";
 import { html } from "./svg.js";
@@ -42,7 +42,7 @@ function changed(why) {
     editor.redraw();
   }
   plane.clear("curve");
-  plane.line("curve", drawn);
+  for (const segment of segments(editor.curve)) plane.line("curve", segment.map((s) => s.point));
   if (why === "done") history.replaceState(null, "", `#${toHash(editor.curve)}`);
   describe();
   move(Number(slider.value));

@@ -40,12 +40,14 @@ const det = (a, b) => a[0] * b[1] - a[1] * b[0];
 // The values of a spline function at this many parameters of each segment: at both ends its own, so that jumps are seen.
 export function values({ knots, degree, ordinates }, count = 60) {
   const points = ordinates.map((y) => [y]);
+  return overSegments(knots, degree, count, (t) => [t, deBoor(knots, degree, points, t)[0]]);
+}
+
+// Just inside the segment at its end: the last sample belongs to it, not to the next one.
+function overSegments(knots, degree, count, at) {
   const breaks = [...new Set(knots.slice(degree, knots.length - degree))];
   return breaks.slice(1).map((high, i) =>
-    Array.from({ length: count + 1 }, (_, k) => {
-      const t = breaks[i] + ((high - breaks[i]) * Math.min(k, count - 1e-9)) / count;
-      return [t, deBoor(knots, degree, points, t)[0]];
-    }),
+    Array.from({ length: count + 1 }, (_, k) => at(breaks[i] + ((high - breaks[i]) * Math.min(k, count - 1e-9)) / count)),
   );
 }
 
@@ -69,17 +71,11 @@ export function preview(curve) {
   };
 }
 
-// Samples over the domain, this many in every segment, ends included.
-export function samples(curve, count = 96) {
+// The segments of a curve, each as this many samples and its end: what jumps at a knot has two values there.
+export function segments(curve, count = 96) {
   const at = preview(curve);
   const knots = curve.knots.map(double);
-  const breaks = [...new Set(knots.slice(curve.degree, knots.length - curve.degree))];
-  const found = [];
-  for (let i = 0; i + 1 < breaks.length; i += 1)
-    for (let j = i ? 1 : 0; j <= count; j += 1) {
-      // just inside the segment: the last sample belongs to it, not to the next one
-      const t = breaks[i] + ((breaks[i + 1] - breaks[i]) * Math.min(j, count - 1e-9)) / count;
-      found.push(at(t));
-    }
-  return found;
+  return overSegments(knots, curve.degree, count, at);
 }
+
+export const samples = (curve, count) => segments(curve, count).flat();

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import re
-
+from exactspline.language.kinds import GREEK
 from exactspline.readings.expression import Expression, Operation
 from exactspline.readings.printing.printer import ATOM, PRODUCT, Printer, leaf, named_binding, number
-
-_GREEK = {"gamma": r"\gamma", "sigma": r"\sigma", "rho": r"\rho"}
 
 
 class LatexPrinter(Printer):
@@ -23,9 +20,9 @@ class LatexPrinter(Printer):
             return (rf"\tfrac{{{top}}}{{{bottom}}}" if slash else text), binding
         if n.op is Operation.NAMED:
             return (rf"\bar{{{n.value.symbol}}}" if n.value.barred else n.value.symbol), named_binding(n)
-        name, barred = leaf(n.value)
-        symbol = _GREEK.get(name) or re.sub(r"(?<=[a-zA-Z])(\d+)$", r"_{\1}", name)
-        return (rf"\bar{{{symbol}}}" if barred else symbol), ATOM
+        nabla, name, index, barred = leaf(n.value)
+        symbol = _letter(name) + (f"_{{{index}}}" if index else "")
+        return (rf"\bar{{{symbol}}}" if barred else rf"\nabla {symbol}" if nabla else symbol), ATOM
 
     def quotient(self, a: Expression, b: Expression) -> tuple[str, int]:
         """A fraction."""
@@ -72,6 +69,17 @@ class LatexPrinter(Printer):
     def wedge(self, parts: list[str]) -> str:
         """A generalized cross product."""
         return rf"\textstyle\bigwedge({', '.join(parts)})"
+
+
+def _letter(name: str) -> str:
+    r"""The name of an operand: a letter, also a Greek one, or words.
+
+    >>> _letter("p"), _letter("delta"), _letter("half_width")
+    ('p', '\\delta', '\\mathrm{half\\_width}')
+    """
+    if name in GREEK:
+        return rf"\{name.replace('lamda', 'lambda')}"
+    return name if len(name) == 1 else rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
 
 
 def _indexable(base: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
 
 from exactspline.language.choices import Parameter
@@ -190,14 +191,24 @@ def number(value: Number) -> tuple[str, int]:
 
 
 #: The notation of leaves that differs from their name.
-LEAVES = {"point": "Q", "axis_x": "e_1", "axis_y": "e_2", "axis_z": "e_3"}
+LEAVES = {"point": "Q", "axis_x": "e_1", "axis_y": "e_2", "axis_z": "e_3", "pace": "lambda", "cut": "c"}
+#: Partial derivatives of the function of an implicit curve or surface, its gradient, and a row of its Hessian.
+_PARTIAL = re.compile(r"(gradient_|hessian_|)([fg])([xyz]*)")
 
 
-def leaf(value: str) -> tuple[str, bool]:
-    """The name of a leaf, and whether it has a bar, because it belongs to the second of two curves.
+def leaf(value: str) -> tuple[str, str, str, bool]:
+    """The notation of a leaf: its nabla or nothing, its letter or name, its index, and whether it has a bar, because it
+    belongs to the second of two curves.
 
-    >>> leaf("second.p"), leaf("gamma")
-    (('p', True), ('gamma', False))
+    >>> leaf("second.p"), leaf("gamma"), leaf("p1"), leaf("lambda_2")
+    (('', 'p', '', True), ('', 'gamma', '', False), ('', 'p', '1', False), ('', 'lambda', '2', False))
+    >>> leaf("fxy"), leaf("gradient_g"), leaf("hessian_fx")
+    (('', 'F', 'xy', False), ('∇', 'G', '', False), ('∇', 'F', 'x', False))
     """
     path, _, name = value.rpartition(".")
-    return LEAVES.get(name, name), path == "second"
+    name = LEAVES.get(name, name)
+    partial = _PARTIAL.fullmatch(name)
+    if partial and (partial[1] or partial[3]):
+        return "∇" * bool(partial[1]), partial[2].upper(), partial[3], False
+    stem = name.rstrip("0123456789")
+    return "", stem.rstrip("_"), name[len(stem) :], path == "second"

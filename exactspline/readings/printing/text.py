@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from exactspline.language.kinds import constant_text
 from exactspline.readings.expression import Expression, Operation
 from exactspline.readings.printing.printer import ATOM, Printer, leaf, named_binding, number
 
@@ -11,7 +12,6 @@ _GREEK = {
     **{"gamma": "γ", "kappa": "κ", "tau": "τ", "Psi": "Ψ", "Pi": "Π", "delta": "δ"},
     **{"lambda": "λ", "sigma": "σ", "rho": "ρ", "omega": "ω", "nabla": "∇"},
 }
-_SUBSCRIPT = {ord("_"): None, **str.maketrans("123", "₁₂₃")}
 _SUPERSCRIPT = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -26,8 +26,9 @@ class TextPrinter(Printer):
             return number(n.value)
         if n.op is Operation.NAMED:
             return _barred(symbol_text(n.value.symbol), n.value.barred), named_binding(n)
-        name, barred = leaf(n.value)
-        return _barred(_GREEK.get(name, name).translate(_SUBSCRIPT), barred), ATOM
+        nabla, name, index, barred = leaf(n.value)
+        shown = constant_text(f"{name}{index}") if index.isdigit() else constant_text(name) + f"_{index}" * bool(index)
+        return nabla + _barred(shown, barred), ATOM
 
     def quotient(self, a: Expression, b: Expression) -> tuple[str, int]:
         """``a/b``."""
