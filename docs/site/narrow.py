@@ -43,11 +43,20 @@ def narrowed(figure: Any) -> Any:
 def _broken(owner: Any, legend: Any, loc: str) -> None:
     """Give a legend under a panel or a figure no more columns than there is room for."""
     columns = min(legend._ncols, int(WIDTH / ENTRY))
-    if columns < legend._ncols:
-        labels = [text.get_text() for text in legend.get_texts()]
+    labels = [text.get_text() for text in legend.get_texts()]
+    if _is_inside(legend):
+        owner.legend(
+            legend.legend_handles, labels, loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=2, fontsize="small"
+        )
+    elif columns < legend._ncols:
         made = owner.legend(legend.legend_handles, labels, loc=loc, ncols=columns, fontsize="small", frameon=False)
         if "outside" not in loc:
             made.set_bbox_to_anchor(legend.get_bbox_to_anchor(), IdentityTransform())
+
+
+def _is_inside(legend: Any) -> bool:
+    """Whether a legend stands in a panel, where matplotlib finds room: in a small one it would cover the curve."""
+    return bool(legend._loc_real == 0)
 
 
 def _height(ax: Any) -> float:
@@ -55,7 +64,9 @@ def _height(ax: Any) -> float:
     whole, inner = (box.size / ax.figure.dpi for box in (ax.get_tightbbox(), ax.get_window_extent()))
     grown = float(inner[1] * (WIDTH - BESIDE) / inner[0])
     legend = ax.get_legend()
-    added = len(legend.get_texts()) // 4 if legend and legend._ncols > WIDTH / ENTRY else 0
+    added = 0
+    if legend and (_is_inside(legend) or legend._ncols > WIDTH / ENTRY):
+        added = len(legend.get_texts()) // (2 if _is_inside(legend) else 4)
     return float(whole[1] - inner[1]) + grown + LINE * added
 
 

@@ -136,7 +136,13 @@ def _listed(answer: Any, digits: int, curve: Nurbs | None) -> Iterator[Found]:
         return
     for each in answer:
         found = _found(each, digits)
-        yield found if curve is None or isinstance(each, (CurvePiece, Described)) else _valued(found, each, curve)
+        if curve is None or isinstance(each, CurvePiece):
+            yield found
+        elif isinstance(each, Described):
+            (low, high), *_ = each.piece.parts
+            yield replace(found, **_coordinates(curve, (low + high) / 2))
+        else:
+            yield _valued(found, each, curve)
     if isinstance(answer, Places):
         for piece in answer.everywhere:
             yield _piece(piece, EVERYWHERE)
@@ -178,8 +184,11 @@ def _valued(found: Found, each: Point | Feature | Joint, curve: Nurbs) -> Found:
         if isinstance(each, Joint)
         else exact_place(_root(each.place if isinstance(each, tuple) else each.root))
     )
-    point: dict[str, Any] = dict(zip("xyz", map(_double, point_at(curve, place)), strict=False))
-    return replace(found, **point, curvature=_curvature(curve, place))
+    return replace(found, **_coordinates(curve, place), curvature=_curvature(curve, place))
+
+
+def _coordinates(curve: Nurbs, place: mpq | Real) -> dict[str, Any]:
+    return dict(zip("xyz", map(_double, point_at(curve, place)), strict=False))
 
 
 def _root(place: Root | LateRoot) -> Root:

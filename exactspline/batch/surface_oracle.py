@@ -11,10 +11,10 @@ from collections.abc import Callable, Mapping
 from exactspline.batch.oracle_answers import QuestionError, number_data
 from exactspline.display.surface_data import surface_answer_data
 from exactspline.errors import as_text, nearest
+from exactspline.geometry.planar_maps import MapInspection, jacobian_sign
 from exactspline.geometry.registry import REGISTRY
 from exactspline.geometry.surface.forms import SurfaceForms
 from exactspline.geometry.surface.inspection import SurfaceInspection
-from exactspline.geometry.surface.planar_maps import MapInspection, jacobian_sign
 from exactspline.numbers.exact import mpq, rational
 from exactspline.questions.entry import Of
 from exactspline.reals.real import Real, square_root
@@ -35,8 +35,10 @@ def surface_question(asked: str) -> tuple[str, str, str]:
     known = [*AT_A_PLACE, *REGISTRY[Of.SURFACE], *REGISTRY[Of.PLANAR_MAP]]
     if name not in known:
         raise QuestionError(f"there is no question about surfaces called {name!r}", remedy=nearest(name, known))
-    if bool(place) != (name in AT_A_PLACE) or (argument and name != "derivative"):
-        right = f"{name}@1/2,1/3" if name in AT_A_PLACE else name
+    entry = REGISTRY[Of.SURFACE].get(name)
+    example = entry.about.argument if entry else ""
+    if bool(place) != (name in AT_A_PLACE) or (name != "derivative" and bool(argument) != bool(example)):
+        right = f"{name}@1/2,1/3" if name in AT_A_PLACE else f"{name}:{example}" if example else name
         raise QuestionError(f"the question {asked!r}", remedy=f"write it like {right!r}")
     return name, argument, place
 
@@ -83,7 +85,7 @@ def surface_answer(
     entry = REGISTRY[of].get(name)
     if entry is None:
         raise QuestionError(f"{name} of a surface in R{surface.dimension}", remedy=f"these can be asked: {listed(of)}")
-    return surface_answer_data(entry.answer(found or inspection_of(surface)), digits)
+    return surface_answer_data(entry.answer(found or inspection_of(surface), argument), digits)
 
 
 def listed(of: Of) -> str:

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from exactspline.cli.common import CURVE_HELP, Drawing, Places, check_output, load_curve, tell_written
+from exactspline.cli.common import (
+    CURVE_HELP,
+    Drawing,
+    Places,
+    check_output,
+    load_curve,
+    see_that_coq_can_name,
+    tell_written,
+)
 from exactspline.cli.output import Output, printing
-from exactspline.cli.parameters import Argument
+from exactspline.cli.parameters import Argument, Option
 
 
 @printing
@@ -16,6 +24,15 @@ def between(
     other: Annotated[str, Argument(help="A second curve, of the same dimension.")],
     digits: Places = 12,
     plot: Drawing = "",
+    emit_coq: Annotated[
+        str,
+        Option(
+            "--emit-coq",
+            metavar="FILE",
+            help="Write a file for the proof assistant Coq: the theorem that two plane curves of one segment meet at "
+            "these points and no others.",
+        ),
+    ] = "",
 ) -> None:
     """All points that two curves have in common, exactly, with multiplicities; the arcs along which they run together;
     or, if there are none, the pairs of points at the least distance.
@@ -25,7 +42,11 @@ def between(
     from exactspline.geometry.curve_pair import CurvePair
 
     check_output(plot, curve, other)
+    check_output(emit_coq, curve, other)
     first, second = load_curve(curve), load_curve(other)
+    if emit_coq:
+        see_that_coq_can_name(emit_coq)
+        _emit(first, second, emit_coq)
     pair = CurvePair(first, second)
     data: Any = pair_data(pair, digits)
     if plot:
@@ -47,3 +68,12 @@ def between(
 
     row = {"key": f"{curve} and {other}", "curves": [first.name, second.name]} | data
     out.give("between", [row], [sheet], people)
+
+
+def _emit(first: Any, second: Any, path: str) -> None:
+    """The theorem about two curves, in a file."""
+    from exactspline.atomic_write import write_text
+    from exactspline.verification.coq.meetings import meeting_theorem
+
+    write_text(path, meeting_theorem(first, second))
+    tell_written(path)

@@ -270,3 +270,20 @@ def _see_that_it_is_positive(option: str, given: str, otherwise: str = "") -> No
         raise error.at(option) from None
     if number <= 0:
         raise OptionsError(f"{option} {given}", remedy=f"give a number above 0, such as 1e-9{otherwise}")
+
+
+def see_that_coq_can_name(path: str) -> None:
+    """See that a file has a name that Coq accepts as that of a module."""
+    import re
+    from pathlib import Path
+
+    if not Path(path).name:
+        raise OptionsError(f"--emit-coq {path!r} is a folder", remedy="name a file in it")
+    stem = Path(path).name.removesuffix(".v")
+    named = re.sub(r"\W", "_", stem, flags=re.ASCII)
+    named = named if named[:1].isalpha() or named[:1] == "_" else f"curve_{named}"
+    if Path(path).name != f"{named}.v":
+        raise OptionsError(
+            f"--emit-coq {path!r}: a file of Coq is named by letters, digits and underscores, a letter first, and .v",
+            remedy=f"{Path(path).with_name(f'{named}.v')} would do",
+        )

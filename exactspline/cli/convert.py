@@ -173,8 +173,8 @@ def _repaired(named: NamedCurve | NurbsSurface, snap: str, epsilon: str) -> Snap
 
 def _replacements(repair: Snapped | None) -> list[str]:
     """What was replaced by what, and what was not, as text."""
-    from exactspline.display.features import end_text, shape_text
-    from exactspline.display.serialize import described_data
+    from exactspline.display.described import shape_text
+    from exactspline.display.features import end_text
 
     if repair is None:
         return []
@@ -182,7 +182,7 @@ def _replacements(repair: Snapped | None) -> list[str]:
     def place(piece: RecognizedPiece) -> str:
         return f"[{end_text(text(piece.piece.start))}, {end_text(text(piece.piece.end))}]"
 
-    replaced = [f"{place(x)} replaced by a {x.kind}: {shape_text(described_data(x))}" for x in repair.replaced]
+    replaced = [f"{place(x)} replaced by a {x.kind}: {shape_text(x.shape.numbers, x.within)}" for x in repair.replaced]
     kept = [f"{place(x)} stays: no {x.kind} through its end points is near enough" for x in repair.kept]
     return replaced + kept
 

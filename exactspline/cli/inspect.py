@@ -20,6 +20,7 @@ from exactspline.cli.common import (
     each_read,
     read_curves,
     reading_of,
+    see_that_coq_can_name,
     tell_written,
 )
 from exactspline.cli.output import OptionsError, Output, printing
@@ -140,13 +141,12 @@ def inspect(
         for_curves: dict[str, str | bool] = {
             "--approach": approach,
             "--coordinates": coordinates,
-            "--epsilon": epsilon,
             "--approximate": approximate,
             "--stability": stability,
             "--certificate": certificate,
             "--emit-coq": emit_coq,
         }
-        _inspect_surfaces(out, with_surfaces, ask, for_curves, digits, plot, good)
+        _inspect_surfaces(out, with_surfaces, ask, for_curves, digits, plot, epsilon, good)
     elif ask:
         answer_questions(out, read_curves(read, good), ask, digits, certificates)
     else:
@@ -171,6 +171,7 @@ def _inspect_surfaces(
     for_curves: Mapping[str, str | bool],
     digits: int,
     plot: str,
+    epsilon: str,
     good: bool,
 ) -> None:
     """The surfaces in what was read; `for_curves` are the options that are only for curves."""
@@ -182,7 +183,9 @@ def _inspect_surfaces(
         return
     if refused := next((option for option, value in for_curves.items() if value), ""):
         raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
-    inspect_surfaces(out, own, digits, plot, good=good)
+    if epsilon:
+        check_distance(epsilon)
+    inspect_surfaces(out, own, digits, plot, epsilon, good=good)
 
 
 def _see_that_they_fit(names: Sequence[str], approach: str, epsilon: str, emit_coq: str) -> None:
@@ -194,7 +197,7 @@ def _see_that_they_fit(names: Sequence[str], approach: str, epsilon: str, emit_c
     if emit_coq and len(names) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
     if emit_coq:
-        _see_that_coq_can_name(emit_coq)
+        see_that_coq_can_name(emit_coq)
     if epsilon:
         check_distance(epsilon)
 
@@ -218,23 +221,6 @@ def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certifica
         lambda: _print_all(out, inspected),
         by="curve",
     )
-
-
-def _see_that_coq_can_name(path: str) -> None:
-    """See that a file has a name that Coq accepts as that of a module."""
-    import re
-    from pathlib import Path
-
-    if not Path(path).name:
-        raise OptionsError(f"--emit-coq {path!r} is a folder", remedy="name a file in it")
-    stem = Path(path).name.removesuffix(".v")
-    named = re.sub(r"\W", "_", stem, flags=re.ASCII)
-    named = named if named[:1].isalpha() or named[:1] == "_" else f"curve_{named}"
-    if Path(path).name != f"{named}.v":
-        raise OptionsError(
-            f"--emit-coq {path!r}: a file of Coq is named by letters, digits and underscores, a letter first, and .v",
-            remedy=f"{Path(path).with_name(f'{named}.v')} would do",
-        )
 
 
 def _emit(curve: Nurbs, path: str) -> None:
@@ -263,7 +249,7 @@ def _print_all(out: Output, inspected: list[Inspected]) -> None:
 
 def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilon: str, stability: bool) -> Inspected:
     """A curve, its inspection, and all of it as data."""
-    from exactspline.display.serialize import answer_data, coordinate_extrema_data, inspection_data
+    from exactspline.display.serialize import answer_data, coordinate_extrema_data, inspection_data, stability_data
     from exactspline.geometry.analysis import analyse
     from exactspline.geometry.inspection import compare_approaches, inspect_curve
     from exactspline.numbers.exact import text
@@ -283,7 +269,7 @@ def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilo
         if c.dimension == 2:
             data["nearby"] = answer_data(c, analyse(c).features_within(within), digits)
     if stability and c.dimension == 2:
-        data["stability"] = answer_data(c, analyse(c).stability, digits)
+        data["stability"] = stability_data(c)
     if coordinates:
         data["coordinate_extrema"] = coordinate_extrema_data(c, digits)
     if approach == ALL:
@@ -314,5 +300,6 @@ def _draw(inspected: list[Inspected], given: list[Nurbs], path: str, title: str)
         flat = [c for c, _, _ in inspected if c.dimension == 2]
         save(features_figure(flat if len(flat) == len(given) else given, title), path)
         return
-    c, found, _ = inspected[0]
-    save(inspect_figure(c, [(title, f, zero_set) for _, title, f, zero_set in solved(c, found.approach)[:2]]), path)
+    c, found, data = inspected[0]
+    panels = [(title, f, zero_set) for _, title, f, zero_set in solved(c, found.approach)[:2]]
+    save(inspect_figure(c, panels, stability="stability" in data), path)

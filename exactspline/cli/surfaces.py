@@ -58,11 +58,13 @@ def surfaces_in(name: str, reading: Reading, why: str = "without --surfaces thes
     return reading.surfaces
 
 
-def inspect_surfaces(out: Output, surfaces: Sequence[NurbsSurface], digits: int, plot: str, *, good: bool) -> None:
+def inspect_surfaces(
+    out: Output, surfaces: Sequence[NurbsSurface], digits: int, plot: str, epsilon: str, *, good: bool
+) -> None:
     """Print what surfaces have; a bad one is reported and the rest goes on. `good` is whether all could be read."""
     if plot and len(surfaces) > 1:
         raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
-    inspected, all_good = each_read(surfaces, lambda surface: _inspected(surface, digits, plot))
+    inspected, all_good = each_read(surfaces, lambda surface: _inspected(surface, digits, plot, epsilon))
     good = good and all_good
     out.give(
         "inspect surface",
@@ -74,11 +76,17 @@ def inspect_surfaces(out: Output, surfaces: Sequence[NurbsSurface], digits: int,
         raise Exit(2)
 
 
-def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str, object], Sheet]:
+def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> tuple[dict[str, object], Sheet]:
     """What a surface has as data and as a table, and the picture where one is requested."""
-    from exactspline.display.surface_data import map_data, map_sheet, surface_inspection_data, surface_sheet
+    from exactspline.display.surface_data import (
+        map_data,
+        map_sheet,
+        surface_answer_data,
+        surface_inspection_data,
+        surface_sheet,
+    )
+    from exactspline.geometry.planar_maps import jacobian_sign
     from exactspline.geometry.surface.inspection import inspect_surface
-    from exactspline.geometry.surface.planar_maps import jacobian_sign
 
     if surface.dimension == 2:
         if plot:
@@ -88,7 +96,13 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str,
     found = inspect_surface(surface)
     if plot:
         _drawn(found, plot)
-    return surface_inspection_data(found, digits), surface_sheet(found, digits)
+    data = surface_inspection_data(found, digits)
+    if not epsilon:
+        return data, surface_sheet(found, digits)
+    shapes = found.shapes_within(epsilon)
+    return data | {"shapes": surface_answer_data(shapes, digits), "epsilon": epsilon}, surface_sheet(
+        found, digits, shapes
+    )
 
 
 def _drawn(found: SurfaceInspection, plot: str) -> None:

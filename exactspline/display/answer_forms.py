@@ -34,6 +34,7 @@ from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Place
+from exactspline.geometry.surface.recognized import RecognizedPart
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.geometry.surface.zero_lines import ZeroLine
@@ -110,9 +111,11 @@ FEATURE = optional(
 )
 
 
+_NUMBERS: Form = {"type": "object", "additionalProperties": TEXTS}
+
+
 def _described(kinds: type[StrEnum], *facts: str) -> Form:
-    numbers: Form = {"type": "object", "additionalProperties": TEXTS}
-    return form_of(kind=one_of(kinds), intervals=INTERVALS, numbers=numbers, **dict.fromkeys(facts, FLAG))
+    return form_of(kind=one_of(kinds), intervals=INTERVALS, numbers=_NUMBERS, **dict.fromkeys(facts, FLAG))
 
 
 _NET: dict[str, Form] = {
@@ -188,6 +191,7 @@ FORMS: dict[Any, Form] = {
     CurvePiece: INTERVALS,
     tuple[CurvePiece, Plane]: form_of(intervals=INTERVALS, plane=TEXT),
     RecognizedPiece: _described(ShapeKind, "whole"),
+    RecognizedPart: form_of(kind=one_of(ShapeKind), patches=list_of(PATCH), whole=FLAG, numbers=_NUMBERS),
     NearbyFeature: _described(FeatureKind, "certain", "single"),
     StableFeature: _described(FeatureKind),
     Intersections: form_of(points=list_of(_INTERSECTION), everywhere=list_of(_OVERLAP), left_out=TEXTS),
@@ -284,7 +288,7 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
     "inspect": {
         "coordinate_extrema": list_of(FEATURE),
         "nearby": list_of(FORMS[NearbyFeature]),
-        "stability": list_of(FORMS[StableFeature]),
+        "stability": list_of(form_of(FORMS[StableFeature], prominence=or_null(TEXT))),
         "approaches": list_of(
             form_of(
                 name=TEXT,

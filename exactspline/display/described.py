@@ -1,8 +1,12 @@
-"""A curve or a surface in one line."""
+"""A curve, a surface or a shape in one line."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
+from exactspline.display.numbers import decimal
 from exactspline.errors import counted
+from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.control_points import Direction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
@@ -38,3 +42,30 @@ def described_surface(surface: NurbsSurface) -> str:
     patches = "one patch" if rows * columns == 1 else f"{rows} × {columns} patches"
     net = f"{len(surface.control_points)} × {counted(len(surface.control_points[0]), 'control point')}"
     return f"{kind}, degree {m} × {n}, {patches}, {net} in R{surface.dimension}"
+
+
+#: Digits of the numbers of a shape where they are longer.
+DIGITS = 12
+
+
+def shape_text(numbers: Mapping[str, Sequence[object]], within: mpq) -> str:
+    """What describes a shape, and how near something is to it, as text.
+
+    >>> shape_text({"centre": [0, 1], "radius": ["1/2"]}, mpq(1, 1000))
+    'centre (0, 1), radius 1/2, within 0.001'
+    """
+    words = []
+    for name, values in numbers.items():
+        each = [readable(str(x)) for x in values]
+        words.append(f"{name} {each[0] if len(each) == 1 else '(' + ', '.join(each) + ')'}")
+    near = f"within {decimal(within, 4)}" if within else "exactly"
+    return ", ".join([*words, near]).replace("-", "−").replace("e−", "e-")
+
+
+def readable(number: str) -> str:
+    """A number of a shape, in full where that is short."""
+    return (
+        number
+        if len(number) <= DIGITS or "/" not in number or "√" in number
+        else f"≈ {decimal(rational(number), DIGITS)}"
+    )

@@ -9,7 +9,7 @@ from typing import Any
 from rich.console import Console
 
 from exactspline.display import console
-from exactspline.display.described import described
+from exactspline.display.described import described, readable, shape_text
 from exactspline.display.numbers import decimal
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis import QUESTIONS, questions_about
@@ -21,7 +21,7 @@ from exactspline.splines.nurbs import Nurbs
 
 #: Characters of an exact number that a table shows.
 READABLE = 20
-#: Digits of the numbers of a shape where they are longer.
+#: Digits of places in tables of features.
 DIGITS = 12
 #: What may stand in a remark and is explained below the table.
 REMARKS = (
@@ -85,7 +85,7 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
         # exact lines are among the straight pieces
         if found["kind"] != ShapeKind.LINE or found["numbers"]["within"] != ["0"]:
             interval = _intervals(found["intervals"])
-            made.add_row(found["kind"], interval, interval, "", *empty, shape_text(found))
+            made.add_row(found["kind"], interval, interval, "", *empty, _of_shape(found))
     for piece in data.get("planar_pieces", []):
         interval, lies_in = _intervals(piece["intervals"]), f"in the plane {piece['plane']}"
         made.add_row(QUESTIONS["planar_pieces"].about.of_piece, interval, interval, "", *empty, lies_in)
@@ -178,16 +178,10 @@ def _remark(joint: dict[str, Any]) -> str:
     return ", ".join(filter(None, parts)).replace("-", "−")
 
 
-def shape_text(found: Mapping[str, object]) -> str:
+def _of_shape(found: Mapping[str, Any]) -> str:
     """What describes a shape, and how near the curve is to it, as text."""
-    numbers_of: Any = found["numbers"]
-    (within,), *_ = numbers_of.values()
-    words = []
-    for name, values in list(numbers_of.items())[1:]:
-        numbers = [_number(x) for x in values]
-        words.append(f"{name} {numbers[0] if len(numbers) == 1 else '(' + ', '.join(numbers) + ')'}")
-    near = "exactly" if within == "0" else f"within {decimal(rational(within), 4)}"
-    return ", ".join([*words, near]).replace("-", "−").replace("e−", "e-")
+    (within,), *_ = found["numbers"].values()
+    return shape_text({name: values for name, values in found["numbers"].items() if name != "within"}, rational(within))
 
 
 def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
@@ -197,7 +191,7 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
         "each has",
         "between",
         "and",
-        title=f"All curves within {_number(str(data['epsilon']))} of {c.name}",
+        title=f"All curves within {readable(str(data['epsilon']))} of {c.name}",
         heads=2,
     )
     for found in _in_order(data["nearby"]):
@@ -210,13 +204,14 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
 def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """How far a curve may be changed until its features vanish."""
     title = f"{c.name} with all numbers changed by at most this"
-    made = Sheet("what", "at", "certain up to", "gone within", title=title, heads=1, numbers=["certain up to"])
+    columns = ("what", "at", "certain up to", "gone within", "prominence")
+    made = Sheet(*columns, title=title, heads=1, numbers=["certain up to"])
     for found in _in_order(data["stability"]):
         ((low, high),) = found["intervals"]
         radius, *gone = (decimal(rational(x), 4) for (x,) in found["numbers"].values())
-        at = decimal((rational(low) + rational(high)) / 2, DIGITS)
+        at, certain = decimal((rational(low) + rational(high)) / 2, DIGITS), radius if radius != "0" else "not proved"
         made.add_row(
-            kind_name(FeatureKind(found["kind"])), at, radius if radius != "0" else "not proved", *gone or ["not known"]
+            kind_name(FeatureKind(found["kind"])), at, certain, *gone or ["not known"], found["prominence"] or ""
         )
     return made
 
@@ -235,11 +230,6 @@ def _in_order(found: Any) -> list[Any]:
 def end_text(t: str) -> str:
     """An end of an interval, to as many digits as are read at a glance."""
     return t if len(t) <= DIGITS else decimal(rational(t), DIGITS)
-
-
-def _number(text: str) -> str:
-    """A number of a shape, in full where that is short."""
-    return text if len(text) <= DIGITS or "/" not in text or "√" in text else f"≈ {decimal(rational(text), DIGITS)}"
 
 
 def _continuity(joints: list[dict[str, Any]]) -> str:

@@ -31,6 +31,16 @@ HOLDS = (PROVED, VERIFIED)
 MEANT, OURS = "as it must read", "beyond the paper"
 
 
+def words_of(rows: Iterable[Row]) -> list[str]:
+    """The verdicts of these rows, in the order of the tables.
+
+    >>> words_of([])
+    []
+    """
+    present = {row.verdict for row in rows}
+    return [each for each in WORDS if each in present]
+
+
 def section(claim: Claim) -> str:
     """The section of the paper to which a claim belongs.
 

@@ -10,7 +10,7 @@ from html import escape
 from importlib.metadata import PackageNotFoundError, version
 
 from exactspline.display.glossary import glossary_list
-from exactspline.display.ledger import WORDS, claimed, closing, found, headline, section, summary, witness
+from exactspline.display.ledger import claimed, closing, found, headline, section, summary, witness, words_of
 from exactspline.display.page import cells, definitions, page, table
 from exactspline.display.quotations import parts
 from exactspline.papers import Paper
@@ -50,7 +50,7 @@ def ledger_page(rows: Sequence[Row]) -> str:
     >>> "<title>" in text, "http" in text
     (True, False)
     """
-    words = [w for w in WORDS if any(row.verdict == w for row in rows)]
+    words = words_of(rows)
     sections = list(dict.fromkeys(section(row.claim) for row in rows))
     curves = list(dict.fromkeys(_curve(row) for row in rows))
     choices = (("verdict", words), ("section", sections), ("curve", curves))
@@ -122,15 +122,10 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
         f"<p>{escape(summary(decided))} {escape(closing(rows))}.</p>"
         f"<h2>What is claimed, and what holds</h2>{''.join(_claim(claim, rows) for claim in claims)}"
         f"<h2>Formulas</h2>{''.join(map(_formulas, sources))}"
-        f"<h2>What the words mean</h2>{glossary_list(_words(rows))}"
+        f"<h2>What the words mean</h2>{glossary_list(words_of(rows))}"
         f"<h2>What the verdicts rely on</h2>{_versions()}{''.join(map(_digests, sources))}"
     )
     return page(f"Report: {title}", body, _REPORT_STYLE)
-
-
-def _words(rows: Iterable[Row]) -> list[str]:
-    present = {row.verdict for row in rows}
-    return [each for each in WORDS if each in present]
 
 
 def _claim(claim: Claim, rows: Iterable[Row]) -> str:

@@ -9,7 +9,6 @@ from rich.console import Console
 from exactspline.display import console
 from exactspline.display.described import described, described_surface
 from exactspline.display.ledger import (
-    WORDS,
     Failure,
     by_curve,
     by_section,
@@ -23,6 +22,7 @@ from exactspline.display.ledger import (
     row_data,
     said,
     witness,
+    words_of,
 )
 from exactspline.display.numbers import Numbers
 from exactspline.display.sheet import Sheet
@@ -93,11 +93,7 @@ class Run:
                 commands = f"{called} prove --rows prints every row; {called} errata the errors, each with its witness"
                 console.lines(shown, f"{commands} and a check; {called} show CLAIM one claim.")
             counted = [] if listed or self.curves is not None else ["statement", "error", "row"]
-            console.legend(shown, [*self._words(), *counted])
-
-    def _words(self) -> list[str]:
-        present = {row.verdict for row in self.rows}
-        return [each for each in WORDS if each in present]
+            console.legend(shown, [*words_of(self.rows), *counted])
 
     def _summary(self, shown: Console) -> None:
         general = [row for row in self.rows if not row.curve]

@@ -14,18 +14,18 @@ from exactspline.display.errata import found_text, true_text
 from exactspline.display.evidence import worded
 from exactspline.display.exercises import task_html
 from exactspline.display.latex import fraction, latex, mathematics
-from exactspline.display.ledger import claimed
 from exactspline.display.numbers import Numbers
 from exactspline.display.plot.canvas import in_words, settle
 from exactspline.display.quotations import quoted
 from exactspline.display.reading_along import ReadingAlong, along_html
+from exactspline.display.statement import fields
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import counted
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.derived import Derived
+from exactspline.geometry.planar_maps import MapInspection
 from exactspline.geometry.surface.inspection import SurfaceInspection
-from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
@@ -46,6 +46,8 @@ from exactspline.verification.statement import Side, Statement, sides
 SHOWN, LONG = 8, 24
 #: Characters of an answer that a table of answers shows.
 LONGEST = 200
+#: The fields of a statement that follow its formulas.
+SAID = ("claimed", "found", "factor", "witness", "verdict")
 #: Dots per inch of pictures in a notebook.
 RESOLUTION = 80
 #: A long number as a decimal.
@@ -247,20 +249,9 @@ def _(read: ReadingAlong) -> str:
 
 @html.register
 def _(s: Statement) -> str:
-    c, f = s.claim, s.finding
-    fields = [
-        ("claimed", claimed(c)),
-        ("computed", worded(f.computed)),
-        ("factor", worded(f.factor)),
-        ("witness", worded(f.witness)),
-        ("verdict", f.verdict),
-    ]
-    lines = [
-        *_claim_lines(c, s.latex),
-        *_side_lines(s.sides),
-        *[(name, breakable(value)) for name, value in fields if value],
-    ]
-    return facts(f"{c.id}, {c.source}", lines)
+    said = [(name, breakable(value)) for name, value in fields(s) if name in SAID]
+    lines = [*_claim_lines(s.claim, s.latex), *_side_lines(s.sides), *said]
+    return facts(f"{s.claim.id}, {s.claim.source}", lines)
 
 
 def short(x: object) -> str:

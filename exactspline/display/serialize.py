@@ -16,6 +16,7 @@ from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature
 from exactspline.geometry.planarity import Plane
+from exactspline.geometry.prominence import prominences
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.intervals import Interval
@@ -164,6 +165,15 @@ def described_data(found: Described) -> dict[str, object]:
         "numbers": {name: [str(x) for x in values] for name, values in found.values.items()},
         **found.facts,
     }
+
+
+def stability_data(curve: Nurbs) -> list[dict[str, object]]:
+    """The stability of the features of a plane curve, with the prominences of the extrema of κ to four digits."""
+    least: dict[Real, Real | None] = {found.root: x for found, x in prominences(curve)}
+    return [
+        described_data(found) | {"prominence": None if (x := least.get(found.place)) is None else f"{x.double():.4g}"}
+        for found in analyse(curve).stability
+    ]
 
 
 def _element_data(curve: Nurbs, each: Joint | CurvePiece | Described | tuple[CurvePiece, Plane], digits: int) -> object:

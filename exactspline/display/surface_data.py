@@ -10,17 +10,18 @@ from typing import Any, cast
 
 from exactspline.display.bisector_data import control_net
 from exactspline.display.data import Data, picked, plain
-from exactspline.display.described import described_surface
+from exactspline.display.described import described_surface, shape_text
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, counted
+from exactspline.geometry.planar_maps import MapInspection
 from exactspline.geometry.surface.chains import Piece, ZeroComponent
 from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.forms import Patch, lowest
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Parameter, Place, enclosing
-from exactspline.geometry.surface.planar_maps import MapInspection
+from exactspline.geometry.surface.recognized import RecognizedPart
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.geometry.surface.zero_lines import ZeroLine
 from exactspline.language.formula import Formula
@@ -82,6 +83,7 @@ def answers_data(inspection: SurfaceInspection | MapInspection, digits: int) -> 
     return {
         name: surface_answer_data(entry.answer(inspection), digits)
         for name, entry in questions_of(type(inspection)).items()
+        if entry.about.reported
     }
 
 
@@ -151,6 +153,13 @@ def _place_data(place: Place, digits: int) -> Data:
 
 
 @_element_data.register
+def _shape_data(part: RecognizedPart, digits: int) -> Data:
+    return {"kind": str(part.kind), "patches": [list(patch) for patch in part.patches], "whole": part.whole} | {
+        "numbers": {name: [str(x) for x in values] for name, values in part.values.items()}
+    }
+
+
+@_element_data.register
 def _line_data(line: ZeroLine, digits: int) -> Data:
     value = _parameter_data(line.value, digits)
     return picked(line, "along") | value | picked(line, "interval", "closed", "one_sided")
@@ -204,6 +213,16 @@ def _hull(piece: Piece) -> Box:
     return hull(spots) if spots else piece.sides
 
 
+def _extent_of(curve: ZeroComponent) -> Iterator[str]:
+    """The approximate extent of a curve."""
+    return (_near(side, 2) for side in hull(_extent(piece) for piece in curve.pieces))
+
+
+def _of_curve(curve: ZeroComponent) -> str:
+    across = f", across {counted(len(curve.patches), 'patch')}" if len(curve.patches) > 1 else ""
+    return curve.shape.value + across
+
+
 def _extent(piece: Piece) -> Box:
     """Its approximate extent: the hull of points on it."""
     if not piece.part.arcs:
@@ -248,27 +267,33 @@ def surface_value_data(formula: Formula, surface: NurbsSurface, name: str) -> Da
 # ---- a table
 
 
-def surface_sheet(inspection: SurfaceInspection, digits: int) -> Sheet:
-    """The features of a surface, one per row."""
+def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[RecognizedPart] | None = None) -> Sheet:
+    """The features of a surface, one per row; its shapes are those within 10⁻⁹ of its size if others are not given."""
     surface = inspection.surface
     closed = f", closed in {' and '.join(along.value for along in inspection.closed)}" if inspection.closed else ""
     title = f"{surface.name}: {described_surface(surface)}{closed}{'' if inspection.complete else INCOMPLETE}"
     made = Sheet("what", "u", "v", "remark", title=title, name=surface.name, prose=["remark"], heads=1)
     for kind, box, remark in _regions(inspection):
         made.add_row(kind, *(str(side) for side in box), remark)
+    for part in inspection.shapes if shapes is None else shapes:
+        sides = [surface.w.patch(*patch) for patch in part.patches]
+        for box in _together(_together(sorted(sides), 0), 1):
+            made.add_row(str(part.kind), *(str(side) for side in box), shape_text(part.shape.numbers, part.within))
     for line in inspection.parabolic_lines:
         note = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
         made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), note)
     for curve in inspection.parabolic_curves:
-        extent = hull(_extent(piece) for piece in curve.pieces)
-        across = f", across {counted(len(curve.patches), 'patch')}" if len(curve.patches) > 1 else ""
-        made.add_row("parabolic curve", *(_near(side, 2) for side in extent), curve.shape.value + across)
+        made.add_row("parabolic curve", *_extent_of(curve), _of_curve(curve))
     for place in inspection.parabolic_points:
         made.add_row("parabolic point", *_parameters(place, digits), "K = 0 at this point only")
     for umbilic in inspection.umbilics:
         made.add_row("umbilic", *_parameters(umbilic.place, digits), _of_umbilic(umbilic))
+    for curve in inspection.umbilic_curves:
+        made.add_row("umbilic curve", *_extent_of(curve), _of_curve(curve))
     for place in inspection.singular_points:
         made.add_row("singular point", *_parameters(place, digits), "no tangent plane")
+    for curve in inspection.singular_curves:
+        made.add_row("singular curve", *_extent_of(curve), f"no tangent plane, {_of_curve(curve)}")
     for (along, value, point, gap), intervals in _poles(inspection):
         note = f"the point ({', '.join(text(x) for x in point)})" if point else "no tangent planes along a curve"
         at = f"{note}, {gap.value}"
@@ -410,9 +435,14 @@ def map_sheet(inspection: MapInspection) -> Sheet:
         )
         seen = "" if sides[0] == sides[1] else f" as seen from {_patches(zero.patches)}"
         made.add_row("point", *_parameters(zero, DIGITS_OF_BOXES), f"det = 0{seen}")
-    for patch, edge in inspection.edges:
-        line = f"{'u' if edge.direction == 0 else 'v'} {'highest' if edge.end else 'lowest'}"
-        made.add_row("edge", "", "", f"det = 0 where {line} on patch {patch[0]}, {patch[1]}")
+    for line in inspection.zero_lines:
+        note = ", as seen from one side" if line.one_sided else ""
+        made.add_row("line", *_line(line.along, line.value, line.interval, DIGITS_OF_BOXES), f"det = 0{note}")
+    for curve in inspection.zero_curves:
+        made.add_row("curve", *_extent_of(curve), f"det = 0, {_of_curve(curve)}")
+    if not inspection.regular:
+        for cusp in inspection.cusps:
+            made.add_row("cusp", *_parameters(cusp, DIGITS_OF_BOXES), "det = 0, not a fold")
     _add_open_boxes(made, inspection.undecided)
     return made
 

@@ -44,8 +44,8 @@ COLOURS = dict.fromkeys(Verdict, "#666666") | {
 LONGEST = 160
 #: More rows that hold than these are folded away.
 FEW = 6
-#: Words up to this many characters are not broken in HTML; longer ones after a sign, or where this many are beside each
-#: other without one.
+#: Words up to this many characters are not broken in HTML; longer ones after a sign, or after this many characters
+#: without one.
 SHORT_WORD, LONGEST_WORD = 14, 24
 _PIECE = re.compile(rf"\S{{4,{LONGEST_WORD - 1}}}?[_.(,:/=]|\S{{1,{LONGEST_WORD}}}")
 #: The columns with words of a source.

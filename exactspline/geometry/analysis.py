@@ -50,8 +50,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
 if TYPE_CHECKING:
+    from exactspline.geometry.planar_maps import MapInspection
     from exactspline.geometry.surface.inspection import SurfaceInspection
-    from exactspline.geometry.surface.planar_maps import MapInspection
 
 _LOCK = Lock()
 
@@ -453,8 +453,8 @@ def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapIn
     Raises `ShapeError` for anything else, and for a surface that is neither in space nor in the plane.
     """
     if isinstance(given, NurbsSurface):
+        from exactspline.geometry.planar_maps import MapInspection
         from exactspline.geometry.surface.inspection import SurfaceInspection
-        from exactspline.geometry.surface.planar_maps import MapInspection
 
         return MapInspection(given) if given.dimension == 2 else SurfaceInspection(given)
     curve = curve_of(given)

@@ -1,7 +1,7 @@
 """The distance of two curves: the pairs of nearest points, each certified, and the arcs of such pairs.
 
 A pair at the least distance is a common point, or has an end or a knot of one of the curves, or is a common zero of the
-two derivatives of the squared distance. These are isolated by boxes (`exactspline.polynomials.common_zeros`), where the
+two derivatives of the squared distance. These are isolated by boxes (`exactspline.roots.common_zeros`), where the
 distance is not above that of a pair already known.
 """
 
@@ -23,14 +23,11 @@ from exactspline.hooks import Displayed
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq, to_fmpz
 from exactspline.numbers.intervals import Box, Interval, ball_around
 from exactspline.polynomials.bernstein import quotient_slope
-from exactspline.polynomials.common_zeros import Zero, isolate
-from exactspline.polynomials.factors import greatest_common_divisor
-from exactspline.polynomials.isolation import isolate as isolate_zeros
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import at, enclosed, lifted, rows_of
-from exactspline.polynomials.zero_places import places
 from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, square_root
+from exactspline.roots.common_zeros import CommonZero, zeros_of
 from exactspline.roots.local_parameters import SegmentForms, segment_forms
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
@@ -42,8 +39,6 @@ NARROW = 40
 TIED = 60
 #: The digits of the bound by which pairs are excluded.
 BOUND = 12
-#: The bits after which a parameter is suspected to be that of an end.
-END_BITS = 100
 
 
 @dataclass(frozen=True)
@@ -187,10 +182,9 @@ class _Search:
         """The critical pairs inside two segments at which the distance is not above the bound."""
         first, second = (Interval(*c.breakpoints[k : k + 2]) for c, k in zip(self.curves, (i, j), strict=True))
         forms = _Forms(self.segments[0][i], self.segments[1][j])
-        zeros = isolate(*forms.slopes, not_positive=[forms.excess(self.bound)])
-        for zero in zeros.zeros:
-            if all(forms.is_inside(zero, k) for k in (0, 1)):
-                self.found.append(_pair(zero, first, second, forms))
+        # pairs with an end are found otherwise
+        zeros = zeros_of(forms.slopes, not_positive=[forms.excess(self.bound)])
+        self.found += [_pair(zero, first, second, forms) for zero in zeros.zeros if zero.is_inside]
         if zeros.undecided:
             self.left_out.append(f"the points inside the segments over {first.shortly} and {second.shortly}")
             least = min(forms.least(box, self.bound) for box in zeros.undecided)
@@ -242,11 +236,9 @@ class _Forms:
 
     @property
     def slopes(self) -> tuple[PatchForm, PatchForm]:
-        """The derivatives of the squared distance, up to positive factors, as forms of one degree."""
+        """The derivatives of the squared distance, up to positive factors."""
         m, n = self.degrees
-        first, second = _form(self.sums[0], 3 * m - 2, n), _form(self.sums[1], m, 3 * n - 2)
-        degree = max(3 * m - 2, m), max(3 * n - 2, n)
-        return first.elevated(degree), second.elevated(degree)
+        return _form(self.sums[0], 3 * m - 2, n), _form(self.sums[1], m, 3 * n - 2)
 
     def excess(self, bound: mpq) -> PatchForm:
         """Positive where the squared distance is above a bound."""
@@ -264,34 +256,6 @@ class _Forms:
             least = closer
         return least
 
-    def is_inside(self, zero: Zero, k: int) -> bool:
-        """Whether a coordinate of a critical pair is between 0 and 1: pairs with an end are found otherwise."""
-        bits = 8
-        while True:
-            low, high = zero.refine(bits)[k]
-            if low > 0 and high < 1:
-                return True
-            if high <= 0 or low >= 1 or (bits > END_BITS and self._is_at_end(zero, k, low < 0)):
-                return False
-            bits *= 2
-
-    def _is_at_end(self, zero: Zero, k: int, start: bool) -> bool:
-        """Whether a critical pair has the start, or the end, of a segment: then the derivatives have a common zero on
-        this edge, inside the region that has no other common zero.
-        """
-        m, n = self.degrees
-        sizes = ((3 * m - 2, n), (m, 3 * n - 2))
-        edges = [_edge(p, k, 0 if start else size[k]) for p, size in zip(self.sums, sizes, strict=True)]
-        common = greatest_common_divisor([p for p in edges if p])
-        side = zero.region[1 - k]
-        for place in places(isolate_zeros(common, common.degree())):
-            bits = 8
-            while (t := place.refine(bits)).meets(side):
-                if side.contains(t):
-                    return True
-                bits *= 2
-        return False
-
     def value(self, s: mpq, t: mpq) -> mpq:
         """The squared distance at rational parameters inside the segments."""
         z = s / (1 - s), t / (1 - t)
@@ -304,12 +268,6 @@ class _Forms:
         return enclosed(self.squared, s, t) / enclosed(self.weight, s, t)
 
 
-def _edge(p: fmpz_mpoly, k: int, power: int) -> fmpz_poly:
-    """The coefficient of a power of one parameter, a polynomial in the other."""
-    found = {int(e[1 - k]): x for e, x in p.terms() if int(e[k]) == power}
-    return fmpz_poly([found.get(i, 0) for i in range(max(found, default=-1) + 1)])
-
-
 def _total(terms: list[T]) -> T:
     return reduce(add, terms)
 
@@ -319,7 +277,7 @@ def _form(p: fmpz_mpoly, m: int, n: int) -> PatchForm:
     return PatchForm.of_rows([*rows, *[fmpz_poly([])] * (n + 1 - len(rows))], m)
 
 
-def _pair(zero: Zero, first: Interval, second: Interval, forms: _Forms) -> ClosestPair:
+def _pair(zero: CommonZero, first: Interval, second: Interval, forms: _Forms) -> ClosestPair:
     """A critical pair: numbers known by their enclosures."""
     if (exact := zero.exact) is not None:
         return ClosestPair(Real(first.at(exact[0])), Real(second.at(exact[1])), Real(forms.value(*exact)))
@@ -327,9 +285,9 @@ def _pair(zero: Zero, first: Interval, second: Interval, forms: _Forms) -> Close
     return ClosestPair(parameters[0], parameters[1], InBalls(partial(_squared, zero, forms)))
 
 
-def _enclosing(zero: Zero, k: int, side: Interval, bits: int) -> arb:
+def _enclosing(zero: CommonZero, k: int, side: Interval, bits: int) -> arb:
     return ball_around(*side.part(zero.refine(bits)[k]))
 
 
-def _squared(zero: Zero, forms: _Forms, bits: int) -> arb:
+def _squared(zero: CommonZero, forms: _Forms, bits: int) -> arb:
     return forms.near(zero.refine(bits))

@@ -17,7 +17,7 @@ from flint import arb, ctx
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.kinds import FeatureKind
-from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family
+from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family, sign_of
 from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, SPEED
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Interval, ball_ends
@@ -58,14 +58,16 @@ class NearbyFeature(Described):
 
 @dataclass(frozen=True)
 class _Part:
-    """A part of the domain, and the sign that a form has there, for all curves: 0 where it is not certain; then 1 or −1
-    in `slope` say that it increases or decreases for all curves.
+    """A part of the domain, and the sign that a form has there, for all curves: 0 where it is not certain. Then 1 or −1
+    in `slope` say that it increases or decreases at all zeros, for all curves. `ends`: the signs of the form of the
+    curve itself at both ends.
     """
 
     low: mpq
     high: mpq
     sign: int
     slope: int = 0
+    ends: tuple[int, int] = (0, 0)
 
 
 def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
@@ -145,7 +147,7 @@ class _Features(CurvesNear):
     def _parts(self, which: int) -> list[_Part]:
         """The parts of the domain with one sign each, neighbours with the same sign joined."""
         mesh = pairwise(self.curve.breakpoints)
-        found = [part for i, ends in enumerate(mesh) for part in _signs(self.form(which, i), Interval(*ends))]
+        found = [part for i, ends in enumerate(mesh) for part in _apart(_signs(self.form(which, i), Interval(*ends)))]
         return [_joined(group) for _, group in groupby(found, key=lambda part: part.sign)]
 
     def _zeros(self, which: int, kinds: dict[int, FeatureKind]) -> Iterator[NearbyFeature]:
@@ -154,9 +156,11 @@ class _Features(CurvesNear):
         for before, part, behind in zip([None, *parts], parts, [*parts[1:], None], strict=False):
             if part.sign == 0:
                 place = Interval(part.low, part.high)
-                signs = {x.sign for x in (before, behind) if x is not None}
-                certain = signs == {1, -1}
-                possible = {before.sign} if certain and before is not None else {1, -1}
+                first, last = (x.sign if x is not None else 0 for x in (before, behind))
+                if part.slope and (first == part.slope or last == -part.slope):
+                    continue
+                certain = first * last < 0
+                possible = {first} if certain else {-part.slope} if part.slope else {1, -1}
                 for kind in dict.fromkeys(kinds[x] for x in sorted(possible)):
                     yield _feature(kind, place, certain, certain and part.slope != 0)
             elif before is not None and before.sign == -part.sign:
@@ -192,7 +196,7 @@ def _signs(form: Family, ends: Interval, depth: int = 0) -> Iterator[_Part]:
     """The signs of a form on a segment, from left to right."""
     if form.sign:
         yield _Part(ends.low, ends.high, form.sign)
-    elif form.slope:
+    elif form.crossing:
         yield from _narrowed(form, ends)
     elif depth == NARROWEST or (depth >= SHALLOW and form.uncertain):
         yield _Part(ends.low, ends.high, 0)
@@ -202,22 +206,36 @@ def _signs(form: Family, ends: Interval, depth: int = 0) -> Iterator[_Part]:
 
 
 def _narrowed(form: Family, ends: Interval) -> Iterator[_Part]:
-    """The signs of a monotonic form, with the interval that has the single zero of each curve that has one."""
-    slope, zero = form.slope, form.zero_of_curve()
+    """The signs of a form with at most one zero, with the interval that has the zero of each curve that has one."""
+    slope, zero = form.crossing, form.zero_of_curve()
     low = _certain(form, zero, mpq(0), -slope) if form.ordinates[0] * slope < 0 else mpq(0)
     high = _certain(form, zero, mpq(1), slope) if form.ordinates[-1] * slope > 0 else mpq(1)
-    inside = ends.part(Interval(low, high))
+    inside, signs = ends.part(Interval(low, high)), (sign_of(form.of_curve[0]), sign_of(form.of_curve[-1]))
     if ends.low < inside.low:
         yield _Part(ends.low, inside.low, -slope)
-    yield _Part(inside.low, inside.high, 0, slope)
+    yield _Part(inside.low, inside.high, 0, slope, signs)
     if inside.high < ends.high:
         yield _Part(inside.high, ends.high, slope)
 
 
+def _apart(parts: Iterable[_Part]) -> Iterator[_Part]:
+    """The parts of one segment. Where all zeros on the left of a place increase and all on the right decrease, or the
+    other way around, no curve has a zero at it: f′ + λ f and f′ + μ f have different signs there. A sign is certain
+    there, that of the curve itself.
+    """
+    last: _Part | None = None
+    for part in parts:
+        if last is not None and last.slope * part.slope < 0 and last.ends[1]:
+            yield _Part(part.low, part.low, last.ends[1])
+        yield part
+        last = part
+
+
 def _certain(form: Family, zero: mpq, end: mpq, sign: int) -> mpq:
     """A place between a zero of the form of the curve and an end, near to the zero, where all forms have a sign."""
-    error, slope = abs(form.at(zero)), form.degree * abs(form.differences[form.degree // 2])
-    step = max(ball_ends(error / slope).high, mpq(1, 2**NARROWEST))
+    k = min(int(zero * form.degree), form.degree - 1)
+    error, slope = form.at(zero).abs_upper(), form.degree * abs(form.of_curve[k + 1] - form.of_curve[k])
+    step = max(ball_ends(error / slope).high, mpq(1, 2**NARROWEST)) if slope > 0 else mpq(1, 2**SHALLOW)
     while step < abs(end - zero):
         place = zero + step if end > zero else zero - step
         if form.at(place) * sign > 0:

@@ -134,9 +134,22 @@ class Family:
         return _common_sign(self.ordinates) if _common_sign(self.of_curve) else 0
 
     @cached_property
-    def slope(self) -> int:
-        """The sign of the derivative of the forms of all curves, 0 where the ordinates do not show it."""
-        return _common_sign(self.differences) if _common_sign([b - a for a, b in pairwise(self.of_curve)]) else 0
+    def crossing(self) -> int:
+        """The sign of the derivative at every zero of the forms of all curves, so that each of them has at most one;
+        0 where that is not shown: by a number λ for which f′ + λ f has one sign for all of them.
+        """
+        if not self.degree:
+            return 0
+        own = self.of_curve
+        if _common_sign([b - a for a, b in pairwise(own)]) and (sign := _common_sign(self.differences)):
+            return sign
+        derivatives = self.rows * _derivative_matrix(self.degree)
+        middle = _bernstein(self.degree, mpq(1, 2))
+        values, slopes = ([float(x.mid()) for (x,) in (m * middle).table()] for m in (self.rows, derivatives))
+        factor = arb(best_factor(values, slopes)[1])
+        if not _common_sign([derivatives[0, k] + factor * x for k, x in enumerate(own)]):
+            return 0
+        return _common_sign(_enclosed(derivatives + self.rows * factor))
 
     def halves(self) -> tuple[Family, Family]:
         """The two halves."""
@@ -161,9 +174,13 @@ class Family:
             low, high = (middle, high) if row[0] * first > 0 else (low, middle)
         return low
 
-    def values(self, t: mpq) -> list[arb]:
-        """The value of the form of the curve at a local parameter, and what a change of each coordinate by E adds."""
-        return [value for (value,) in (self.rows * _bernstein(self.degree, t)).table()]
+    def values_and_slopes(self, t: mpq) -> tuple[list[arb], list[arb]]:
+        """The value of the form of the curve at a local parameter, and what a change of each coordinate by E adds; the
+        same for its derivative.
+        """
+        place, derivatives = _bernstein(self.degree, t), self.rows * _derivative_matrix(self.degree)
+        first, second = ([x for (x,) in (rows * place).table()] for rows in (self.rows, derivatives))
+        return first, second
 
 
 class CurvesNear:
@@ -243,6 +260,11 @@ class CurvesNear:
         return found
 
 
+def sign_of(x: arb) -> int:
+    """The sign of a ball, 0 where it contains zero."""
+    return 1 if x > 0 else -1 if x < 0 else 0
+
+
 def _common_sign(balls: Sequence[arb]) -> int:
     """The sign that all numbers have, 0 for none and for no numbers."""
     return 1 if balls and all(x > 0 for x in balls) else -1 if balls and all(x < 0 for x in balls) else 0
@@ -260,6 +282,32 @@ def _basis(n: int, knots: tuple[mpq, ...]) -> tuple[tuple[arb, ...], ...]:
     """The ordinates of the basis functions on the segment [0, 1]."""
     units = [[int(i == k) for i in range(n + 1)] for k in range(n + 1)]
     return tuple(tuple(arb(to_fmpq(x)) for x in BSpline(n, knots, unit).segments[0]) for unit in units)
+
+
+def best_factor(values: Sequence[Any], slopes: Sequence[Any]) -> tuple[int | None, Any]:
+    """The number λ for which ``|a₀ + λ b₀| / Σ|aⱼ + λ bⱼ|`` is largest, for slopes a and values b: one at which a
+    summand vanishes, with the number of that summand, or 0.
+    """
+
+    def share(found: tuple[int | None, Any]) -> Any:
+        own, *others = (abs(a + found[1] * b) for a, b in zip(slopes, values, strict=True))
+        return own / total if (total := sum(others)) else own
+
+    pairs = enumerate(zip(slopes[1:], values[1:], strict=True))
+    return max([(None, slopes[0] * 0), *[(k, -a / b) for k, (a, b) in pairs if b]], key=share)
+
+
+@cache
+def _derivative_matrix(n: int) -> arb_mat:
+    """The matrix that gives the ordinates of the derivative, of the same degree."""
+    rows = [[mpq(0)] * (n + 1) for _ in range(n + 1)]
+    for k in range(n + 1):
+        # the derivative has the ordinates n Δ; elevated, the k-th is their mean with the weights k and n − k
+        for j, weight in ((k - 1, k), (k, n - k)):
+            if weight:
+                rows[j][k] -= weight
+                rows[j + 1][k] += weight
+    return _matrix(rows)
 
 
 @cache

@@ -9,8 +9,8 @@ from collections.abc import Container
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.bisector.two_curves import CurveBisector
 from exactspline.geometry.curve_pair import CurvePair
+from exactspline.geometry.planar_maps import MapInspection
 from exactspline.geometry.surface.inspection import SurfaceInspection
-from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.questions.entry import Entry, Of, questions_of
 
 #: The classes whose properties are questions.

@@ -23,6 +23,7 @@ from exactspline.polynomials.two_parameters import S, enclosed, over
 from exactspline.reals.real import Real
 from exactspline.roots import common_zeros as elimination
 from exactspline.roots.of_polynomials import Place, ball
+from exactspline.roots.vanishing import vanish_at
 
 #: The first precision (digits) at which a sign is tried.
 DIGITS = 15
@@ -96,7 +97,7 @@ def _order(zero: elimination.CommonZero, derivatives: Sequence[fmpz_mpoly]) -> i
     order = 2
     while True:
         derivatives = [derivatives[0].derivative(0), *(f.derivative(1) for f in derivatives)]
-        if not all(not f or zero.is_zero_of(f) for f in derivatives):
+        if not vanish_at([f for f in derivatives if f], *zero.place):
             return order
         order += 1
 
@@ -104,7 +105,7 @@ def _order(zero: elimination.CommonZero, derivatives: Sequence[fmpz_mpoly]) -> i
 def _double(zero: elimination.CommonZero, slopes: Sequence[fmpz_mpoly], single: bool) -> tuple[PointKind, int, int]:
     f, g = slopes
     hessian = f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)
-    if hessian and not zero.is_zero_of(hessian):
+    if hessian and not vanish_at([hessian], *zero.place):
         return (PointKind.NODE if _sign(hessian, zero) < 0 else PointKind.ISOLATED), 2, 1
     # a common factor of the derivatives is not zero here, since the function is square-free
     common = greatest_common_divisor(slopes)

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from flint import arb, ctx
 
@@ -19,10 +20,10 @@ from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Facts
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.geometry.nearby import NearbyFeature, features_nearby
-from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family
+from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family, best_factor
 from exactspline.geometry.plane_features import critical_points, flat_points
 from exactspline.geometry.plane_programs import CRITICAL, CURVATURE
-from exactspline.geometry.recognition.pieces import rounded_up
+from exactspline.geometry.recognition.proof import rounded_up
 from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import ball_ends
 from exactspline.questions.answers import CurvePiece, Described
@@ -37,9 +38,11 @@ FORMS: dict[FeatureKind, tuple[str, int]] = {
     FeatureKind.MINIMUM: ("critical_curvature", CRITICAL),
 }
 #: The distances that are tried, in units of the size of the curve.
-DISTANCES = tuple(mpq(m, 2) * mpq(2) ** e for e in range(-60, 0) for m in (2, 3))
+DISTANCES = tuple(mpq(m, 8) * mpq(2) ** e for e in range(-60, 0) for m in (8, 10, 12, 14))
 #: Where, between two zeros of a form, it may be hardest to lift over zero.
 PLACES = tuple(mpq(k, 12) for k in range(1, 12))
+#: How many places at which two zeros may merge are tried.
+MERGED = 3
 #: Multiples of the distance that the linear part of the form asks for.
 FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64, 96, 128, 256))
 
@@ -78,9 +81,9 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
     >>> from exactspline import example
     >>> for found in stability(example("cubic_s")):
     ...     print(found.kind, f"{float(found.radius):.3f} {float(found.gone):.3f}")
-    minimum 0.031 1.616
-    inflection 0.188 0.756
-    maximum 0.031 1.616
+    minimum 0.031 1.000
+    inflection 0.250 0.756
+    maximum 0.031 1.000
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
@@ -101,12 +104,32 @@ def _features(facts: Facts) -> list[tuple[FeatureKind, Real]]:
 
 
 def _stable(facts: Facts, kind: FeatureKind, place: Real, radii: _Radii) -> StableFeature:
-    radius = radii.of(kind, place)
-    curve = facts.curve
-    moved = _straightened(curve, place) if kind is FeatureKind.CORNER else _flattened(facts, kind, place)
-    before = _count(curve, kind)
-    witness = next((each for each in moved if _count(each, kind) < before), None)
-    return StableFeature(kind, place, radius, witness, None if witness is None else _difference(curve, witness))
+    curve, low, high = facts.curve, place, place
+    if kind is FeatureKind.CORNER:
+        moved = _straightened(curve, place)
+    else:
+        name, which = FORMS[kind]
+        low, high = _neighbours(list(facts.zero_form(name).zeros), place, curve)
+        moved = _flattened(curve, which, (low, place, high))
+    before = len(_of_kind(facts, kind))
+    witness = next((each for each in moved if _lacks(each, kind, before, low, high)), None)
+    gone = None if witness is None else _difference(curve, witness)
+    return StableFeature(kind, place, radii.of(kind, place), witness, gone)
+
+
+def _neighbours(zeros: Sequence[Real], place: Real, curve: Nurbs) -> tuple[Real, Real]:
+    """The zeros before and behind one, or the ends of the domain."""
+    start, end = map(real, curve.domain)
+    before, behind = [x for x in zeros if x < place], [x for x in zeros if x > place]
+    return before[-1] if before else start, behind[0] if behind else end
+
+
+def _lacks(curve: Nurbs, kind: FeatureKind, before: int, low: Real, high: Real) -> bool:
+    """Whether a curve has fewer features of a kind, by exact arithmetic, and none of them between these places, so that
+    it is not another one that is missing.
+    """
+    found = _of_kind(Facts(curve), kind)
+    return len(found) < before and not any(low <= place <= high for place in found)
 
 
 class _Radii:
@@ -142,13 +165,9 @@ def _is_here(near: NearbyFeature, kind: FeatureKind, place: Real) -> bool:
     return near.single and near.kind is kind and near.place.low <= place <= near.place.high
 
 
-def _count(curve: Nurbs, kind: FeatureKind) -> int:
-    """The number of features of a kind, by exact arithmetic."""
-    facts = Facts(curve)
-    if kind is FeatureKind.CORNER:
-        return len(facts.corners)
-    points = flat_points(facts) if kind is FeatureKind.INFLECTION else critical_points(facts, Variant.MINIMAL)
-    return sum(point.kind is kind for point in points)
+def _of_kind(facts: Facts, kind: FeatureKind) -> list[Real]:
+    """Where a curve has features of a kind."""
+    return [place for each, place in _features(facts) if each is kind]
 
 
 def _difference(a: Nurbs, b: Nurbs) -> mpq:
@@ -179,22 +198,23 @@ def _straightened(curve: Nurbs, place: Real) -> Iterator[Nurbs]:
     yield Nurbs(curve.degree, curve.knots, points, curve.weights)
 
 
-def _flattened(facts: Facts, kind: FeatureKind, place: Real) -> Iterator[Nurbs]:
-    """Curves near a curve, the nearest first, whose form is lifted over zero between this zero and a neighbour of it,
-    or an end of the domain.
+def _flattened(curve: Nurbs, which: int, places: tuple[Real, Real, Real]) -> Iterator[Nurbs]:
+    """Curves near a curve, the nearest first, whose form is lifted over zero between the middle one of three places, a
+    zero, and one of the others, or which has a double zero there.
     """
-    curve, (name, which) = facts.curve, FORMS[kind]
-    start, end = map(real, curve.domain)
-    zeros = list(facts.zero_form(name).zeros)
-    before, behind = [x for x in zeros if x < place], [x for x in zeros if x > place]
-    gaps = [(before[-1] if before else start, place), (place, behind[0] if behind else end)]
     gradients = _Gradients(curve, which)
-    hardest = [max((gradients.lift(t) for t in _samples(*gap, curve)), key=lambda lift: lift.distance) for gap in gaps]
-    tried = [(lift.distance * factor, lift) for lift in hardest for factor in FACTORS]
+    lifts = [[list(gradients.lifts(t)) for t in _samples(*gap, curve)] for gap in pairwise(places)]
+    nearest = [max((single for single, *_ in own), key=_distance) for own in lifts]
+    nearest += sorted((double for own in lifts for _, *both in own for double in both), key=_distance)[:MERGED]
+    tried = [(lift.distance * factor, lift) for lift in nearest for factor in FACTORS]
     for distance, lift in sorted(tried, key=lambda each: each[0]):
         if distance:
             with suppress(WeightError):
                 yield lift.applied(curve, rounded_up(distance))
+
+
+def _distance(lift: _Lift) -> mpq:
+    return lift.distance
 
 
 def _samples(low: Real, high: Real, curve: Nurbs) -> list[mpq]:
@@ -205,17 +225,17 @@ def _samples(low: Real, high: Real, curve: Nurbs) -> list[mpq]:
 
 @dataclass(frozen=True)
 class _Lift:
-    """By how much each control point must be moved, at first order, so that the form vanishes at a place: `signs` of
-    the coordinates and the weight of the control points from `first` on.
+    """By how much control points must be moved, at first order, so that the form vanishes at a place, or has a double
+    zero there: each coordinate and weight of the control points from `first` on by a share of `distance`.
     """
 
     distance: mpq
     first: int
-    signs: tuple[tuple[int, ...], ...]
+    shares: tuple[tuple[mpq, ...], ...]
 
     def applied(self, curve: Nurbs, distance: mpq) -> Nurbs:
         """The curve with its control points moved by this distance."""
-        return _moved(curve, {self.first + i: [s * distance for s in row] for i, row in enumerate(self.signs)})
+        return _moved(curve, {self.first + i: [s * distance for s in row] for i, row in enumerate(self.shares)})
 
 
 def _moved(curve: Nurbs, steps: dict[int, Sequence[mpq]]) -> Nurbs:
@@ -234,16 +254,38 @@ class _Gradients:
         self.curve, self.which = curve, which
         self.forms, self._known = CurvesNear(curve, mpq(0)), dict[int, Family]()
 
-    def lift(self, t: mpq) -> _Lift:
-        """What lifts the form to zero at a parameter."""
+    def lifts(self, t: mpq) -> Iterator[_Lift]:
+        """What lifts the form to zero at a parameter, and what makes that a double zero there."""
         i = self.curve.mesh.locate(t)
         if i not in self._known:
             self._known[i] = self.forms.form(self.which, i)
-        value, *slopes, _ = map(_middle, self._known[i].values(self.curve.mesh.local(i, t)))
-        norm, direction, width = sum(map(abs, slopes)), -sign(value), self.forms.per_point
-        signs = [direction * sign(x) for x in slopes]
-        rows = tuple(tuple(signs[k : k + width]) for k in range(0, len(signs), width))
-        return _Lift(abs(value) / norm if norm else mpq(0), self.forms.basis(i)[0], rows)
+        first = self.forms.basis(i)[0]
+        own, derivatives = (
+            [*map(_middle, x)][:-1] for x in self._known[i].values_and_slopes(self.curve.mesh.local(i, t))
+        )
+        yield self._lift(own, first)
+        free, factor = best_factor(own, derivatives)
+        if free is None:
+            return
+        lift = self._lift([d + factor * v for d, v in zip(derivatives, own, strict=True)], first)
+        shares = [x for row in lift.shares for x in row]
+        # one number is free: the form itself vanishes, too
+        rest = own[0] + lift.distance * sum(
+            x * v for k, (x, v) in enumerate(zip(shares, own[1:], strict=True)) if k != free
+        )
+        if lift.distance and abs(share := -rest / (own[1 + free] * lift.distance)) <= 1:
+            shares[free] = share
+            yield _Lift(lift.distance, first, self._by_points(shares))
+
+    def _lift(self, numbers: Sequence[mpq], first: int) -> _Lift:
+        value, *slopes = numbers
+        norm = sum(map(abs, slopes))
+        shares = [mpq(-sign(value) * sign(x)) for x in slopes]
+        return _Lift(abs(value) / norm if norm else mpq(0), first, self._by_points(shares))
+
+    def _by_points(self, shares: Sequence[mpq]) -> tuple[tuple[mpq, ...], ...]:
+        width = self.forms.per_point
+        return tuple(tuple(shares[k : k + width]) for k in range(0, len(shares), width))
 
 
 def _middle(x: arb) -> mpq:

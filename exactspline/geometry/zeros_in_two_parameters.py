@@ -18,7 +18,7 @@ from exactspline.errors import ReachError
 from exactspline.geometry.common_zeros_certificate import common_zeros_certificate
 from exactspline.geometry.singular_points import PointKind, SingularPoint, singular_on_patch
 from exactspline.geometry.surface.borders import EDGES
-from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained
+from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, place_of
 from exactspline.geometry.surface.common_factor import square_free
 from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
@@ -32,7 +32,7 @@ from exactspline.polynomials.two_parameters import as_form, over
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
 from exactspline.reals.real import Real
 from exactspline.roots import common_zeros as elimination
-from exactspline.roots.of_polynomials import Parameter, Place, exactly
+from exactspline.roots.of_polynomials import Parameter, Place
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.expected import function_of_two
@@ -52,6 +52,11 @@ class CommonZero:
     second: Real
     multiplicity: int | None = None
     patches: tuple[Patch, ...] = field(default=(), compare=False)
+
+    @property
+    def place(self) -> Place:
+        """Both parameters, rational ones as such."""
+        return _plain(self.first), _plain(self.second)
 
     def box(self, digits: int = 20) -> Box:
         """A box that contains it, its sides at most ``10^−digits`` long."""
@@ -121,7 +126,7 @@ class ZeroCurves:
         """
         if self.function is None:
             return ()
-        single = {(_plain(x.first), _plain(x.second)) for x in self.points}
+        single = {x.place for x in self.points}
         found: dict[Place, list[SingularPoint]] = {}
         with drawing_on(_budget(self.function)):
             for patch, sides in _patches(self.function):
@@ -205,9 +210,9 @@ def zero_curve(function: TensorSpline) -> ZeroCurves:
     with drawing_on(_budget(f)):
         for patch, sides in _patches(f):
             form = f.patch_form(*patch)
-            if form.is_zero:
-                whole.append(SurfacePart(patch, sides))
-                lines_of.append(LinesOfPatch(patch, sides, (), (), True))
+            if form.sign is not None:
+                whole += [SurfacePart(patch, sides)] * form.is_zero
+                lines_of.append(LinesOfPatch(patch, sides, (), (), form.is_zero))
                 continue
             try:
                 own, curve = _on_patch(form, patch, sides)
@@ -309,24 +314,10 @@ def _single(components: Iterable[ZeroComponent]) -> tuple[list[_Zero], list[Box]
     for component in components:
         for piece in component.pieces:
             try:
-                points.append(_Zero(_place(piece), None, piece.patch))
+                points.append(_Zero(place_of(piece).spot, None, piece.patch))
             except ReachError:
                 undecided += [piece.sides.part(cell) for cell in piece.part.cells]
     return points, undecided
-
-
-def _place(piece: Piece) -> Place:
-    """The parameters of a part that is a single point: on the border of its patch, or the only singular point in its
-    cell.
-    """
-    if piece.part.zero is None:
-        ((spot, _),) = piece.spots()
-    else:
-        p = over(piece.curve.form, piece.sides)
-        cells = [piece.sides.part(cell) for cell in piece.part.cells]
-        (zero,) = elimination.common_zeros([p, p.derivative(0), p.derivative(1)], piece.sides, cells)
-        spot = zero.place
-    return exactly(spot[0]), exactly(spot[1])
 
 
 def _is_on(place: Place, parts: Sequence[SurfacePart]) -> bool:

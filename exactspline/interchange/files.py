@@ -23,10 +23,11 @@ from exactspline.errors import (
     written,
 )
 from exactspline.interchange.examples import example_text, examples
+from exactspline.interchange.format import Format
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
+from exactspline.interchange.records import NamedCurve, Piece, Reading, Source
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs

@@ -16,9 +16,10 @@ from typing import Any
 from exactspline.errors import CurveFileError
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.curve_files import curve_data, curve_from_data, surface_data, surface_from_data
+from exactspline.interchange.format import Format
 from exactspline.interchange.json_files import parsed
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.writing import Spline
 from exactspline.splines.surface import NurbsSurface
 

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.limits import Limits
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
-
-if TYPE_CHECKING:
-    from exactspline.interchange.numbers import NumberText
-    from exactspline.interchange.writing import Spline
 
 
 @dataclass(frozen=True)
@@ -116,21 +111,3 @@ class Source:
             return self.data.decode("utf-8-sig")
         except UnicodeDecodeError:
             return self.data.decode("latin-1")
-
-
-@dataclass(frozen=True)
-class Format:
-    """A file format: its name, its title, the suffixes of its files, a function that recognizes the beginning of a
-    file, its reader and writer, and a note on what is lost in writing; for formats with large files, also a reader that
-    yields piece after piece; and whether surfaces are written, too.
-    """
-
-    name: str
-    title: str
-    suffixes: tuple[str, ...]
-    looks_like: Callable[[bytes], bool]
-    read: Callable[[Source], Reading]
-    write: Callable[[Sequence[Spline], NumberText], bytes] | None = None
-    loses: str = ""
-    pieces: Callable[[Source], Iterator[Piece]] | None = None
-    surfaces: bool = False

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import TypeAlias
 
 from exactspline.errors import CurveFileError, counted
@@ -61,23 +61,6 @@ def keywords(text: str) -> list[str]:
     if first is None:
         return []
     return _CALLED.findall(_STRING.sub("", text)) if first["complex"] else [first["keyword"]]
-
-
-def spline_parts(
-    entity: dict[str, list[Value]], what: str, base: str, kinds: Sequence[str], inherited: int
-) -> tuple[str, list[Value], list[Value], list[Value]]:
-    """The kind of a B-spline curve or surface, the attributes of all kinds, those of this kind, and the list that
-    begins with its name: a simple instance has them in one list, of which the name and `inherited` are those of all
-    kinds.
-
-    Raises `CurveFileError` where no kind, which has knots, is among its keywords.
-    """
-    kind = next((kind for kind in kinds if kind in entity), "")
-    if not kind:
-        raise CurveFileError(f"a B-spline {what} without knots", remedy=f"one of {', '.join(kinds)} is required")
-    if base in entity:
-        return kind, entity[base], entity[kind], entity.get("REPRESENTATION_ITEM", [])
-    return kind, entity[kind][1:], entity[kind][inherited + 1 :], entity[kind]
 
 
 def parts(text: str, limits: Limits) -> dict[str, list[Value]]:

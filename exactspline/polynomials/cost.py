@@ -138,6 +138,16 @@ def drawing_on(budget: Budget) -> Iterator[Budget]:
         _COMPUTED.reset(within)
 
 
+@contextmanager
+def bounded() -> Iterator[Budget]:
+    """A context in which there is a budget: the present one, or where there is none a new one."""
+    if budget := _BUDGET.get():
+        yield budget
+    else:
+        with drawing_on(Budget()) as new:
+            yield new
+
+
 def check_reach(nanoseconds: int, what: Callable[[], str], longest: int = LONGEST) -> None:
     """Raise `ReachError` if an estimate exceeds `longest`, or the remaining budget of the question; otherwise deduct it
     from this budget.

@@ -28,11 +28,12 @@ class PatchForm:
     (None, 1)
     """
 
-    __slots__ = ("_entries", "matrix")
+    __slots__ = ("_entries", "_range", "matrix")
 
     def __init__(self, matrix: fmpz_mat) -> None:
         self.matrix = matrix
         self._entries: list[fmpz] | None = None
+        self._range: tuple[fmpz, fmpz] | None = None
 
     def __reduce__(self) -> tuple[object, ...]:
         return PatchForm.of_net, ([[int(x) for x in row] for row in self.matrix.tolist()],)
@@ -86,7 +87,9 @@ class PatchForm:
     @property
     def range(self) -> tuple[fmpz, fmpz]:
         """Bounds of all values on the square: the smallest and the largest coefficient."""
-        return min(self.entries), max(self.entries)
+        if self._range is None:
+            self._range = min(self.entries), max(self.entries)
+        return self._range
 
     @property
     def corners(self) -> tuple[fmpz, fmpz, fmpz, fmpz]:
@@ -124,6 +127,14 @@ class PatchForm:
         by = _differences(n)
         return PatchForm(by * self.matrix if direction == 0 else self.matrix * by.transpose())
 
+    @property
+    def steeper(self) -> int:
+        """The direction in which neighbouring coefficients differ more, if both sides are halved as often as that is
+        of use.
+        """
+        changes = [max(map(abs, self.derivative(k).entries)) / max(n, 1) for k, n in enumerate(self.degree)]
+        return int(changes[1] > changes[0])
+
     def edge(self, direction: int, end: int) -> list[fmpz]:
         """The Bernstein coefficients along the edge on which x (direction 0) or y is 0 or 1."""
         (m, n), entries = self.degree, self.entries
@@ -144,6 +155,8 @@ class PatchForm:
 
     def elevated(self, degree: tuple[int, int]) -> PatchForm:
         """The same polynomial elevated to a higher degree, up to a constant."""
+        if degree == self.degree:
+            return self
         left, right = (_elevation(n, to) for n, to in zip(self.degree, degree, strict=True))
         return PatchForm(left * self.matrix * right.transpose())
 
@@ -179,9 +192,10 @@ class Sized(NamedTuple):
     depth: int
 
 
-def halved(part: Sized) -> tuple[Sized, Sized]:
-    """The two halves of the part, by bisection of its longer side."""
-    direction = 0 if part.box.first.width >= part.box.second.width else 1
+def halved(part: Sized, direction: int | None = None) -> tuple[Sized, Sized]:
+    """The two halves of the part, by bisection of one of its sides, without a direction of the longer one."""
+    if direction is None:
+        direction = 0 if part.box.first.width >= part.box.second.width else 1
     pairs = [f.halves(direction) for f in part.forms]
     first, second = (
         Sized(box, [pair[k].primitive() if len(pairs) == 1 else pair[k] for pair in pairs], part.depth + 1)

@@ -1,26 +1,16 @@
-"""Polynomials in two parameters s and t: coefficients, values in balls, forms on patches, and boxes in which several
-may vanish together.
-"""
+"""Polynomials in two parameters s and t: coefficients, values in balls, forms on patches."""
 
 from __future__ import annotations
-
-from collections.abc import Sequence
 
 from flint import Ordering, arb, arb_poly, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from exactspline.numbers.exact import common_divisor, from_flint, mpq, to_fmpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.bernstein import substituted
-from exactspline.polynomials.cost import affords, height_bits
 from exactspline.polynomials.patch_forms import PatchForm, of_powers, powers_of
 
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
 S, T = CONTEXT.gens()
-
-#: The number of bisections after which a box is assumed to contain a common zero, and the maximal number of boxes.
-DEPTH, BOXES = 9, 3000
-#: The cost of bisecting a patch: nanoseconds per coefficient, and in addition per 100 bits of a coefficient.
-HALVING, HALVING_BITS = 4000, 500
 
 
 def lifted(p: fmpz_poly, variable: int) -> fmpz_mpoly:
@@ -132,40 +122,3 @@ def as_form(p: fmpz_mpoly) -> PatchForm:
     for (i, j), x in p.terms():
         rows[int(i)][int(j)] = x
     return of_powers(rows)
-
-
-# ---- boxes
-
-
-def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Box) -> list[Box]:
-    """Boxes that contain all common zeros on a closed rectangle; an empty list proves that there are none.
-
-    A box is excluded if all Bernstein coefficients of one of the polynomials are positive or all are negative.
-
-    >>> from exactspline.numbers.intervals import UNIT
-    >>> possible_boxes([S - T, S + T - 3], UNIT)
-    []
-    """
-    forms = [as_form(p).part(sides).primitive() for p in polynomials if p]
-    cost = sum(map(_halving, forms))
-    todo = [(0, sides, forms)]
-    boxes: list[Box] = []
-    steps = 0
-    while todo:
-        depth, box, own = todo.pop()
-        if any(form.sign for form in own):
-            continue
-        steps += 1
-        if depth == DEPTH or steps > BOXES or not affords(cost):
-            boxes.append(box)
-            continue
-        parts = [form.halves(depth % 2) for form in own]
-        todo += [(depth + 1, half, [pair[k] for pair in parts]) for k, half in enumerate(box.halves(depth % 2))]
-    return boxes
-
-
-def _halving(form: PatchForm) -> int:
-    """An estimate in nanoseconds of the cost of bisecting a patch on the way to the smallest boxes."""
-    m, n = form.degree
-    bits = height_bits(form.entries) + DEPTH // 2 * (m + n)
-    return (m + 1) * (n + 1) * (HALVING + HALVING_BITS * bits // 100)

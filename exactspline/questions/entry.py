@@ -92,6 +92,8 @@ class Answered(StrEnum):
     DESCRIBED = "described pieces"
     #: The patches of a surface, each with what holds of it.
     PATCHES = "patches"
+    #: Patches of a surface, each with the shape that they are.
+    SHAPES = "patches with their shapes"
     #: Curves on a surface, whole.
     CURVES = "curves"
     #: Parts of a bisector; what is not known of them is named beside them.

@@ -1,196 +1,361 @@
 """All common zeros of polynomials in two parameters on a rectangle: simple, multiple, irrational, on its border.
 
-A resultant has all values s of common zeros among its roots. Over the field of each of them the zeros t are those of a
-greatest common divisor, so that nothing is decided by digits: balls exclude, and a change of an exact sign proves.
-Boxes in Bernstein form come first, so that most questions end before there is a resultant.
+Boxes come first: they exclude, and certify simple zeros. On the border the zeros are those of polynomials in one
+parameter. What remains is decided by elimination: a resultant has all values s of common zeros among its roots, and
+over the field of each of them the zeros t are those of a greatest common divisor, so that nothing is decided by digits:
+boxes exclude, and a change of an exact sign proves.
 
-Source: Berberich, Emeliyanenko, Kobel and Sagraloff, Exact symbolic-numeric computation of planar algebraic curves,
-Theoretical Computer Science 2013 (the two steps: projection and fibres).
+Source: Mourrain and Pavone, Subdivision methods for solving polynomial equations, Journal of Symbolic Computation 2009;
+Berberich, Emeliyanenko, Kobel and Sagraloff, Exact symbolic-numeric computation of planar algebraic curves, Theoretical
+Computer Science 2013 (the two steps of elimination: projection and fibres).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property, reduce
-from itertools import pairwise
+from dataclasses import dataclass
+from functools import cached_property, lru_cache, partial, reduce
+from itertools import pairwise, product
+from math import ceil, floor
+from typing import NamedTuple
 
 from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
 
+from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
-from exactspline.numbers.intervals import Box, Interval, hull
-from exactspline.polynomials.cost import check_reach, height_bits
+from exactspline.numbers.intervals import UNIT, Box, Interval, shifted
+from exactspline.polynomials.bernstein import from_integers, in_parameter
+from exactspline.polynomials.certified_boxes import Isolated, isolate
+from exactspline.polynomials.cost import Priced, bounded, check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot, by_powers
-from exactspline.polynomials.two_parameters import S, T, lifted, possible_boxes, rows_of
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, rows_of
 from exactspline.roots.of_polynomials import Parameter, Place, ball, exactly, roots_in
 from exactspline.roots.root import Root
-from exactspline.roots.simple_zeros import Pair
-from exactspline.roots.vanishing import is_certainly_not_zero
+from exactspline.roots.vanishing import vanish_at
 
 #: The number of resultants whose common roots are taken, for more than two polynomials.
 ELIMINANTS = 2
 #: Nanoseconds, per square of the degree and per bit, to isolate roots on an interval as small as boxes are (measured up
 #: to 11).
 SUBDIVISION = 12
-#: The degree of a field, times the bits of the polynomials over it, beyond which boxes are tried before arithmetic in
-#: it.
-LARGE = 60
 #: The first precision (decimal digits) at which a sign is tried.
 DIGITS = 15
+#: Bits to which a zero is refined before it is decided exactly whether another form vanishes there; and those with
+#: which it is tried where nearly all forms do not vanish.
+BITS, TRIED = 400, (10, 20, 40, 80)
 
 
-@dataclass(frozen=True)
-class Column:
-    """The common zeros of polynomials over the roots of one irreducible polynomial: those of a square-free polynomial
-    in t over its field.
+class CommonZero:
+    """A common zero of forms on the unit square, in the parameters of a patch with these `sides`: two real numbers,
+    each rational or a certified root; where it is certified in a box (`isolated`) they are computed when they are asked
+    for.
     """
 
-    minimal: fmpz_poly
-    zeros: OverRoot
+    __slots__ = ("_local", "_place", "isolated", "sides")
+
+    def __init__(
+        self, sides: Box, local: Place | None = None, isolated: Isolated | None = None, place: Place | None = None
+    ) -> None:
+        self.sides, self._local, self.isolated, self._place = sides, local, isolated, place
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return CommonZero, (self.sides, self._local, self.isolated, self._place)
+
+    def __repr__(self) -> str:
+        s, t = (shifted(floor(x * 10**6 + mpq(1, 2)), 6) for x in self.box(9).middle)
+        return f"<common zero near {s} and {t}>"
 
     @classmethod
-    def of(cls, polynomials: Sequence[fmpz_mpoly], minimal: fmpz_poly) -> Column:
-        """That of polynomials which do not all vanish on the line. Raises `ReachError` where that would take too
-        long.
-        """
-        common = reduce(lambda p, q: p.gcd(q), _over(polynomials, minimal))
-        slope = OverRoot([c * k for k, c in enumerate(common.coefficients)][1:], common.modulus)
-        return cls(minimal, common // common.gcd(slope) if slope else common)
+    def at(cls, sides: Box, place: tuple[Parameter, Parameter]) -> CommonZero:
+        """A point of a patch with known parameters."""
+        return cls(sides, place=(exactly(place[0]), exactly(place[1])))
 
-    def candidates(self, side: Interval) -> list[Parameter]:
-        """All values t in an interval that the zeros over any of the roots have, in ascending order."""
-        if self.zeros.degree < 1:
-            return []
-        (parts,) = by_powers([self.zeros])
-        p = sum((lifted(part, 1) * S**k for k, part in enumerate(parts)), S * 0)
-        norm = resultant([fmpz_poly([x]) for x in self.minimal.coeffs()], rows_of(p.compose(T, S)))
-        return apart([exactly(t) for t in roots_in(norm, *side)])
+    def on(self, sides: Box) -> CommonZero:
+        """The point of the unit square as one of a patch with these sides."""
+        return CommonZero(sides, self._local, self.isolated)
 
-    def sign(self, s: Parameter, t: mpq) -> int:
-        """The sign over one of the roots at a rational t."""
-        x, value = to_fmpq(t), fmpq_poly([])
-        for c in reversed(self.zeros.coefficients):
-            value = value * x + c
-        return sign_over(value, s)
-
-    def contains(self, s: Parameter, t: Parameter) -> bool:
-        """Whether one of the `candidates` is a zero over one of the roots."""
-        if not isinstance(t, Root):
-            return self.sign(s, t) == 0
-        # a zero in the interval of a candidate is this one, and it is simple
-        digits = 1
-        while True:
-            before, behind = (self.sign(s, end) for end in t.refine(digits))
-            if before and behind:
-                return before != behind
-            digits *= 2
-
-
-@dataclass(frozen=True)
-class Fibre:
-    """Polynomials over the roots of one irreducible polynomial."""
-
-    polynomials: Sequence[fmpz_mpoly]
-    minimal: fmpz_poly
-    also: Sequence[fmpz_mpoly] = ()
-
-    @cached_property
-    def column(self) -> Column:
-        """Their common zeros there, over the field of the roots."""
-        return Column.of(self.polynomials, self.minimal)
-
-    def over(self, s: Parameter, pair: Pair, side: Interval) -> list[Parameter]:
-        """All t in an interval at which they vanish together with one of the roots: by boxes where its field is large,
-        and where these do not decide by arithmetic in the field.
-        """
-        if isinstance(s, Root) and self._size > LARGE:
-            simple = pair.over(s, self.polynomials, side, self.also)
-            if simple is not None:
-                return simple
-        return [t for t in self._candidates(side) if self.column.contains(s, t)]
-
-    @cached_property
-    def _size(self) -> int:
-        heights = [height_bits(self.minimal.coeffs()), *(height_bits(p.coeffs()) for p in self.polynomials)]
-        return self.minimal.degree() * max(heights)
-
-    @cached_property
-    def _known(self) -> dict[Interval, list[Parameter]]:
-        return {}
-
-    def _candidates(self, side: Interval) -> list[Parameter]:
-        if side not in self._known:
-            self._known[side] = self.column.candidates(side)
-        return self._known[side]
-
-
-@dataclass(frozen=True)
-class CommonZero:
-    """A common zero: two real numbers, each rational or a certified root."""
-
-    s: Parameter
-    t: Parameter
-    fibre: Fibre = field(repr=False, compare=False)
+    @property
+    def local(self) -> Place:
+        """Both numbers as local parameters. Raises `ReachError` where it would take too long to compute them."""
+        if self._local is None:
+            if self._place is not None:
+                inverse = [Interval(side.local(mpq(0)), side.local(mpq(1))) for side in self.sides]
+                self._local = _moved(self._place, inverse)
+            else:
+                assert self.isolated is not None
+                self._local = self.isolated.exact or _numbers(self.isolated)
+        return self._local
 
     @property
     def place(self) -> Place:
-        """Both numbers."""
-        return self.s, self.t
+        """Both numbers. Raises `ReachError` where it would take too long to compute them."""
+        if self._place is None:
+            self._place = _moved(self.local, self.sides)
+        return self._place
+
+    @property
+    def s(self) -> Parameter:
+        """The first number."""
+        return self.place[0]
+
+    @property
+    def t(self) -> Parameter:
+        """The second number."""
+        return self.place[1]
+
+    @property
+    def exact(self) -> tuple[mpq, mpq] | None:
+        """Both numbers where they are known to be rational."""
+        if self.isolated is not None:
+            found = self.isolated.exact
+            return None if found is None else self.sides.at(*found)
+        s, t = map(exactly, self.place)
+        return None if isinstance(s, Root) or isinstance(t, Root) else (s, t)
+
+    @property
+    def is_inside(self) -> bool:
+        """Whether it is not on the border of its patch."""
+        if self.isolated is not None:
+            return True
+        numbers, sides = (self._local, UNIT) if self._place is None else (self._place, self.sides)
+        assert numbers is not None
+        return all(low < x < high for x, (low, high) in zip(numbers, sides, strict=True))
+
+    def refine(self, bits: int) -> Box:
+        """A box of local parameters that contains it, with sides of length at most ``2^−bits``."""
+        if self.isolated is not None:
+            return self.isolated.refine(bits)
+        # with short ends: those of the interval of a root may have thousands of digits
+        first, second = (_rounded(side, bits + 1) for side in _around(self.local, bits * 30103 // 100000 + 2))
+        return Box(first, second)
 
     def box(self, digits: int) -> Box:
         """A box that contains it, its sides at most ``10^−digits`` long."""
-        first, second = (x.refine(digits) if isinstance(x, Root) else Interval.point(x) for x in self.place)
-        return Box(first, second)
+        if self._place is not None:
+            return _around(self._place, digits)
+        return self.sides.part(self.refine(int(self.sides.longest * mpq(10) ** digits + 1).bit_length()))
 
-    def is_zero_of(self, p: fmpz_mpoly) -> bool:
-        """Whether another polynomial vanishes here too, decided exactly."""
-        minimal = self.fibre.minimal
-        (own,) = _over([p], minimal)
-        return not own or Column(minimal, self.fibre.column.zeros.gcd(own)).contains(self.s, self.t)
+    def is_zero_of(self, form: PatchForm) -> bool:
+        """Whether a form vanishes here too, decided exactly. Raises `ReachError` where this would take too long."""
+        if any(form.part(self.refine(bits)).sign in (1, -1) for bits in TRIED):
+            return False
+        if self.isolated is not None and self.isolated.exact is not None:
+            return bool(form.value(*self.isolated.exact) == 0)
+        return vanish_at([as_polynomial(form)], *self.local)
+
+    def is_in_region_of(self, other: CommonZero) -> bool:
+        """Whether it is the other point, where it is a zero of the two forms of which that is an isolated zero; False
+        is a proof for any two points.
+        """
+        bits = 16
+        while other.isolated is not None and (box := self.refine(bits)).meets(other.refine(bits)):
+            if other.isolated.region.contains(box):
+                return True
+            bits *= 2
+        return False
+
+    def is_at(self, other: CommonZero) -> bool:
+        """Whether both are one point of one patch, decided exactly. Raises `ReachError` where this would take too
+        long.
+        """
+        if not self.refine(8 * DIGITS).meets(other.refine(8 * DIGITS)):
+            return False
+        return bool(self.local[0] == other.local[0] and self.local[1] == other.local[1])
 
 
-def common_zeros(
-    polynomials: Sequence[fmpz_mpoly], sides: Box, boxes: Sequence[Box] | None = None, also: Sequence[fmpz_mpoly] = ()
-) -> list[CommonZero]:
-    """All common zeros on a closed rectangle of polynomials without a common factor; where `boxes` are given, all that
-    are in one of them. Those at which one of the others, `also`, is certainly not zero are left out.
+def _around(place: Place, digits: int) -> Box:
+    first, second = (_interval(x, digits) for x in place)
+    return Box(first, second)
+
+
+def _rounded(side: Interval, bits: int) -> Interval:
+    """An interval around another one that is not a number, its ends multiples of ``2^−bits``."""
+    if side.low == side.high:
+        return side
+    scale = mpq(1 << bits)
+    return Interval(mpq(floor(side.low * scale)) / scale, mpq(ceil(side.high * scale)) / scale)
+
+
+def _moved(place: Place, sides: Sequence[Interval]) -> Place:
+    """Local parameters as those of a patch with these sides."""
+    s, t = (exactly(x.moved(side)) if isinstance(x, Root) else side.at(x) for x, side in zip(place, sides, strict=True))
+    return s, t
+
+
+class Found(NamedTuple):
+    """Common zeros, and boxes of local parameters in which there may be more: `reason` says why."""
+
+    zeros: list[CommonZero]
+    undecided: list[Box]
+    reason: ReachError | None = None
+
+
+def common_zeros(polynomials: Sequence[fmpz_mpoly], sides: Box, also: Sequence[fmpz_mpoly] = ()) -> list[CommonZero]:
+    """All common zeros on a closed rectangle of polynomials without a common factor, in order. Those at which one of
+    the others, `also`, is certainly not zero are left out.
 
     Raises `ReachError` where this would take too long.
 
-    >>> from exactspline.numbers.intervals import UNIT
     >>> (zero,) = common_zeros([2 * S * S - 1, (S - T) ** 2], UNIT)
     >>> zero.s == zero.t, zero.s.minimal_polynomial()
     (True, [-1, 0, 2])
     """
-    given = [p for p in polynomials if p]
-    if any(p.total_degree() == 0 for p in given):
-        return []
-    boxes = possible_boxes([*given, *also], sides) if boxes is None else boxes
-    if not boxes:
-        return []
-    found, side = list[CommonZero](), hull(boxes).second
-    eliminant, pair = _eliminant(given)
-    for minimal, roots in _lines(eliminant, [box.first for box in boxes]):
-        fibre = Fibre(given, minimal, also)
-        places = [(s, t) for s in roots for t in fibre.over(s, pair, side)]
-        found += [CommonZero(*x, fibre) for x in places if not any(is_certainly_not_zero(p, *x) for p in also)]
-    return sorted(found, key=lambda zero: zero.place)
+    forms, others = ([as_form(p).part(sides).primitive() for p in own if p] for own in (polynomials, also))
+    found = zeros_of(forms, sides, also=others)
+    if found.reason is not None:
+        raise found.reason
+    return sorted(found.zeros, key=lambda zero: zero.place)
+
+
+def zeros_of(
+    forms: Sequence[PatchForm],
+    sides: Box = UNIT,
+    *,
+    cofactors: Sequence[Sequence[PatchForm]] = (),
+    known: Sequence[CommonZero] = (),
+    also: Sequence[PatchForm] = (),
+    not_positive: Sequence[PatchForm] = (),
+) -> Found:
+    """All common zeros on the closed unit square of forms that are not zero and have no common factor, as points of a
+    patch with these sides.
+
+    Where all the other forms vanish and one of its `cofactors` does not, a form vanishes too. The points `known` are
+    common zeros. Those at which one of `also` is certainly not zero, or one of `not_positive` certainly positive, are
+    left out.
+
+    >>> circle = PatchForm.of_net([[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # x² + y² − 1
+    >>> zeros_of([circle, PatchForm.of_net([[0, -1], [1, 0]])]).zeros
+    [<common zero near 0.707107 and 0.707107>]
+    """
+    if any(f.sign in (1, -1) for f in (*forms, *also)):
+        return Found([], [])
+    search = _Search(forms, cofactors, known, also)
+    with bounded():
+        return search.answer(sides, not_positive)
+
+
+class _Search:
+    """The common zeros of some forms."""
+
+    def __init__(
+        self,
+        forms: Sequence[PatchForm],
+        cofactors: Sequence[Sequence[PatchForm]],
+        known: Sequence[CommonZero],
+        also: Sequence[PatchForm],
+    ) -> None:
+        self.forms, self.known, self.also = forms, known, also
+        self.cofactors = cofactors or [()] * len(forms)
+        self.border = list(self._on_border())
+
+    def answer(self, sides: Box, not_positive: Sequence[PatchForm]) -> Found:
+        """The zeros, and what is not decided."""
+        given = [*self.forms, *self.also]
+        found, others, reason = isolate(given, not_positive, len(self.also)), list[CommonZero](), None
+        if found.undecided:
+            try:
+                others = self._by_elimination(found.undecided)
+                found.undecided.clear()
+            except ReachError as error:
+                reason = error
+                found = isolate(given, not_positive, len(self.also), found)
+        inside, undecided = list[CommonZero](), list(found.undecided)
+        for isolated in found.zeros:
+            zero = CommonZero(UNIT, None, isolated)
+            try:
+                if self._is_inside(isolated) and self._vanish_at(zero):
+                    inside.append(zero)
+            except ReachError as error:
+                undecided.append(isolated.box)
+                reason = error
+        inside += [x for x in others if not any(x.is_in_region_of(zero) for zero in inside)]
+        zeros = [zero.on(sides) for zero in (*self.border, *inside)]
+        excluding = [(f, (1, -1)) for f in self.also] + [(f, (1,)) for f in not_positive]
+        kept = [x for x in zeros if not any(f.part(x.refine(BITS)).sign in signs for f, signs in excluding)]
+        return Found(kept, undecided, reason if undecided else None)
+
+    def _on_border(self) -> Iterator[CommonZero]:
+        """The zeros on the border, each once."""
+        seen = set[Place]()
+        for direction, end in product((0, 1), (0, 1)):
+            p = common_along(self.forms, direction, end)
+            for root in roots_in(p, mpq(0), mpq(1)):
+                other, value = exactly(root), mpq(end)
+                place = (value, other) if direction == 0 else (other, value)
+                if isinstance(other, Root) or place not in seen:
+                    seen.add(place)
+                    yield CommonZero(UNIT, place)
+
+    def _is_inside(self, zero: Isolated) -> bool:
+        """Whether a certified zero may be a common one that is inside: one that is on the border is known."""
+        bits = 16
+        while not (box := zero.refine(bits)).is_inside(UNIT):
+            if any(high < 0 or low > 1 for low, high in box) or zero.exact is not None:
+                return False  # a box on the border that is a point
+            if any(zero.region.contains(one.refine(bits)) for one in self.border):
+                return False
+            if any(f.part(box).sign in (1, -1) for f in self.forms):
+                return False
+            bits *= 2
+        return True
+
+    def _vanish_at(self, zero: CommonZero) -> bool:
+        """Whether all forms vanish at a zero of two of them; raises `ReachError` where this would take too long."""
+        isolated = zero.isolated
+        assert isolated is not None
+        others = [k for k in range(len(self.forms)) if k not in isolated.at]
+        bits = 16
+        while others and bits <= BITS:
+            box = isolated.refine(bits)
+            if any(self.forms[k].part(box).sign in (1, -1) for k in others):
+                return False
+            if any(isolated.region.contains(one.refine(bits)) for one in self.known):
+                return True
+            others = [k for k in others if not any(e.part(box).sign in (1, -1) for e in self.cofactors[k])]
+            bits *= 2
+        return all(zero.is_zero_of(self.forms[k]) for k in others)
+
+    # ---- elimination
+
+    def _by_elimination(self, boxes: Sequence[Box]) -> list[CommonZero]:
+        """All common zeros inside that are in one of the boxes."""
+        polynomials = [as_polynomial(f) for f in self.forms]
+        if greatest_common_divisor(polynomials).total_degree() > 0:
+            raise ReachError("the common zeros of polynomials with a common factor", remedy="divide by it")
+        found = list[CommonZero]()
+        for minimal, roots in _lines(_eliminant(polynomials), [box.first for box in boxes]):
+            column: Column | None = None
+            for s in roots:
+                sides = [
+                    box.second for box in boxes if box.first.low <= s <= box.first.high and self._may_vanish(s, box)
+                ]
+                if sides and column is None:
+                    column = Column.of(polynomials, minimal)
+                if column is not None:
+                    own = [t for t in column.candidates if any(low <= t <= high for low, high in sides)]
+                    found += [CommonZero(UNIT, (s, t)) for t in own if column.contains(s, t)]
+        return [zero for zero in found if zero.is_inside]
+
+    def _may_vanish(self, s: Parameter, box: Box) -> bool:
+        """Whether no form is certainly not zero over a number s in a box."""
+        line = Box(_interval(s, 4 * DIGITS), box.second)
+        return not any(f.part(line).sign in (1, -1) for f in (*self.forms, *self.also))
 
 
 def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:
     """The intersection multiplicity of two polynomials without a common factor at one of their zeros: as a zero of the
     resultant in ``t + λ s``, for a λ for which no other zero has the same value.
 
-    >>> from exactspline.numbers.intervals import UNIT
     >>> f, g = S * S - T**3, S - T * T
     >>> [multiplicity(zero, f, g) for zero in common_zeros([f, g], UNIT)]
     [3, 1]
     """
     jacobian = f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)
-    if is_certainly_not_zero(jacobian, *zero.place) or not zero.is_zero_of(jacobian):
+    if not vanish_at([jacobian], *zero.place):
         return 1
     slope = 0
     while True:
@@ -215,9 +380,70 @@ def _factor_at(eliminant: fmpz_poly, zero: CommonZero, slope: int) -> tuple[fmpz
     return factors[0]
 
 
-def _over(polynomials: Sequence[fmpz_mpoly], minimal: fmpz_poly) -> list[OverRoot]:
-    modulus = fmpq_poly(minimal)
-    return [OverRoot.of(p, modulus) for p in polynomials]
+def common_along(forms: Sequence[PatchForm], direction: int, end: int) -> fmpz_poly:
+    """The greatest common divisor of forms along an edge of the unit square: zero where all of them vanish on it."""
+    return greatest_common_divisor(
+        in_parameter(from_integers(f.edge(direction, end)), f.degree[1 - direction], UNIT.first)[0] for f in forms
+    )
+
+
+# ---- elimination
+
+
+@dataclass(frozen=True)
+class Column:
+    """The common zeros of polynomials over the roots of one irreducible polynomial: those of a square-free polynomial
+    in t over its field.
+    """
+
+    minimal: fmpz_poly
+    zeros: OverRoot
+
+    @classmethod
+    def of(cls, polynomials: Sequence[fmpz_mpoly], minimal: fmpz_poly) -> Column:
+        """That of polynomials which do not all vanish on the line. Raises `ReachError` where that would take too
+        long.
+        """
+        modulus = fmpq_poly(minimal)
+        common = reduce(lambda p, q: p.gcd(q), [OverRoot.of(p, modulus) for p in polynomials])
+        slope = OverRoot([c * k for k, c in enumerate(common.coefficients)][1:], modulus)
+        return cls(minimal, common // common.gcd(slope) if slope else common)
+
+    @cached_property
+    def candidates(self) -> list[Parameter]:
+        """All values t in [0, 1] that the zeros over any of the roots have, in ascending order; their intervals do not
+        meet.
+        """
+        if self.zeros.degree < 1:
+            return []
+        (parts,) = by_powers([self.zeros])
+        p = sum((lifted(part, 1) * S**k for k, part in enumerate(parts)), S * 0)
+        norm = resultant([fmpz_poly([x]) for x in self.minimal.coeffs()], rows_of(p.compose(T, S)))
+        numbers = [exactly(t) for t in roots_in(norm, *UNIT.second)]
+        for low, high in pairwise(numbers):
+            digits = 2
+            while _interval(low, digits).meets(_interval(high, digits)):
+                digits *= 2
+        return numbers
+
+    def sign(self, s: Parameter, t: mpq) -> int:
+        """The sign over one of the roots at a rational t."""
+        x, value = to_fmpq(t), fmpq_poly([])
+        for c in reversed(self.zeros.coefficients):
+            value = value * x + c
+        return _sign_over(value, s)
+
+    def contains(self, s: Parameter, t: Parameter) -> bool:
+        """Whether one of the `candidates` is a zero over one of the roots."""
+        if not isinstance(t, Root):
+            return self.sign(s, t) == 0
+        # a zero in the interval of a candidate is this one, and it is simple
+        digits = 1
+        while True:
+            before, behind = (self.sign(s, end) for end in t.refine(digits))
+            if before and behind:
+                return before != behind
+            digits *= 2
 
 
 def _lines(eliminant: fmpz_poly, sides: Sequence[Interval]) -> Iterator[tuple[fmpz_poly, list[Parameter]]]:
@@ -237,10 +463,10 @@ def _lines(eliminant: fmpz_poly, sides: Sequence[Interval]) -> Iterator[tuple[fm
                     yield minimal, own
 
 
-def _eliminant(polynomials: Sequence[fmpz_mpoly]) -> tuple[fmpz_poly, Pair]:
-    """A polynomial in s, not zero, that vanishes at all common zeros; and the first two combinations that have one."""
+def _eliminant(polynomials: Sequence[fmpz_mpoly]) -> fmpz_poly:
+    """A polynomial in s, not zero, that vanishes at all common zeros."""
     first, *others = sorted(polynomials, key=lambda p: (int(p.degrees()[1]), len(p)))
-    rows, found, pairs = rows_of(first), list[fmpz_poly](), list[Pair]()
+    rows, found = rows_of(first), list[fmpz_poly]()
     k = 0
     while len(found) < (ELIMINANTS if len(others) > 1 else 1):
         # a factor of the first divides two of the combinations only if it divides all
@@ -248,9 +474,8 @@ def _eliminant(polynomials: Sequence[fmpz_mpoly]) -> tuple[fmpz_poly, Pair]:
         eliminant = _without_t(rows, rows_of(combined)) if combined else fmpz_poly([])
         if eliminant:
             found.append(eliminant)
-            pairs.append(Pair(first, combined, eliminant))
         k += 1
-    return greatest_common_divisor(found), pairs[0]
+    return greatest_common_divisor(found)
 
 
 def _without_t(first: list[fmpz_poly], second: list[fmpz_poly]) -> fmpz_poly:
@@ -258,20 +483,40 @@ def _without_t(first: list[fmpz_poly], second: list[fmpz_poly]) -> fmpz_poly:
     return greatest_common_divisor([*first, *second]) if len(first) == len(second) == 1 else resultant(first, second)
 
 
-def apart(numbers: Sequence[Parameter]) -> list[Parameter]:
-    """Different numbers in ascending order, refined until no two of their intervals meet."""
-    for low, high in pairwise(numbers):
-        digits = 2
-        while _interval(low, digits).meets(_interval(high, digits)):
-            digits *= 2
-    return list(numbers)
+@lru_cache(maxsize=32)
+def _eliminants(first: PatchForm, second: PatchForm) -> Priced[tuple[list[fmpz_poly], list[fmpz_poly]]]:
+    """Square-free polynomials among whose roots are the numbers s, and those among whose roots are the numbers t, of
+    all isolated common zeros of two forms.
+    """
+    return Priced(partial(_both_eliminants, first, second))
+
+
+def _both_eliminants(first: PatchForm, second: PatchForm) -> tuple[list[fmpz_poly], list[fmpz_poly]]:
+    p, q = map(as_polynomial, (first, second))
+    shared = greatest_common_divisor([p, q])
+    pair = [p / shared, q / shared]
+    over_s, over_t = (
+        factorize_square_free(_eliminant(own)).bases for own in (pair, [own.compose(T, S) for own in pair])
+    )
+    return over_s, over_t
+
+
+def _numbers(zero: Isolated) -> Place:
+    """The numbers of a zero certified in a box, as roots of resultants."""
+    numbers = list[Parameter]()
+    for k, parts in enumerate(_eliminants(*zero.forms).value):
+        bits = 4 * DIGITS
+        while len(roots := [t for p in parts for t in roots_in(p, *zero.refine(bits)[k])]) > 1:
+            bits *= 2
+        numbers.append(exactly(roots[0]))
+    return numbers[0], numbers[1]
 
 
 def _interval(t: Parameter, digits: int) -> Interval:
     return t.refine(digits) if isinstance(t, Root) else Interval.point(t)
 
 
-def sign_over(x: fmpq_poly, s: Parameter) -> int:
+def _sign_over(x: fmpq_poly, s: Parameter) -> int:
     """The sign of a polynomial, reduced modulo the minimal one, at a number."""
     if not x:
         return 0
@@ -286,4 +531,4 @@ def sign_over(x: fmpq_poly, s: Parameter) -> int:
         digits *= 2
 
 
-__all__ = ["Column", "CommonZero", "apart", "common_zeros", "multiplicity", "sign_over"]
+__all__ = ["Column", "CommonZero", "Found", "common_along", "common_zeros", "multiplicity", "zeros_of"]

@@ -9,7 +9,7 @@ from flint import ctx, fmpz, fmpz_poly
 from exactspline.numbers.exact import lcm, mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_ends
-from exactspline.polynomials.bernstein import ONE, over_common_denominator, raiser, value
+from exactspline.polynomials.bernstein import ONE, raiser, value
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Image, Local, RationalMap
 from exactspline.polynomials.zero_places import Place
@@ -35,13 +35,10 @@ def segment_forms(curve: Nurbs, i: int) -> SegmentForms:
     >>> segment_forms(Nurbs(1, [0, 0, 1, 1], [(0, "1/2"), (1, 2)]).elevate_degree(), 0)
     (1, [2*x, 4*x + 1, 2*x + 2])
     """
-    splines = (*curve.p, curve.w)
-    n = max(f.degree for f in splines)
-    forms = [
-        (f._polynomials[i] * raiser(n - f.degree) if f.degree < n else f._polynomials[i], f.denominators[i])
-        for f in splines
-    ]
-    whole, _ = over_common_denominator(forms)
+    (operands, below), n = curve.rows[i], curve.degree
+    whole = [fmpz_poly(c) for c in operands]
+    if curve.polynomial:
+        whole.append(raiser(n) * below)
     while n > 0 and all(c(-1) == 0 for c in whole):
         n, whole = n - 1, [c // U_PLUS_V for c in whole]
     return n, whole

@@ -219,6 +219,20 @@ class Root(Real, Displayed):
         )
         return f"<Root {self.shortly()}: {times}, sign {left} to {right}{', at a knot' if self.at_knot else ''}>"
 
+    def moved(self, side: Interval) -> Root:
+        """The parameter of a patch over a side of which this number is the local parameter.
+
+        >>> from exactspline import BSpline, zeros
+        >>> (root,) = zeros(BSpline.bezier([-1, -1, 1]))  # 2t² − 1
+        >>> root.moved(Interval(mpq(2), mpq(4))) == 2 * root + 2
+        True
+        """
+        segment = None if self.segment is None else side.part(self.segment)
+        times = self.left_multiplicity, self.right_multiplicity
+        root = Root(side.at(self._first.low), side.at(self._first.high), times, self.signs, self._zero, segment)
+        root._keep(side.at(self.low), side.at(self.high))
+        return root
+
     # ---- comparisons
 
     def _parted(self, other: Algebraic) -> int:

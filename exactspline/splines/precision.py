@@ -6,6 +6,7 @@ from exactspline.errors import ShapeError
 from exactspline.numbers.exact import Number, decimal_unit, mpq, rational
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 
 #: Decimal digits that tell every double from its neighbours, and bits of a double.
 DECIMALS, BITS = 17, 53
@@ -15,7 +16,7 @@ DECIMALS, BITS = 17, 53
 WRITTEN = "written"
 
 
-def distance(epsilon: Number, curve: Nurbs) -> mpq:
+def distance(epsilon: Number, curve: Nurbs | NurbsSurface) -> mpq:
     """A distance that is given as a number, or, by `WRITTEN`, that of `written_precision`.
 
     Raises `ShapeError` for a distance that is not positive, `NumberError` for what is not a number.
@@ -28,8 +29,8 @@ def distance(epsilon: Number, curve: Nurbs) -> mpq:
     return within
 
 
-def written_precision(curve: Nurbs) -> mpq:
-    """Half a unit of the last digit that the coordinates and weights of a curve were written with.
+def written_precision(curve: Nurbs | NurbsSurface) -> mpq:
+    """Half a unit of the last digit that the coordinates and weights of a curve or a surface were written with.
 
     All are thought to be written with as many decimal digits as the longest of them. The last digit is that of the
     largest of those with that number of digits, or one less, as a zero at the end is not seen. More than 17 are those
@@ -43,8 +44,12 @@ def written_precision(curve: Nurbs) -> mpq:
     >>> written_precision(Nurbs(2, knots, arc))
     mpq(1,2)
     """
-    given = curve_of(curve)
-    digits = {abs(x): _digits(x) for row in (*given.control_points, given.weights) for x in row if x}
+    if isinstance(curve, NurbsSurface):
+        rows = [point for row in curve.control_points for point in row] + list(curve.weights)
+    else:
+        given = curve_of(curve)
+        rows = [*given.control_points, given.weights]
+    digits = {abs(x): _digits(x) for row in rows for x in row if x}
     most = max(digits.values())
     if most > DECIMALS:
         largest: mpq = max(x for x, count in digits.items() if count > DECIMALS)

@@ -1,5 +1,5 @@
-"""Arcs of lines, circles and conics, rounded and disturbed, against distances computed without the library:
-``python -m tests.campaigns.recognition 1000``.
+"""Arcs of lines, circles and conics, and patches of planes, spheres, cylinders, cones and tori, rounded and disturbed,
+against distances computed without the library: ``python -m tests.campaigns.recognition 1000``.
 
 Every curve is drawn from a family by a seed. Of everything that is recognized, the distance is measured at many points
 of the piece, and the other way at many points of the arc; that the bound is not far too large is measured, too. Arcs
@@ -19,9 +19,10 @@ from random import Random
 from gmpy2 import mpq
 from mpmath import mp, mpf
 
-from exactspline import Nurbs
+from exactspline import Nurbs, NurbsSurface, example
 from exactspline.geometry.recognition.pieces import recognized
 from exactspline.geometry.recognition.shapes import Circle, Line
+from exactspline.geometry.surface.recognized import recognized_surface
 
 SEED = 2031
 #: Points of a piece at which distances are measured.
@@ -223,7 +224,7 @@ def campaign(count: int, seed: int = SEED) -> Counter[str]:
         near = moved(exact, EPSILON / 10 / 2, random)
         pieces = recognized(near, EPSILON)
         found["arcs moved by a tenth of epsilon"] += 1
-        if len(pieces) != 1:
+        if len(pieces) != 1 or pieces[0].kind not in (family, "line", "circle"):
             found[f"WRONG: a moved {family} is {pieces}"] += 1
         for curve in (near, as_written(exact, 12), moved(exact, 10 * EPSILON, random)) if i % EVERY == 0 else ():
             found["curves measured"] += 1
@@ -244,9 +245,117 @@ def campaign(count: int, seed: int = SEED) -> Counter[str]:
     return found
 
 
+# ---- in space
+
+
+def turned(random: Random, columns: int = 3) -> list[list[mpq]]:
+    """A rotation by a random quaternion, a scale, and a translation."""
+    a, b, c, d = (random.randint(-5, 5) or 1 for _ in range(4))
+    n = mpq(a * a + b * b + c * c + d * d)
+    rows = [
+        [a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)],
+        [2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)],
+        [2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d],
+    ]
+    scale = mpq(random.randint(1, 40), 8)
+    return [[scale * x / n for x in row[:columns]] + [mpq(random.randint(-40, 40), 7)] for row in rows]
+
+
+def in_space(curve: Nurbs, random: Random) -> Nurbs:
+    """A plane curve in a plane of space."""
+    points = [(*p, mpq(0)) for p in curve.control_points]
+    return Nurbs(curve.degree, curve.knots, points, curve.weights).transform(turned(random))
+
+
+def patch(kind: str, random: Random) -> NurbsSurface:
+    """A part of an exact surface."""
+    if kind == "plane":
+        net = [[(mpq(i), mpq(j), mpq(0)) for j in range(3)] for i in range(3)]
+        weights = [[mpq(random.randint(8, 16), 8) for _ in range(3)] for _ in range(3)]
+        return NurbsSurface((2, 2), [0] * 3 + [1] * 3, [0] * 3 + [1] * 3, net, weights).transform(turned(random))
+    whole = example(kind)
+    sides = []
+    for low, high in whole.domain:
+        a, b = sorted(random.sample(range(17), 2))
+        sides.append((low + (high - low) * mpq(a, 16), low + (high - low) * mpq(b, 16)))
+    return whole.restrict(*sides).transform(turned(random))
+
+
+def moved_surface(surface: NurbsSurface, by: mpq, random: Random) -> NurbsSurface:
+    """The surface with every coordinate changed by at most a number."""
+    net = [
+        [tuple(x + by * mpq(random.randint(-1000, 1000), 1000) for x in p) for p in row]
+        for row in surface.control_points
+    ]
+    return NurbsSurface(surface.degree, *surface.knots, net, surface.weights)
+
+
+def far_from(shape: object, point: tuple[mpf, ...]) -> mpf:
+    """The distance of a point from a plane, a sphere, a cylinder, a double cone or a torus."""
+    n = {name: [number(x) for x in values] for name, values in shape.numbers.items()}
+    if shape.kind == "plane":
+        return abs(mp.fdot(n["normal"], point) - n["offset"][0]) / mp.norm(n["normal"])
+    start = n.get("centre") or n.get("point") or n["apex"]
+    offset = [x - a for x, a in zip(point, start, strict=True)]
+    whole = mp.norm(offset)
+    if shape.kind == "sphere":
+        return abs(whole - n["radius"][0])
+    along = mp.fdot(offset, n["axis"]) / mp.norm(n["axis"])
+    rho = mp.sqrt(abs(whole * whole - along * along))
+    if shape.kind == "cylinder":
+        return abs(rho - n["radius"][0])
+    if shape.kind == "cone":
+        angle = mp.atan(n["tan"][0])
+        return abs(rho * mp.cos(angle) - abs(along) * mp.sin(angle))
+    major, minor = n["radii"]
+    return abs(mp.hypot(rho - major, along) - minor)
+
+
+def wrong_surface(surface: NurbsSurface, epsilon: mpq, kind: str) -> str:
+    """What is wrong with what is recognized of a surface that is nearly of a kind, "" for nothing."""
+    found = recognized_surface(surface, epsilon)
+    if not found or not found[0].whole:
+        return f"a moved {kind} is {[str(part.kind) for part in found]}"
+    (part,) = found
+    (a, b), (c, d) = surface.domain
+    places = [(a + (b - a) * mpq(i, 12), c + (d - c) * mpq(j, 12)) for i in range(13) for j in range(13)]
+    far = max(far_from(part.shape, tuple(map(number, surface(*place)))) for place in places)
+    if far > number(part.within) + mpf(10) ** -35:
+        return f"{far} away from {part.shape}, not {part.within}"
+    return f"{part.within} proved where {far} was measured" if far * 6 < number(part.within) else ""
+
+
+def in_space_campaign(count: int, seed: int = SEED) -> Counter[str]:
+    """Surfaces, exact and moved by a tenth of epsilon, and others; plane curves in space."""
+    random, found = Random(seed), Counter[str]()
+    mp.dps = 50
+    for i in range(count):
+        kind = ("plane", "sphere", "cylinder", "cone", "torus")[i % 5]
+        exact = patch(kind, random)
+        parts = recognized_surface(exact, EPSILON)
+        found["exact patches"] += 1
+        if len(parts) != 1 or not parts[0].whole or not (parts[0].exact and parts[0].kind == kind):
+            found[f"WRONG: an exact {kind} is {[(str(part.shape), part.exact) for part in parts]}"] += 1
+        found["patches moved by a tenth of epsilon"] += 1
+        if what := wrong_surface(moved_surface(exact, EPSILON / 20, random), EPSILON, kind):
+            found[f"WRONG: {what}"] += 1
+        net = [[tuple(mpq(random.randint(-99, 99), 8) for _ in range(3)) for _ in range(3)] for _ in range(3)]
+        found["random surfaces"] += 1
+        if recognized_surface(NurbsSurface((2, 2), [0] * 3 + [1] * 3, [0] * 3 + [1] * 3, net), EPSILON):
+            found["WRONG: a random surface is a shape"] += 1
+        family = list(FAMILIES)[i % len(FAMILIES)]
+        near = moved(in_space(arc(family, random), random), EPSILON / 20, random)
+        pieces = recognized(near, EPSILON)
+        found["arcs in space moved by a tenth of epsilon"] += 1
+        if len(pieces) != 1 or pieces[0].kind not in (family, "line", "circle"):
+            found[f"WRONG: a moved {family} in space is {[str(piece.shape) for piece in pieces]}"] += 1
+    return found
+
+
 def main() -> int:
     """Run the campaign and print what was found."""
-    found = campaign(int(sys.argv[1]) if len(sys.argv) > 1 else 200)
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else 200
+    found = campaign(count) + in_space_campaign(count // 10)
     for what, count in sorted(found.items()):
         print(f"{count:8} {what}")
     return any(count for what, count in found.items() if what.startswith("WRONG"))

@@ -4,6 +4,7 @@ import json
 import re
 import shlex
 from fractions import Fraction
+from functools import cache, partial
 from math import comb
 from pathlib import Path
 from xml.etree import ElementTree
@@ -37,19 +38,19 @@ from exactspline.splines.nurbs import Nurbs
 from tests.support.command import invoke
 
 COUNT = 20
-SHEETS = {topic: exercises(topic, 0, COUNT) for topic in TOPICS}
+sheet = cache(partial(exercises, seed=0, count=COUNT))
 topics = pytest.mark.parametrize("topic", TOPICS)
 
 
 @topics
 def test_the_checker_solves_every_exercise_and_the_answers_are_small(topic):
-    for made in SHEETS[topic]:
+    for made in sheet(topic):
         assert made.answer.check(made.answer.written).right
         asked = re.sub(r"\^\d+", "", plain(made.task))
         told = made.answer.written.rpartition(",")[0] if topic in ("osculating", "circle") else made.answer.written
         assert all(int(number) <= LARGEST for number in re.findall(r"\d+", asked + told))
-    assert len({plain(made.task) for made in SHEETS[topic]}) >= COUNT * 3 / 4
-    assert SHEETS[topic][7] == exercise(topic, 7)
+    assert len({plain(made.task) for made in sheet(topic)}) >= COUNT * 3 / 4
+    assert sheet(topic)[7] == exercise(topic, 7)
 
 
 def numbers_in(written):
@@ -108,7 +109,7 @@ def test_a_sheet_of_several_topics_has_headings_and_lines_for_name_date_and_answ
 @topics
 def test_a_wrong_answer_of_every_kind_is_caught(topic):
     caught = 0
-    for made in SHEETS[topic]:
+    for made in sheet(topic):
         for wrong in wrong_answers(made):
             if wrong == made.answer.written:
                 continue
@@ -148,10 +149,10 @@ def by_recursion(knots, points, t):
 
 def test_evaluation_and_insertion_agree_with_the_recursion():
     """From the task alone, as a student reads it."""
-    for made in SHEETS["evaluation"]:
+    for made in sheet("evaluation"):
         knots, given, (t,) = lists_in(made)
         assert made.answer.check(", ".join(map(str, by_recursion(knots, given, t))))
-    for made in SHEETS["insertion"]:
+    for made in sheet("insertion"):
         knots, given, (t,) = lists_in(made)
         found = [tuple(map(Fraction, map(str, row))) for row in points(made.answer.written, 2)]
         for place in (Fraction(1, 7), t, knots[-1] * Fraction(6, 7)):
@@ -160,7 +161,7 @@ def test_evaluation_and_insertion_agree_with_the_recursion():
 
 def test_bezier_points_and_powers_agree_with_bernstein():
     for topic in ("power", "bezier"):
-        for made in SHEETS[topic]:
+        for made in sheet(topic):
             if topic == "power":
                 (given,) = lists_in(made)
                 polys = made.answer.values
@@ -175,7 +176,7 @@ def test_bezier_points_and_powers_agree_with_bernstein():
 
 def test_circles_are_those_on_which_five_points_lie():
     said = set()
-    for made in SHEETS["circle"]:
+    for made in sheet("circle"):
         given, (_, w, _) = lists_in(made)
         on = []
         for t in (Fraction(0), Fraction(1, 4), Fraction(1, 2), Fraction(3, 4), Fraction(1)):
@@ -268,7 +269,7 @@ def test_formulas_are_compared_for_all_curves():
 
 
 def test_sheets_have_all_that_is_asked_and_answered():
-    made = [SHEETS[topic][0] for topic in TOPICS]
+    made = [sheet(topic)[0] for topic in TOPICS]
     lines = text_lines(made, 80, solutions=True)
     assert all(len(line) <= 80 for line in lines)
     assert "Solutions" in lines

@@ -22,7 +22,7 @@ def wide(monkeypatch):
 
 def test_a_torus_as_text():
     output = invoke("inspect", "torus", "-q").output
-    assert [line.split()[0] for line in output.splitlines()[2:]] == ["elliptic"] * 2 + ["hyperbolic"] + [
+    assert [line.split()[0] for line in output.splitlines()[2:]] == [*["elliptic"] * 2, "hyperbolic", "torus"] + [
         "parabolic"
     ] * 2
     assert "closed in u and v" in output
@@ -37,6 +37,16 @@ def test_umbilics_to_any_number_of_digits():
         low, high = (x.split("/") for x in umbilic["v"]["interval"])
         assert abs(int(low[0]) / int(low[1]) - float(umbilic["v"]["decimal"])) < 1e-15
         assert int(high[0]) * int(low[1]) - int(low[0]) * int(high[1]) <= int(high[1]) * int(low[1]) // 10**40 + 1
+
+
+def test_shapes_within_a_distance():
+    document = json.loads(invoke("inspect", "ellipsoid", "cylinder", "--epsilon", "1e-3", "--json").output)
+    jsonschema.validate(document, schema_of("inspect surface"))
+    none, found = (row["shapes"] for row in document["rows"])
+    assert none == []
+    assert [(part["kind"], part["whole"], part["numbers"]["within"]) for part in found] == [("cylinder", True, ["0"])]
+    asked = json.loads(invoke("inspect", "sphere", "--ask", "shapes_within:1e-3", "--json").output)
+    assert asked["rows"][0]["answer"][0]["numbers"]["radius"] == ["1"]
 
 
 @pytest.mark.parametrize("name", ["cone", "cross_cap", "planar_map"])

@@ -332,7 +332,6 @@ UNBOUNDED = {
     "polynomials/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
     "polynomials/over_root.py: _divisor_modulo": "modulo a prime, in one variable",
     "roots/common_zeros.py: Column.of": "over the field of a root: a door with an estimated cost",
-    "roots/common_zeros.py: CommonZero.is_zero_of": "the same",
     "verification/minimality.py: bezout_combination": "modulo a prime, in one variable",
 }
 

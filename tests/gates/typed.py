@@ -4,8 +4,8 @@ from typing import assert_type
 
 import exactspline as xs
 from exactspline.geometry.kinds import Feature
+from exactspline.geometry.planar_maps import MapInspection
 from exactspline.geometry.surface.inspection import SurfaceInspection
-from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.questions.answers import Places

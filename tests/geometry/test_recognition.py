@@ -8,8 +8,10 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.errors import ShapeError
-from exactspline.geometry.recognition.pieces import recognized, rounded_up, signs
+from exactspline.geometry.recognition.pieces import recognized
+from exactspline.geometry.recognition.proof import rounded_up, signs
 from exactspline.geometry.recognition.shapes import Circle, Conic, Line, ShapeKind
+from exactspline.geometry.surface.recognized import recognized_surface
 from tests.campaigns import recognition as campaign
 
 SHARED = Path(__file__).parents[3] / "shared" / "curves"
@@ -20,6 +22,79 @@ def test_arcs_that_are_exact_rounded_moved_and_none():
     found = campaign.campaign(40)
     assert not [what for what, count in found.items() if count and what.startswith("WRONG")]
     assert found["arcs moved by a tenth of epsilon"] == 40
+
+
+def test_surfaces_and_curves_in_space():
+    """A surface "is" what a few of its points are near to; a parabola in space was an ellipse or a hyperbola."""
+    found = campaign.in_space_campaign(5)
+    assert not [what for what in found if what.startswith("WRONG")]
+
+
+def test_the_numbers_of_conics_in_space():
+    """Half axes in a plane that is not a coordinate plane, of which a frame has irrational lengths."""
+    tilt = [[2, -1, 2, 1], [2, 2, -1, 5], [-1, 2, 2, -3]]  # 3 times a rotation
+    for name in ("ellipse", "parabola", "hyperbola"):
+        flat = xs.example(name)
+        points = [(*p, 0) for p in flat.control_points]
+        (found,) = recognized(xs.Nurbs(flat.degree, flat.knots, points, flat.weights).transform(tilt))
+        (plane_one,) = recognized(flat)
+        assert found.exact
+        assert found.whole == plane_one.whole
+        if name == "parabola":
+            (x, y), (u, v) = (plane_one.shape.numbers[key] for key in ("vertex", "axis"))
+            turned = [[r[0] * x + r[1] * y + r[3] for r in tilt], [r[0] * u + r[1] * v for r in tilt]]
+            assert list(found.shape.numbers["vertex"]) == turned[0]
+            a, b = turned[1], found.shape.numbers["axis"]
+            assert all((a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2]).sign == 0 for i in range(3))
+            assert sum(p * q for p, q in zip(a, b, strict=True)) > 0
+        else:
+            assert found.shape.semi_axes == tuple(3 * axis for axis in plane_one.shape.semi_axes)
+
+
+def test_where_a_parabola_opens():
+    """y² = 4 (x − 1) opens to the right; its mirror image to the left."""
+    for s in (1, -1):
+        (found,) = recognized(xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(s, 0), (s, 1), (2 * s, 2)]))
+        vertex, axis = found.shape.numbers["vertex"], found.shape.numbers["axis"]
+        assert (vertex, axis[1]) == ((s, 0), 0)
+        assert axis[0].sign == s
+
+
+def test_pieces_near_a_plane():
+    """Four points of space are in no plane; those of a cubic that was flat before they were written nearly are."""
+    flat = [(0, 0, 0), (1, 2, 0), (3, -1, 0), (4, 1, mpq(1, 10**9))]
+    curve = xs.Nurbs(3, [0] * 4 + [1] * 4, flat)
+    (found,) = recognized(curve, "1e-8")
+    assert found.kind is ShapeKind.PLANE
+    assert mpq(1, 10**11) < found.within < mpq(1, 10**9)
+    assert recognized(curve, "1e-11") == ()
+
+
+def test_patches_that_share_a_shape_are_given_together():
+    """A gutter: a half cylinder between two planes, of which the first and the last patch are one plane each."""
+    profile = [
+        (-1, -2, 1),
+        (-1, -1, 1),
+        (-1, 0, 1),
+        (-1, 1, 1),
+        (0, 2, 2),
+        (2, 2, 2),
+        (4, 0, 4),
+        (4, -4, 4),
+        (4, -8, 4),
+    ]
+    knots = [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4]
+    net = [[(mpq(x, w), mpq(y, w), z) for z in (0, 1)] for x, y, w in profile]
+    weights = [[w, w] for *_, w in profile]
+    gutter = xs.NurbsSurface((2, 1), knots, [0, 0, 1, 1], net, weights)
+    found = recognized_surface(gutter)
+    assert [(str(part.kind), part.patches, part.exact) for part in found] == [
+        ("plane", ((0, 0),), True),
+        ("cylinder", ((1, 0), (2, 0)), True),
+        ("plane", ((3, 0),), True),
+    ]
+    assert not any(part.whole for part in found)
+    assert xs.analyse(gutter).shapes == found
 
 
 def test_a_circle_that_runs_around_twice_is_two_pieces():

@@ -4,22 +4,22 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import BSpline, NurbsSurface, zeros
-from exactspline.geometry.surface import singular
-from exactspline.geometry.surface.borders import is_inside, vanishes_at
-from exactspline.geometry.surface.forms import SurfaceForms, lowest
+from exactspline.geometry.surface.borders import EDGES, vanishes_at
+from exactspline.geometry.surface.forms import lowest
 from exactspline.geometry.surface.inspection import inspect_surface
 from exactspline.geometry.surface.joints import SurfaceJointKind
-from exactspline.geometry.surface.places import InnerZero, Place
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.singular import SingularPoints
-from exactspline.interchange.examples import example
 from exactspline.numbers.intervals import UNIT, Box, Interval
-from exactspline.polynomials.common_zeros import isolate
 from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import S, T, as_form
+from exactspline.roots import common_zeros
+from exactspline.roots.common_zeros import CommonZero, zeros_of
 from exactspline.splines.tensor import TensorSpline
 
 
 def test_a_patch_is_regular_where_its_normal_vanishes_along_edges_at_most():
-    edge, place = singular.EDGES[0], Place(((0, 0),), None, mpq(0), mpq(0))
+    edge, place = EDGES[0], Place(((0, 0),), CommonZero.at(UNIT, (mpq(0), mpq(0))))
     assert SingularPoints(edges=(edge,)).regular
     for told in ({"degenerate": True}, {"places": (place,)}, {"undecided": (UNIT,)}, {"along_curve": True}):
         assert not SingularPoints(edges=(edge,), **told).regular
@@ -34,9 +34,9 @@ def test_whether_an_irrational_zero_is_inside_is_decided_by_the_roots_on_the_bor
     sides = (x * 4 - 1) * (x * 8 - 7)
     for near in (0, mpq(1, 2**20), mpq(-1, 2**20), *[mpq(1, 2**k) for k in (50, 100, 200, 300)]):
         line, other = y + sides * near, sides * (x * x * 2 - 1) + y * 0
-        found = isolate(*(f.elevated_to(g).patch_form(0, 0) for f, g in ((line, other), (other, line)))).zeros
-        told = {tuple(round(float(a), 3) for a, _ in zero.refine(60)): is_inside(zero, UNIT) for zero in found}
-        assert told.pop((0.707, 0.0), False) is (near > 0)
+        found = zeros_of([f.patch_form(0, 0) for f in (line, other)]).zeros
+        told = {tuple(round(float(a), 3) for a, _ in zero.refine(60)): zero.is_inside for zero in found}
+        assert told.pop((0.707, 0.0), None) is (None if near < 0 else near > 0)
         assert told == {(0.25, 0.0): False, (0.875, 0.0): False}
 
 
@@ -47,12 +47,12 @@ def test_a_point_of_the_border_lies_on_a_form_in_corners_too():
     (third,) = zeros(BSpline.bezier([-1, 2]))
     assert (start == 0, third == mpq(1, 3)) == (True, True)
     for place, on in (
-        (Place(((0, 0),), None, start, mpq(0)), True),
-        (Place(((0, 0),), None, mpq(0), start), True),
-        (Place(((0, 0),), None, mpq(0), third), False),
-        (Place(((0, 0),), None, third, mpq(0)), False),
+        ((start, mpq(0)), True),
+        ((mpq(0), start), True),
+        ((mpq(0), third), False),
+        ((third, mpq(0)), False),
     ):
-        assert vanishes_at(form, place.spot, UNIT) is on
+        assert vanishes_at(form, place, UNIT) is on
 
 
 @pytest.mark.parametrize("digits", [3, 30, 90])
@@ -62,9 +62,8 @@ def test_the_box_of_an_inner_zero_is_as_small_as_asked_for(digits):
         PatchForm.of_net([[-1, -1, 0], [-1, -1, 0], [0, 0, 1]]),
         PatchForm.of_net([[0, -1, -2], [1, 0, -1], [2, 1, 0]]),
     )
-    (zero,) = isolate(circle, line).zeros
-    sides = Box(Interval(mpq(0), mpq(1000)), Interval(mpq(-1), mpq(2)))
-    (a, b), (c, d) = InnerZero(zero, sides).box(digits)
+    (zero,) = zeros_of([circle, line], Box(Interval(mpq(0), mpq(1000)), Interval(mpq(-1), mpq(2)))).zeros
+    (a, b), (c, d) = zero.box(digits)
     assert max(b - a, d - c) <= mpq(1, 10**digits)
     assert 2 * a * a <= 1000**2 <= 2 * b * b
     assert 2 * (c + 1) ** 2 <= 9 <= 2 * (d + 1) ** 2
@@ -91,11 +90,22 @@ def test_lowest_degrees_are_the_true_ones(rows):
     assert lowest(f)(mpq(2, 3), mpq(1, 5)) == f(mpq(2, 3), mpq(1, 5))
 
 
-def test_a_zero_of_two_components_alone_is_no_singular_point(monkeypatch):
-    """Of the normal (f, g, h) with f = g = 0 at the middle, whether h vanishes there decides."""
-    surface = example("monkey_saddle")
-    normal = [PatchForm.of_net([[-1, -1], [1, 1]]), PatchForm.of_net([[-1, 1], [-1, 1]]), None]
-    for verdict, count, left in ((True, 1, 0), (False, 0, 0), (None, 0, 1)):
-        monkeypatch.setattr(singular, "_is_singular", lambda zero, components, third, told=verdict: told)
-        found, undecided = singular._inner(SurfaceForms(surface), (0, 0), normal, UNIT)
-        assert (len(found), len(undecided)) == (count, left)
+@pytest.mark.parametrize(("third", "count", "undecided"), [(1, 0, 0), (0, 1, 0)])
+def test_a_zero_of_two_forms_alone_is_no_common_zero(third, count, undecided):
+    """Of forms two of which vanish at (√½, √½), whether the third vanishes there decides, for any choice of the two."""
+    circle, line = S * S + T * T - 1, S - T
+    other = (2 * S * T - 1) * 1000 + third
+    for forms in ((circle, line, other), (other, line, circle), (line, other, circle)):
+        found = zeros_of([as_form(p) for p in forms])
+        assert (len(found.zeros), len(found.undecided)) == (count, undecided)
+
+
+def test_a_cofactor_shows_that_a_form_vanishes_too(monkeypatch):
+    """``(1 + S) f + (1 + T) g + h = 0``, so that each vanishes where the others do: nothing is eliminated."""
+    f, g = S * S + T * T - 1, S - T
+    forms = [as_form(p) for p in (f, g, -(1 + S) * f - (1 + T) * g)]
+    cofactors = [[as_form(p)] for p in (1 + S, 1 + T, S * 0 + 1)]
+    assert len(zeros_of(forms).zeros) == 1
+    monkeypatch.setattr(common_zeros, "vanish_at", lambda *_: pytest.fail("the cofactor decides"))
+    (zero,) = zeros_of(forms, cofactors=cofactors).zeros
+    assert zero.is_inside

@@ -20,15 +20,15 @@ from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.display.surface_data import map_sheet, surface_inspection_data, surface_sheet
 from exactspline.errors import FormulaError
-from exactspline.geometry.surface import zero_curve
+from exactspline.geometry.planar_maps import MapKind
+from exactspline.geometry.surface import singular_cells
 from exactspline.geometry.surface.inspection import PatchKind
-from exactspline.geometry.surface.planar_maps import MapKind
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.interchange.curve_files import surface_data
-from exactspline.polynomials.common_zeros import isolate, same
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form
+from exactspline.roots.common_zeros import Found, zeros_of
 from tests.campaigns.surfaces import is_good, run
 from tests.support.surface_oracle import gaussian_curvature
 
@@ -86,7 +86,7 @@ def test_a_form_that_vanishes_at_all_corners_has_the_sign_of_its_inside():
     net = [[0, 1, 0], [1, 1, 1], [0, 1, 0]]
     for factor, sign in ((1, Sign.NOT_NEGATIVE), (-1, Sign.NOT_POSITIVE)):
         found = sign_on_patch(PatchForm.of_net([[factor * x for x in row] for row in net]))
-        assert (found.sign, len(found.zeros), found.undecided) == (sign, 4, ())
+        assert (found.sign, len(found.zeros)) == (sign, 4)
         assert (found.positive is None) == (factor < 0)
         assert (found.negative is None) == (factor > 0)
 
@@ -201,17 +201,15 @@ def _bernstein(points, t, k):
 def test_refinement_comes_to_an_end():
     """The common points of two cubics.
 
-    Passed before: `isolate` and `Zero.refine` ran for ever, the box stopped shrinking at 0.0136 × 0.051.
+    Passed before: isolation and refinement ran for ever, the box stopped shrinking at 0.0136 × 0.051.
     """
-    first, second = (as_form(_bernstein(P, S, k) - _bernstein(Q, T, k)) for k in (0, 1))
     with seconds(30):
-        found = isolate(first, second)
+        found = zeros_of([as_form(_bernstein(P, S, k) - _bernstein(Q, T, k)) for k in (0, 1)])
         for zero in found.zeros:
             assert max(b - a for a, b in zero.refine(300)) <= mpq(1, 2**300)
     assert found.undecided == []
-    inside = [zero for zero in found.zeros if all(a >= 0 and b <= 1 for a, b in zero.box)]
-    assert len(inside) == _crossings()
-    assert all(not same(one, other) for one in inside for other in inside if one is not other)
+    assert len(found.zeros) == _crossings()
+    assert all(not one.is_at(other) for one in found.zeros for other in found.zeros if one is not other)
 
 
 def _crossings(steps=2000):
@@ -253,7 +251,7 @@ def test_a_tacnode_beside_a_circle():
 
 def test_what_is_certain_is_shown_beside_a_box_that_is_open(monkeypatch):
     """Where elimination is out of reach, a tacnode is undecided. Passed before: one box hid the circle."""
-    monkeypatch.setattr(zero_curve, "exact_cells", lambda form: [])
+    monkeypatch.setattr(singular_cells, "zeros_of", lambda *_, **__: Found([], []))
     curve = ZeroCurve(as_form(TACNODE_AND_CIRCLE))
     assert not curve.complete
     assert [part.shape for part in curve.parts if part.shape is not Shape.OPEN] == [Shape.LOOP]
@@ -315,7 +313,7 @@ def test_all_branches_of_a_degenerate_parabolic_curve():
 
 def test_incomplete_answers_say_so(monkeypatch):
     """Every open box is in the table and in JSON. Passed before: only the first one was, and no word "incomplete"."""
-    monkeypatch.setattr(zero_curve, "exact_cells", lambda form: [])
+    monkeypatch.setattr(singular_cells, "zeros_of", lambda *_, **__: Found([], []))
     found = analyse(singular_curvature())
     data = surface_inspection_data(found, 5)
     boxes = [box for patch in data["patches"] for box in patch["undecided"]]

@@ -1,7 +1,6 @@
 """Files of other programs: known answers, conventions that are easily confused, and what is named as skipped."""
 
 import json
-from itertools import product
 
 import jsonschema
 import pytest
@@ -158,33 +157,6 @@ def test_what_is_no_number_or_beyond_the_limits_is_no_coordinate(number):
     data = {"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [number, 1]]}
     with pytest.raises(ExactSplineError):
         read(json.dumps(data).encode(), "json")
-
-
-LINE = '{{"degree": {degree}, "knots": [0, 0, {knot}, {knot}], "control_points": [[0, 0], {point}]{more}}}'
-
-
-def curve_or_error(text):
-    try:
-        return read(text.encode()).curve
-    except ExactSplineError as error:
-        return str(error)
-
-
-POINTS = ["[1, 1]", '{"vector": [1, 1]}', '"11"', "[1, true]", "[1, [1]]", "[1]"]
-MORE = ["", ', "weights": null', ', "weights": [1, "1/2"]', ', "weights": 1', ', "color": 1']
-
-
-@pytest.mark.parametrize("degree", ["1", "1.0", '"1"', "1.5", "true", "null"])
-@pytest.mark.parametrize("knot", ["1", '"1/3"', "1e9999", "1e300", '"x"', "true", "null"])
-def test_a_curve_is_read_alike_alone_and_among_others(degree, knot):
-    """Passed before: there were two readers; a degree 1.0 and a knot 1e9999 were accepted by one of them, a degree "1"
-    by the other.
-    """
-    for point, more in product(POINTS, MORE):
-        text = LINE.format(degree=degree, knot=knot, point=point, more=more)
-        found = read(f"[{text}]".encode())
-        alone = curve_or_error(text)
-        assert [*(named.curve for named in found.curves), *(skipped.why for skipped in found.skipped)] == [alone]
 
 
 def test_homogeneous_and_cartesian_points_are_told_apart():

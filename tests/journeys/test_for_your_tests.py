@@ -14,7 +14,7 @@ from exactspline.errors import CurveFileError
 from tests.support.command import run
 
 PAGE = Path(__file__).parents[2] / "docs" / "for-your-tests.md"
-BLOCKS = [part.partition("```")[0] for part in PAGE.read_text().split("```python\n")[1:]]
+SCIPY, *BLOCKS = [part.partition("```")[0] for part in PAGE.read_text().split("```python\n")[1:]]
 #: A program that finds inflections from the signs of κ at nine parameters, and therefore misses pairs of them.
 SAMPLED = """
 def inflections(points):
@@ -64,6 +64,18 @@ def test_shapes_are_degenerate_as_their_names_say() -> None:
         testing.nasty_curves(["font"])
 
 
+def test_the_curvature_of_a_spline_of_scipy() -> None:
+    pytest.importorskip("scipy")
+    assert len([line for line in SCIPY.splitlines() if line]) <= 10
+    names: dict[str, object] = {}
+    exec(SCIPY.replace("100_000", "5"), names)
+    curve, kappa = names["curve"], names["kappa"]
+    assert isinstance(curve, xs.Nurbs)
+    assert isinstance(kappa, list)
+    assert not names["undefined"]
+    assert kappa == [float(xs.curvature(curve, xs.from_floats(t))) for t in (0.0, 2.5, 5.0, 7.5, 10.0)]
+
+
 ICON = """<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C2 2 {end} 2 0"/>{text}</svg>"""
 
 
@@ -74,6 +86,10 @@ def test_points_in_lines_have_coordinates_and_curvature(tmp_path: Path) -> None:
     assert [(p["x"], p["y"], p["z"], p["curvature"]) for p in found["cusps"]] == [(1.0, 1.5, None, None)]
     (line,) = xs.sweep(["ellipse"], find=["curvature_extrema"], values=True)
     assert [(p.x, p.y, p.curvature) for p in line.found["curvature_extrema"]][:2] == [(2.0, 0.0, 2.0), (0.0, 1.0, 0.25)]
+    near = xs.Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (2, 2), ("1/100", 2), (2, 0)])
+    (line,) = xs.sweep([near], find=["cusps_within:1/50"], values=True)
+    [place] = line.found["cusps_within:1/50"]
+    assert (round(place.x), round(2 * place.y)) == (1, 3), "passed before: a near cusp without coordinates"
     (line,) = xs.sweep(["straight_between_arcs"], find=["joints"], values=True)
     assert [p.curvature for p in line.found["joints"]] == [None, None], "the curvature jumps there"
 

@@ -7,28 +7,22 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline.geometry.surface.borders import is_inside
 from exactspline.geometry.surface.common_factor import common_factor, odd_part
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import UNIT, Box, Interval
-from exactspline.polynomials.common_zeros import isolate, simplest
+from exactspline.numbers.intervals import Box, Interval
+from exactspline.polynomials.certified_boxes import isolate, simplest
 from exactspline.polynomials.patch_forms import PatchForm, clusters, of_powers, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form
+from exactspline.roots.common_zeros import zeros_of
 
 ONE = CONTEXT.from_dict({(0, 0): 1})
 
 
-def pair(f, g):
-    """Two polynomials as forms of one degree."""
-    p, q = as_form(f), as_form(g)
-    degree = max(p.degree[0], q.degree[0]), max(p.degree[1], q.degree[1])
-    return p.elevated(degree), q.elevated(degree)
-
-
-def inside(zeros):
-    return [zero for zero in zeros if is_inside(zero, UNIT)]
+def pair(*polynomials):
+    """Polynomials as forms."""
+    return [as_form(p) for p in polynomials]
 
 
 # ---- forms
@@ -90,19 +84,19 @@ def test_a_grid_of_zeros_is_found_whole(xs, ys):
     for y in ys:
         g = g * (y.denominator * T - y.numerator)
     # sheared, so that neither form depends on one parameter alone
-    found = isolate(*pair(f + g, f - 2 * g))
+    found = zeros_of(pair(f + g, f - 2 * g))
     assert not found.undecided
     expected = {(mpq(x.numerator, x.denominator), mpq(y.numerator, y.denominator)) for x, y in product(xs, ys)}
     closed = {p for p in expected if all(0 <= t <= 1 for t in p)}
     places = {zero.exact for zero in found.zeros}
     assert len(places) == len(found.zeros)
-    assert closed <= places <= expected
-    assert {zero.exact for zero in inside(found.zeros)} == {p for p in closed if all(0 < t < 1 for t in p)}
+    assert places == closed
+    assert {zero.exact for zero in found.zeros if zero.is_inside} == {p for p in closed if all(0 < t < 1 for t in p)}
 
 
 def test_boxes_shrink_around_the_zero_and_keep_it():
     circle, line = S * S + T * T - 1, S - T
-    (zero,) = inside(isolate(*pair(circle, line)).zeros)
+    (zero,) = zeros_of(pair(circle, line)).zeros
     for bits in (10, 50, 200):
         (a, b), (c, d) = zero.refine(bits)
         assert b - a <= mpq(1, 1 << bits)
@@ -113,17 +107,19 @@ def test_boxes_shrink_around_the_zero_and_keep_it():
 
 def test_what_nearly_meets_is_told_apart_from_what_touches():
     bowl = 1000 * (2 * S - 1) ** 2 - (T * 1000000 - 500000)
-    assert len(inside(isolate(*pair(bowl, T * 1000000 - 500001)).zeros)) == 2
-    none = isolate(*pair(bowl, T * 1000000 - 499999))
-    assert (inside(none.zeros), none.undecided) == ([], [])
-    touching = isolate(*pair(bowl, T * 1000000 - 500000))
-    assert not touching.zeros
-    assert touching.undecided
+    assert len(zeros_of(pair(bowl, T * 1000000 - 500001)).zeros) == 2
+    assert zeros_of(pair(bowl, T * 1000000 - 499999)) == ([], [], None)
+    touching = pair(bowl, T * 1000000 - 500000)
+    assert not isolate(touching).zeros
+    assert [zero.exact for zero in zeros_of(touching).zeros] == [(mpq(1, 2), mpq(1, 2))]
 
 
 def test_the_third_form_excludes():
-    zeros = isolate(*pair(2 * S - 1, 2 * T - 1), [as_form(S + T - 3)])
-    assert zeros.zeros == []
+    given = pair(2 * S - 1, 2 * T - 1)
+    assert zeros_of([*given, as_form(S + T - 3)]).zeros == []
+    assert zeros_of(given, also=[as_form(3 * S + T - 1)]).zeros == []
+    assert zeros_of(given, not_positive=[as_form(3 * S + T - 1)]).zeros == []
+    assert len(zeros_of(given, also=[as_form(S + T - 1)], not_positive=[as_form(S + T - 1)]).zeros) == 1
     assert simplest(mpq(1, 3), mpq(1, 2)) == mpq(1, 2)
 
 

@@ -365,10 +365,16 @@ def test_integers_and_decimals_of_a_number(x):
 
 
 @pytest.mark.parametrize(
-    "question", [lambda x: x < 10, lambda x: x == 1, repr, lambda x: float(1 / (1 + x)), lambda x: x.decimal(3)]
+    ("first", "question"),
+    [
+        ("large", lambda x: x < 10),
+        ("large", lambda x: float(1 / (1 + x))),
+        ("small", lambda x: x == 1),
+        ("small", repr),
+        ("small", lambda x: x.decimal(3)),
+    ],
 )
-@pytest.mark.parametrize("first", ["large", "small"])
-def test_no_number_is_too_large_or_too_small_to_be_asked(question, first):
+def test_no_number_is_too_large_or_too_small_to_be_asked(first, question):
     """Was a MemoryError for numbers of 2⁶⁰ digits."""
     a, b = high(3, 4), high(4, 5)
     x = abs(a) + abs(b) + 2 if first == "large" else (abs(a) - abs(b)) / (abs(a) + abs(b))

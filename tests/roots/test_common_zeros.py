@@ -6,16 +6,17 @@ import pytest
 
 from exactspline import NurbsSurface, TensorSpline, analyse
 from exactspline.errors import ReachError
-from exactspline.geometry.surface import zero_curve
-from exactspline.geometry.surface.exact_cells import exact_cells
+from exactspline.geometry.surface import singular_cells
 from exactspline.geometry.surface.umbilics import UmbilicKind
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials import certified_boxes
+from exactspline.polynomials.certified_boxes import Isolation
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.two_parameters import S, T, as_form, value_at
-from exactspline.roots.common_zeros import Column, common_zeros, multiplicity
-from exactspline.roots.simple_zeros import Pair
+from exactspline.roots import common_zeros as solver
+from exactspline.roots.common_zeros import Column, Found, common_zeros, multiplicity
 from tests.campaigns.common_zeros import FAMILIES, any_polynomial, difference, run
 
 
@@ -65,8 +66,8 @@ def test_more_than_two_polynomials_share_only_their_zeros():
     f, g, h = (2 * S * S - 1) * T, (2 * S * S - 1) * (T - 1), (3 * T - 1) * (S + T)
     (zero,) = common_zeros([f, g, h], UNIT)
     assert zero.t == mpq(1, 3)
-    assert zero.is_zero_of((2 * S * S - 1) * (S - 7 * T) ** 3)
-    assert not zero.is_zero_of(S - 2 * T)
+    assert zero.is_zero_of(as_form((2 * S * S - 1) * (S - 7 * T) ** 3))
+    assert not zero.is_zero_of(as_form(S - 2 * T))
 
 
 def test_parts_of_a_rectangle():
@@ -128,13 +129,13 @@ def test_boxes_find_what_arithmetic_in_the_field_finds(monkeypatch):
         f, g = (
             sum((random.randint(-999, 999) * S**i * T**j for i in range(4) for j in range(4)), S * 0) for _ in range(2)
         )
-        by_boxes = common_zeros([f, g], sides)
         with monkeypatch.context() as patch:
-            patch.setattr(Pair, "over", lambda *_: None)
-            by_fields = common_zeros([f, g], sides)
-        with monkeypatch.context() as patch:
+            patch.setattr(certified_boxes, "PER_SQUARE", 100)
             patch.setattr(Column, "of", lambda *_: pytest.fail("boxes decide here"))
-            assert [one.place for one in common_zeros([f, g], sides)] == [one.place for one in by_boxes]
+            by_boxes = common_zeros([f, g], sides)
+        with monkeypatch.context() as patch:
+            patch.setattr(solver, "isolate", lambda *_: Isolation([], [UNIT]))
+            by_fields = common_zeros([f, g], sides)
         assert [one.place for one in by_boxes] == [one.place for one in by_fields]
         assert all(len(one.s.minimal_polynomial()) > 10 for one in by_boxes)
         found += len(by_boxes)
@@ -179,7 +180,7 @@ def test_degenerate_singular_points_are_resolved(f, shape, undecided_before, mon
     curve = ZeroCurve(as_form(f))
     assert curve.complete
     assert shape in {part.shape for part in curve.parts}
-    monkeypatch.setattr(zero_curve, "exact_cells", lambda form: [])
+    monkeypatch.setattr(singular_cells, "zeros_of", lambda *_, **__: Found([], []))
     assert ZeroCurve(as_form(f)).complete is not undecided_before
 
 
@@ -191,7 +192,7 @@ def test_branches_near_a_singular_point_are_those_of_a_small_circle():
         (A**3 - A * B**2 + B**4, (mpq(1, 2), mpq(1, 3))),
         ((A**2 - B**3) * (B + A), (mpq(1, 2), mpq(1, 3))),
     ):
-        cell = next(one for one in exact_cells(as_form(f)) if one.zero.exact == (x, y))
+        cell = next(one for one in singular_cells.singular_cells(as_form(f)) if one.zero.exact == (x, y))
         curve = ZeroCurve(as_form(f))
         ends = [v for a in cell.ends for v, _ in curve._zeros_on(0, a, cell.box.second)]
         r = mpq(1, 1 << 14)

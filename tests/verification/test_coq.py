@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 from collections.abc import Callable
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from random import Random
@@ -19,8 +20,9 @@ from random import Random
 import pytest
 
 from docs import ten_claims
-from exactspline import example, examples, zeros
+from exactspline import example, examples, intersections, write, zeros
 from exactspline.display.evidence import opinion
+from exactspline.errors import ClaimError
 from exactspline.papers import find, papers
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification import coq_judge
@@ -28,6 +30,7 @@ from exactspline.verification.claims import select
 from exactspline.verification.coq.answers import answers, theorem_of
 from exactspline.verification.coq.emission import BY_HAND, ROOT, library
 from exactspline.verification.coq.formulas import Formulas
+from exactspline.verification.coq.meetings import meeting_theorem
 from exactspline.verification.vocabulary import Verdict
 from tests.support.command import run
 from workshop.mutation import kernel
@@ -254,3 +257,71 @@ def test_a_theorem_is_refused_for_every_change_of_a_formula_on_record() -> None:
     record = kernel.recorded()
     assert set(record) <= set(kernel.spoken_of(Formulas(papers()), theorems))
     assert {found["refused"] for found in record.values()} <= {each.name for each in theorems}
+
+
+# ---- two curves
+
+
+def bezier(*points: tuple[object, ...]) -> Nurbs:
+    n = len(points) - 1
+    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points)
+
+
+#: Two crossings 0.012 apart; a point where two curves touch; one at rational parameters; one of
+#: a circle; one on a line parallel to an axis; none.
+PAIRS = [
+    (bezier((2, 8), (2, 3), (3, 0), (2, 5)), bezier((2, 2), (8, 8), (5, 8), (10, 8)), 2),
+    (bezier((0, 0), ("1/2", 0), (1, 1)), bezier((0, "-1/4"), (1, "3/4")), 1),
+    (bezier((0, 0), (1, 1)), bezier((0, 1), (1, 0)), 1),
+    (Nurbs(2, [0] * 3 + [1] * 3, [(1, 0), (1, 1), (0, 1)], [1, 1, 2]), bezier((0, "1/3"), (2, "1/2")), 1),
+    (bezier((0, "1/2"), (1, "1/2")), bezier((0, 0), ("1/2", 0), (1, 1)), 1),
+    (bezier((0, 0), (1, 1)), bezier((0, 1), (1, 2), (2, 4)), 0),
+]
+
+
+@pytest.mark.parametrize(("first", "second", "count"), PAIRS)
+def test_a_theorem_about_two_curves_has_a_box_for_each_point(first: Nurbs, second: Nurbs, count: int) -> None:
+    text = meeting_theorem(first, second)
+    found = intersections(first, second)
+    assert len(found) == count
+    assert f"meet at exactly {count} point" in text
+    told = re.search(r"hold_exactly .*?\[(.*)\]\.\n", text, re.DOTALL)
+    assert told is not None
+    numbers = [Fraction(x.replace(" # ", "/")) for x in re.findall(r"-?\d+(?: # \d+)?", told[1])]
+    boxes = [numbers[k : k + 4] for k in range(0, len(numbers), 4)]
+    for (a, b, c, d), point in zip(boxes, sorted(found, key=lambda point: point.second), strict=True):
+        assert a <= point.first <= b
+        assert c <= point.second <= d
+
+
+@needs_coq
+def test_coq_accepts_all_points_of_two_curves_and_no_others(room: Path) -> None:
+    """A box that is left out, told twice or elsewhere, and a curve that is another one, do not compile."""
+    for first, second, _ in PAIRS[:2]:
+        assert accepted(room, meeting_theorem(first, second))
+    text = meeting_theorem(*PAIRS[0][:2])
+    begin = text.index("Theorem the_curves_meet")
+    statement = re.compile(r"\[(\(\(.*?\)\)); (\(\(.*?\)\))\]")
+    one, other = next(statement.finditer(text[begin:])).groups()
+    for boxes in (f"[{one}]", f"[{one}; {one}]", f"[{other}; {one}]", "[]"):
+        assert not accepted(room, text[:begin] + statement.sub(boxes, text[begin:]))
+    assert text.count("coordinates := [[2; 2; 3; 2]") == 1
+    assert not accepted(room, text.replace("coordinates := [[2; 2; 3; 2]", "coordinates := [[2; 2; 3; 1]"))
+
+
+def test_what_has_no_theorem_says_so(tmp_path: Path) -> None:
+    loop = bezier((0, 0), (3, 3), (-2, 3), (1, 0))
+    for first, second, why in (
+        (loop, loop, "arcs in common"),
+        (example("circle"), loop, "one segment"),
+        (bezier((0, 0), (1, 0)), bezier((0, 0), (2, 0)), "parallel to an axis"),
+        (bezier((0, "1/2"), (1, "1/2")), bezier(("-1/2", 0), ("-1/2", 0), ("1/2", 1)), "bisection"),
+    ):
+        with pytest.raises(ClaimError, match=why):
+            meeting_theorem(first, second)
+    for name, curve in (("one", PAIRS[1][0]), ("other", PAIRS[1][1])):
+        write(curve, tmp_path / f"{name}.json")
+    names = [tmp_path / "one.json", tmp_path / "other.json"]
+    assert run("between", *names, "--emit-coq", tmp_path / "both.v").returncode == 0
+    assert "Theorem the_curves_meet" in (tmp_path / "both.v").read_text(encoding="utf-8")
+    assert run("between", *names, "--emit-coq", tmp_path / "3.v").returncode == 2

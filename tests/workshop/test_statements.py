@@ -10,7 +10,6 @@ from workshop.mutation.forked import forked
 from workshop.mutation.statements import BEGIN, END, PAGE, VERDICTS, changes_of, drawn, entries, judge, recorded, table
 
 RECORD = recorded()
-DRAWN = drawn()
 OF_3_11 = pytest.mark.skipif(
     sys.version_info >= (3, 12), reason="recorded where comprehensions have functions, and names, of their own"
 )
@@ -18,14 +17,14 @@ OF_3_11 = pytest.mark.skipif(
 
 @OF_3_11
 def test_the_record_is_that_of_the_draw():
-    assert [change.name for change in DRAWN] == list(RECORD)
-    assert len(DRAWN) >= 1000
+    assert [change.name for change in drawn()] == list(RECORD)
+    assert len(drawn()) >= 1000
     assert {line["verdict"] for line in RECORD.values()} <= set(VERDICTS) - {"open", "timeout", "broken"}
 
 
 def test_every_statement_is_changed_in_as_many_kinds_as_there_are():
     kinds = defaultdict(set)
-    for change in DRAWN:
+    for change in drawn():
         kinds[change.claim].add(change.kind)
     assert kinds.keys() == entries().keys()
     for key, own in kinds.items():
@@ -46,7 +45,7 @@ def test_the_page_has_the_table_of_the_record():
 @OF_3_11
 @pytest.mark.parametrize("verdict", ["killed", "killed by another", "equivalent", "true too", "false before"])
 def test_a_part_of_the_record_is_judged_again(verdict):
-    of_verdict = [change for change in DRAWN if RECORD[change.name]["verdict"] == verdict]
+    of_verdict = [change for change in drawn() if RECORD[change.name]["verdict"] == verdict]
     sample = Random(verdict).sample(of_verdict, 4)
     for change, result in forked(sample, judge, 60, 1):
         assert result["verdict"] == verdict, change.name

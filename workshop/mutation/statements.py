@@ -189,14 +189,20 @@ def _of_called(key: str, entry: dict[str, Any]) -> Iterator[Change]:
 
 
 def _of_body(key: str, formula: Formula, side: str) -> Iterator[Change]:
+    for number, (kind, says, new) in enumerate(_changes(formula)):
+        if not isinstance(new, ast.Name) or _is_known(new.id, formula):
+            yield Change(key, kind, f"{side.split(' ')[1]}: {says} (change {number})", {}, side, number)
+
+
+@cache
+def _changes(formula: Formula) -> list[tuple[str, str, ast.expr]]:
+    """The changes in the body of a formula: the kind, both texts, and what is new."""
     function: Any = formula.function
     node = node_of(_file(function), function.__name__)
-    for number, (_, (kind, says, new)) in enumerate(changes(node)):
-        if isinstance(new, ast.Name) and not _is_known(new.id, formula):
-            continue
-        changed_text = KIND.get(kind, kind)
-        changed_text = "derivative" if kind == "constant" and _is_order(node, number) else changed_text
-        yield Change(key, changed_text, f"{side.split(' ')[1]}: {says} (change {number})", {}, side, number)
+    return [
+        ("derivative" if kind == "constant" and _is_order(node, old) else KIND.get(kind, kind), says, new)
+        for old, (kind, says, new) in changes(node)
+    ]
 
 
 def _file(function: Any) -> str:
@@ -210,9 +216,8 @@ def _is_known(name: str, formula: Formula) -> bool:
     return name in function.__globals__ or name in function.__code__.co_varnames
 
 
-def _is_order(node: ast.FunctionDef, number: int) -> bool:
+def _is_order(node: ast.FunctionDef, old: ast.AST) -> bool:
     """Whether what is changed is the order of a derivative."""
-    old = list(changes(node))[number][0]
     calls = [call for call in ast.walk(node) if isinstance(call, ast.Call)]
     return any(old in call.args and isinstance(call.func, ast.Attribute) and call.func.attr == "d" for call in calls)
 
@@ -227,6 +232,7 @@ def _formula(name: str) -> Formula | None:
     return found
 
 
+@cache
 def drawn(seed: int = SEED, each: int = EACH) -> list[Change]:
     """Some changes of every printed statement, of as many kinds as there are: the same for the same seed."""
     found: list[Change] = []

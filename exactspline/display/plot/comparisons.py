@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import compress, pairwise
+from math import log10
 from typing import TYPE_CHECKING, cast
 
 from exactspline.display.plot.canvas import (
@@ -29,7 +30,7 @@ from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.facts import among
 from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature, kind_name
+from exactspline.geometry.kinds import Feature, FeatureKind, kind_name
 from exactspline.numbers.exact import iroot, mpq
 from exactspline.numbers.sides import Side
 from exactspline.questions.entry import Answered
@@ -60,6 +61,10 @@ _MARKED: tuple[tuple[str, str, int, str], ...] = (
 )
 
 
+#: Marker and colour of the features whose stability is drawn.
+STABLE = {FeatureKind.INFLECTION: ("D", GREEN), FeatureKind.MAXIMUM: ("^", ORANGE), FeatureKind.MINIMUM: ("v", SKY)}
+
+
 def _places(curve: Nurbs, name: str) -> list[Root]:
     """The single points that answer a question; a question about a coordinate is asked for all coordinates."""
     entry, facts = QUESTIONS[name], analyse(curve)
@@ -80,13 +85,16 @@ def _kinds(curve: Nurbs, places: list[Root]) -> str:
     return ", ".join(dict.fromkeys(kind_name(each.kind) for each in found))
 
 
-def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]], *, evolute: bool = False) -> Figure:
+def inspect_figure(
+    curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]], *, evolute: bool = False, stability: bool = False
+) -> Figure:
     """One picture: on the left the curve with the parameters of every panel, its corners and cusps marked, on the right
     each function with its control polygon.
 
     A panel is ``(title, function, roots)``, roots as for `plot_function`. With `evolute` a plane curve is drawn
-    together with its evolute. Degrees and numbers of control points in the titles are those of the objects. Returns the
-    ``matplotlib.figure.Figure``; raises what the functions above raise.
+    together with its evolute; with `stability` its marks are those of `plot_stability`. Degrees and numbers of control
+    points in the titles are those of the objects. Returns the ``matplotlib.figure.Figure``; raises what the functions
+    above raise.
 
     >>> from exactspline.geometry.constructions import construction
     >>> from exactspline.interchange.examples import example
@@ -111,11 +119,42 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
         size = 7 + 3 * (len(panels) - 1 - i)
         places = [*single, *jumps]
         label = ": ".join(filter(None, (f"{title} ({len(places)})", _kinds(curve, places))))
-        plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
+        if not stability:
+            plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
+    if stability:
+        plot_stability(curve, ax)
+        return figure
     for name, marker, size, color in _MARKED[:2]:
         places = _places(curve, name)
         plot_features(curve, places, ax, marker=marker, color=color, label=f"{name} ({len(places)})", size=size)
     return figure
+
+
+def plot_stability(curve: Nurbs, ax: Axes | None = None) -> Axes:
+    """Inflections, extrema of the curvature and corners of a plane curve as marks whose area grows with the proved
+    distance up to which the feature stays, by its logarithm: full size where that is a 16th of the curve's size or
+    more, the smallest at 10⁻⁶ and less; hollow where nothing is proved.
+
+    >>> from exactspline.interchange.examples import example
+    >>> ax = plot_stability(example("cubic_s"), plot_curve(example("cubic_s")))
+    >>> [text.get_text() for text in ax.get_legend().get_texts()][-1]
+    'maximum of κ (certain up to 0.031)'
+
+    Raises `ShapeError` for a curve that is not in the plane, otherwise as `plot_curve`.
+    """
+    ax = axes_for(ax)
+    columns = list(zip(*curve.control_points, strict=True))
+    whole = float(max(max(column) - min(column) for column in columns)) or 1.0
+    for found in analyse(curve).stability:
+        marker, color = STABLE.get(found.kind, ("s", VERMILLION))
+        share = float(found.radius) / whole
+        size = 4 + 10 * min(max(log10(share * 1e6) / log10(1e6 / 16), 0.0), 1.0) if share else 6
+        said = f"certain up to {float(found.radius):.2g}" if share else "not proved"
+        label = f"{kind_name(found.kind)} ({said})"
+        plot_features(
+            curve, [cast(Root, found.place)], ax, marker=marker, color=color, label=label, size=size, hollow=not share
+        )
+    return ax
 
 
 def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:

@@ -35,13 +35,14 @@ from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, 
 from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.single_pairs import at_cusp, crossings, singles, touching
 from exactspline.geometry.bisector.system import System, divides, irreducible_factors, piece
+from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.language.rational import Rational
-from exactspline.numbers.exact import from_flint, mpq, sign, to_fmpq
+from exactspline.numbers.exact import from_flint, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
-from exactspline.polynomials.two_parameters import in_one, lifted, possible_boxes, rows_of, value_at
+from exactspline.polynomials.two_parameters import as_form, in_one, lifted, rows_of
 from exactspline.roots.of_polynomials import Parameter, Place, as_splines, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
@@ -102,7 +103,7 @@ def _with_tangents(system: System) -> SpecialPairs:
     # where all minors vanish everywhere, there is more only where the curves overlap
     factors = irreducible_factors(factor if factor else greatest_common_divisor(system.chord))
     for g in factors:
-        if possible_boxes([g], system.sides):
+        if sign_on_patch(as_form(g).part(system.sides)).sign not in (Sign.POSITIVE, Sign.NEGATIVE):
             pairs += _in_reach(_pairs_of(g, system.sides), partial(_along, system, g))
     where = system.sides.shortly
     pairs += _in_reach(f"single pairs on {where}", lambda: _single(system, factors))
@@ -246,22 +247,10 @@ def _poles(system: System) -> SpecialPairs:
     determinant = system.determinant / system.factor
     poles = []
     for g in irreducible_factors(determinant) if determinant else []:
-        boxes = possible_boxes([g], system.sides)
-        if boxes:
-            poles.append(PoleCurve(PairEquation.of(g), system.sides, _changes_sign(g, [system.sides, *boxes])))
+        sign = sign_on_patch(as_form(g).part(system.sides))
+        if sign.sign not in (Sign.POSITIVE, Sign.NEGATIVE):
+            poles.append(PoleCurve(PairEquation.of(g), system.sides, sign.sign is not Sign.UNDECIDED))
     return SpecialPairs(poles=tuple(poles))
-
-
-def _changes_sign(g: fmpz_mpoly, boxes: list[Box]) -> bool:
-    """Whether a polynomial takes both signs, or is zero, at corners of boxes."""
-    signs = set()
-    for box in boxes:
-        for s, t in product(*box):
-            value = value_at(g, s, t)
-            signs.add(sign(value))
-            if 0 in signs or len(signs) == 2:
-                return True
-    return False
 
 
 # ---- neighbours

@@ -12,11 +12,15 @@ from exactspline.geometry.recognition.shapes import (
     NOTHING,
     Circle,
     Conic,
+    CurveShape,
     Line,
+    Plane,
     Point,
     Shape,
+    cross_product,
     minus,
     scalar,
+    solved,
     upper_square_root,
 )
 from exactspline.numbers.exact import decimal_unit, from_flint, mpq, over_one_denominator, to_fmpq
@@ -29,33 +33,56 @@ WORSE = 1024
 #: `FINE` times the distance that the guess leaves.
 ROUND = mpq(1, 2**64)
 FINE = mpq(1, 32)
+#: Steps towards the direction of a parabola.
+STEPS = 3
+#: How far the discriminant of a conic is from 0, at most, for a parabola near it.
+NEARLY = mpq(1, 16)
 #: Bits behind the point, more than conics through points that are almost on several need.
 FIXED = 384
 
 
-def candidates(points: Sequence[Point], limit: mpq) -> Iterator[Shape]:
-    """A line, a circle, in the plane a conic, which come about as close to points as a limit: through some of the
-    points where that is exact, otherwise by least squares.
+def candidates(points: Sequence[Point], limit: mpq) -> Iterator[CurveShape]:
+    """A line, a circle, a conic, which come about as close to points as a limit: through some of the points where that
+    is exact, otherwise by least squares.
 
     >>> line, *_ = candidates([(mpq(0), mpq(0)), (mpq(1), mpq(2)), (mpq(2), mpq(4))], mpq(1))
     >>> print(line)
     line: point (0, 0), direction (2, 4)
     """
     squared = limit * limit
-    if (line := _line(points)) is not None and _all_near(line, points, squared):
+    if (line := _line(points)) is not None and all_near(line, points, squared):
         yield line
-    in_plane = len(points[0]) == 2
-    makers = ((_circle_through, 3, _fitted_circle), (_conic_through, 5, _fitted_conic))
-    for through, count, fitted in makers if in_plane else ((_circle_in_space_through, 3, _fitted_circle_in_space),):
-        first = through(_spread(points[:-1], count))
-        if first is None or not _all_near(first, points, squared * WORSE * WORSE):
-            continue
-        found = first if _all_near(first, points, NOTHING) else fitted(_spread(points, MOST_POINTS))
-        if found is not None and _all_near(found, points, squared):
-            yield found
+    for plane in planes(points, limit) if len(points[0]) == 3 else (None,):
+        for through, count, fitted in ((_circle_through, 3, _fitted_circles), (_conic_through, 5, _fitted_conics)):
+            first = through(_spread(points[:-1], count), plane)
+            if first is None or not all_near(first, points, squared * WORSE * WORSE):
+                continue
+            if all_near(first, points, NOTHING):
+                yield first
+            else:
+                yield from fitted(points, plane, squared)
 
 
-def _all_near(shape: Shape, points: Sequence[Point], squared: mpq) -> bool:
+def planes(points: Sequence[Point], limit: mpq) -> Iterator[Plane]:
+    """The plane through three of some points of space if all are on it, otherwise that of least squares, where it is
+    about as close to them as a limit.
+    """
+    three = _spread(points[:-1], 3)
+    if len(three) < 3 or not any(normal := cross_product(minus(three[1], three[0]), minus(three[2], three[0]))):
+        return
+    through = Plane(three[0], normal)
+    exact = all_near(through, points, NOTHING)
+    plane = through if exact else _fitted_plane(_spread(points, MOST_POINTS))
+    if plane is not None and all_near(plane, points, limit * limit):
+        yield plane
+
+
+def farthest(shape: Shape, points: Sequence[Point]) -> mpq:
+    """About the square of the largest distance of the points."""
+    return max(map(shape.estimate, points))
+
+
+def all_near(shape: Shape, points: Sequence[Point], squared: mpq) -> bool:
     """Whether about the square of the distance of no point is above this; from the last point on, which is not one of
     those through which a shape was laid.
     """
@@ -69,7 +96,7 @@ def _spread(points: Sequence[Point], count: int) -> list[Point]:
     return different if n <= count else [different[i * (n - 1) // (count - 1)] for i in range(count)]
 
 
-def _box(points: Sequence[Point]) -> tuple[Point, mpq]:
+def box(points: Sequence[Point]) -> tuple[Point, mpq]:
     """The middle of the box around points, and its longest side as a power of 2 (1 for a single point)."""
     columns = list(zip(*points, strict=True))
     middle = tuple((min(column) + max(column)) / 2 for column in columns)
@@ -79,24 +106,9 @@ def _box(points: Sequence[Point]) -> tuple[Point, mpq]:
     return middle, mpq(2) ** (side.numerator.bit_length() - side.denominator.bit_length())
 
 
-def _rounded(x: mpq, unit: mpq) -> mpq:
+def rounded(x: mpq, unit: mpq) -> mpq:
     """The nearest multiple of a number."""
     return (x / unit + mpq(1, 2)) // 1 * unit
-
-
-def _cross(a: Point, b: Point) -> Point:
-    return tuple(a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3))
-
-
-def _solved(rows: Sequence[Sequence[mpq]], right: Sequence[mpq]) -> list[mpq] | None:
-    """The solution of a linear system, None where it has not exactly one."""
-    n = len(right)
-    matrix = flint.fmpq_mat(n, n, [to_fmpq(x) for row in rows for x in row])
-    try:
-        found = matrix.solve(flint.fmpq_mat(n, 1, [to_fmpq(x) for x in right]))
-    except ZeroDivisionError:
-        return None
-    return [from_flint(found[i, 0]) for i in range(n)]
 
 
 def _line(points: Sequence[Point]) -> Line | None:
@@ -106,91 +118,144 @@ def _line(points: Sequence[Point]) -> Line | None:
     return Line(points[0], direction) if any(direction) else None
 
 
+def least(rows: Sequence[Sequence[mpq]]) -> list[mpq]:
+    """About the vector, the largest component of which is 1, whose products with some rows have the least sum of
+    squares, by inverse iteration in numbers of a fixed number of bits; none where that fails. Rows and vector have
+    twice the digits of `ROUND`.
+    """
+    fine = int(1 / ROUND) ** 2
+    columns = [*zip(*[[int(x * fine) for x in row] for row in rows], strict=True)]
+    n = len(columns)
+    scatter = [[sum(map(mul, x, y)) << FIXED for y in columns[: i + 1]] for i, x in enumerate(columns)]
+    for row in scatter:
+        row[-1] += fine << FIXED
+    # the matrix is L D Lᵀ
+    lower, diagonal = [[0] * n for _ in range(n)], list[int]()
+    for j in range(n):
+        weighted = [x * d >> FIXED for x, d in zip(lower[j], diagonal, strict=False)]
+        pivot = scatter[j][j] - (sum(map(mul, lower[j], weighted)) >> FIXED)
+        if pivot <= 0:
+            return []
+        diagonal.append(pivot)
+        for i in range(j + 1, n):
+            lower[i][j] = ((scatter[i][j] << FIXED) - sum(map(mul, lower[i], weighted))) // pivot
+    upper = [*zip(*lower, strict=True)]
+    # a start that is in no way special
+    numbers = [420 // (k + 2) for k in range(n)]
+    for _ in range(3):
+        for i in range(n):
+            numbers[i] = (numbers[i] << FIXED) - (sum(map(mul, lower[i], numbers[:i])) >> FIXED)
+        numbers = [(x << 2 * FIXED) // d for x, d in zip(numbers, diagonal, strict=True)]
+        for i in range(n - 2, -1, -1):
+            numbers[i] -= sum(map(mul, upper[i][i + 1 :], numbers[i + 1 :])) >> FIXED
+        largest = max(numbers, key=abs)
+        if not largest:
+            return []
+        numbers = [(2 * fine * x + largest) // (2 * largest) for x in numbers]
+    return [mpq(x, fine) for x in numbers]
+
+
+def _fitted_plane(points: Sequence[Point]) -> Plane | None:
+    """The plane of least squares, with numbers as short as its distance from the points allows."""
+    middle, size = box(points)
+    found = least([(*[rounded((x - m) / size, ROUND) for x, m in zip(p, middle, strict=True)], mpq(1)) for p in points])
+    if not any(found[:-1]):
+        return None
+    *normal, offset = found
+    foot = -offset * size / scalar(normal, normal)
+    plane = Plane(tuple(m + foot * n for m, n in zip(middle, normal, strict=True)), tuple(normal))
+    left = farthest(plane, points)
+    if not left:
+        return plane
+    unit = decimal_unit(upper_square_root(left) * FINE)
+    largest, slope = max(normal, key=abs), decimal_unit(unit / size)
+    normal = [rounded(n / largest, slope) for n in normal]
+    return Plane(tuple(rounded(x, unit) for x in plane.point), tuple(normal))
+
+
+def _frame(plane: Plane | None, dimension: int = 2) -> tuple[Point, ...]:
+    """Two vectors orthogonal to each other in a plane of space; those of the axes without one."""
+    if plane is None:
+        return tuple(tuple(mpq(i == k) for i in range(dimension)) for k in range(dimension))
+    n = plane.normal
+    smallest = min(range(3), key=lambda i: abs(n[i]))
+    first = cross_product(n, tuple(mpq(i == smallest) for i in range(3)))
+    return tuple(tuple(x / max(map(abs, e)) for x in e) for e in (first, cross_product(n, first)))
+
+
 # ---- circles
 
 
-def _circle_through(points: Sequence[Point], normal: Point = ()) -> Circle | None:
-    """The circle through three points."""
-    if len(points) < 3:
+def _circle_through(points: Sequence[Point], plane: Plane | None) -> Circle | None:
+    """The circle through three points; without a plane, through four points of space the sphere."""
+    if len(points) + (plane is not None) <= len(points[0]):
         return None
-    a, b, c = points
-    sides = [minus(x, a) for x in (b, c)]
+    a, *others = points
+    sides = [minus(x, a) for x in others]
     right = [scalar(x, x) / 2 for x in sides]
     step: Sequence[mpq] | None
-    if normal:
-        step = _solved([*sides, normal], [*right, NOTHING])
+    if plane is not None:
+        step = solved([*sides, plane.normal], [*right, scalar(plane.normal, minus(plane.point, a))])
+    elif len(a) == 3:
+        step = solved(sides, right)
     else:
         (x, y), (u, v) = sides
         area = x * v - y * u
         step = ((right[0] * v - right[1] * y) / area, (right[1] * x - right[0] * u) / area) if area else None
     if step is None:
         return None
-    return Circle(tuple(x + y for x, y in zip(a, step, strict=True)), scalar(step, step), normal)
+    return Circle(tuple(x + y for x, y in zip(a, step, strict=True)), scalar(step, step), plane.normal if plane else ())
 
 
-def _fitted_circle(points: Sequence[Point], frame: Sequence[Point] = (), normal: Point = ()) -> Circle | None:
-    """The circle with the least sum of ``(‖x − c‖² − r²)²`` (I. Kåsa 1976), its centre in the plane through the first
-    point that a frame spans; with numbers as short as its distance from the points allows.
+def fitted_circle(points: Sequence[Point], plane: Plane | None) -> Circle | None:
+    """The circle (in space without a plane: the sphere) with the least sum of ``(‖x − c‖² − r²)²`` (I. Kåsa 1976), with
+    numbers as short as its distance from the points allows.
     """
-    (_, size), start = _box(points), points[0]
-    frame = frame or ((mpq(1), mpq(0)), (mpq(0), mpq(1)))
+    (_, size), start = box(points), plane.point if plane else points[0]
+    frame = _frame(plane, len(start))
     rows, right = [], []
     for point in points:
-        offset = [_rounded(x / size, ROUND) for x in minus(point, start)]
+        offset = [rounded(x / size, ROUND) for x in minus(point, start)]
         rows.append([*[-2 * scalar(offset, e) for e in frame], mpq(1)])
         right.append(-scalar(offset, offset))
     columns = list(zip(*rows, strict=True))
-    found = _solved([[scalar(x, y) for y in columns] for x in columns], [scalar(x, right) for x in columns])
+    found = solved([[scalar(x, y) for y in columns] for x in columns], [scalar(x, right) for x in columns])
     if found is None:
         return None
     shift = [sum((k * e[i] for k, e in zip(found, frame, strict=False)), start=mpq(0)) for i in range(len(start))]
     centre = tuple(x + size * y for x, y in zip(start, shift, strict=True))
-    return _shortened(Circle(centre, size * size * (scalar(shift, shift) - found[-1]), normal), points)
+    radius_squared = size * size * (scalar(shift, shift) - found[-1])
+    if radius_squared <= 0:
+        return None
+    return _shortened(Circle(centre, radius_squared, plane.normal if plane else ()), points)
+
+
+def sphere(points: Sequence[Point], limit: mpq) -> Circle | None:
+    """A circle in space without a plane: the sphere through four points if all are on it, otherwise that of least
+    squares, where it is about as close to them as a limit.
+    """
+    found = _circle_through(_spread(points[:-1], 4), None)
+    if found is not None and not all_near(found, points, NOTHING):
+        found = fitted_circle(_spread(points, MOST_POINTS), None)
+    return found if found is not None and all_near(found, points, limit * limit) else None
+
+
+def _fitted_circles(points: Sequence[Point], plane: Plane | None, squared: mpq) -> Iterator[CurveShape]:
+    found = fitted_circle(_spread(points, MOST_POINTS), plane)
+    if found is not None and all_near(found, points, squared):
+        yield found
 
 
 def _shortened(circle: Circle, points: Sequence[Point]) -> Circle | None:
     """The circle with shorter numbers, its radius in the middle between the least and the largest distance."""
-    if circle.radius_squared <= 0:
-        return None
-    left = max(map(circle.estimate, points))
+    left = farthest(circle, points)
     if not left:
         return circle
     unit = decimal_unit(upper_square_root(left) * FINE)
-    centre = tuple(_rounded(x, unit) for x in circle.centre)
+    centre = tuple(rounded(x, unit) for x in circle.centre)
     distances = [scalar(minus(point, centre), minus(point, centre)) for point in points]
-    radius = _rounded((upper_square_root(min(distances)) + upper_square_root(max(distances))) / 2, unit)
-    normal = circle.normal
-    if normal:
-        largest = max(normal, key=abs)
-        slope = decimal_unit(unit / upper_square_root(circle.radius_squared))
-        normal = tuple(_rounded(x / largest, slope) for x in normal)
-    return Circle(centre, radius * radius, normal) if radius > 0 else None
-
-
-def _normal(points: Sequence[Point]) -> Point | None:
-    """A vector orthogonal to the plane through three points of space."""
-    if len(points) < 3:
-        return None
-    found = _cross(minus(points[1], points[0]), minus(points[2], points[0]))
-    return found if any(found) else None
-
-
-def _circle_in_space_through(points: Sequence[Point]) -> Circle | None:
-    normal = _normal(points)
-    return None if normal is None else _circle_through(points, normal)
-
-
-def _fitted_circle_in_space(points: Sequence[Point]) -> Circle | None:
-    three = _spread(points[:-1], 3)
-    normal = _normal(three)
-    if normal is None:
-        return None
-    u = minus(three[1], three[0])
-    frame = []
-    for vector in (u, _cross(normal, u)):
-        largest = max(vector, key=abs)
-        frame.append(tuple(_rounded(x / abs(largest), ROUND) for x in vector))
-    return _fitted_circle(points, frame, normal)
+    radius = rounded((upper_square_root(min(distances)) + upper_square_root(max(distances))) / 2, unit)
+    return Circle(centre, radius * radius, circle.normal) if radius > 0 else None
 
 
 # ---- conics
@@ -202,16 +267,20 @@ def _monomials(point: Point) -> list[mpq]:
 
 
 def _conic(k: Sequence[mpq]) -> Conic | None:
-    """The conic with these coefficients of x², xy, y², x, y, 1; None for pairs of lines."""
+    """The conic of the plane with these coefficients of x², xy, y², x, y, 1; None for pairs of lines."""
     a, b, c, d, e, f = k
-    found = Conic(((a, b / 2, d / 2), (b / 2, c, e / 2), (d / 2, e / 2, f)))
-    return found if found.determinant else None
+    found = flint.fmpq_mat(3, 3, [to_fmpq(x) for x in (a, b / 2, d / 2, b / 2, c, e / 2, d / 2, e / 2, f)])
+    return Conic(tuple(tuple(map(from_flint, row)) for row in found.table())) if found.det() else None
 
 
-def _conic_through(points: Sequence[Point]) -> Conic | None:
+def _conic_through(points: Sequence[Point], plane: Plane | None) -> Conic | None:
     """The conic through five points: of the conics through the first four, which two pairs of lines span."""
     if len(points) < 5:
         return None
+    if plane is not None:
+        frame = _frame(plane)
+        flat = _conic_through([_local(point, plane.point, mpq(1), frame) for point in points], None)
+        return flat and _lifted(flat, plane.point, mpq(1), frame, plane)
     numbers, unit = over_one_denominator([x for point in points for x in point])
     first, second, third, fourth, (x, y) = list(zip(numbers[::2], numbers[1::2], strict=True))
     pairs = []
@@ -234,69 +303,83 @@ def _through(a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int, int]:
     return y - v, u - x, x * v - y * u
 
 
-def _fitted_conic(points: Sequence[Point]) -> Conic | None:
-    """The conic whose coefficients, of length 1, have the least sum of squares at the points, by inverse iteration;
-    with coefficients as short as its distance from the points allows.
+def _fitted_conics(points: Sequence[Point], plane: Plane | None, squared: mpq) -> Iterator[CurveShape]:
+    """A parabola and a conic with about the least sum of squares of their polynomials at the points, with coefficients
+    as short as their distance from the points allows.
     """
     if len(points) < 6:
-        return None
-    middle, size = _box(points)
-    local = [tuple(_rounded((x - m) / size, ROUND) for x, m in zip(p, middle, strict=True)) for p in points]
-    found = _conic(k) if (k := _smallest(local)) else None
-    left = found and max(map(found.estimate, local))
-    if not left:
-        return None
-    unit = mpq(2) ** (1 - (1 / (upper_square_root(left) * FINE)).numerator.bit_length())
-    return _moved([_rounded(x, unit) for x in k], middle, size)
+        return
+    (middle, size), frame = box(points), _frame(plane)
+    if plane is not None:  # the conic is sought around a point of the plane
+        height = scalar(minus(plane.point, middle), plane.normal) / scalar(plane.normal, plane.normal)
+        middle = tuple(x + height * n for x, n in zip(middle, plane.normal, strict=True))
+    local = [tuple(rounded(x, ROUND) for x in _local(p, middle, size, frame)) for p in points]
+    few = _spread(local, MOST_POINTS)
+    if not (general := least([_monomials(p) for p in few])):
+        return
+    # lengths in the frame are not those of the plane, but for a factor that is at most 2
+    scale = size * size * max(scalar(e, e) for e in frame)
+    for rounding, k in ((_with_rounded_square, _parabola(general, few)), (_with_rounded_all, general)):
+        if k is None or (found := _conic(k)) is None or not (left := farthest(found, local)):
+            continue
+        if left * scale <= squared * 4:
+            unit = mpq(2) ** (1 - (1 / (upper_square_root(left) * FINE)).numerator.bit_length())
+            if (short := _conic(rounding(k, unit))) is not None:
+                yield _lifted(short, middle, size, frame, plane)
 
 
-def _smallest(points: Sequence[Point]) -> list[mpq]:
-    """The coefficients, the largest of them 1, with the least sum of squares at points whose coordinates are multiples
-    of `ROUND`, to twice its digits; none where there is no such conic. In numbers of a fixed number of bits.
+def _with_rounded_all(k: Sequence[mpq], unit: mpq) -> list[mpq]:
+    return [rounded(x, unit) for x in k]
+
+
+def _with_rounded_square(k: Sequence[mpq], unit: mpq) -> list[mpq]:
+    """The coefficients of a parabola, whose quadratic part stays a square."""
+    (u, v), scale = _square_root(k), max(k[0], k[2])
+    u, v = rounded(u, unit), rounded(v, unit)
+    return [u * u, 2 * u * v, v * v, *[rounded(x / scale, unit) for x in k[3:]]]
+
+
+def _square_root(k: Sequence[mpq]) -> tuple[mpq, mpq]:
+    """About the vector u whose square ``(u·x)²`` is nearest to a quadratic part, scaled to a largest entry of 1."""
+    a, b, c = k[:3]
+    spread = upper_square_root((a - c) * (a - c) + b * b)
+    u, v = (a - c + spread, b) if a >= c else (b, c - a + spread)
+    if a + c < 0:
+        u, v = (b, c - a - spread) if a >= c else (a - c - spread, b)
+    largest = max(abs(u), abs(v))
+    return u / largest, v / largest
+
+
+def _parabola(k: Sequence[mpq], points: Sequence[Point]) -> list[mpq] | None:
+    """The coefficients of a parabola ``(u·x)² + d·x + f`` near points, from those of a conic, by Gauss's and Newton's
+    method for the direction of u.
     """
-    unit = int(1 / ROUND)
-    whole = [[int(x * unit) for x in point] for point in points]
-    columns = [*zip(*[(x * x, x * y, y * y, x * unit, y * unit, unit * unit) for x, y in whole], strict=True)]
-    scatter = [[sum(map(mul, x, y)) << FIXED for y in columns[: i + 1]] for i, x in enumerate(columns)]
-    for row in scatter:
-        row[-1] += unit * unit << FIXED
-    # the matrix is L D Lᵀ
-    lower, diagonal = [[0] * 6 for _ in range(6)], list[int]()
-    for j in range(6):
-        weighted = [x * d >> FIXED for x, d in zip(lower[j], diagonal, strict=False)]
-        pivot = scatter[j][j] - (sum(map(mul, lower[j], weighted)) >> FIXED)
-        if pivot <= 0:
-            return []
-        diagonal.append(pivot)
-        for i in range(j + 1, 6):
-            lower[i][j] = ((scatter[i][j] << FIXED) - sum(map(mul, lower[i], weighted))) // pivot
-    upper = [*zip(*lower, strict=True)]
-    # a start that is in no way special
-    numbers, fine = [210, 140, 105, 84, 70, 60], unit * unit
-    for _ in range(3):
-        for i in range(6):
-            numbers[i] = (numbers[i] << FIXED) - (sum(map(mul, lower[i], numbers[:i])) >> FIXED)
-        numbers = [(x << 2 * FIXED) // d for x, d in zip(numbers, diagonal, strict=True)]
-        for i in range(4, -1, -1):
-            numbers[i] -= sum(map(mul, upper[i][i + 1 :], numbers[i + 1 :])) >> FIXED
-        largest = max(numbers, key=abs)
-        if not largest:
-            return []
-        numbers = [(2 * fine * x + largest) // (2 * largest) for x in numbers]
-    return [mpq(x, fine) for x in numbers]
+    a, b, c = k[:3]
+    if abs(4 * a * c - b * b) > NEARLY * (a + c) ** 2:
+        return None
+    u, rest = _square_root(k), list[mpq]()
+    for _ in range(STEPS):
+        rows = [(rounded(2 * scalar(u, p) * (u[0] * p[1] - u[1] * p[0]), ROUND), *p, mpq(1)) for p in points]
+        right, columns = [-(scalar(u, p) ** 2) for p in points], list(zip(*rows, strict=True))
+        found = solved([[scalar(x, y) for y in columns] for x in columns], [scalar(x, right) for x in columns])
+        if found is None:
+            return None
+        u = rounded(u[0] - found[0] * u[1], ROUND), rounded(u[1] + found[0] * u[0], ROUND)
+        rest = [rounded(x, ROUND * ROUND) for x in found[1:]]
+    return [u[0] * u[0], 2 * u[0] * u[1], u[1] * u[1], *rest]
 
 
-def _moved(k: Sequence[mpq], middle: Point, size: mpq) -> Conic | None:
-    """The conic by its coefficients in the coordinates ``(x − middle) / size``."""
-    a, b, c, d, e, f = k
-    (x, y), s = middle, size
-    return _conic(
-        [
-            a,
-            b,
-            c,
-            d * s - 2 * a * x - b * y,
-            e * s - 2 * c * y - b * x,
-            a * x * x + b * x * y + c * y * y - (d * x + e * y) * s + f * s * s,
-        ]
-    )
+def _local(point: Point, origin: Point, size: mpq, frame: Sequence[Point]) -> Point:
+    """The coordinates in a frame."""
+    offset = minus(point, origin)
+    return tuple(scalar(offset, e) / (size * scalar(e, e)) for e in frame)
+
+
+def _lifted(conic: Conic, origin: Point, size: mpq, frame: Sequence[Point], plane: Plane | None) -> Conic:
+    """The conic that is given in a frame, constant along the normal of the plane."""
+    rows = [[x / (size * scalar(e, e)) for x in e] for e in frame]
+    matrix = [[*row, -scalar(row, origin)] for row in rows] + [[mpq(0)] * len(origin) + [mpq(1)]]
+    columns = list(zip(*matrix, strict=True))
+    images = [[scalar(row, column) for row in conic.matrix] for column in columns]
+    found = tuple(tuple(scalar(column, image) for image in images) for column in columns)
+    return Conic(found, plane.normal, plane.point) if plane else Conic(found)

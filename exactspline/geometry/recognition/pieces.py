@@ -6,15 +6,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from itertools import chain, count, pairwise
+from functools import cache, cached_property
 from operator import mul
 
 from exactspline.errors import ShapeError
-from exactspline.geometry.recognition.candidates import candidates
-from exactspline.geometry.recognition.shapes import Circle, Conic, Point, Shape, ShapeKind, upper_square_root
-from exactspline.numbers.exact import Number, decimal_unit, mpq, sign
-from exactspline.numbers.intervals import Interval
+from exactspline.geometry.recognition.candidates import candidates, farthest, planes
+from exactspline.geometry.recognition.proof import never_negative, proved_distance, signs
+from exactspline.geometry.recognition.shapes import Conic, CurveShape, Plane, Point, Shape, ShapeKind, upper_square_root
+from exactspline.numbers.exact import Number, mpq
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import sign_at
@@ -28,17 +27,17 @@ from exactspline.splines.precision import distance
 PARTS = 6
 #: The distance that is asked for where none is given, in units of the curve's size.
 SMALL = mpq(1, 10**9)
-#: Factors, at first, by which the bound that is proved may exceed the distance found at these points.
-FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32))
+#: Shapes of planar pieces of a space curve, each proposed for a run of points.
+Guess = Callable[[Sequence[Point], mpq], Iterator[Shape]]
 
 
 @dataclass(frozen=True)
 class RecognizedPiece(Described):
     """A piece of a curve and the shape that it is, or lies near to.
 
-    Every point of the piece is at most `within` away from the shape, every point of the arc between its ends is at most
-    as far from the piece, and the curve runs over the arc once, without turning back. `within` is 0 where the piece
-    lies on the shape exactly. `whole`: the piece runs around the whole circle or ellipse.
+    Every point of the piece is at most `within` away from the shape. But for a plane every point of the arc between its
+    ends is at most as far from the piece, and the curve runs over the arc once, without turning back. `within` is 0
+    where the piece lies on the shape exactly. `whole`: the piece runs around the whole circle or ellipse.
     """
 
     piece: CurvePiece
@@ -86,10 +85,24 @@ class _Run:
         return self.points[0] == self.points[-1]
 
 
+class _Remembered:
+    """What an iterator yields, each made once, when it is first asked for."""
+
+    def __init__(self, source: Iterator[Shape]) -> None:
+        self._source, self._made = source, list[Shape]()
+
+    def __iter__(self) -> Iterator[Shape]:
+        yield from self._made
+        for shape in self._source:
+            self._made.append(shape)
+            yield shape
+
+
 def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedPiece, ...]:
-    """The pieces of a curve that run along a line, a circle or (in the plane) a conic, within the distance epsilon;
-    without it, within 10⁻⁹ of the curve's size. Pieces begin and end at knots; of several shapes that fit, the
-    simplest is given. A single segment of degree 2, which is always a conic, is left out where the curve has more.
+    """The pieces of a curve that run along a line, a circle or a conic, within the distance epsilon; without it, within
+    10⁻⁹ of the curve's size. Pieces begin and end at knots; of several shapes that fit, the simplest is given. A single
+    segment of degree 2, which is always a conic, is left out where the curve has more. Of a space curve also the other
+    pieces that are near a plane but not in one.
 
     >>> from exactspline import Nurbs, example
     >>> (found,) = recognized(example("circle"))
@@ -109,8 +122,16 @@ def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedP
     if given.dimension not in (2, 3):
         raise ShapeError(f"shapes in R{given.dimension}", remedy="this needs a curve in the plane or in space")
     points = _points(given)
-    limit = _size(points) * SMALL if epsilon is None else distance(epsilon, given)
-    return tuple(_pieces(given, points, limit))
+    limit = longest_side(points) * SMALL if epsilon is None else distance(epsilon, given)
+    found = list(_pieces(given, points, limit, candidates))
+    if given.dimension == 3:
+        flat = _pieces(given, points, limit, planes)
+        found += [piece for piece in flat if not (piece.exact or any(_covers(each, piece) for each in found))]
+    return tuple(sorted(found, key=lambda each: each.piece.start))
+
+
+def _covers(wide: RecognizedPiece, piece: RecognizedPiece) -> bool:
+    return wide.piece.start <= piece.piece.start and piece.piece.end <= wide.piece.end
 
 
 def near(curve: Nurbs, piece: CurvePiece, shape: Shape, limit: mpq) -> RecognizedPiece | None:
@@ -118,6 +139,7 @@ def near(curve: Nurbs, piece: CurvePiece, shape: Shape, limit: mpq) -> Recognize
     was not proved.
 
     >>> from exactspline import example
+    >>> from exactspline.geometry.recognition.shapes import Circle
     >>> s = example("cubic_s")
     >>> print(near(s, CurvePiece((s.domain,)), Circle((mpq(0), mpq(0)), mpq(1)), mpq(1, 10**9)))
     None
@@ -134,7 +156,7 @@ def small_distance(curve: Nurbs) -> mpq:
     >>> small_distance(example("circle"))
     mpq(1,500000000)
     """
-    return _size(_points(curve)) * SMALL
+    return longest_side(_points(curve)) * SMALL
 
 
 def _points(curve: Nurbs) -> list[list[Point]]:
@@ -150,41 +172,39 @@ def _points(curve: Nurbs) -> list[list[Point]]:
     return found
 
 
-def _size(points: Sequence[Sequence[Point]]) -> mpq:
+def longest_side(points: Sequence[Sequence[Point]]) -> mpq:
     """The longest side of the box around the points."""
     columns = list(zip(*[point for segment in points for point in segment], strict=True))
     sides: list[mpq] = [max(column) - min(column) for column in columns]
     return max(sides)
 
 
-def _pieces(curve: Nurbs, points: Sequence[Sequence[Point]], limit: mpq) -> Iterator[RecognizedPiece]:
+def _pieces(curve: Nurbs, points: Sequence[Sequence[Point]], limit: mpq, guess: Guess) -> Iterator[RecognizedPiece]:
     """The longest pieces from the start of the curve on."""
     i, end, n = 0, -1, len(points)
     while i < n:
         if i > end:  # of each connected part of the curve once
             end = next((k for k in range(i, n - 1) if points[k][-1] != points[k + 1][0]), n - 1)
-        found = _longest(curve, points, i, end, limit)
+        found = _longest(curve, points, i, end, limit, guess)
         if found is None:
             i += 1
             continue
         last, piece = found
-        if n == 1 or last > i or curve.degree > 2 or not isinstance(piece.shape, Conic):
+        if n == 1 or last > i or curve.degree > 2 or not isinstance(piece.shape, Conic | Plane):
             yield piece
         i = last + 1
 
 
 def _longest(
-    curve: Nurbs, points: Sequence[Sequence[Point]], first: int, end: int, limit: mpq
+    curve: Nurbs, points: Sequence[Sequence[Point]], first: int, end: int, limit: mpq, guess: Guess
 ) -> tuple[int, RecognizedPiece] | None:
     """The longest run from a segment on that is proved to be near a shape, with its last segment."""
 
-    def may_fit(last: int) -> bool:
-        return any(True for _ in candidates(_Run(curve, first, last, points).points, limit))
-
-    last = _last_that(may_fit, first, end)
+    proposed = cache(lambda last: _Remembered(guess(_Run(curve, first, last, points).points, limit)))
+    last = _last_that(lambda last: any(True for _ in proposed(last)), first, end)
     while last >= first:
         run = _Run(curve, first, last, points)
-        for shape in candidates(run.points, limit):
+        for shape in proposed(last):
             if (found := _proved(run, shape, limit)) is not None:
                 return last, found
         last = first + (last - first) // 2 if last > first else first - 1
@@ -205,37 +225,23 @@ def _last_that(holds: Callable[[int], bool], first: int, end: int) -> int:
 
 def _proved(run: _Run, shape: Shape, limit: mpq) -> RecognizedPiece | None:
     """The run near this shape, with a distance that is proved, or None."""
-    if not _runs_once(run, shape):
+    if isinstance(shape, CurveShape) and not _runs_once(run, shape):
         return None
-    within = mpq(0) if shape.holds(run.curve) else _least(run, shape, limit)
+    within = proved_distance(shape, run.curve, upper_square_root(farthest(shape, run.points)), limit, never_negative)
     if within is None:
         return None
     piece = CurvePiece((run.curve.domain,))
-    return RecognizedPiece(piece, shape, within, shape.closes and run.closed)
+    return RecognizedPiece(piece, shape, within, isinstance(shape, CurveShape) and shape.closes and run.closed)
 
 
-def _least(run: _Run, shape: Shape, limit: mpq) -> mpq | None:
-    """The least distance that is proved, of a few above the one found at points of the run; then of larger ones, as
-    the curve may be farther away between these points.
-    """
-    found = upper_square_root(max(map(shape.estimate, run.points)))
-    for factor in chain(FACTORS, (mpq(2) ** k for k in count(2))):
-        within = rounded_up(found * factor)
-        if not within or within > limit or (shape.most is not None and within > shape.most):
-            return None
-        if all(signs(f) <= {0, 1} for f in shape.margins(run.curve, within)):
-            return within
-    return None
-
-
-def _runs_once(run: _Run, shape: Shape) -> bool:
+def _runs_once(run: _Run, shape: CurveShape) -> bool:
     """Whether the curve goes on along the shape without turning back, and over no part of it twice."""
     if signs(shape.advance(run.curve)) not in ({1}, {-1}):
         return False
     return not shape.closes or not _passes_its_start(run.curve, shape)
 
 
-def _passes_its_start(curve: Nurbs, shape: Shape) -> bool:
+def _passes_its_start(curve: Nurbs, shape: CurveShape) -> bool:
     """Whether a curve around a centre meets the ray from there to its start again, before its end."""
     a, b = curve.domain
     centre = shape.centre  # type: ignore[attr-defined]  # a shape that closes has a centre
@@ -251,47 +257,10 @@ def _linear(curve: Nurbs, centre: Point, direction: Sequence[mpq]) -> BSpline:
     return sum(terms[1:], start=terms[0])
 
 
-def _across(curve: Nurbs, centre: Point, start: Sequence[mpq], shape: Shape) -> BSpline:
+def _across(curve: Nurbs, centre: Point, start: Sequence[mpq], shape: CurveShape) -> BSpline:
     """A function that vanishes where the curve, seen from a centre, is in the direction of its start or opposite."""
-    if isinstance(shape, Circle) and shape.normal:
-        n = shape.normal
+    if n := shape.normal:
         turned = [n[i - 2] * start[i - 1] - n[i - 1] * start[i - 2] for i in range(3)]
     else:
         turned = [-start[1], start[0]]
     return _linear(curve, centre, turned)
-
-
-def signs(f: BSpline) -> set[int]:
-    """The signs that a function has on whole intervals: 0 where it vanishes on a segment.
-
-    >>> t = BSpline.identity(-1, 1)
-    >>> signs(t * t + 1), signs(t * t), signs(-t * t), sorted(signs(t)), signs(t - t)
-    ({1}, {1}, {-1}, [-1, 1], {0})
-    """
-    found, hard = set[int](), set[Interval]()
-    for ends, points in zip(pairwise(f.breakpoints), f.segments, strict=True):
-        of_points = {sign(x) for x in points}
-        if len(of_points) > 1:
-            of_points -= {0}
-        ends_of_points = {sign(points[0]), sign(points[-1])} - {0}
-        if len(of_points) == 1 or len(ends_of_points) == 2:
-            found |= of_points
-        else:
-            hard.add(Interval(*ends))
-    if hard:
-        roots = [root for root in zeros(f) if root.segment in hard]
-        found |= {side for root in roots for side in root.signs if side}
-        found |= {sign(f(segment.middle)) for segment in hard - {root.segment for root in roots}}
-    return found
-
-
-def rounded_up(x: mpq) -> mpq:
-    """The least decimal with four digits that is not below a positive number.
-
-    >>> rounded_up(mpq(1, 3)), rounded_up(mpq(0))
-    (mpq(1667,5000), mpq(0,1))
-    """
-    if not x:
-        return x
-    unit = decimal_unit(x) / 1000
-    return -(-x // unit) * unit

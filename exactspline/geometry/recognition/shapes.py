@@ -1,26 +1,39 @@
-"""Lines, circles and conics, and what it means that a curve lies within a distance E of one and runs over an arc of it
-once: polynomials in the parameter that must keep one sign.
+"""Lines, circles, conics, planes, spheres, cylinders, cones and tori, and what it means that a curve or a surface lies
+within a distance E of one: polynomials in the parameters that must keep one sign. They are written once, for operands
+of either kind.
 
-Let q be a polynomial of degree at most 2 whose zeros are the shape, and Λ a bound on half of its second derivatives.
-From a point x, a step of length E along the gradient changes q by at least ``E‖∇q‖ − E²Λ`` towards the shape; so
-``|q| + E²Λ ≤ E‖∇q‖`` shows that x is at most E away from the shape. Where ``‖∇q‖ ≥ 64 EΛ``, the lines along the
-gradient lead from the curve to the shape within 17/16 E, and meet no other; the curve goes on along the shape where
-``[∇q, γ′]`` keeps its sign. For lines and circles both are said more simply, with the same meaning.
+A circle, a sphere, a cylinder are said by a squared distance s from a centre or an axis: ``(r − E)² ≤ s ≤ (r + E)²``.
+For a torus let ρ be the distance from the axis, ‖x‖ that from the centre: with ``F(e) = ‖x‖² + R² − e²``,
+``F(r + E)² ≤ 4 R² ρ² ≤ F(r − E)²`` means that ``(ρ − R)² + z²`` lies between the squares of r ± E. For a cone with half
+angle α let ``X = ρ² cos² α`` and ``Y = z² sin² α``: its distance is ``|√X − √Y|``, at most E where
+``(X − Y)² ≤ E² (X + Y)``, also at the apex, and the distance that this shows is at most √2 times too large.
+
+A conic is the zero set of a polynomial q of degree 2. Let Λ be a bound on half of its second derivatives. From a point
+x, a step of length E along the gradient changes q by at least ``E‖∇q‖ − E²Λ`` towards the conic; so
+``|q| + E²Λ ≤ E‖∇q‖`` shows that x is at most E away from it. Where ``‖∇q‖ ≥ 64 EΛ``, the lines along the gradient lead
+from the curve to the conic within 17/16 E, and meet no other; the curve goes on along the conic where ``[∇q, γ′]``
+keeps its sign. For lines and circles both are said more simply, with the same meaning.
+
+In space a circle or a conic is where a plane meets a cylinder that is orthogonal to it: ``3/5 E`` away from the one and
+``4/5 E`` from the other is at most E away.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from operator import mul, sub
+from functools import cached_property, reduce
+from itertools import chain, combinations
+from operator import add, mul, sub
+from typing import Any, Protocol
 
+import flint
 from gmpy2 import isqrt
 
-from exactspline.language.vector import Vector, cross, det, dot, norm2
+from exactspline.language.vector import Vector, cross, det
 from exactspline.language.wronskians import wronskians
-from exactspline.numbers.exact import mpq, sign
+from exactspline.numbers.exact import from_flint, mpq, sign, to_fmpq
 from exactspline.reals.real import Real, real, square_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -28,10 +41,34 @@ from exactspline.words import Word
 
 Point = tuple[mpq, ...]
 NOTHING = mpq(0)
+#: Parts of a squared distance: the sum of n²/d is about its w²-fold, and 0 only on the shape.
+Parts = Sequence[tuple[Any, Any]]
 #: Steps along the gradient lead to the shape within this multiple of E.
 ALONG_GRADIENT = mpq(17, 16)
 #: How much larger than EΛ the gradient has to be for that.
 STEEP = 64
+#: Shares of E, in the plane of a curve and orthogonal to it.
+IN_PLANE, ACROSS = mpq(4, 5), mpq(3, 5)
+
+
+class Homogeneous(Protocol):
+    """A curve, a surface or a point: homogeneous coordinates ``(p, w)`` that are multiplied and added."""
+
+    @property
+    def p(self) -> Any:
+        """The coordinates times w."""
+
+    @property
+    def w(self) -> Any:
+        """The weight function."""
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A point, as what a shape can be asked about."""
+
+    p: Point
+    w: mpq
 
 
 class ShapeKind(Word):
@@ -42,14 +79,17 @@ class ShapeKind(Word):
     ELLIPSE = "ellipse"
     PARABOLA = "parabola"
     HYPERBOLA = "hyperbola"
+    PLANE = "plane"
+    SPHERE = "sphere"
+    CYLINDER = "cylinder"
+    CONE = "cone"
+    TORUS = "torus"
 
 
 class Shape(ABC):
-    """A line, a circle or a conic."""
+    """A curve or a surface of a simple kind."""
 
     kind: ShapeKind
-    #: Whether it closes, so that a curve can run over it more than once.
-    closes = False
 
     @property
     @abstractmethod
@@ -66,24 +106,42 @@ class Shape(ABC):
         return None
 
     @abstractmethod
+    def parts(self, of: Homogeneous) -> Parts:
+        """What vanishes on the shape."""
+
+    @abstractmethod
+    def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
+        """Functions that are nowhere negative only where a curve or a surface lies within this distance."""
+
     def estimate(self, point: Point) -> mpq:
         """About the square of the distance of a point: where to begin the search for a bound that is proved."""
+        return sum((n * n / d if d else n * n for n, d in self.parts(_Place(point, mpq(1)))), start=NOTHING)
 
-    @abstractmethod
-    def holds(self, curve: Nurbs) -> bool:
-        """Whether the whole curve lies on the shape."""
+    def holds(self, of: Homogeneous) -> bool:
+        """Whether the whole curve or surface lies on the shape."""
+        return all(n.is_zero for n, _ in self.parts(of))
 
-    @abstractmethod
-    def margins(self, curve: Nurbs, within: mpq) -> Sequence[BSpline]:
-        """Functions that are nowhere negative only where the curve lies within this distance of the shape."""
+
+class CurveShape(Shape):
+    """A shape over which a curve can run; in space with a vector orthogonal to its plane."""
+
+    #: Whether it closes, so that a curve can run over it more than once.
+    closes = False
+    normal: Point = ()
 
     @abstractmethod
     def advance(self, curve: Nurbs) -> BSpline:
         """A function with the sign of the speed at which the curve runs along the shape."""
 
+    def _turning(self, across: Vector[BSpline], curve: Nurbs) -> BSpline:
+        """A function with the sign of the speed of a curve to the left of a vector, in the plane of the shape."""
+        velocity = wronskians(curve.w, curve.p)
+        turning: BSpline = scalar(cross(across, velocity), self.normal) if self.normal else det(across, velocity)
+        return turning
+
 
 @dataclass(frozen=True)
-class Line(Shape):
+class Line(CurveShape):
     """The line through a point in a direction, in the plane or in space."""
 
     point: Point
@@ -93,49 +151,51 @@ class Line(Shape):
     @property
     def numbers(self) -> dict[str, tuple[Real, ...]]:
         """A point of it, and its direction."""
-        return {"point": tuple(map(real, self.point)), "direction": tuple(map(real, self.direction))}
+        return {"point": _reals(self.point), "direction": _reals(self.direction)}
 
-    @cached_property
-    def _square(self) -> mpq:
-        return scalar(self.direction, self.direction)
+    def parts(self, of: Homogeneous) -> Parts:
+        """What vanishes on it."""
+        bottom = of.w * of.w * scalar(self.direction, self.direction)
+        return [(x, bottom) for x in _beside(_from(of, self.point), self.direction)]
 
-    def estimate(self, point: Point) -> mpq:
-        """About the square of the distance of a point."""
-        offset = minus(point, self.point)
-        along = scalar(offset, self.direction)
-        return scalar(offset, offset) - along * along / self._square
-
-    def _away(self, curve: Nurbs) -> BSpline:
-        """‖u‖² w² times the square of the distance from the line."""
-        offset = _from(curve, self.point)
-        if curve.dimension == 2:
-            across = offset[0] * self.direction[1] - offset[1] * self.direction[0]
-            return across * across
-        u = self.direction
-        return norm2(Vector(*[offset[i - 2] * u[i - 1] - offset[i - 1] * u[i - 2] for i in range(3)]))
-
-    def holds(self, curve: Nurbs) -> bool:
-        """Whether the whole curve lies on it."""
-        return self._away(curve).is_zero
-
-    def margins(self, curve: Nurbs, within: mpq) -> Sequence[BSpline]:
-        """Functions that are nowhere negative only where the curve lies within this distance."""
-        return (curve.w * curve.w * (within * within * self._square) - self._away(curve),)
+    def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
+        """Functions that are nowhere negative only where a curve lies within this distance."""
+        return [_square_margin(self.parts(of), within)]
 
     def advance(self, curve: Nurbs) -> BSpline:
         """A function with the sign of the speed along it."""
-        return _along(wronskians(curve.w, curve.p), self.direction)
+        along: BSpline = scalar(wronskians(curve.w, curve.p), self.direction)
+        return along
 
 
 @dataclass(frozen=True)
-class Circle(Shape):
-    """A circle by its centre and the square of its radius; in space with a vector orthogonal to its plane."""
+class Plane(Shape):
+    """The plane through a point orthogonal to a vector."""
+
+    point: Point
+    normal: Point
+    kind = ShapeKind.PLANE
+
+    @property
+    def numbers(self) -> dict[str, tuple[Real, ...]]:
+        """The vector, and its scalar product with the points."""
+        return {"normal": _reals(self.normal), "offset": (real(scalar(self.point, self.normal)),)}
+
+    def parts(self, of: Homogeneous) -> Parts:
+        """What vanishes on it."""
+        return [(scalar(_from(of, self.point), self.normal), of.w * of.w * scalar(self.normal, self.normal))]
+
+    def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
+        """Functions that are nowhere negative only within this distance."""
+        return [_square_margin(self.parts(of), within)]
+
+
+@dataclass(frozen=True)
+class _Round(Shape):
+    """What is at one distance from a centre or an axis, by its square."""
 
     centre: Point
     radius_squared: mpq
-    normal: Point = ()
-    kind = ShapeKind.CIRCLE
-    closes = True
 
     @property
     def radius(self) -> Real:
@@ -147,51 +207,175 @@ class Circle(Shape):
         """The largest distance for which `margins` may be asked."""
         return self.radius_squared / upper_square_root(self.radius_squared) / 8
 
-    @property
-    def numbers(self) -> dict[str, tuple[Real, ...]]:
-        """Centre and radius, in space the normal of its plane."""
-        found = {"centre": tuple(map(real, self.centre)), "radius": (self.radius,)}
-        return found | {"normal": tuple(map(real, self.normal))} if self.normal else found
+    def _squared(self, of: Homogeneous) -> tuple[Any, Any]:
+        """The square of the distance from the centre, and what it is to be divided by."""
+        offset = _from(of, self.centre)
+        return scalar(offset, offset), of.w * of.w
 
-    def estimate(self, point: Point) -> mpq:
-        """About the square of the distance of a point."""
-        offset = minus(point, self.centre)
-        distance = scalar(offset, offset) - self.radius_squared
-        radial = distance * distance / (4 * self.radius_squared)
-        if not self.normal:
-            return radial
-        height = scalar(offset, self.normal)
-        return radial + height * height / scalar(self.normal, self.normal)
+    def parts(self, of: Homogeneous) -> Parts:
+        """What vanishes on it."""
+        squared, one = self._squared(of)
+        return [(squared - one * self.radius_squared, one * one * (4 * self.radius_squared))]
 
-    def _height(self, curve: Nurbs) -> BSpline:
-        return _along(_from(curve, self.centre), self.normal)
-
-    def holds(self, curve: Nurbs) -> bool:
-        """Whether the whole curve lies on it."""
-        on_sphere = norm2(_from(curve, self.centre)) - curve.w * curve.w * self.radius_squared
-        return on_sphere.is_zero and not (self.normal and not self._height(curve).is_zero)
-
-    def margins(self, curve: Nurbs, within: mpq) -> Sequence[BSpline]:
-        """Functions that are nowhere negative only where the curve lies within this distance."""
-        squared, w2 = norm2(_from(curve, self.centre)), curve.w * curve.w
-        if not self.normal:
-            return _in_ring(squared, w2, self.radius_squared, within)
-        # e = 5/8 E away from the plane and from the sphere: at most √(e² + (e + e²/(r − e))²) < E, as E ≤ r/8
-        part, height = within * 5 / 8, self._height(curve)
-        flat = w2 * (part * part * scalar(self.normal, self.normal)) - height * height
-        return (flat, *_in_ring(squared, w2, self.radius_squared, part))
-
-    def advance(self, curve: Nurbs) -> BSpline:
-        """A function with the sign of the speed along it."""
-        offset, velocity = _from(curve, self.centre), wronskians(curve.w, curve.p)
-        return _along(cross(offset, velocity), self.normal) if self.normal else det(offset, velocity)
+    def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
+        """Functions that are nowhere negative only within this distance."""
+        squared, one = self._squared(of)
+        inner, outer = _ends(self.radius_squared, within)
+        return [one * (outer * outer) - squared, squared - one * (inner * inner)]
 
 
 @dataclass(frozen=True)
-class Conic(Shape):
-    """A conic of the plane, ``(x, y, 1) Q (x, y, 1)ᵀ = 0`` with a symmetric matrix Q that is regular."""
+class Sphere(_Round):
+    """A sphere by its centre and the square of its radius."""
+
+    kind = ShapeKind.SPHERE
+
+    @property
+    def numbers(self) -> dict[str, tuple[Real, ...]]:
+        """Centre and radius."""
+        return {"centre": _reals(self.centre), "radius": (self.radius,)}
+
+
+@dataclass(frozen=True)
+class Cylinder(_Round):
+    """A cylinder by a point and the direction of its axis and the square of its radius."""
+
+    axis: Point
+    kind = ShapeKind.CYLINDER
+
+    @property
+    def numbers(self) -> dict[str, tuple[Real, ...]]:
+        """A point of the axis, its direction, the radius."""
+        return {"point": _reals(self.centre), "axis": _reals(self.axis), "radius": (self.radius,)}
+
+    def _squared(self, of: Homogeneous) -> tuple[Any, Any]:
+        beside = _beside(_from(of, self.centre), self.axis)
+        return scalar(beside, beside), of.w * of.w * scalar(self.axis, self.axis)
+
+
+@dataclass(frozen=True)
+class Circle(_Round, CurveShape):
+    """A circle by its centre and the square of its radius; in space with a vector orthogonal to its plane."""
+
+    normal: Point = ()
+    kind = ShapeKind.CIRCLE
+    closes = True
+
+    @property
+    def numbers(self) -> dict[str, tuple[Real, ...]]:
+        """Centre and radius, in space the normal of its plane."""
+        found = {"centre": _reals(self.centre), "radius": (self.radius,)}
+        return found | {"normal": _reals(self.normal)} if self.normal else found
+
+    @property
+    def _in_space(self) -> tuple[Plane, Cylinder]:
+        return Plane(self.centre, self.normal), Cylinder(self.centre, self.radius_squared, self.normal)
+
+    def parts(self, of: Homogeneous) -> Parts:
+        """What vanishes on it."""
+        return [part for each in self._in_space for part in each.parts(of)] if self.normal else super().parts(of)
+
+    def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
+        """Functions that are nowhere negative only where a curve lies within this distance."""
+        if not self.normal:
+            return super().margins(of, within)
+        plane, cylinder = self._in_space
+        return chain(plane.margins(of, within * ACROSS), cylinder.margins(of, within * IN_PLANE))
+
+    def advance(self, curve: Nurbs) -> BSpline:
+        """A function with the sign of the speed along it."""
+        return self._turning(_from(curve, self.centre), curve)
+
+
+@dataclass(frozen=True)
+class Cone(Shape):
+    """A cone, with both its halves, by its apex, the direction of its axis and the square of tan α for the angle α
+    between axis and rulings.
+    """
+
+    apex: Point
+    axis: Point
+    tangent_squared: mpq
+    kind = ShapeKind.CONE
+
+    @property
+    def numbers(self) -> dict[str, tuple[Real, ...]]:
+        """Apex, direction of the axis, tangent of the half angle."""
+        return {"apex": _reals(self.apex), "axis": _reals(self.axis), "tan": (square_root(self.tangent_squared),)}
+
+    def _squares(self, of: Homogeneous) -> tuple[Any, Any, mpq]:
+        """X and Y, and what they are to be divided by."""
+        offset, one = _from(of, self.apex), scalar(self.axis, self.axis)
+        along, beside = scalar(offset, self.axis), _beside(offset, self.axis)
+        return scalar(beside, beside), along * along * self.tangent_squared, one * (1 + self.tangent_squared)
+
+    def parts(self, of: Homogeneous) -> Parts:
+        """What vanishes on it."""
+        x, y, scale = self._squares(of)
+        return [(x - y, (x + y) * of.w * of.w * (2 * scale))]
+
+    def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
+        """Functions that are nowhere negative only within this distance."""
+        x, y, scale = self._squares(of)
+        return [(x + y) * of.w * of.w * (within * within * scale) - (x - y) * (x - y)]
+
+
+@dataclass(frozen=True)
+class Torus(Shape):
+    """A ring torus by its centre, the direction of its axis, the squares of the distance R of the circle that turns
+    from the axis and of the radius r of that circle, r < R.
+    """
+
+    centre: Point
+    axis: Point
+    major_squared: mpq
+    minor_squared: mpq
+    kind = ShapeKind.TORUS
+
+    @property
+    def numbers(self) -> dict[str, tuple[Real, ...]]:
+        """Centre, direction of the axis, both radii."""
+        radii = [square_root(x) for x in (self.major_squared, self.minor_squared)]
+        return {"centre": _reals(self.centre), "axis": _reals(self.axis), "radii": tuple(radii)}
+
+    @property
+    def most(self) -> mpq | None:
+        """The largest distance for which `margins` may be asked: the torus keeps its hole."""
+        minor = upper_square_root(self.minor_squared)
+        hole = self.major_squared / upper_square_root(self.major_squared) - minor
+        return min(self.minor_squared / minor, hole) / 8
+
+    def _squares(self, of: Homogeneous) -> tuple[Any, Any, Any]:
+        """‖x‖², 4 R² ρ² and what the latter is to be divided by, all times w²."""
+        offset = _from(of, self.centre)
+        beside = _beside(offset, self.axis)
+        return scalar(offset, offset), scalar(beside, beside) * (4 * self.major_squared), scalar(self.axis, self.axis)
+
+    def parts(self, of: Homogeneous) -> Parts:
+        """What vanishes on it."""
+        whole, beside, one = self._squares(of)
+        w2 = of.w * of.w
+        level = whole + w2 * (self.major_squared - self.minor_squared)
+        return [(level * level * one - w2 * beside, w2 * w2 * beside * (16 * self.minor_squared * one))]
+
+    def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
+        """Functions that are nowhere negative only within this distance."""
+        whole, beside, one = self._squares(of)
+        w2 = of.w * of.w
+        for end, s in zip(_ends(self.minor_squared, within), (1, -1), strict=True):
+            level = whole + w2 * (self.major_squared - end * end)
+            yield (level * level * one - w2 * beside) * s
+
+
+@dataclass(frozen=True)
+class Conic(CurveShape):
+    """A conic, ``(x, 1) Q (x, 1)ᵀ = 0`` with a symmetric matrix Q; in the plane that is regular, in space q is constant
+    along a vector orthogonal to the plane of the conic, in which a point is given.
+    """
 
     matrix: tuple[tuple[mpq, ...], ...]
+    normal: Point = ()
+    point: Point = ()
 
     @cached_property
     def kind(self) -> ShapeKind:  # type: ignore[override]  # known when the matrix is
@@ -205,109 +389,159 @@ class Conic(Shape):
         return self.kind is ShapeKind.ELLIPSE
 
     @cached_property
-    def _minor(self) -> mpq:
-        (a, b, _), (_, c, _), _ = self.matrix
-        return a * c - b * b
+    def _quadratic(self) -> list[Point]:
+        return [row[:-1] for row in self.matrix[:-1]]
 
     @cached_property
-    def determinant(self) -> mpq:
-        """det Q: 0 for pairs of lines."""
-        (a, b, d), (_, c, e), (_, _, f) = self.matrix
-        return a * (c * f - e * e) - b * (b * f - d * e) + d * (b * e - c * d)
+    def _linear(self) -> Point:
+        return tuple(row[-1] for row in self.matrix[:-1])
+
+    @cached_property
+    def _minor(self) -> mpq:
+        """The product of the eigenvalues of the quadratic part, but for that of the normal, which is 0."""
+        a, pairs = self._quadratic, combinations(range(len(self._quadratic)), 2)
+        return sum((a[i][i] * a[j][j] - a[i][j] * a[i][j] for i, j in pairs), start=NOTHING)
 
     @cached_property
     def centre(self) -> Point | None:
         """The centre of an ellipse or a hyperbola."""
-        (a, b, d), (_, c, e), _ = self.matrix
-        m = self._minor
-        return ((b * e - c * d) / m, (b * d - a * e) / m) if m else None
+        return self._where(self._quadratic, [-x for x in self._linear]) if self._minor else None
+
+    def _where(self, rows: Sequence[Sequence[mpq]], right: Sequence[mpq]) -> Point:
+        """The point of the plane of the conic that solves these equations."""
+        if n := self.normal:
+            level = scalar(n, self.point)
+            rows = [[x + a * b for x, b in zip(row, n, strict=True)] for row, a in zip(rows, n, strict=True)]
+            right = [x + a * level for x, a in zip(right, n, strict=True)]
+        found = solved(rows, right)
+        assert found is not None  # the conic is regular
+        return tuple(found)
 
     @cached_property
     def semi_axes(self) -> tuple[Real, ...]:
         """The two half axes, the longer one first; of a hyperbola the one that meets it first, of a parabola none."""
-        (a, b, _), (_, c, _), _ = self.matrix
-        if not self._minor:
+        if self.centre is None:
             return ()
-        # in the main axes the conic is λ x² + μ y² = −det Q / (λ μ)
-        spread, level = square_root((a - c) * (a - c) + 4 * b * b), -self.determinant / self._minor
-        squares = [real(level) / ((real(a + c) + s * spread) / 2) for s in (1, -1)]
+        # in the main axes the conic is λ x² + μ y² = −q(centre)
+        trace = sum((row[i] for i, row in enumerate(self._quadratic)), start=NOTHING)
+        spread, level = square_root(trace * trace - 4 * self._minor), -self._value(_Place(self.centre, mpq(1)))[0]
+        squares = [real(level) / ((real(trace) + s * spread) / 2) for s in (1, -1)]
         return tuple(square_root(abs(x)) for x in sorted(squares, reverse=True))
 
     @property
     def numbers(self) -> dict[str, tuple[Real, ...]]:
-        """Centre and half axes, of a parabola nothing."""
-        if self.centre is None:
-            return {}
-        return {"centre": tuple(map(real, self.centre)), "half axes": self.semi_axes}
+        """Centre and half axes, of a parabola its vertex and the direction into which it opens."""
+        in_space = {"normal": _reals(self.normal)} if self.normal else {}
+        if self.centre is not None:
+            return {"centre": _reals(self.centre), "half axes": self.semi_axes} | in_space
+        vertex, opening = self._vertex
+        return {"vertex": _reals(vertex), "axis": _reals(opening)} | in_space
 
-    def estimate(self, point: Point) -> mpq:
-        """About the square of the distance of a point."""
-        homogeneous = (*point, mpq(1))
-        images = [scalar(row, homogeneous) for row in self.matrix]
-        value = scalar(homogeneous, images)
-        slope = 4 * (images[0] * images[0] + images[1] * images[1])
-        return value * value / slope if slope else value * value
+    @property
+    def _vertex(self) -> tuple[Point, Point]:
+        """Of a parabola: ``q = λ (v·x)² + 2 b·x + c``; at the vertex the gradient is parallel to the axis."""
+        a, b, c = self._quadratic, self._linear, self.matrix[-1][-1]
+        k = max(range(len(a)), key=lambda i: abs(a[i][i]))
+        across, share = tuple(a[k]), a[k][k]
+        axis = cross_product(self.normal, across) if self.normal else (-across[1], across[0])
+        opens = -sign(scalar(axis, b)) * sign(share)
+        axis = tuple(opens * x for x in axis)
+        # the quadratic part is (across·x)² / share
+        along = -scalar(across, b) * share / scalar(across, across)
+        level = -(along * along / share + c) / 2
+        rest = scalar(b, across) / scalar(across, across)
+        steep = scalar(axis, b) / scalar(axis, axis)
+        height = (level - rest * along) / steep
+        rows = [[x * y + u * v for y, v in zip(across, axis, strict=True)] for x, u in zip(across, axis, strict=True)]
+        right = [x * along + u * height for x, u in zip(across, axis, strict=True)]
+        return self._where(rows, right), axis
 
     @cached_property
     def _bending(self) -> mpq:
         """Λ: a bound on the largest eigenvalue of the quadratic part."""
-        (a, b, _), (_, c, _), _ = self.matrix
-        return upper_square_root(a * a + 2 * b * b + c * c)
+        return upper_square_root(sum((x * x for row in self._quadratic for x in row), start=NOTHING))
 
-    def _images(self, curve: Nurbs) -> tuple[BSpline, ...]:
-        coordinates = (*curve.p, curve.w)
-        return tuple(_along(Vector(*coordinates), row) for row in self.matrix)
+    def _value(self, of: Homogeneous) -> tuple[Any, Vector[Any]]:
+        """q times w², and half its gradient times w."""
+        coordinates = (*of.p, of.w)
+        images = [scalar(coordinates, row) for row in self.matrix]
+        return scalar(images, coordinates), Vector(*images[:-1])
 
-    def _value(self, curve: Nurbs) -> BSpline:
-        value: BSpline = dot(Vector(*curve.p, curve.w), Vector(*self._images(curve)))
-        return value
+    def parts(self, of: Homogeneous) -> Parts:
+        """What vanishes on it."""
+        value, gradient = self._value(of)
+        own = [(value, of.w * of.w * scalar(gradient, gradient) * 4)]
+        return [*own, *Plane(self.point, self.normal).parts(of)] if self.normal else own
 
-    def holds(self, curve: Nurbs) -> bool:
-        """Whether the whole curve lies on it."""
-        return self._value(curve).is_zero
-
-    def margins(self, curve: Nurbs, within: mpq) -> Sequence[BSpline]:
-        """Functions that are nowhere negative only where the curve lies within this distance."""
-        away, w2, value = within / ALONG_GRADIENT, curve.w * curve.w, self._value(curve)
-        gradient, step = norm2(Vector(*self._images(curve)[:2])) * 4, away * away * self._bending
-        reach, least = gradient * w2 * (away * away), STEEP * away * self._bending
-        near = [reach - (value + w2 * (s * step)) * (value + w2 * (s * step)) for s in (1, -1)]
-        return (*near, gradient - w2 * (least * least))
+    def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
+        """Functions that are nowhere negative only where a curve lies within this distance."""
+        if self.normal:
+            yield from Plane(self.point, self.normal).margins(of, within * ACROSS)
+            within = within * IN_PLANE
+        away, w2, (value, gradient) = within / ALONG_GRADIENT, of.w * of.w, self._value(of)
+        steepness, step = scalar(gradient, gradient) * 4, away * away * self._bending
+        reach, least = steepness * w2 * (away * away), STEEP * away * self._bending
+        for s in (1, -1):
+            yield reach - (value + w2 * (s * step)) * (value + w2 * (s * step))
+        yield steepness - w2 * (least * least)
 
     def advance(self, curve: Nurbs) -> BSpline:
         """A function with the sign of the speed along it."""
-        return det(Vector(*self._images(curve)[:2]), wronskians(curve.w, curve.p))
+        return self._turning(self._value(curve)[1], curve)
 
 
-def _in_ring(squared: BSpline, w2: BSpline, radius_squared: mpq, within: mpq) -> tuple[BSpline, ...]:
-    """Functions that are not negative where the distance from a centre differs from a radius by at most a bound."""
+def _ends(radius_squared: mpq, within: mpq) -> tuple[mpq, mpq]:
+    """A radius less and plus a distance, or a little more and less."""
     radius = upper_square_root(radius_squared)
-    excess = radius - radius_squared / radius
-    inner, outer = radius - within, radius - excess + within
-    return w2 * (outer * outer) - squared, squared - w2 * (inner * inner)
+    return radius - within, radius_squared / radius + within
 
 
-def _from(curve: Nurbs, point: Point) -> Vector[BSpline]:
-    """w times the vector from a point to the curve."""
-    return Vector(*[x - curve.w * a for x, a in zip(curve.p, point, strict=True)])
+def _square_margin(parts: Parts, within: mpq) -> Any:
+    """Not negative where the sum of squares of parts with one denominator is small."""
+    left = parts[0][1] * (within * within)
+    for n, _ in parts:
+        left = left - n * n
+    return left
 
 
-def _along(vector: Vector[BSpline], direction: Sequence[mpq]) -> BSpline:
-    """The scalar product with a constant vector."""
-    total = vector[0] * direction[0]
-    for x, u in zip(vector[1:], direction[1:], strict=True):
-        total = total + x * u
-    return total
+def _from(of: Homogeneous, point: Point) -> Vector[Any]:
+    """w times the vector from a point."""
+    return Vector(*[x - of.w * a for x, a in zip(of.p, point, strict=True)])
 
 
-def scalar(a: Sequence[mpq], b: Sequence[mpq]) -> mpq:
-    """The scalar product of two tuples of numbers."""
-    return sum(map(mul, a, b), start=NOTHING)
+def _beside(offset: Vector[Any], u: Point) -> Sequence[Any]:
+    """The cross product with a constant vector; in the plane its one component."""
+    return [offset[0] * u[1] - offset[1] * u[0]] if len(u) == 2 else cross_product(list(offset), u)
+
+
+def cross_product(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, ...]:
+    """The vector product of operands or numbers."""
+    return tuple(a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3))
+
+
+def _reals(point: Point) -> tuple[Real, ...]:
+    return tuple(map(real, point))
+
+
+def scalar(a: Iterable[Any], b: Iterable[Any]) -> Any:
+    """The sum of products of operands, of numbers, or of both."""
+    return reduce(add, map(mul, a, b))
 
 
 def minus(a: Point, b: Point) -> Point:
     """The vector from b to a."""
     return tuple(map(sub, a, b))
+
+
+def solved(rows: Sequence[Sequence[mpq]], right: Sequence[mpq]) -> list[mpq] | None:
+    """The solution of a linear system, None where it has not exactly one."""
+    n = len(right)
+    matrix = flint.fmpq_mat(n, n, [to_fmpq(x) for row in rows for x in row])
+    try:
+        found = matrix.solve(flint.fmpq_mat(n, 1, [to_fmpq(x) for x in right]))
+    except ZeroDivisionError:
+        return None
+    return [from_flint(found[i, 0]) for i in range(n)]
 
 
 def upper_square_root(q: mpq) -> mpq:

@@ -4,24 +4,19 @@ certainty.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import product
 from typing import NamedTuple
 
 from flint import fmpz_poly
 
-from exactspline.geometry.surface.places import Parameter, enclosing
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.bernstein import from_integers, in_parameter
-from exactspline.polynomials.common_zeros import Zero
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.roots.of_polynomials import roots_in
+from exactspline.roots.of_polynomials import Parameter, roots_in
 from exactspline.roots.root import Root
-
-#: Refinement limit (bits) for deciding whether a zero is inside a patch.
-BITS = 4096
 
 
 class Edge(NamedTuple):
@@ -72,45 +67,3 @@ def vanishes_at(form: PatchForm, spot: tuple[Parameter, Parameter], sides: Box) 
     other = spot[1 - edge.direction]
     assert isinstance(other, Root)
     return other.is_root_of(along(form, edge, sides))
-
-
-def is_inside(zero: Zero, sides: Box) -> bool | None:
-    """Whether a certified zero is inside its patch: False on the border and outside; None where the refinement limit is
-    reached.
-    """
-    bits = 16
-    while bits <= BITS:
-        box = zero.refine(bits)
-        if any(b < 0 or a > 1 for a, b in box):
-            return False
-        if box.is_inside(UNIT):
-            return True
-        if zero.exact is not None:
-            return False  # on the border: its box is a point
-        if any(_is_root_on(zero, edge, sides) for edge in _touched(box)):
-            return False
-        bits *= 2
-    return None
-
-
-def _touched(box: Box) -> Iterator[Edge]:
-    return (edge for edge in EDGES if box[edge.direction][0] <= edge.end <= box[edge.direction][1])
-
-
-def _is_root_on(zero: Zero, edge: Edge, sides: Box) -> bool:
-    """Whether the zero is that root of both forms on an edge which is in its region."""
-    p = common_along(zero.forms, edge, sides)
-    low, high = sides.part(zero.region)[1 - edge.direction]
-    for root in roots_along(p, edge, sides):
-        digits = 4
-        while True:
-            a, b = enclosing(root, digits)
-            if low < a and b < high:
-                return True
-            if b < low or high < a or (a == b):
-                break
-            digits *= 2
-    return False
-
-
-__all__ = ["EDGES", "Edge", "along", "common_along", "is_inside", "roots_along", "vanishes_at"]

@@ -15,10 +15,11 @@ from typing import NamedTuple
 from exactspline.geometry.surface.borders import Edge, along, roots_along
 from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.merged import is_in
-from exactspline.geometry.surface.places import InnerZero, Parameter, Place
+from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.zero_curve import Part, Shape, Vertex, ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
+from exactspline.roots.common_zeros import CommonZero
 from exactspline.splines.surface import Along
 
 #: A point of a border by its two parameters.
@@ -56,10 +57,9 @@ class Piece(NamedTuple):
 def place_of(piece: Piece) -> Place:
     """The place of a part that is a single point."""
     if piece.part.zero is not None:
-        return Place((piece.patch,), InnerZero(piece.part.zero, piece.sides))
-    ((u, v), _), *others = piece.spots()
-    assert not others, "a single point"
-    return Place((piece.patch,), None, u, v)
+        return Place((piece.patch,), piece.part.zero.on(piece.sides))
+    ((spot, _),) = piece.spots()
+    return Place((piece.patch,), CommonZero.at(piece.sides, spot))
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ def chained(
     for own in spots.values():
         first, *others = (groups[k] for k in own)
         groups = [first if group in others else group for group in groups]
-    unclear = {spot for spot in spots if any(is_in(Place((), None, *spot), box, domain, closed) for box in undecided)}
+    unclear = {spot for spot in spots if any(is_in(spot, box, domain, closed) for box in undecided)}
     return tuple(
         ZeroComponent(_shape(members, pieces, spots, unclear, borders), tuple(pieces[k] for k in members))
         for members in ([k for k, own in enumerate(groups) if own == group] for group in dict.fromkeys(groups))

@@ -102,9 +102,9 @@ class SurfaceForms:
         return lowest(value)
 
     @cached_property
-    def lengths(self) -> tuple[TensorSpline, TensorSpline]:
-        """E and G up to one positive factor."""
-        return self.scalar("E_reduced"), self.scalar("G_reduced")
+    def first(self) -> tuple[TensorSpline, TensorSpline, TensorSpline]:
+        """E, F, G up to one positive factor."""
+        return self.scalar("E_reduced"), self.scalar("F_reduced"), self.scalar("G_reduced")
 
     @cached_property
     def normal(self) -> Vector[TensorSpline]:

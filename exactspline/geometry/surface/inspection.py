@@ -12,23 +12,24 @@ from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, p
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Pole, closed_along, is_point, pole_at
-from exactspline.geometry.surface.exact_cells import ExactZero
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surface.joints import SurfaceJoint, joints
-from exactspline.geometry.surface.merged import are_one, is_in, merged_places, merged_umbilics
+from exactspline.geometry.surface.merged import is_in, is_same, merged_places, merged_umbilics
 from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.recognized import RecognizedPart, recognized_surface
 from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
 from exactspline.geometry.surface.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
 from exactspline.hooks import Displayed
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_polynomial
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
-from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
+from exactspline.questions.entry import Answered, Fact, Inspected, Of, question, question_with
+from exactspline.roots.common_zeros import CommonZero
 from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import Along, NurbsSurface
 
@@ -61,8 +62,8 @@ _BY_SIGN = {
 }
 
 
-#: Refinement (bits) of points without a tangent plane that may be zeros of K.
-FAR = 64
+#: Digits of a point that is held against a line.
+DIGITS = 20
 
 _STRICT = {PatchKind.ELLIPTIC_BUT: PatchKind.ELLIPTIC, PatchKind.HYPERBOLIC_BUT: PatchKind.HYPERBOLIC}
 
@@ -88,8 +89,6 @@ class PatchInspection:
     parabolic_lines: tuple[tuple[Along, Parameter], ...] = ()
     #: The connected parts of its other zeros; points without a tangent plane are not among them.
     parabolic: tuple[Part, ...] = ()
-    #: The points at which K was found to vanish without an analysis of curves of zeros.
-    parabolic_points: tuple[Place, ...] = ()
     curve: ZeroCurve | None = field(default=None, repr=False, compare=False)
 
     @property
@@ -246,6 +245,34 @@ class SurfaceInspection(Inspected, Displayed):
         return SurfacePlaces(points, tuple(everywhere), _boxes(one.singular.undecided for one in self.patches))
 
     @question(Of.SURFACE, answered=Answered.CURVES)
+    def umbilic_curves(self) -> tuple[ZeroComponent, ...]:
+        """The curves of umbilics inside patches, each followed across borders of patches.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("torus")).umbilic_curves
+        ()
+        """
+        return self._chained([(one, one.umbilics.curve, one.umbilics.undecided) for one in self.patches])
+
+    @question(Of.SURFACE, answered=Answered.CURVES)
+    def singular_curves(self) -> tuple[ZeroComponent, ...]:
+        """The curves inside patches along which there is no tangent plane, each followed across borders of patches.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("torus")).singular_curves
+        ()
+        """
+        return self._chained([(one, one.singular.curve, one.singular.undecided) for one in self.patches])
+
+    def _chained(
+        self, curves: Sequence[tuple[PatchInspection, ZeroCurve | None, tuple[Box, ...]]]
+    ) -> tuple[ZeroComponent, ...]:
+        """Curves of zeros on patches, joined across their borders, without single points."""
+        pieces = [Piece(one.patch, one.sides, curve, part) for one, curve, _ in curves if curve for part in curve.parts]
+        components = chained(pieces, self.surface.domain, self.closed, _boxes(boxes for *_, boxes in curves))
+        return tuple(curve for curve in components if curve.shape is not Shape.POINT)
+
+    @question(Of.SURFACE, answered=Answered.CURVES)
     def poles(self) -> tuple[Pole, ...]:
         """The edges of patches along which the surface has no tangent plane.
 
@@ -266,6 +293,30 @@ class SurfaceInspection(Inspected, Displayed):
         """
         return joints(self._forms, self.closed)
 
+    @question(Of.SURFACE, answered=Answered.SHAPES)
+    def shapes(self) -> tuple[RecognizedPart, ...]:
+        """The patches that are planes, spheres, cylinders, cones or tori, exactly or within 10⁻⁹ of the surface's size.
+
+        See `exactspline.geometry.surface.recognized.recognized_surface`.
+
+        >>> from exactspline import analyse, example
+        >>> [(str(found.shape), found.exact) for found in analyse(example("cone")).shapes]
+        [('cone: apex (0, 0, 2), axis (0, 0, 1), tan 1/2', True)]
+        """
+        return recognized_surface(self.surface)
+
+    @question_with("1/1000000", Of.SURFACE, answered=Answered.SHAPES)
+    def shapes_within(self, epsilon: Number) -> tuple[RecognizedPart, ...]:
+        """The patches that are planes, spheres, cylinders, cones or tori within this distance.
+
+        >>> from exactspline import analyse, example
+        >>> [found.shape.kind.value for found in analyse(example("torus")).shapes_within("1/1000")]
+        ['torus']
+
+        Raises `ShapeError` for a distance that is not positive.
+        """
+        return recognized_surface(self.surface, epsilon)
+
     @Fact
     def closed(self) -> tuple[Along, ...]:
         """The parameters in which it is closed."""
@@ -275,9 +326,8 @@ class SurfaceInspection(Inspected, Displayed):
     def _zeros_of_curvature(self) -> tuple[ZeroComponent, ...]:
         """The zeros of K that are not on lines, joined across borders of patches."""
         pieces = [piece for one in self.patches for piece in one.pieces]
-        return chained(
-            pieces, self.surface.domain, self.closed, [box for one in self.patches for box in one.open_boxes]
-        )
+        undecided = _boxes(one.open_signs for one in self.patches)
+        return chained(pieces, self.surface.domain, self.closed, undecided)
 
     @property
     def kinds(self) -> tuple[PatchKind, ...]:
@@ -333,24 +383,25 @@ def _single_points(
     closed: Sequence[Along],
 ) -> tuple[Place, ...]:
     """The isolated points at which K vanishes: not on lines or curves of zeros, nor on the border of a flat patch."""
-    places = [place for one in patches for place in one.parabolic_points]
-    places += [place_of(curve.pieces[0]) for curve in curves if curve.shape is Shape.POINT]
+    places = [place_of(curve.pieces[0]) for curve in curves if curve.shape is Shape.POINT]
     merged = merged_places(places, surface.domain, closed)
     flat = [one.sides for one in patches if one.flat]
     ends = [
-        spot for curve in curves if curve.shape is not Shape.POINT for piece in curve.pieces for spot in piece.spots()
+        spot
+        for curve in curves
+        if curve.shape is not Shape.POINT
+        for piece in curve.pieces
+        for spot, _ in piece.spots()
     ]
-    others = [Place((), None, *spot) for spot, _ in ends]
-    known = [
-        place
-        for place in merged
-        if place.inner is None
-        and (
-            any(is_in(place, box, surface.domain, closed) for box in (*flat, *(line.box for line in lines)))
-            or any(are_one(place, other, surface.domain, closed) for other in others)
+    boxes = [*flat, *(line.box for line in lines)]
+
+    def is_known(place: Place) -> bool:
+        return not place.is_inside and (
+            any(is_in(place.spot, box, surface.domain, closed) for box in boxes)
+            or any(is_same(place.spot, spot, surface.domain, closed) for spot in ends)
         )
-    ]
-    return tuple(place for place in merged if place not in known)
+
+    return tuple(place for place in merged if not is_known(place))
 
 
 def _in_reach(forms: SurfaceForms, patch: Patch) -> PatchInspection:
@@ -383,18 +434,15 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         kind = PatchKind.SPHERICAL
         return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
     edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
-    form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
-    signs = _of_surface(sign_on_patch(form), forms, patch)
+    form = own.form if singular.curve is None else without_powers(own.form, singular.curve.form, even=True)
+    signs = sign_on_patch(form)
     inspection = PatchInspection(
         patch, sides, _BY_SIGN[signs.sign], minimal, None, signs, singular, umbilics, curvature, edges
     )
-    if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
+    if signs.sign not in (Sign.POSITIVE, Sign.NEGATIVE):
         inspection = _with_zeros(inspection, own, form, on_patch(forms.area, patch))
-    else:
-        points = tuple(Place((patch,), None, *sides.at(x, y)) for x, y in signs.zeros)
-        inspection = replace(inspection, parabolic_points=points)
     # the remaining case: its only zeros are points without a tangent plane
-    zeros = inspection.parabolic or inspection.parabolic_points or inspection.parabolic_lines
+    zeros = inspection.parabolic or inspection.parabolic_lines
     bare = inspection.kind in _STRICT and inspection.complete and not zeros
     return replace(inspection, kind=_STRICT[inspection.kind]) if bare else inspection
 
@@ -403,17 +451,18 @@ def _with_zeros(inspection: PatchInspection, own: Reduced, form: PatchForm, area
     """The zeros of K where there are or may be some, and its sign if they determine it."""
     assert area is not None, "the patch has tangent planes"
     singular, sides = inspection.singular, inspection.sides
-    simple = square_free(form if singular.factor is None else without_powers(form, singular.factor))
+    simple = square_free(form if singular.curve is None else without_powers(form, singular.curve.form))
     rest, lines = without_lines(simple, sides)
     # a singular point is a critical point of the form itself, not of the form without factors
-    curve = ZeroCurve(rest, singular.zeros if rest.degree == own.form.degree else ())
+    known = singular.inside if rest.degree == own.form.degree else []
+    curve = ZeroCurve(rest, known)
     kind = inspection.kind
     if kind is PatchKind.UNDECIDED:
         kind = _BY_SIGN[_sign_by_zeros(form, curve, simple)]
-    parts = tuple(
-        part for part in curve.parts if not _is_known(Piece(inspection.patch, sides, curve, part), inspection, area)
-    )
-    return replace(inspection, kind=kind, parabolic_lines=lines, parabolic=parts, curve=curve)
+    inspection = replace(inspection, kind=kind, parabolic_lines=lines, curve=curve)
+    pieces = [Piece(inspection.patch, sides, curve, part) for part in curve.parts]
+    parts = tuple(piece.part for piece in pieces if not _is_known(piece, inspection, area, known))
+    return replace(inspection, parabolic=parts)
 
 
 def _sign_by_zeros(form: PatchForm, curve: ZeroCurve, simple: PatchForm) -> Sign:
@@ -435,42 +484,26 @@ def _sign_by_zeros(form: PatchForm, curve: ZeroCurve, simple: PatchForm) -> Sign
     return Sign.NOT_NEGATIVE if sign.positive else Sign.NOT_POSITIVE
 
 
-def _is_known(piece: Piece, inspection: PatchInspection, area: Reduced) -> bool:
-    """Whether a single zero of K is a point without a tangent plane, or on an edge or a line along which K vanishes."""
+def _is_known(piece: Piece, inspection: PatchInspection, area: Reduced, known: Sequence[CommonZero]) -> bool:
+    """Whether a single zero of K is a point without a tangent plane, as the points `known` are, or on an edge or a line
+    along which K vanishes.
+    """
     if piece.part.shape is not Shape.POINT:
         return False
-    place, sides = place_of(piece), inspection.sides
-    if place.inner is not None:
-        if place.exact is not None:
-            return vanishes_at(area.whole, place.exact, sides)
-        if isinstance(place.inner.zero, ExactZero):
-            return place.inner.zero.common.is_zero_of(as_polynomial(area.whole))
-        # the zero is the only one in its cell
-        (cell,) = piece.part.cells
-        boxes = [zero.refine(FAR) for zero in inspection.singular.zeros]
-        return any(cell.contains(box) and piece.curve.form.part(box).sign is None for box in boxes)
-    spot = place.spot
-    return (
-        vanishes_at(area.whole, spot, sides)
-        or any(spot[edge.direction] == edge.value(sides) for edge in inspection.parabolic_edges)
-        or any(spot[1 - line.direction] == value for line, value in inspection.parabolic_lines)
+    place = place_of(piece)
+    if any(_is_on(place, 1 - line.direction, value) for line, value in inspection.parabolic_lines):
+        return True
+    if place.is_inside:
+        return any(point.is_in_region_of(place.zero) for point in known) or place.zero.is_zero_of(area.form)
+    return vanishes_at(area.whole, place.spot, inspection.sides) or any(
+        place.spot[edge.direction] == edge.value(inspection.sides) for edge in inspection.parabolic_edges
     )
 
 
-def _of_surface(signs: Signs, forms: SurfaceForms, patch: Patch) -> Signs:
-    """The zeros at which there is a tangent plane, and which are not on an edge along which K vanishes anyway."""
-    area, own = on_patch(forms.area, patch), on_patch(forms.parabolic, patch)
-    assert area is not None
-    assert own is not None
-    lines = [edge for edge, times in zip(EDGES, own.borders, strict=True) if times]
-    return replace(
-        signs,
-        zeros=tuple(
-            spot
-            for spot in signs.zeros
-            if area.whole.value(*spot) and not any(spot[edge.direction] == edge.end for edge in lines)
-        ),
-    )
+def _is_on(place: Place, direction: int, value: Parameter) -> bool:
+    """Whether a parameter of a point has this value."""
+    low, high = place.box(DIGITS)[direction]
+    return bool(low <= value <= high and place.spot[direction] == value)
 
 
 __all__ = ["PatchInspection", "PatchKind", "SurfaceInspection", "inspect_patch", "inspect_surface"]

@@ -37,7 +37,7 @@ def merged_umbilics(
     umbilics = []
     for own in _groups([one.place for one, _ in known.values()], domain, closed):
         first, place = known[id(own[0])][0], _together(own)
-        if place.inner is None and not _is_inside(place.spot, known[id(own[0])][1]):
+        if not place.is_inside:
             seen = {sector for one in own for sector in _sectors(one.spot, known[id(one)][1])}
             for spot in _alike(place.spot, domain, closed):
                 seen |= {sector for box, all_of in patches if _has(all_of, spot, box) for sector in _sectors(spot, box)}
@@ -67,23 +67,24 @@ def _together(own: Sequence[Place]) -> Place:
 
 
 def are_one(one: Place, other: Place, domain: Box, closed: Sequence[Along]) -> bool:
-    """Whether two points on borders are equal, with the two ends of a closed surface identified."""
-    if one.inner is not None or other.inner is not None:
+    """Whether two points found on patches are equal, with the two ends of a closed surface identified."""
+    if one.is_inside or other.is_inside:
         return False
-    return any(spot == other.spot for spot in _alike(one.spot, domain, closed))
+    return is_same(one.spot, other.spot, domain, closed)
 
 
-def is_in(place: Place, box: tuple[Ends, Ends], domain: Box, closed: Sequence[Along]) -> bool:
-    """Whether a point on a border is in a closed rectangle, with the two ends of a closed surface identified."""
-    return any(_within(spot, box) for spot in _alike(place.spot, domain, closed))
+def is_same(one: Spot, other: Spot, domain: Box, closed: Sequence[Along]) -> bool:
+    """The same of points by their parameters."""
+    return any(spot == other for spot in _alike(one, domain, closed))
+
+
+def is_in(spot: Spot, box: tuple[Ends, Ends], domain: Box, closed: Sequence[Along]) -> bool:
+    """Whether a point is in a closed rectangle, with the two ends of a closed surface identified."""
+    return any(_within(one, box) for one in _alike(spot, domain, closed))
 
 
 def _within(spot: Spot, box: tuple[Ends, Ends]) -> bool:
     return all(low <= t <= high for t, (low, high) in zip(spot, box, strict=True))
-
-
-def _is_inside(spot: Spot, box: Box) -> bool:
-    return all(low < t < high for t, (low, high) in zip(spot, box, strict=True))
 
 
 def _alike(spot: Spot, domain: Box, closed: Sequence[Along]) -> list[Spot]:

@@ -15,7 +15,7 @@ from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
 #: Boxes and halvings before the remaining boxes are reported as undecided.
-BOXES, DEPTH = 4000, 40
+BOXES, DEPTH = 4000, 80
 
 Point = tuple[mpq, mpq]
 
@@ -36,15 +36,13 @@ class Sign(StrEnum):
 @dataclass(frozen=True)
 class Signs:
     """The sign of a form, points of the unit square at which it is positive and negative (at least one of them for a
-    nonzero form), the zeros found, and boxes in which the sign could not be decided (not computed for a form with both
-    signs).
+    nonzero form), and the zeros found.
     """
 
     sign: Sign
     positive: Point | None = None
     negative: Point | None = None
     zeros: tuple[Point, ...] = ()
-    undecided: tuple[Box, ...] = ()
 
 
 def sign_on_patch(form: PatchForm) -> Signs:
@@ -85,7 +83,7 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
     """The same, beginning with boxes that fill the square."""
     witnesses = dict([_witness(form)])
     zeros: dict[Point, None] = {}
-    undecided: list[Box] = []
+    undecided = False
     todo = deque(Sized(box, [form.part(box)], 0) for box in boxes)
     seen = 0
     while todo:
@@ -106,12 +104,12 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
         if sign:
             continue
         if seen > BOXES or part.depth >= DEPTH:
-            undecided.append(part.box)
+            undecided = True
         else:
-            todo.extend(halved(part))
+            todo.extend(halved(part, own.steeper))
     positive, negative = witnesses.get(1), witnesses.get(-1)
     if undecided:
-        return Signs(Sign.UNDECIDED, positive, negative, tuple(zeros), tuple(undecided))
+        return Signs(Sign.UNDECIDED, positive, negative, tuple(zeros))
     if zeros:
         sign_told = Sign.NOT_NEGATIVE if positive else Sign.NOT_POSITIVE
     else:

@@ -2,42 +2,42 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 
-from exactspline.geometry.surface.borders import EDGES, Edge, along, is_inside, roots_along, vanishes_at
+from exactspline.errors import ReachError
+from exactspline.geometry.surface.borders import EDGES, Edge, along, roots_along, vanishes_at
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, on_patch, sides_of
-from exactspline.geometry.surface.places import InnerZero, Place
-from exactspline.geometry.surface.remaining import is_one, place_at, remaining_zeros
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.numbers.intervals import Box
-from exactspline.polynomials.common_zeros import Zero, are_one, is_known, isolate, same
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.polynomials.two_parameters import over
-from exactspline.roots.common_zeros import CommonZero
-from exactspline.roots.root import Root
+from exactspline.roots.common_zeros import CommonZero, zeros_of
 
-#: Refinement limit (bits) for classifying a zero.
-BITS = 400
+#: Bits of a box around a point that is undecided.
+FAR = 64
 
 
 @dataclass(frozen=True)
 class SingularPoints:
-    """Where the normal of a patch vanishes: `degenerate`: everywhere; along whole `edges`; `along_curve`: on a curve
-    inside; at `places` inside and on the border; `undecided` are boxes of parameters. A `factor` is common to its
-    coordinates.
+    """Where the normal of a patch vanishes: `degenerate`: everywhere; along whole `edges`; at `places` inside and on
+    the border; at the zeros of a common factor of its coordinates (`curve`), which are more than single points if it is
+    so `along_curve`; `undecided` are boxes of parameters.
     """
 
     degenerate: bool = False
     edges: tuple[Edge, ...] = ()
     places: tuple[Place, ...] = ()
-    #: The certified zeros inside, in the parameters of the patch.
-    zeros: tuple[Zero, ...] = ()
     undecided: tuple[Box, ...] = ()
-    factor: PatchForm | None = None
-    #: Whether the factor is zero on more than single points.
+    curve: ZeroCurve | None = field(default=None, compare=False)
     along_curve: bool = False
+
+    @property
+    def inside(self) -> list[CommonZero]:
+        """The places inside."""
+        return [place.zero for place in self.places if place.is_inside]
 
     @property
     def regular(self) -> bool:
@@ -53,11 +53,11 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
         return SingularPoints(degenerate=True)
     edges = tuple(edge for edge in EDGES if not any(area.whole.edge(*edge)))
     places = [
-        Place((patch,), None, *edge.place(sides, root))
+        Place((patch,), CommonZero.at(sides, edge.place(sides, root)))
         for edge in EDGES
         if edge not in edges
         for root in roots_along(along(area.whole, edge, sides), edge, sides)
-        if not any(_is_end(root, other, sides) for other in edges if other.direction != edge.direction)
+        if not any(root == other.value(sides) for other in edges if other.direction != edge.direction)
     ]
     if sign_on_patch(area.form).sign is Sign.POSITIVE:
         return SingularPoints(False, edges, tuple(places))
@@ -66,84 +66,40 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
     curve, along_curve = None, False
     if factor is not None:
         normal = [None if f is None else divided(f, factor) for f in normal]
-        sign = sign_on_patch(factor).sign
-        if sign in (Sign.POSITIVE, Sign.NEGATIVE):
-            factor = None
-        else:
-            curve = ZeroCurve(square_free(factor))
-            along_curve = curve.has_branches or sign is Sign.BOTH
-    zeros, undecided = _inner(forms, patch, normal, sides)
-    others, undecided = remaining_zeros([f for f in normal if f is not None], undecided, sides, zeros)
+        curve, along_curve = curve_of(factor)
+    # the scalar products of the normal with both tangents are zero
+    tangents = [[f.patch_form(*patch) for f in pair] for pair in zip(*forms.tangents, strict=True)]
+    given = [(f, e) for f, e in zip(normal, tangents, strict=True) if f is not None]
+    found = zeros_of([f for f, _ in given], sides, cofactors=[e for _, e in given])
+    inside, undecided = [zero for zero in found.zeros if zero.is_inside], list(found.undecided)
     if curve is not None:
         if along_curve:
             places = [place for place in places if not vanishes_at(curve.form, place.spot, sides)]
-        for zero in curve.single_points:
-            equal = [are_one(zero, known) for known in zeros]
-            if None in equal:
-                undecided.append(zero.box)
-            elif not any(equal):
-                others = [other for other in others if not _is_at(zero, other, sides)]
-                zeros.append(zero)
-        undecided += curve.undecided
-    inner = [Place((patch,), InnerZero(zero, sides)) for zero in zeros]
-    inner += [place_at(zero, patch) for zero in others]
-    boxes = tuple(sides.part(box) for box in undecided)
-    return SingularPoints(False, edges, (*places, *inner), tuple(zeros), boxes, factor, along_curve)
+        single, rest = without_known(curve, inside)
+        inside += [zero.on(sides) for zero in single]
+        undecided += rest
+    places += [Place((patch,), zero) for zero in inside]
+    return SingularPoints(False, edges, tuple(places), tuple(sides.part(box) for box in undecided), curve, along_curve)
 
 
-def _is_end(root: Root, edge: Edge, sides: Box) -> bool:
-    """Whether a point of an edge is one of a neighbouring edge."""
-    return bool(root == edge.value(sides))
+def curve_of(factor: PatchForm) -> tuple[ZeroCurve | None, bool]:
+    """The zeros of a factor, if it has any, and whether they are more than single points."""
+    sign = sign_on_patch(factor).sign
+    if sign in (Sign.POSITIVE, Sign.NEGATIVE):
+        return None, False
+    curve = ZeroCurve(square_free(factor))
+    return curve, curve.has_branches or sign is Sign.BOTH
 
 
-def _inner(
-    forms: SurfaceForms, patch: Patch, normal: list[PatchForm | None], sides: Box
-) -> tuple[list[Zero], list[Box]]:
-    """The zeros inside of the normal n, whose coordinates have no common factor: where two of them vanish and the third
-    coordinate of S_u or S_v does not, n = 0.
+def without_known(curve: ZeroCurve, known: Sequence[CommonZero]) -> tuple[list[CommonZero], list[Box]]:
+    """The single points of a curve inside that are not among points that are known, and the boxes in which something
+    is undecided.
     """
-    if any(f is not None and f.sign in (1, -1) for f in normal):
-        return [], []
-    tangents = [[f.patch_form(*patch) for f in side] for side in forms.tangents]
-    certain: list[Zero] = []
-    rest: list[list[Box]] = []
-    for k in range(3):
-        first, second = (normal[i] for i in range(3) if i != k)
-        third = normal[k]
-        if first is None or second is None:
-            continue
-        degree = max(first.degree[0], second.degree[0]), max(first.degree[1], second.degree[1])
-        also = [] if third is None else [third]
-        zeros = isolate(first.elevated(degree), second.elevated(degree), also)
-        undecided = list(zeros.undecided)
-        for zero in zeros.zeros:
-            if is_inside(zero, sides) is False:
-                continue
-            verdict = _is_singular(zero, [side[k] for side in tangents], third)
-            if verdict is None:
-                undecided.append(zero.box)
-            elif verdict and not any(same(zero, known) for known in certain):
-                certain.append(zero)
-        # the region of a zero of two coordinates contains no other zero of both
-        rest.append([box for box in undecided if not is_known(box, certain)])
-        if not rest[-1]:
-            return certain, []
-    return certain, min(rest, key=len, default=[])
-
-
-def _is_at(zero: Zero, other: CommonZero, sides: Box) -> bool:
-    """Whether a certified zero is another point."""
-    return all(other.is_zero_of(over(f, sides)) for f in zero.forms) and is_one(other, zero, sides)
-
-
-def _is_singular(zero: Zero, components: list[PatchForm], third: PatchForm | None) -> bool | None:
-    """Whether a zero of two components of the normal is also a zero of the third."""
-    bits = 16
-    while bits <= BITS:
-        box = zero.refine(bits)
-        if third is not None and third.part(box).sign in (1, -1):
-            return False
-        if third is None or any(f.part(box).sign for f in components):
-            return True
-        bits *= 2
-    return None
+    single, undecided = list[CommonZero](), list(curve.undecided)
+    for zero in curve.single_points:
+        try:
+            if not any(zero.is_at(other) for other in known):
+                single.append(zero)
+        except ReachError:
+            undecided.append(zero.refine(FAR))
+    return single, undecided

@@ -20,14 +20,13 @@ from flint import fmpz
 
 from exactspline.geometry.surface.borders import EDGES
 from exactspline.geometry.surface.common_factor import rational_lines
-from exactspline.geometry.surface.critical import Cell, Crossing, singular_cells
-from exactspline.geometry.surface.exact_cells import ExactCell, exact_cells
+from exactspline.geometry.surface.singular_cells import Cell, Crossing, singular_cells
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.bernstein import ONE, from_integers
-from exactspline.polynomials.common_zeros import Zero
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
 from exactspline.reals.real import between
+from exactspline.roots.common_zeros import CommonZero
 from exactspline.roots.of_polynomials import Place
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
@@ -35,7 +34,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 
 #: The limits of halvings of a box and of boxes, beyond which the remaining boxes are reported as undecided.
-DEPTH, BOXES = 30, 4000
+DEPTH, BOXES = 60, 4000
 #: Where the square is first cut: not on lines where the zeros of a symmetric surface would lie.
 FIRST_CUTS = tuple(mpq(a, b) for a, b in ((29, 61), (31, 67), (37, 79), (41, 89), (43, 97), (47, 101), (53, 109)))
 #: The number of half branches at a point where two branches cross.
@@ -92,7 +91,7 @@ class Part:
     #: The points of it on lines of the subdivision, those on the border of the patch among them.
     vertices: tuple[Vertex, ...] = field(default=(), repr=False)
     #: The certified point, if the part is a single point inside.
-    zero: Zero | None = field(default=None, repr=False, compare=False)
+    zero: CommonZero | None = field(default=None, repr=False, compare=False)
     #: Points that are joined through a singular point.
     links: tuple[tuple[Vertex, Vertex], ...] = field(default=(), repr=False)
 
@@ -137,7 +136,7 @@ class ZeroCurve:
     ['closed loop']
     """
 
-    def __init__(self, form: PatchForm, known: Sequence[Zero] = ()) -> None:
+    def __init__(self, form: PatchForm, known: Sequence[CommonZero] = ()) -> None:
         self.form, self._known = form, tuple(known)
         #: Boxes in which the curve is not resolved.
         self.undecided: list[Box] = []
@@ -146,12 +145,8 @@ class ZeroCurve:
         self._vertices: dict[Vertex, None] = {}
         self._arcs: list[Arc] = []
         self._crossings: list[_Joint] = []
-        self._points: list[Cell | ExactCell] = []
+        self._points: list[Cell] = []
         self._subdivide(singular_cells(form, known))
-        if self.undecided and (cells := exact_cells(form)):
-            self.undecided, self._arcs, self._crossings, self._points = [], [], [], []
-            self._vertices = {}
-            self._subdivide(cells)
 
     def __reduce__(self) -> tuple[object, ...]:
         return ZeroCurve, (self.form, self._known)
@@ -164,11 +159,11 @@ class ZeroCurve:
 
     # ---- the subdivision
 
-    def _subdivide(self, cells: Sequence[Cell] | Sequence[ExactCell]) -> None:
+    def _subdivide(self, cells: Sequence[Cell]) -> None:
         done = [cell.box for cell in cells]
         for cell in cells:
-            if isinstance(cell, ExactCell):
-                self._exact(cell)
+            if cell.crossing is Crossing.OTHER:
+                self._branches(cell)
                 continue
             ends = list(dict.fromkeys(self._on_border(cell.box)))
             if cell.crossing is Crossing.POINT:
@@ -195,10 +190,10 @@ class ZeroCurve:
             else:
                 todo.extend(halved(part))
 
-    def _exact(self, cell: ExactCell) -> None:
+    def _branches(self, cell: Cell) -> None:
         """The branches that leave a singular point, or that there are none."""
         ends = [vertex for x in cell.ends for vertex, _ in self._zeros_on(0, x, cell.box.second)]
-        corner = self._on_edge(cell.zero.common.place)
+        corner = self._on_edge(cell.zero.place)
         if ends:
             self._crossings.append(_Joint(cell.box, ends, corner))
         elif corner is None:
@@ -281,7 +276,7 @@ class ZeroCurve:
         return bool(self._arcs or self._crossings)
 
     @property
-    def single_points(self) -> tuple[Zero, ...]:
+    def single_points(self) -> tuple[CommonZero, ...]:
         """The certified zeros inside with no other zero around them."""
         return tuple(cell.zero for cell in self._points)
 

@@ -6,6 +6,7 @@ Files are recognized by content; the formats are tried in the order of this list
 from __future__ import annotations
 
 from exactspline.interchange import own_json
+from exactspline.interchange.format import Format
 from exactspline.interchange.formats import (
     brep,
     control_points,
@@ -21,7 +22,6 @@ from exactspline.interchange.formats import (
     step,
     svg,
 )
-from exactspline.interchange.records import Format
 
 FORMATS: tuple[Format, ...] = tuple(
     module.FORMAT

@@ -14,8 +14,9 @@ from collections.abc import Sequence
 from exactspline.errors import CurveFileError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
+from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, finite_double
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import bezier_knots, ellipse
 from exactspline.interchange.tokens import Tokens
 from exactspline.interchange.writing import Spline

@@ -12,7 +12,8 @@ from pathlib import PurePath
 
 from exactspline.errors import counted
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.format import Format
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import bezier_knots
 from exactspline.numbers.exact import mpq, rational
 

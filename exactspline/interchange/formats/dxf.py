@@ -17,8 +17,9 @@ from exactspline.errors import CurveFileError, ShapeError
 from exactspline.interchange.affine import Affine, cross, unit
 from exactspline.interchange.angles import quarter_turns_of_degrees, quarter_turns_of_radians
 from exactspline.interchange.collector import Collector
+from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, whole
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import Segment, arc_around_origin, bulged, mapped, polynomial
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq

@@ -19,7 +19,8 @@ from exactspline.errors import CurveFileError, ExactSplineError, ShapeError, cou
 from exactspline.interchange.bridges.fonttools import ContourPen
 from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.records import Format, Piece, Reading, Source
+from exactspline.interchange.format import Format
+from exactspline.interchange.records import Piece, Reading, Source
 from exactspline.numbers.exact import mpq
 
 if TYPE_CHECKING:

@@ -13,8 +13,9 @@ from collections.abc import Sequence
 from math import prod
 
 from exactspline.interchange.collector import Collector
+from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.tokens import Tokens
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq

@@ -9,8 +9,9 @@ from __future__ import annotations
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.interchange.bridges.fonttools import ContourPen
 from exactspline.interchange.collector import Collector
+from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import decimal
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.xml_tree import Element, parse
 
 TYPES = {None: None, "offcurve": None, "move": "move", "line": "line", "curve": "curve", "qcurve": "qcurve"}

@@ -15,9 +15,10 @@ from collections.abc import Sequence
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
+from exactspline.interchange.format import Format
 from exactspline.interchange.iges_records import Entry, entries, formatted, unit_of
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped, polynomial
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq

@@ -15,8 +15,9 @@ from typing import TypeAlias
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
+from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import bezier_knots
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq

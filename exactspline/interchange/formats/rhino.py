@@ -23,8 +23,9 @@ from typing import Any
 from exactspline.errors import CurveFileError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
+from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import ellipse
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq, rational

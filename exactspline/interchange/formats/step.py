@@ -13,27 +13,32 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from exactspline.errors import CurveFileError
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.numbers import NumberText, whole
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.format import Format
+from exactspline.interchange.numbers import NumberText
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.step_edges import EDGE, ELEMENTARY, Edges
-from exactspline.interchange.step_knots import listed_knots, standard_knots
-from exactspline.interchange.step_records import StepFile, Value, keywords, parts, spline_parts
-from exactspline.interchange.step_surfaces import ANY as ANY_SURFACE
-from exactspline.interchange.step_surfaces import FACES, OTHERS, add_surface, written
-from exactspline.interchange.step_text import StepText, name_of, string
+from exactspline.interchange.step_records import StepFile, Value, keywords, parts
+from exactspline.interchange.step_splines import (
+    ANY_SURFACE,
+    CURVE,
+    FACES,
+    KEYWORDS,
+    OTHERS,
+    SURFACE,
+    add_spline,
+    written,
+)
+from exactspline.interchange.step_text import StepText, name_of
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 
-SPLINE, WITH_KNOTS, RATIONAL = "B_SPLINE_CURVE", "B_SPLINE_CURVE_WITH_KNOTS", "RATIONAL_B_SPLINE_CURVE"
 #: How the sets of curves and of surfaces are represented.
 WIREFRAME = "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION"
 BOUNDED_SURFACES = "GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION"
-KINDS = (WITH_KNOTS, "BEZIER_CURVE", "UNIFORM_CURVE", "QUASI_UNIFORM_CURVE")
 POLYLINE = "POLYLINE"
 #: Every keyword of a curve with control points.
-ANY_CURVE = frozenset((POLYLINE, SPLINE, *KINDS))
+ANY_CURVE = frozenset((POLYLINE, KEYWORDS[CURVE].spline, *KEYWORDS[CURVE].kinds))
 SKIPPED = {
     "PARABOLA": "unbounded", "HYPERBOLA": "unbounded", "TRIMMED_CURVE": "trimming is not applied",
     "COMPOSITE_CURVE": "its parts are read separately", "OFFSET_CURVE_2D": "not rational",
@@ -71,7 +76,7 @@ def read(source: Source) -> Reading:
                 _curve(file, parts(text, source.limits), where, edges.notes(number))
         elif not ANY_SURFACE.isdisjoint(named):
             with collector.skipping(keyword, where, curve=False):
-                add_surface(file, parts(text, source.limits), where)
+                add_spline(file, SURFACE, parts(text, source.limits), where)
         elif keyword in ELEMENTARY or keyword == EDGE:
             with collector.skipping(keyword, where):
                 edges.read(keyword, number, where)
@@ -112,30 +117,12 @@ def _units(file: StepFile) -> set[str]:
 
 
 def _curve(file: StepFile, entity: dict[str, list[Value]], where: str, notes: Sequence[str]) -> None:
-    if POLYLINE in entity:
-        points = [file.point(reference) for reference in file.texts(_last(entity[POLYLINE]))]
-        knots = [mpq(max(0, min(i - 1, len(points) - 1))) for i in range(len(points) + 2)]
-        file.collector.add(POLYLINE, where, 1, knots, points, name=name_of(entity[POLYLINE], where), notes=notes)
+    if POLYLINE not in entity:
+        add_spline(file, CURVE, entity, where, notes)
         return
-    kind, base, specific, name = spline_parts(entity, "curve", SPLINE, KINDS, 5)
-    if len(base) < 5 or not isinstance(base[0], str) or (kind == WITH_KNOTS and len(specific) < 2):
-        raise CurveFileError("attributes are missing", remedy="complete the instance")
-    degree = whole(base[0])
-    if not 0 <= degree <= file.limits.degree:
-        raise CurveFileError(f"degree {degree}", remedy=f"at most {file.limits.degree} is read")
-    points = [file.point(reference) for reference in file.texts(base[1])]
-    knots = _knots(file, kind, specific, degree, len(points))
-    weights = file.numbers(entity[RATIONAL][0]) if entity.get(RATIONAL) else None
-    notes = [*notes, *([] if kind == WITH_KNOTS else [f"{kind}: knots as defined by the standard"])]
-    file.collector.add(kind, where, degree, knots, points, weights, name=name_of(name, where), notes=notes)
-
-
-def _knots(file: StepFile, kind: str, specific: list[Value], degree: int, count: int) -> list[mpq]:
-    return listed_knots(file, *specific[:2]) if kind == WITH_KNOTS else standard_knots(kind, degree, count)
-
-
-def _last(arguments: list[Value]) -> Value:
-    return arguments[-1] if arguments else ""
+    points = [file.point(reference) for reference in file.texts(entity[POLYLINE][-1] if entity[POLYLINE] else "")]
+    knots = [mpq(max(0, min(i - 1, len(points) - 1))) for i in range(len(points) + 2)]
+    file.collector.add(POLYLINE, where, 1, knots, points, name=name_of(entity[POLYLINE], where), notes=notes)
 
 
 def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
@@ -147,24 +134,9 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
         text.add_set("GEOMETRIC_SET", BOUNDED_SURFACES, [written(spline, text) for spline in splines], 3)
         return text.encoded()
     for dimension in sorted({spline.dimension for spline in splines}):
-        references = [_written(spline, text) for spline in splines if spline.dimension == dimension]
+        references = [written(spline, text) for spline in splines if spline.dimension == dimension]
         text.add_set("GEOMETRIC_CURVE_SET", WIREFRAME, references, dimension)
     return text.encoded()
-
-
-def _written(spline: Spline, text: StepText) -> str:
-    curve = spline.curve
-    points = [text.point(point) for point, _ in spline.cartesian()]
-    closed = ".T." if curve.closed else ".F."
-    base = f"{curve.degree},({','.join(points)}),.UNSPECIFIED.,{closed},.U."
-    counts = ",".join(map(str, curve.knots.multiplicities))
-    knots, name = f"({counts}),{text.reals(curve.knots.breakpoints)},.UNSPECIFIED.", string(spline.name)
-    if curve.polynomial:
-        return text.add(f"{WITH_KNOTS}({name},{base},{knots})")
-    return text.add(
-        f"(BOUNDED_CURVE() {SPLINE}({base}) {WITH_KNOTS}({knots}) CURVE() GEOMETRIC_REPRESENTATION_ITEM() "
-        f"{RATIONAL}({text.reals(curve.weights)}) REPRESENTATION_ITEM({name}))"
-    )
 
 
 FORMAT = Format("step", "STEP part 21", (".stp", ".step", ".p21"), looks_like, read, write, surfaces=True)

@@ -20,8 +20,9 @@ from itertools import pairwise
 from exactspline.errors import ExactSplineError, ShapeError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
+from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import Segment, ellipse, mapped, polynomial
 from exactspline.interchange.svg_paths import Subpath, least_size, subpaths
 from exactspline.interchange.svg_styles import HIDING, MOVING, ORIGIN, SHAPING, Sheet, declarations, in_words

@@ -80,8 +80,6 @@ def theorem_of(curve: Nurbs) -> str:
     """A file with theorems about this curve, given by its control points."""
     forms = answers(curve)
     formulas = Formulas(papers())
-    rows = homogeneous(curve)
-    coordinates = "; ".join(_list(column) for column in rows[:-1])
     own = {formulas.owner[answer.formula].name for answer in forms}
     parts = [
         f"(** Where forms of the curve {comment(curve.name or 'without a name')} vanish: proved from its knots and "
@@ -90,9 +88,7 @@ def theorem_of(curve: Nurbs) -> str:
         "Require Import ZArith QArith List Reals.\nFrom ExactSpline Require Import Base Answers.",
         *[f"From ExactSpline.formulas Require {name}." for name in sorted(own)],
         "Import ListNotations.\nLocal Open Scope Q_scope.\n",
-        f"(** Knots, degree, coordinates of the control points times their weights, and the weights. *)\n"
-        f"Definition this_curve : nurbs := {{|\n  knots := {_list(curve.knots)};\n  degree := {curve.degree};\n"
-        f"  coordinates := [{coordinates}];\n  weights := {_list(rows[-1])}\n|}}.\n",
+        definition("this_curve", curve),
         "(** The domain of the curve, on which the theorems speak of it. *)\n"
         f"Theorem this_curve_has_the_domain : domain this_curve = ({', '.join(map(number, curve.domain))}).\n"
         "Proof. vm_cast_no_check (eq_refl (domain this_curve)). Qed.\n",
@@ -112,6 +108,16 @@ def theorem_of(curve: Nurbs) -> str:
     return "\n".join(parts)
 
 
+def definition(name: str, curve: Nurbs) -> str:
+    """A curve as a record of Coq."""
+    *coordinates, weights = map(_list, homogeneous(curve))
+    return (
+        "(** Knots, degree, coordinates of the control points times their weights, and the weights. *)\n"
+        f"Definition {name} : nurbs := {{|\n  knots := {_list(curve.knots)};\n  degree := {curve.degree};\n"
+        f"  coordinates := [{'; '.join(coordinates)}];\n  weights := {weights}\n|}}.\n"
+    )
+
+
 def homogeneous(curve: Nurbs) -> list[list[mpq]]:
     """The coordinates times the weights, coordinate by coordinate, and the weights."""
     rows = [(*lifted(point, weight), weight) for point, weight in zip(curve.control_points, curve.weights, strict=True)]
@@ -121,12 +127,12 @@ def homogeneous(curve: Nurbs) -> list[list[mpq]]:
 def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
     form = formulas.named(answer.formula)
     low, high = number(answer.cells[0][0].low), number(answer.cells[-1][-1].high)
-    cells = ";\n  ".join("[" + "; ".join(map(_cell, own)) + "]" for own in answer.cells)
+    cells = ";\n  ".join("[" + "; ".join(map(cell_text, own)) + "]" for own in answer.cells)
     pieces = ";\n  ".join(
-        f"({number(own[-1].high)}, {_polynomial_text(f)})"
+        f"({number(own[-1].high)}, {polynomial_text(f)})"
         for f, own in zip(answer.polynomials, answer.cells, strict=True)
     )
-    points, stretches = _pairs(answer.points), _pairs(answer.stretches)
+    points, stretches = pairs_text(answer.points), pairs_text(answer.stretches)
     places = counted(len(answer.points), "point")
     places += f" and {counted(len(answer.stretches), 'stretch')}" if answer.stretches else ""
     return (
@@ -157,25 +163,29 @@ def _list(values: Iterable[object]) -> str:
     return "[" + "; ".join(map(number, values)) + "]"
 
 
-def _pairs(pairs: Iterable[tuple[mpq, mpq]]) -> str:
+def pairs_text(pairs: Iterable[tuple[mpq, mpq]]) -> str:
+    """Pairs of exact numbers as a list of Coq."""
     return "[" + "; ".join(f"({number(a)}, {number(b)})" for a, b in pairs) + "]"
 
 
-def _polynomial_text(f: fmpq_poly) -> str:
+def polynomial_text(f: fmpq_poly) -> str:
+    """A polynomial as the list of its coefficients."""
     return _list(from_flint(c) for c in f.coeffs())
 
 
-def _bool(value: bool) -> str:
+def boolean(value: bool) -> str:
+    """A truth value in Coq."""
     return "true" if value else "false"
 
 
-def _cell(cell: Cell) -> str:
+def cell_text(cell: Cell) -> str:
+    """A cell as a term of Coq."""
     ends = f"({number(cell.low)}) ({number(cell.high)})"
     if cell.sign is None:
         return f"Null {ends}"
     if cell.factor is not None and cell.rest is not None:
         return (
-            f"Multiple {ends} {_polynomial_text(cell.factor)} {_bool(cell.sign)} {cell.power} "
-            f"{_polynomial_text(cell.rest)} {_bool(cell.rest_sign)}"
+            f"Multiple {ends} {polynomial_text(cell.factor)} {boolean(cell.sign)} {cell.power} "
+            f"{polynomial_text(cell.rest)} {boolean(cell.rest_sign)}"
         )
-    return f"{'One' if cell.one else 'Sign'} {ends} {_bool(cell.sign)}"
+    return f"{'One' if cell.one else 'Sign'} {ends} {boolean(cell.sign)}"

@@ -23,7 +23,7 @@ from exactspline.verification.vocabulary import Verdict
 
 #: The files written by hand: those required by the theorems about papers, one that shows that their assumptions are
 #: consistent, and one for answers about one curve.
-BY_HAND = (*THEORY, "Models", "Answers")
+BY_HAND = (*THEORY, "Models", "Answers", "Meetings")
 #: The logical name of the directory.
 ROOT = "ExactSpline"
 

@@ -4,23 +4,26 @@ analysis requires of a parametrization.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
 from enum import StrEnum
 from itertools import product
 
 from exactspline.errors import ShapeError
-from exactspline.geometry.surface.borders import EDGES, Edge
-from exactspline.geometry.surface.forms import Patch, formula, lowest, on_patch, sides_of
-from exactspline.geometry.surface.merged import merged_places
+from exactspline.geometry.surface.chains import ZeroComponent
+from exactspline.geometry.surface.forms import formula, lowest, on_patch, sides_of
 from exactspline.geometry.surface.places import Place
-from exactspline.geometry.surface.signs import Point, Sign, sign_on_patch
+from exactspline.geometry.surface.signs import Point, sign_on_patch
+from exactspline.geometry.surface.zero_lines import ZeroLine
+from exactspline.geometry.zeros_in_two_parameters import CommonZero as PointOfZeros
+from exactspline.geometry.zeros_in_two_parameters import ZeroCurves, common_zeros, zero_curve
 from exactspline.hooks import Displayed
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.questions.answers import SurfacePart, SurfacePlaces
+from exactspline.questions.answers import SurfacePlaces
 from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
+from exactspline.roots.common_zeros import CommonZero
 from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
@@ -54,12 +57,33 @@ class MapInspection(Inspected, Displayed):
         return f"<MapInspection of {self.surface!r}>"
 
     @Fact
-    def _found(self) -> _Found:
-        determinant, findings = _determinant(self.surface), _Found()
+    def _determinant(self) -> TensorSpline:
+        """A spline with the sign of the determinant."""
+        value = formula("jacobian")(self.surface)
+        if isinstance(value, Rational):
+            (a, _), (c, _) = self.surface.domain
+            value = value.numerator if value.denominator(a, c) > 0 else value.numerator.scaled(-1)
+        assert isinstance(value, TensorSpline)
+        return lowest(value)
+
+    @Fact
+    def _signs(self) -> tuple[Point | None, Point | None]:
+        """Points at which it is positive and negative."""
+        places: dict[int, Point] = {}
         rows, columns = self.surface.patches
         for patch in product(range(rows), range(columns)):
-            _add_patch(findings, determinant, patch, sides_of(self.surface, patch), self.surface.domain)
-        return findings
+            if own := on_patch(self._determinant, patch):
+                signs = sign_on_patch(own.form)
+                for sign, place in ((1, signs.positive), (-1, signs.negative)):
+                    if place and sign not in places:
+                        sides = sides_of(self.surface, patch)
+                        places[sign] = _inside(place, sign, own.whole, sides, self.surface.domain)
+        return places.get(1), places.get(-1)
+
+    @Fact
+    def _zeros(self) -> ZeroCurves:
+        """All zeros of the determinant."""
+        return zero_curve(self._determinant)
 
     @question(Of.PLANAR_MAP, answered=Answered.VALUE)
     def kind(self) -> MapKind:
@@ -69,7 +93,16 @@ class MapInspection(Inspected, Displayed):
         >>> analyse(example("planar_map")).kind.value
         'orientation kept: det > 0'
         """
-        return self._found.kind
+        if self.positive and self.negative:
+            return MapKind.FOLDED
+        found = self._zeros
+        if found.everywhere:
+            return MapKind.DEGENERATE
+        if found.lines or found.curves or found.points:
+            return MapKind.SINGULAR
+        if found.undecided:
+            return MapKind.UNDECIDED
+        return MapKind.POSITIVE if self.positive else MapKind.NEGATIVE
 
     @question(Of.PLANAR_MAP, answered=Answered.POINT)
     def positive(self) -> Point | None:
@@ -79,7 +112,7 @@ class MapInspection(Inspected, Displayed):
         >>> analyse(example("planar_map")).positive is not None
         True
         """
-        return self._found.positive
+        return self._signs[0]
 
     @question(Of.PLANAR_MAP, answered=Answered.POINT)
     def negative(self) -> Point | None:
@@ -89,39 +122,76 @@ class MapInspection(Inspected, Displayed):
         >>> analyse(example("planar_map")).negative is None
         True
         """
-        return self._found.negative
+        return self._signs[1]
 
     @question(Of.PLANAR_MAP)
     def zeros(self) -> SurfacePlaces[Place]:
-        """The points at which the Jacobian determinant is zero.
+        """The points at which the Jacobian determinant is zero at that point alone.
 
-        Each with the patches from which it vanishes there; everywhere on patches and their edges on which it vanishes.
-        Zeros inside patches on which it has both signs are not computed, but reported as undecided.
+        Each with the patches from which it vanishes there; everywhere on patches on which it vanishes.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("planar_map")).zeros
         nowhere
         """
-        findings = self._found
-        everywhere = [SurfacePart(patch, sides_of(self.surface, patch)) for patch in findings.degenerate]
-        everywhere += [SurfacePart(patch, edge.box(sides_of(self.surface, patch))) for patch, edge in findings.edges]
-        places = merged_places(findings.zeros, self.surface.domain, ())
-        return SurfacePlaces(places, tuple(everywhere), (*findings.mixed, *findings.undecided))
+        found = self._zeros
+        return SurfacePlaces(self._places(found.points), found.everywhere, found.undecided)
 
-    @property
-    def edges(self) -> tuple[tuple[Patch, Edge], ...]:
-        """The edges of patches along which it vanishes."""
-        return tuple(self._found.edges)
+    def _places(self, zeros: Iterable[PointOfZeros]) -> tuple[Place, ...]:
+        """Zeros as points of the surface."""
+        own = [(zero, sides_of(self.surface, zero.patches[0])) for zero in zeros]
+        return tuple(Place(zero.patches, CommonZero.at(sides, zero.place)) for zero, sides in own)
 
-    @property
-    def undecided(self) -> tuple[Box, ...]:
-        """The boxes of parameters in which its sign is not decided."""
-        return tuple(self._found.undecided)
+    @question(Of.PLANAR_MAP, answered=Answered.CURVES)
+    def zero_lines(self) -> tuple[ZeroLine, ...]:
+        """The isoparametric lines along which the Jacobian determinant vanishes.
+
+        >>> from exactspline import analyse, example
+        >>> len(analyse(example("planar_map")).zero_lines)
+        0
+        """
+        return self._zeros.lines
+
+    @question(Of.PLANAR_MAP, answered=Answered.CURVES)
+    def zero_curves(self) -> tuple[ZeroComponent, ...]:
+        """The other curves along which the Jacobian determinant vanishes: folds, where it changes its sign.
+
+        >>> from exactspline import analyse, example
+        >>> [curve.shape.value for curve in analyse(example("folded_map")).zero_curves]
+        ['arc from border to border']
+        """
+        return self._zeros.curves
+
+    @question(Of.PLANAR_MAP)
+    def cusps(self) -> SurfacePlaces[Place]:
+        """The zeros of the Jacobian determinant at which the map is not a fold: cusps, where the direction in which it
+        stands still is that of the curve of zeros, and points at which this curve is singular.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("folded_map")).cusps
+        nowhere
+        """
+        surface, f = self.surface, self._determinant
+        if self.regular:
+            return SurfacePlaces(())
+        # f along the kernel of each row of the Jacobian
+        along = [
+            f.d(1, by="u") * (x.d(1, by="v") * surface.w - x * surface.w.d(1, by="v"))
+            - f.d(1, by="v") * (x.d(1, by="u") * surface.w - x * surface.w.d(1, by="u"))
+            for x in surface.p
+        ]
+        found = common_zeros(f, *along)
+        return SurfacePlaces(self._places(found.points), found.everywhere, found.undecided)
 
     @property
     def regular(self) -> bool:
         """Whether the determinant is proved to have no zero on the closed rectangle (one-sided at knots)."""
         return self.kind in (MapKind.POSITIVE, MapKind.NEGATIVE)
+
+    @property
+    def undecided(self) -> tuple[Box, ...]:
+        """The rectangles of parameters in which its zeros are not decided."""
+        return self._zeros.undecided
 
     @property
     def complete(self) -> bool:
@@ -142,58 +212,6 @@ def jacobian_sign(surface: NurbsSurface) -> MapInspection:
     Raises `ShapeError` for a surface that is not in the plane.
     """
     return MapInspection(surface_of(surface))
-
-
-@dataclass
-class _Found:
-    """What is known patch by patch."""
-
-    positive: Point | None = None
-    negative: Point | None = None
-    degenerate: list[Patch] = field(default_factory=list)
-    zeros: list[Place] = field(default_factory=list)
-    edges: list[tuple[Patch, Edge]] = field(default_factory=list)
-    undecided: list[Box] = field(default_factory=list)
-    #: The patches on which it has both signs.
-    mixed: list[Box] = field(default_factory=list)
-
-    @property
-    def kind(self) -> MapKind:
-        if self.positive and self.negative:
-            return MapKind.FOLDED
-        if self.degenerate:
-            return MapKind.DEGENERATE
-        if self.zeros or self.edges:
-            return MapKind.SINGULAR
-        if self.undecided:
-            return MapKind.UNDECIDED
-        return MapKind.POSITIVE if self.positive else MapKind.NEGATIVE
-
-
-def _add_patch(findings: _Found, determinant: TensorSpline, patch: Patch, sides: Box, domain: Box) -> None:
-    own = on_patch(determinant, patch)
-    if own is None:
-        findings.degenerate.append(patch)
-        return
-    signs = sign_on_patch(own.form)
-    if signs.positive:
-        findings.positive = findings.positive or _inside(signs.positive, 1, own.whole, sides, domain)
-    if signs.negative:
-        findings.negative = findings.negative or _inside(signs.negative, -1, own.whole, sides, domain)
-    findings.zeros += [Place((patch,), None, *sides.at(*point)) for point in signs.zeros]
-    findings.undecided += [sides.part(box) for box in signs.undecided]
-    findings.mixed += [sides] * (signs.sign is Sign.BOTH)
-    findings.edges += [(patch, edge) for edge, times in zip(EDGES, own.borders, strict=True) if times]
-
-
-def _determinant(surface: NurbsSurface) -> TensorSpline:
-    """A spline with the sign of the determinant."""
-    value = formula("jacobian")(surface)
-    if isinstance(value, Rational):
-        (a, _), (c, _) = surface.domain
-        value = value.numerator if value.denominator(a, c) > 0 else value.numerator.scaled(-1)
-    assert isinstance(value, TensorSpline)
-    return lowest(value)
 
 
 def _inside(point: Point, sign: int, whole: PatchForm, sides: Box, domain: Box) -> Point:

@@ -1,10 +1,11 @@
-"""Certified common zeros of two polynomials on a patch, by exact subdivision in Bernstein form.
+"""Common zeros of several forms on a patch by exact subdivision in Bernstein form: the simple ones, each in a box in
+which it is certified, and small boxes that contain all others.
 
-A box is excluded if the coefficients of one of the polynomials, or of their combinations by the inverse of their
-Jacobian there, are all positive or all negative. Near a simple zero the combinations G₁, G₂ are approximately
-``x − x₀`` and ``y − y₀``: if the ranges of their derivatives are strictly diagonally dominant, there is at most one
-zero, and if G₁ has opposite signs on the left and right sides and G₂ on the lower and upper sides, there is at least
-one (Miranda). All computations are in integers.
+A box is excluded if the coefficients of one of the forms, or of the combinations of two of them by the inverse of their
+Jacobian there, are all positive or all negative. Near a simple zero of these two the combinations G₁, G₂ are
+approximately ``x − x₀`` and ``y − y₀``: if the ranges of their derivatives are strictly diagonally dominant, there is
+at most one zero, and if G₁ has opposite signs on the left and right sides and G₂ on the lower and upper sides, there is
+at least one (Miranda). All computations are in integers.
 
 A zero is certified if Krawczyk's operator contracts a box around it by a fixed factor; then refinement terminates.
 
@@ -16,36 +17,47 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
+from functools import partial
+from itertools import combinations, islice
 from typing import NamedTuple
 
 from flint import fmpz
 
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.cost import affords, height_bits
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
 #: The fraction of its width by which a box is enlarged on each side before certification.
 MARGIN = mpq(1, 4)
+#: The number of bisections of a box after which all pairs of forms are tried, and not the most promising one alone.
+FEW = 16
+#: The number of bisections after which a box is small, and per square of the number of coefficients of a form the
+#: number of small boxes after which elimination is cheaper.
+SMALL, PER_SQUARE = 4, 1 / 16
 #: The maximal number of bisections of a box, and of boxes, after which the remaining boxes are reported as undecided.
 DEPTH, BOXES = 48, 5000
+#: The cost of bisecting a patch: nanoseconds per coefficient, and in addition per 100 bits of a coefficient.
+HALVING, HALVING_BITS = 4000, 500
 #: The precision (bits) of a box at which a simple rational zero is searched for, and the largest denominator tried.
 SIMPLE_BITS, SIMPLE = 60, 4096
 #: The contraction factor of Krawczyk's operator required for certification.
 KEPT = 3, 4
-#: Refinement limit (bits) for separating two zeros.
-EQUAL_BITS = 200
+
+Pair = tuple[PatchForm, PatchForm]
 
 
-class Zero:
-    """A certified common zero of two forms: the only one in `region`.
+class Isolated:
+    """A common zero of two forms of one degree: the only one in `region`.
 
     Its box shrinks when it is refined; everything else is immutable.
     """
 
-    __slots__ = ("_box", "_exact", "forms", "region")
+    __slots__ = ("_box", "_exact", "at", "forms", "region")
 
-    def __init__(self, forms: tuple[PatchForm, PatchForm], region: Box) -> None:
-        self.forms, self.region, self._box = forms, region, region
+    def __init__(self, forms: Pair, region: Box, at: tuple[int, int] = (0, 1)) -> None:
+        #: `at` are the numbers of the two forms among those that were given.
+        self.forms, self.region, self.at, self._box = forms, region, at, region
         self._exact: tuple[mpq, mpq] | None = None
 
     @property
@@ -72,10 +84,6 @@ class Zero:
             self._box = self._contracted(self._box)
         return self._box
 
-    def is_at(self, x: mpq, y: mpq) -> bool:
-        """Whether the zero is this point."""
-        return self.region.contains(Box.point(x, y)) and all(f.value(x, y) == 0 for f in self.forms)
-
     def _contracted(self, box: Box) -> Box:
         """The zero is in ``c − Y F(c) + (1 − Y J)(X − c)``: Krawczyk's operator with the preconditioned pair G.
 
@@ -97,36 +105,36 @@ class Zero:
         return Box(first, second)
 
 
-class Zeros(NamedTuple):
-    """Certified zeros, and boxes for which it could not be decided which zeros they contain, if any."""
+class Isolation(NamedTuple):
+    """Certified zeros of two of the forms each, and boxes for which it is not decided which zeros they contain."""
 
-    zeros: list[Zero]
+    zeros: list[Isolated]
     undecided: list[Box]
 
 
 def isolate(
-    first: PatchForm,
-    second: PatchForm,
-    also: Sequence[PatchForm] = (),
-    box: Box = UNIT,
-    not_positive: Sequence[PatchForm] = (),
-) -> Zeros:
-    """The common zeros of two forms of the same degree and with a common constant that are in a closed box or close to
-    it, except those at which one of the forms in `also` is certainly not zero, or one of `not_positive` certainly
-    positive.
+    forms: Sequence[PatchForm], not_positive: Sequence[PatchForm] = (), also: int = 0, before: Isolation | None = None
+) -> Isolation:
+    """The common zeros of forms in the closed unit square or close to it, except those at which one of `not_positive`
+    is certainly positive. The last forms (`also` is their number) only exclude. It ends where elimination would be
+    cheaper; what it left undecided `before` is bisected as often as possible.
 
-    Every zero in the box is in the region of one of the zeros returned or in an undecided box; a region may extend
-    beyond the box.
+    Every common zero in the square is in the region of one of the zeros returned or in an undecided box; a region may
+    extend beyond the square. A certified zero is one of two of the forms: at the others it is not excluded.
 
     >>> circle = PatchForm.of_net([[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # x² + y² − 1
-    >>> line = PatchForm.of_net([[0, -1, -2], [1, 0, -1], [2, 1, 0]])  # 2 (x − y)
-    >>> found = isolate(circle, line)
+    >>> line = PatchForm.of_net([[0, -1], [1, 0]])  # x − y
+    >>> found = isolate([circle, line])
     >>> len(found.zeros), found.undecided, float(found.zeros[0].refine(40)[0][0])
     (1, [], 0.70710678118...)
     """
-    result = Zeros([], [])
-    todo = deque([Sized(box, [f.part(box) for f in (first, second, *also, *not_positive)], 0)])
-    boxes, vanishing = 0, 2 + len(also)
+    result = Isolation([] if before is None else before.zeros, [])
+    start = [UNIT] if before is None else before.undecided
+    todo = deque(Sized(box, [f.part(box) for f in (*forms, *not_positive)], 0) for box in start)
+    boxes, small, vanishing = 0, 0, len(forms)
+    most = BOXES if before else PER_SQUARE * max(len(f.entries) for f in forms) ** 2
+    given = {(i, j): _of_one_degree(forms[i], forms[j]) for i, j in combinations(range(vanishing - also), 2)}
+    cost = sum(map(_halving, forms))
     while todo:
         part = todo.popleft()
         if is_known(part.box, result.zeros) or any(f.sign is not None for f in part.forms[:vanishing]):
@@ -134,21 +142,52 @@ def isolate(
         if any(f.sign == 1 for f in part.forms[vanishing:]):
             continue
         boxes += 1
-        pair = preconditioned(part.forms[0], part.forms[1])
-        if pair is not None:
-            if any(g.sign is not None for g in pair):
-                continue
-            if _contracts(pair) and (region := _certified((first, second), part.box)):
-                _add(result.zeros, Zero((first, second), region))
-                continue
-        if part.depth >= DEPTH or boxes > BOXES:
+        order = sorted(given, key=partial(_dependence, part.forms)) if len(given) > 1 else given
+        tried = order if part.depth > FEW else islice(order, 1)
+        if any(_is_decided(part, given[at], at, result.zeros) for at in tried):
+            continue
+        small += part.depth > SMALL
+        if part.depth >= DEPTH or boxes > BOXES or small > most or not affords(cost):
             result.undecided.append(part.box)
         else:
             todo.extend(halved(part))
     return result
 
 
-def preconditioned(first: PatchForm, second: PatchForm) -> tuple[PatchForm, PatchForm] | None:
+def _is_decided(part: Sized, given: Pair, at: tuple[int, int], zeros: list[Isolated]) -> bool:
+    """Whether two of the forms exclude a box, or certify a zero, which is then among the zeros."""
+    pair = preconditioned(*_of_one_degree(*(part.forms[k] for k in at)))
+    if pair is None:
+        return False
+    if any(g.sign is not None for g in pair):
+        return True
+    region = _certified(given, part.box) if _contracts(pair) else None
+    if region is not None:
+        _add(zeros, Isolated(given, region, at))
+    return region is not None
+
+
+def _halving(form: PatchForm) -> int:
+    """An estimate in nanoseconds of the cost of bisecting a patch on the way to small boxes."""
+    m, n = form.degree
+    bits = height_bits(form.entries) + DEPTH // 4 * (m + n)
+    return (m + 1) * (n + 1) * (HALVING + HALVING_BITS * bits // 100)
+
+
+def _of_one_degree(first: PatchForm, second: PatchForm) -> Pair:
+    degree = max(first.degree[0], second.degree[0]), max(first.degree[1], second.degree[1])
+    return first.elevated(degree), second.elevated(degree)
+
+
+def _dependence(forms: Sequence[PatchForm], at: tuple[int, int]) -> int:
+    """How near two forms are to having parallel or small gradients, in bits: it only selects which two are tried."""
+    (a, b), (c, d) = (_slopes(forms[k]) for k in at)
+    determinant = a * d - b * c
+    sizes = sum(max(map(abs, forms[k].range)).bit_length() for k in at)
+    return int(sizes - determinant.bit_length()) if determinant else 2 * sizes
+
+
+def preconditioned(first: PatchForm, second: PatchForm) -> Pair | None:
     """The pair multiplied by the adjugate of its Jacobian, estimated from the corners: near a simple zero approximately
     multiples of ``x − x₀`` and ``y − y₀``. None if the estimate is singular.
     """
@@ -160,7 +199,7 @@ def preconditioned(first: PatchForm, second: PatchForm) -> tuple[PatchForm, Patc
     return first.combined(d * sign, second, -b * sign), first.combined(-c * sign, second, a * sign)
 
 
-def _preconditioned_on(forms: tuple[PatchForm, PatchForm], region: Box, box: Box) -> tuple[PatchForm, PatchForm]:
+def _preconditioned_on(forms: Pair, region: Box, box: Box) -> Pair:
     """The pair preconditioned on a region, restricted to a part of it."""
     pair = preconditioned(*(f.part(region) for f in forms))
     assert pair is not None, "the region was certified"
@@ -173,7 +212,7 @@ def _slopes(f: PatchForm) -> tuple[fmpz, fmpz]:
     return right + top - low - up, up + top - low - right
 
 
-def _contracts(pair: tuple[PatchForm, PatchForm]) -> bool:
+def _contracts(pair: Pair) -> bool:
     """Whether the derivatives are so strongly diagonally dominant on the whole square that Krawczyk's operator
     contracts each side by the factor `KEPT`; then the pair is injective.
     """
@@ -187,7 +226,7 @@ def _contracts(pair: tuple[PatchForm, PatchForm]) -> bool:
     return True
 
 
-def _certified(forms: tuple[PatchForm, PatchForm], box: Box) -> Box | None:
+def _certified(forms: Pair, box: Box) -> Box | None:
     """A box around this one that is proved to contain exactly one zero, or None."""
     first, second = (side.grown(side.width * MARGIN) for side in box)
     region = Box(first, second)
@@ -198,8 +237,8 @@ def _certified(forms: tuple[PatchForm, PatchForm], box: Box) -> Box | None:
     return region if crossed else None
 
 
-def _add(zeros: list[Zero], new: Zero) -> None:
-    """Append a zero unless it is equal to a known one."""
+def _add(zeros: list[Isolated], new: Isolated) -> None:
+    """Append a zero unless a common zero in its box would be equal to a known one."""
     for known in zeros:
         bits = 8
         while new.box.meets(known.box):
@@ -211,8 +250,8 @@ def _add(zeros: list[Zero], new: Zero) -> None:
     zeros.append(new)
 
 
-def is_known(box: Box, zeros: Sequence[Zero]) -> bool:
-    """Whether a zero of the forms in a box, if there is one, must be one of these."""
+def is_known(box: Box, zeros: Sequence[Isolated]) -> bool:
+    """Whether a common zero in a box, if there is one, must be one of these."""
     return any(zero.region.contains(box) for zero in zeros)
 
 
@@ -239,29 +278,4 @@ def simplest(low: mpq, high: mpq) -> mpq:
     return base + 1 / simplest(1 / (high - base), 1 / (low - base))
 
 
-def same(one: Zero, other: Zero) -> bool:
-    """Whether two certified zeros are equal: they are if the box of `one` is in the region of `other`.
-
-    Both must be zeros of the forms of `other`; False is also a proof.
-    """
-    bits = 16
-    while True:
-        box = one.refine(bits)
-        if not box.meets(other.box):
-            return False
-        if other.region.contains(box):
-            return True
-        other.refine(bits)
-        bits *= 2
-
-
-def are_one(one: Zero, other: Zero) -> bool | None:
-    """Whether two certified points, zeros of different pairs of forms, are equal; None if the refinement limit is
-    reached.
-    """
-    if one.exact is not None and other.exact is not None:
-        return one.exact == other.exact
-    return None if one.refine(EQUAL_BITS).meets(other.refine(EQUAL_BITS)) else False
-
-
-__all__ = ["Zero", "Zeros", "are_one", "is_known", "isolate", "preconditioned", "same", "simplest"]
+__all__ = ["Isolated", "Isolation", "is_known", "isolate", "preconditioned", "simplest"]

@@ -1,0 +1,28 @@
+"""What is known of a file format."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from exactspline.interchange.numbers import NumberText
+from exactspline.interchange.records import Piece, Reading, Source
+from exactspline.interchange.writing import Spline
+
+
+@dataclass(frozen=True)
+class Format:
+    """A file format: its name, its title, the suffixes of its files, a function that recognizes the beginning of a
+    file, its reader and writer, and a note on what is lost in writing; for formats with large files, also a reader that
+    yields piece after piece; and whether surfaces are written, too.
+    """
+
+    name: str
+    title: str
+    suffixes: tuple[str, ...]
+    looks_like: Callable[[bytes], bool]
+    read: Callable[[Source], Reading]
+    write: Callable[[Sequence[Spline], NumberText], bytes] | None = None
+    loses: str = ""
+    pieces: Callable[[Source], Iterator[Piece]] | None = None
+    surfaces: bool = False
