@@ -14,6 +14,7 @@ from exactspline.language.choices import Parameter
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.papers import find, load_paper
 from exactspline.polynomials import factors
+from exactspline.roots.common_zeros import CommonZero
 from exactspline.verification import generic_proof
 from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.degree_tables import construction_table, formula_degrees
@@ -55,7 +56,7 @@ def test_an_umbilic_of_two_kinds_is_of_unknown_kind():
 
     def seen(first, second):
         own = [
-            (box, UmbilicsOfPatch((Umbilic(Place(((i, 0),), None, half, mpq(1, 3)), kind),)))
+            (box, UmbilicsOfPatch((Umbilic(Place(((i, 0),), CommonZero.at(box, (half, mpq(1, 3)))), kind),)))
             for i, (box, kind) in enumerate(zip(sides, (first, second), strict=True))
         ]
         (found,) = merged_umbilics(own, Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1))), ())
