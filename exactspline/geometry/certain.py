@@ -161,7 +161,8 @@ def certain(facts: Facts) -> Certain | None:
     rows = curve.rows
     if rational and rows[0][0][-1][0] < 0:
         rows = [([[-x for x in c] for c in operands], below) for operands, below in rows]
-    found = signs(plane_program(curve.degree, rational), moved(rows, rational=rational), rational=rational)
+    program = plane_program(curve.degree, rational)
+    found = signs(program, rows, rational=rational)
     if found is None:
         return None
     straight, left = set[int](), set[int]()
@@ -170,6 +171,14 @@ def certain(facts: Facts) -> Certain | None:
             left.add(i)
         elif open_:
             (straight if is_straight([*map(fmpz_poly, rows[i][0])], curve.degree) else left).add(i)
+    if left:
+        # all once more: the results for different segments are compared, so that they must be in one unit
+        nearer = [moved(*row, rational=rational) if i in left else row for i, row in enumerate(rows)]
+        found = signs(program, nearer, rational=rational)
+        if found is None:
+            return None
+        left = {i for i, (open_, slow) in enumerate(found.open) if slow or (open_ and i not in straight)}
+        straight -= left
     zeros: tuple[list[Found], list[Found]] = ([], [])
     if left:
         exactly = on_runs(curve, left)
@@ -200,26 +209,18 @@ def certain(facts: Facts) -> Certain | None:
     )
 
 
-def moved(rows: Sequence[CommonRows], *, rational: bool) -> list[CommonRows]:
-    """The segments of a plane curve, each moved so that it begins at the origin, up to a positive factor: this changes
-    no sign of a form, but doubles lose less where a segment is short compared with its coordinates.
+def moved(operands: list[list[int]], below: int, *, rational: bool) -> CommonRows:
+    """A segment of a plane curve moved so that it begins at the origin: this changes no sign of a form, but doubles
+    lose less where a segment is short compared with its coordinates.
 
-    >>> moved([([[3, 5], [2, 4]], 1)], rational=False), moved([([[3, 5], [2, 4], [1, 2]], 1)], rational=True)
-    ([([[0, 2], [0, 2]], 1)], [([[0, -1], [0, 0], [1, 2]], 1)])
+    >>> moved([[3, 5], [2, 4]], 1, rational=False), moved([[3, 5], [2, 4], [2, 3]], 1, rational=True)
+    (([[0, 2], [0, 2]], 1), ([[0, 1], [0, 2], [4, 6]], 2))
     """
-    if not rational:
-        degree = len(rows[0][0][0]) - 1
-        binomials = [comb(degree, k) for k in range(degree + 1)]
-        return [
-            ([[x - m * c[0] for x, m in zip(c, binomials, strict=True)] for c in operands], below)
-            for operands, below in rows
-        ]
-    found = []
-    for (*coordinates, w), below in rows:
-        v = w[0]
-        parts = [[x * v - y * c[0] for x, y in zip(c, w, strict=True)] for c in coordinates]
-        found.append(([*parts, [y * v for y in w]], below))
-    return found
+    degree = len(operands[0]) - 1
+    w = operands[-1] if rational else [comb(degree, k) for k in range(degree + 1)]
+    coordinates = operands[:-1] if rational else operands
+    parts = [[x * w[0] - y * c[0] for x, y in zip(c, w, strict=True)] for c in coordinates]
+    return ([*parts, [y * w[0] for y in w]] if rational else parts), below * w[0]
 
 
 def _polygon(facts: Facts) -> Certain | None:

@@ -3,11 +3,13 @@ not, and false ones made on purpose are not either.
 """
 
 import json
+from fractions import Fraction
 from random import Random
 
 import pytest
 
 from exactspline import check_certificate, example, intersections, self_intersections
+from exactspline.certificates.intersections import _sign
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.intersection_certificate import intersection_certificate
 from tests.campaigns.certificates import SORTS, campaign, of_intersections
@@ -154,3 +156,12 @@ def test_what_is_not_a_segment_is_refused(first, flaw):
     """A mutant passed: a single point, and a point at infinity."""
     with pytest.raises(ValueError, match=flaw):
         check_certificate(apart(first, segment(["6", "7"])))
+
+
+@pytest.mark.parametrize(("form", "low", "high", "expected"), [
+    ([1, 2], 0, 1, 1), ([-1, -2], 0, 1, -1), ([1, -2], 0, 1, 0), ([-1, 2], 0, 1, 0),
+    ([-1, 3], "1/8", "1/8", -1), ([-1, 3], "1/4", "1/4", 0), ([-1, 3], "1/2", "1/2", 1),
+])  # fmt: skip
+def test_a_form_has_a_sign_where_all_its_coefficients_have_it(form, low, high, expected):
+    """A checker that asks one coefficient, or none at a point, would pass our own certificates."""
+    assert _sign(form, Fraction(low), Fraction(high)) == expected

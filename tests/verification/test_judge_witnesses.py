@@ -37,6 +37,7 @@ from exactspline.verification.evidence import (
 )
 from exactspline.verification.judges import agreed
 from exactspline.verification.kinds.degree import held_against
+from exactspline.verification.kinds.equality import IsoCurve
 from exactspline.verification.kinds.types import on_cubics
 from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import (
@@ -173,7 +174,7 @@ def test_what_remains_of_an_equation_vanishes_exactly_where_it_holds():
 @pytest.mark.parametrize(
     ("left", "right"), [("c.p * 1", "ruled(c.p.d(2), c.p.d(1))"), ("c.p.d(2) * 1", "ruled(c.p * 1, c.p * 2)")]
 )
-def test_a_curve_and_a_surface_of_different_orders_are_compared(tmp_path, left, right):
+def test_a_curve_and_a_surface_of_different_orders_are_compared(tmp_path, monkeypatch, left, right):
     formulas = f"@formula('e', on='plane point')\ndef f(c):\n    return {left}\n"
     formulas += f"@formula('e', on='point')\ndef g(c):\n    return {right}\n"
     entry = {"id": "1", "statement": "said", "kind": "iso-curve", "curve": "plane point", "left": "f", "right": "g"}
@@ -181,6 +182,9 @@ def test_a_curve_and_a_surface_of_different_orders_are_compared(tmp_path, left, 
     found = claim.prove()[1]
     assert found.verdict == REFUTED
     assert isinstance(found.witness, OnExample)
+    # without an example that shows it, the difference for all curves is the witness
+    monkeypatch.setattr(IsoCurve, "refuted_on_examples", lambda self: Finding(UNDECIDED))
+    assert claim.prove()[1].witness == Fact.CURVES_DIFFER
 
 
 # ---- where

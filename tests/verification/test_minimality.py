@@ -8,7 +8,7 @@ import random
 from itertools import product
 
 import pytest
-from flint import fmpz_poly, nmod_poly
+from flint import fmpz, fmpz_poly, nmod_poly
 
 from exactspline import BSpline, Nurbs
 from exactspline.certificates import check_certificate
@@ -143,16 +143,27 @@ def test_rabin_test_against_flint():
             assert is_irreducible(form, p) == ([e for _, e in factors] == [1])
 
 
-def test_a_constant_is_not_irreducible():
+@pytest.mark.parametrize("form", [["1"], ["2", "0", "3", "0", "1"]], ids=["a constant", "a product"])
+def test_what_is_not_irreducible_is_refused(form):
     """Accepted before: a certificate that a constant is irreducible modulo 101."""
-
     data = certificate("critical_curvature", example("ellipse_skew"))
-    constant = {"forms": [["1"]], "weight": ["1"], "degree": 0, "cofactors": [["1"], []], "irreducible modulo": None}
-    data["segments"] = [data["segments"][0] | constant]
-    assert check_certificate(data) == {"degree": 0}
+    other = {"forms": [form], "weight": ["1"], "degree": len(form) - 1, "cofactors": [[], ["1"]]}
+    first = data["segments"][0]
+    data["segments"] = [first | other | {"irreducible modulo": None}, first]
+    assert check_certificate(data) == {"degree": max(len(form) - 1, first["degree"])}
+    with pytest.raises(ValueError, match="unknown kind"):
+        check_certificate(data | {"kind": "something else"})
     data["segments"][0]["irreducible modulo"] = 101
     with pytest.raises(ValueError, match="not irreducible"):
         check_certificate(data)
+
+
+def test_a_prime_beyond_the_bound_of_the_bases_is_none():
+    """The bases of the test of Miller and Rabin are proved to suffice below 3·10²⁴."""
+    bound = 3 * 10**24
+    below, beyond = (next(n for n in range(bound + s, bound + 1000 * s, 2 * s) if fmpz(n).is_prime()) for s in (-1, 1))
+    assert is_prime(below)
+    assert not is_prime(beyond)
 
 
 def test_witnesses_are_the_same_every_time():

@@ -130,7 +130,7 @@ def _files(folder: str) -> Iterator[Row]:
     def inspected(given: object) -> None:
         assert isinstance(given, list)
         for each in given:
-            inspect_curve(each)
+            assert inspect_curve(each).answers
 
     took = best({OURS: (inspected, fresh)})[OURS] / 1000
     yield bounded(COMMANDS, f"{case} ({len(curves)}) inspected in one process", took, "s", Fraction(15, 100))
