@@ -128,7 +128,9 @@ class _Features(CurvesNear):
         for which, kinds, least in ((CURVATURE, inflections, n), (CRITICAL, extrema, n - 1)):
             # at a knot of this multiplicity the tangent (the curvature) may jump, so that a sign may change without one
             open_places = sorted([*slow, *(Interval.point(t) for _, t in self._knots(least))])
-            for feature in self._zeros(which, kinds):
+            # and at one of a multiplicity less by 1 the form itself may jump, so that slopes say nothing of its zeros
+            jumps = [Interval.point(t) for _, t in self._knots(least - 1)]
+            for feature in self._zeros(which, kinds, jumps):
                 doubtful = _meets_one(feature.place, open_places)
                 yield replace(feature, certain=False, single=False) if doubtful else feature
         yield from self._corners()
@@ -150,19 +152,20 @@ class _Features(CurvesNear):
         found = [part for i, ends in enumerate(mesh) for part in _apart(_signs(self.form(which, i), Interval(*ends)))]
         return [_joined(group) for _, group in groupby(found, key=lambda part: part.sign)]
 
-    def _zeros(self, which: int, kinds: dict[int, FeatureKind]) -> Iterator[NearbyFeature]:
+    def _zeros(self, which: int, kinds: dict[int, FeatureKind], jumps: Sequence[Interval]) -> Iterator[NearbyFeature]:
         """The kinds by the sign before the zero."""
         parts = self._parts(which)
         for before, part, behind in zip([None, *parts], parts, [*parts[1:], None], strict=False):
             if part.sign == 0:
                 place = Interval(part.low, part.high)
+                slope = 0 if _meets_one(place, jumps) else part.slope
                 first, last = (x.sign if x is not None else 0 for x in (before, behind))
-                if part.slope and (first == part.slope or last == -part.slope):
+                if slope and (first == slope or last == -slope):
                     continue
                 certain = first * last < 0
-                possible = {first} if certain else {-part.slope} if part.slope else {1, -1}
+                possible = {first} if certain else {-slope} if slope else {1, -1}
                 for kind in dict.fromkeys(kinds[x] for x in sorted(possible)):
-                    yield _feature(kind, place, certain, certain and part.slope != 0)
+                    yield _feature(kind, place, certain, certain and slope != 0)
             elif before is not None and before.sign == -part.sign:
                 yield _feature(kinds[before.sign], Interval(part.low, part.low), certain=True, single=True)
 

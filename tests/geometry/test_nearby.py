@@ -76,3 +76,13 @@ def test_cusps_within_of_curves_with_a_dial(k):
     for within in ("1/2", "1e-9"):
         stops = [one for one in features_nearby(curves[0], within) if one.kind is FeatureKind.STOP]
         assert [*xs.analyse(curves[0]).cusps_within(within)] == stops
+
+
+def test_a_zero_at_a_knot_where_the_form_jumps_is_possible():
+    """Here κ is 0 at the double knot 2, seen from the left, and jumps there: no curve near it was said to have an
+    inflection, since zeros on the left would increase; the jump makes one in some.
+    """
+    net = [(-2, 7), (-6, -7), (2, 2), (-6, 7), (0, -3), (3, -8), (0, 5)]
+    found = features_nearby(xs.Nurbs(3, [0] * 4 + [1, 2, 2] + [3] * 4, net), "1e-11")
+    (inflection,) = [f for f in found if f.kind is FeatureKind.INFLECTION and f.place.low <= 2 <= f.place.high]
+    assert not inflection.certain
