@@ -539,6 +539,16 @@ def test_zeros_of_the_determinant_of_a_map():
     assert [place.exact for place in cusp.cusps] == [(mpq(1, 2), mpq(1, 2))]
 
 
+def test_a_parabolic_point_at_a_knot_names_all_patches_that_have_it():
+    """Passed before: only the first of them."""
+    u, v = unit_parameters()
+    first, second = (f * 2 - 1 for f in (u, v))
+    height = first * first * first * first + second * second * second * second
+    surface = NurbsSurface.from_splines([u, v, height + first * first * second * second])
+    (place,) = analyse(surface.insert_knot("u", mpq(1, 2)).insert_knot("v", mpq(1, 2))).parabolic_points
+    assert (place.exact, len(place.patches)) == ((mpq(1, 2), mpq(1, 2)), 4)
+
+
 def test_curves_of_umbilics_and_of_singular_points_have_their_place():
     """A circle of umbilics that touches a knot line stays one thing. Passed before: only that there is one."""
     u, v = unit_parameters()

@@ -383,7 +383,7 @@ def _single_points(
     closed: Sequence[Along],
 ) -> tuple[Place, ...]:
     """The isolated points at which K vanishes: not on lines or curves of zeros, nor on the border of a flat patch."""
-    places = [place_of(curve.pieces[0]) for curve in curves if curve.shape is Shape.POINT]
+    places = [place_of(piece) for curve in curves if curve.shape is Shape.POINT for piece in curve.pieces]
     merged = merged_places(places, surface.domain, closed)
     flat = [one.sides for one in patches if one.flat]
     ends = [
