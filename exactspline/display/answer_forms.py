@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from enum import Enum, StrEnum
 from types import NoneType
-from typing import Any, get_args, get_type_hints
+from typing import Any, cast, get_args, get_type_hints
 
 from exactspline.geometry.bisector.components import (
     Cause,
@@ -43,7 +43,7 @@ from exactspline.questions.answers import CurvePiece, Places, SurfacePlaces
 from exactspline.questions.entry import Entry, Of, Question, QuestionWith
 from exactspline.splines.surface import Along
 
-Form = dict[str, Any]
+Form = dict[str, object]
 TEXT: Form = {"type": "string"}
 FLAG: Form = {"type": "boolean"}
 INTEGER: Form = {"type": "integer"}
@@ -66,13 +66,15 @@ def or_null(form: Form) -> Form:
 
 def form_of(*parts: Form, **fields: Form) -> Form:
     """The form of an object with these fields, and those of other forms."""
-    properties = {name: form for part in parts for name, form in part["properties"].items()} | fields
+    given = [cast("dict[str, Form]", part["properties"]) for part in parts]
+    properties = {name: form for each in given for name, form in each.items()} | fields
     return {"type": "object", "required": list(properties), "additionalProperties": False, "properties": properties}
 
 
 def optional(*names: str, form: Form) -> Form:
     """The form of an object in which these fields may be missing."""
-    return form | {"required": [name for name in form["required"] if name not in names]}
+    required = cast("list[str]", form["required"])
+    return form | {"required": [name for name in required if name not in names]}
 
 
 def one_of(kinds: type[Enum]) -> Form:

@@ -50,12 +50,12 @@ class Budget:
         if self.remaining < 0:
             self.remaining = self.total
 
-    def pay(self, known: Priced[Any]) -> None:
+    def pay(self, known: Priced[V]) -> None:
         """Deduct what a value that is known cost when it was computed, and the values that it uses, each once.
 
         Raises `ReachError` if that exceeds what remains.
         """
-        due = [known]
+        due: list[Priced[Any]] = [known]
         while due:
             each = due.pop()
             if each not in self.paid:

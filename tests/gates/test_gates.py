@@ -28,6 +28,7 @@ def planted(code, finder):
 DECIDING = ("geometry/", "symbolic/", "classroom/", "questions/", "roots/", "polynomials/", "reals/", "programs/")
 BY_SENTENCES = {
     "batch/summary.py: Summary.entries": "how many different notes there are",
+    "display/exercises.py: solution_lines": "a heading that a triangle has is not shown twice",
     "display/ledger_run.py: Run._listed": "a sheet is found by its name, which is shown too",
     "display/triangles.py: _result_html": "the name of an algorithm",
     "display/triangles.py: _result_sheets": "the name of an algorithm",
@@ -256,6 +257,7 @@ ROUNDED = {
     "geometry/floats.py: curvature_floats": "rounds to doubles, on request",
     "geometry/floats.py: place_of": "rounds to a double, on request",
     "numbers/exact.py: double_root": "rounds to a double, on request",
+    "geometry/nearby_forms.py: Family.crossing": "a guess: a number that any may be, certified afterwards",
     "geometry/many_curves.py: _double": "the certified filter",
     "geometry/many_curves.py: _doubles": "the certified filter",
     "geometry/many_curves.py: exactly": "the certified filter, which counts what has no double",
@@ -265,7 +267,6 @@ ROUNDED = {
     "interchange/bridges/numpy.py: points_at": "rounds to doubles, on request",
     "interchange/formats/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
     "interchange/rhino_process.py: _hex": "doubles of a file, bit by bit",
-    "programs/accelerator.py: signs": "the certified filter",
     "programs/masses.py: factors": "the certified filter",
     "programs/doubles.py: _carried_out": "the certified filter",
     "polynomials/doubles.py: ordinates": "a guess, certified afterwards",
@@ -332,6 +333,7 @@ UNBOUNDED = {
     "polynomials/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
     "polynomials/over_root.py: _divisor_modulo": "modulo a prime, in one variable",
     "roots/common_zeros.py: Column.of": "over the field of a root: a door with an estimated cost",
+    "verification/coq/meetings.py: _at_point": "the value of an eliminant that is known",
     "verification/minimality.py: bezout_combination": "modulo a prime, in one variable",
 }
 

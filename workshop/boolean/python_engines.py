@@ -198,8 +198,8 @@ def installed_version(package: str) -> str:
     if package == "inkscape":
         if shutil.which(package) is None:
             raise ImportError(package)
-        told = subprocess.run([package, "--version"], check=True, capture_output=True, text=True).stdout
-        return told.split()[1]
+        printed = subprocess.run([package, "--version"], check=True, capture_output=True, text=True).stdout
+        return printed.split()[1]
     module = import_module({"skia-pathops": "pathops"}.get(package, package))
     return str(module.version()) if package == "fontforge" else version(package)
 

@@ -18,7 +18,7 @@ from workshop.grade.judge import INVENTED, MISSED, PLACE, TOLERATED, Verdict, no
 
 #: The distance within which points are one for Open CASCADE, its ``Precision::Confusion()``.
 CONFUSION = mpq(1, 10**7)
-#: For fontTools, a cubic s³ − 3Qs + 2R with R² and |Q|³ below this has a threefold root, rounded to so many digits.
+#: For fontTools, a cubic s³ − 3Qs + 2R with R² and |Q|³ below this has a threefold root, rounded to this many digits.
 THREEFOLD, ROUNDED = mpq(1, 10**10), 6
 #: What each library documents.
 DOCUMENTED = {

@@ -125,7 +125,8 @@ def least(rows: Sequence[Sequence[mpq]]) -> list[mpq]:
     """
     fine = int(1 / ROUND) ** 2
     columns = [*zip(*[[int(x * fine) for x in row] for row in rows], strict=True)]
-    n = len(columns)
+    if not (n := len(columns)):
+        return []
     scatter = [[sum(map(mul, x, y)) << FIXED for y in columns[: i + 1]] for i, x in enumerate(columns)]
     for row in scatter:
         row[-1] += fine << FIXED

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import chain, count, pairwise
-from typing import Any
 
 from exactspline.geometry.recognition.shapes import Homogeneous, Shape
 from exactspline.numbers.exact import decimal_unit, mpq, sign
@@ -17,7 +16,7 @@ FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32))
 
 
 def proved_distance(
-    shape: Shape, of: Homogeneous, found: mpq, limit: mpq, never_negative: Callable[[Any], bool]
+    shape: Shape, of: Homogeneous, found: mpq, limit: mpq, never_negative: Callable[..., bool]
 ) -> mpq | None:
     """A distance from a shape that is proved, up to a limit: 0 where all points are on it, otherwise the least of a few
     that are above one that was found; then of larger ones, as it may be farther away elsewhere. None where none was
