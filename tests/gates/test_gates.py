@@ -212,6 +212,7 @@ BARE_LISTS = {
     "geometry/space_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
     "geometry/poles.py: BetweenPoles.reversals": "its cusps and its corners of 180°, both of them answers",
     "geometry/space_features.py: torsion_zeros": "the points of an entry's answer, which adds the pieces",
+    "geometry/prominence.py: prominences": "one for each extremum of the answer of an entry",
     "geometry/singular_points.py: singular_on_patch": "isolated, of a square-free function: there are no pieces",
     "geometry/surface/borders.py: roots_along": "on a border where the form does not vanish throughout",
     "geometry/surface/merged.py: merged_places": "the points of an entry's answer, which adds the parts of patches",
@@ -333,7 +334,6 @@ UNBOUNDED = {
     "polynomials/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
     "polynomials/over_root.py: _divisor_modulo": "modulo a prime, in one variable",
     "roots/common_zeros.py: Column.of": "over the field of a root: a door with an estimated cost",
-    "verification/coq/meetings.py: _at_point": "the value of an eliminant that is known",
     "verification/minimality.py: bezout_combination": "modulo a prime, in one variable",
 }
 

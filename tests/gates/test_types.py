@@ -70,7 +70,8 @@ def loose_signatures() -> set[str]:
 UNTYPED = {"language/formula.py: Formula.__call__"}
 #: Likewise what is written once for numbers, points, curves and surfaces, and for doubles and rational numbers.
 OF_SEVERAL = re.compile(
-    r"geometry/recognition/shapes\.py: (\w+\.(margins|parts|p|w)|cross_product|scalar)|geometry/nearby_forms\.py: best_factor"
+    r"geometry/recognition/shapes\.py: (\w+\.(margins|parts|p|w)|cross_product|scalar)"
+    r"|geometry/nearby_forms\.py: best_factor"
 )
 
 
