@@ -128,7 +128,7 @@ class _Features(CurvesNear):
         for which, kinds, least in ((CURVATURE, inflections, n), (CRITICAL, extrema, n - 1)):
             # at a knot of this multiplicity the tangent (the curvature) may jump, so that a sign may change without one
             open_places = sorted([*slow, *(Interval.point(t) for _, t in self._knots(least))])
-            # and at one of a multiplicity less by 1 the form itself may jump, so that slopes do not decide about its zeros
+            # and at one of a multiplicity less by 1 the form itself may jump, so that slopes decide nothing there
             jumps = [Interval.point(t) for _, t in self._knots(least - 1)]
             for feature in self._zeros(which, kinds, jumps):
                 doubtful = _meets_one(feature.place, open_places)
