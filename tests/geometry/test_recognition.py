@@ -97,6 +97,14 @@ def test_patches_that_share_a_shape_are_given_together():
     assert xs.analyse(gutter).shapes == found
 
 
+@pytest.mark.parametrize("scale", [1, mpq("0.12345678901234567"), mpq(10) ** 300])
+@pytest.mark.parametrize("far", [0, 1, 4])
+def test_a_surface_without_a_tangent_plane_has_no_shape(far, scale):
+    """Was a ValueError: patches that are a point or a segment have no regular point to begin from."""
+    net = [[(0, 0, 0), (far * scale, 0, 0)], [(2 * far * scale, 0, 0), (3 * far * scale, 0, 0)]]
+    assert xs.analyse(xs.NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], net)).shapes == ()
+
+
 def test_a_circle_that_runs_around_twice_is_two_pieces():
     """ "The curve runs over the arc once" was true of a circle run over twice."""
     knots = [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 6]
