@@ -39,7 +39,12 @@ class SurfaceWork:
 
         Raises `QuestionError` with the nearest names.
         """
-        every = dict.fromkeys(name for of in (Of.SURFACE, Of.PLANAR_MAP) for name in REGISTRY[of])
+        every = dict.fromkeys(
+            name
+            for of in (Of.SURFACE, Of.PLANAR_MAP)
+            for name, entry in REGISTRY[of].items()
+            if not entry.about.argument
+        )
         asked = dict[str, None]()
         for each in ["all"] if find is None else as_texts(find, "names of questions", "the name of a question"):
             if each != "all":

@@ -124,7 +124,7 @@ def _plane_row(plane: PlaneComponent, digits: int) -> Row:
 
 
 def _pole_row(pole: PoleCurve) -> Row:
-    certain = "the surface is at infinity" if pole.certain else "the surface is at infinity, if there are such pairs"
+    certain = "the surface is at infinity" if pole.certain else "the surface is at infinity where there are such pairs"
     where, short = _pairs(pole.equation, pole.sides, "")
     return Row("poles", where, "–", certain, short)
 

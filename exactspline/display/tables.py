@@ -118,7 +118,7 @@ def breakable(text: str) -> str:
     >>> breakable("a < b"), breakable("1234567890" * 3)
     ('a &lt; b', '123456789012345678901234<wbr>567890')
     >>> breakable("claim.refuted_on_examples().witness")
-    'claim.<wbr>refuted_<wbr>on_examples().<wbr>witness'
+    'claim.<wbr>refuted_<wbr>on_examples(<wbr>).witness'
     """
     return "".join(
         "<wbr>".join(map(escape, _PIECE.findall(word))) if len(word) > SHORT_WORD else escape(word)

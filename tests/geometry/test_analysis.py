@@ -78,7 +78,7 @@ def test_everything_is_computed_once_and_in_linear_time(monkeypatch, dimension):
             assert first["geometric_order"] == segments - 1
             assert first["jet"] == 2 * (segments - 1)
             # and of a segment that seems to be near an arc, whether it is
-            assert first["isolate"] <= FORMS[dimension] * segments + 1
+            assert first["isolate"] <= FORMS[dimension] * segments + 3
             inspect_curve(curve).answers  # noqa: B018
             solved(curve, "minimal")
             assert counted.calls == first

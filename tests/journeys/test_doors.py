@@ -192,6 +192,7 @@ OPTIONS = {
     "plot_surface": (VALUES["surface"].S,),
     "prove": ("f2", "f2"),
     "proved": (VALUES["claim"],),
+    "plot_stability": (CUSP,),
     "read": curve_file,
     "reading_along": ("4.3",),
     "reduction": ("f2",),
@@ -446,7 +447,7 @@ def test_examples_by_name_where_files_are_wanted(tmp_path):
     assert done.returncode == 0
     assert xs.read(str(tmp_path / "e.json")).curve == xs.example("ellipse")
     assert xs.read("ellipse").curves[0].curve == xs.example("ellipse")
-    with pytest.raises(xs.ExactSplineError, match="a file or an example"):
+    with pytest.raises(xs.ExactSplineError, match="neither a file nor an example"):
         xs.read("ellipze")
 
 

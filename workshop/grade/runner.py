@@ -146,6 +146,7 @@ class Worker:
         )
         first = self._line(60)
         if first is None:
+            self.close()
             raise ImportError(self.library)
         self.version = json.loads(first)["version"]
 

@@ -142,6 +142,7 @@ def plot_stability(curve: Nurbs, ax: Axes | None = None) -> Axes:
 
     Raises `ShapeError` for a curve that is not in the plane, otherwise as `plot_curve`.
     """
+    curve = curve_of(curve)
     ax = axes_for(ax)
     columns = list(zip(*curve.control_points, strict=True))
     whole = float(max(max(column) - min(column) for column in columns)) or 1.0
