@@ -6,6 +6,6 @@ import pytest
 
 
 @pytest.fixture(autouse=True, scope="module")
-def only_new_garbage():
+def only_new_garbage() -> None:
     """What was made before a module is not looked through again."""
     gc.freeze()
