@@ -437,9 +437,9 @@ def map_sheet(inspection: MapInspection) -> Sheet:
         made.add_row("point", *_parameters(zero, DIGITS_OF_BOXES), f"det = 0{seen}")
     for line in inspection.zero_lines:
         note = ", as seen from one side" if line.one_sided else ""
-        made.add_row("line", *_line(line.along, line.value, line.interval, DIGITS_OF_BOXES), f"det = 0{note}")
+        made.add_row("zero line", *_line(line.along, line.value, line.interval, DIGITS_OF_BOXES), f"det = 0{note}")
     for curve in inspection.zero_curves:
-        made.add_row("curve", *_extent_of(curve), f"det = 0, {_of_curve(curve)}")
+        made.add_row("zero curve", *_extent_of(curve), f"det = 0, {_of_curve(curve)}")
     if not inspection.regular:
         for cusp in inspection.cusps:
             made.add_row("cusp", *_parameters(cusp, DIGITS_OF_BOXES), "det = 0, not a fold")
