@@ -401,3 +401,14 @@ def test_exchanging_the_curves_exchanges_the_parameters(seed, number):
                 for x in exchanged
             )
     assert sorted(x.equation.text for x in one.poles) == sorted(x.equation.transposed().text for x in other.poles)
+
+
+@pytest.mark.parametrize("scale", [1, mpq("0.12345678901234567"), mpq(10) ** 300])
+def test_poles_on_the_border_of_a_patch_are_certain(scale):
+    """Passed before: the planes are parallel at both ends of the first curve, "if there are such pairs"."""
+    cubic = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0, 0), (1, 0, 0), (2, 1, 0), (3, 3, 1)])
+    line = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (0, 0, 1)])
+    moved = [Nurbs(c.degree, c.knots, [[x * scale for x in p] for p in c.control_points]) for c in (cubic, line)]
+    found = curve_bisector(*moved)
+    assert found.poles
+    assert all(pole.certain for pole in found.poles)

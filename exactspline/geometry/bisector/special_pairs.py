@@ -247,9 +247,11 @@ def _poles(system: System) -> SpecialPairs:
     determinant = system.determinant / system.factor
     poles = []
     for g in irreducible_factors(determinant) if determinant else []:
-        sign = sign_on_patch(as_form(g).part(system.sides))
-        if sign.sign not in (Sign.POSITIVE, Sign.NEGATIVE):
-            poles.append(PoleCurve(PairEquation.of(g), system.sides, sign.sign is not Sign.UNDECIDED))
+        form = as_form(g).part(system.sides)
+        sign = sign_on_patch(form).sign
+        if sign not in (Sign.POSITIVE, Sign.NEGATIVE):
+            certain = sign is not Sign.UNDECIDED or not all(form.corners)
+            poles.append(PoleCurve(PairEquation.of(g), system.sides, certain))
     return SpecialPairs(poles=tuple(poles))
 
 
