@@ -88,7 +88,7 @@ class Certain:
     degree: int
     rational: bool
     breaks: tuple[mpq, ...]
-    rows: list[CommonRows]
+    rows: Sequence[CommonRows]
     zeros: tuple[list[Found], list[Found]]
     #: The sign of κ at every zero of κ′ that is not a feature already.
     curvature_signs: list[int]
@@ -158,7 +158,7 @@ def certain(facts: Facts) -> Certain | None:
         return _polygon(facts)
     if curve.dimension != 2 or accelerator.filter_curve is None:
         return None
-    rows = curve.rows
+    rows: Sequence[CommonRows] = curve.rows
     if rational and rows[0][0][-1][0] < 0:
         rows = [([[-x for x in c] for c in operands], below) for operands, below in rows]
     program = plane_program(curve.degree, rational)
@@ -209,7 +209,7 @@ def certain(facts: Facts) -> Certain | None:
     )
 
 
-def moved(operands: list[list[int]], below: int, *, rational: bool) -> CommonRows:
+def moved(operands: Sequence[Sequence[int]], below: int, *, rational: bool) -> CommonRows:
     """A segment of a plane curve moved so that it begins at the origin: this changes no sign of a form, but doubles
     lose less where a segment is short compared with its coordinates.
 

@@ -140,7 +140,7 @@ _along: dict[tuple[int, tuple[mpq, ...]], list[Weights]] = {}
 
 
 #: The integers of the forms of a segment, one list for every component, and their denominator.
-CommonRows = tuple[list[list[int]], int]
+CommonRows = tuple[Sequence[Sequence[int]], int]
 
 
 def common_rows(
@@ -159,7 +159,7 @@ def common_rows(
     weights = _weights_along(t, n, spans) if 0 < n <= MOST else None
     if weights is None:
         return None
-    found = []
+    found: list[CommonRows] = []
     for start in range(0, len(spans), TOGETHER):
         some = spans[start : start + TOGETHER]
         first, stop = some[0] - n, some[-1] + 1

@@ -277,11 +277,11 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
         return list(zip(*rows, strict=True))
 
     @cached_property
-    def rows(self) -> list[CommonRows]:
+    def rows(self) -> tuple[CommonRows, ...]:
         """The integers of the forms of its components on every segment, over one denominator.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, "1/2")]).rows
-        [([[0, 8], [0, 1]], 2)]
+        ((((0, 8), (0, 1)), 2),)
         """
         made = None
         if "_splines" not in vars(self):
@@ -290,8 +290,8 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
             n, splines = self.degree, self._splines
             columns = [[[int(c[k]) for k in range(n + 1)] for c in f._polynomials] for f in splines]
             below = map(int, splines[0].denominators)
-            made = [(list(own), m) for *own, m in zip(*columns, below, strict=True)]
-        return made
+            made = [(own, m) for *own, m in zip(*columns, below, strict=True)]
+        return tuple((tuple(map(tuple, own)), m) for own, m in made)
 
     @cached_property
     def p(self) -> Vector[BSpline]:  # type: ignore[override]  # computed when asked for

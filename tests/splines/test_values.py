@@ -4,6 +4,7 @@ import copy
 import pickle
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
 
 import pytest
 from flint import fmpz_poly
@@ -51,6 +52,10 @@ VALUES = {
 @pytest.mark.parametrize("name", VALUES)
 def test_a_value_cannot_be_changed(name):
     value = VALUES[name]
+    for cls in type(value).__mro__:  # also what is computed when it is asked for
+        for field, member in vars(cls).items():
+            if isinstance(member, cached_property) and not field.startswith("_"):
+                getattr(value, field)
     fields = [
         field
         for cls in type(value).__mro__
