@@ -47,7 +47,7 @@ class SegmentForm:
     def inner(self) -> list[LocalZero]:
         """Its zeros inside the segment, by exact arithmetic."""
         program, (operands, below) = plane_program(self.degree, self.rational), self.rows
-        forms = program.run([[fmpz_poly(c)] for c in operands], [[fmpz(below)]], [(ONE, ONE)])[0]
+        forms = program.run([[fmpz_poly(list(c))] for c in operands], [[fmpz(below)]], [(ONE, ONE)])[0]
         return isolate(fmpz_poly(forms[self.output]), program.terms[self.output].degrees[0]).inner
 
 
@@ -170,7 +170,7 @@ def certain(facts: Facts) -> Certain | None:
         if slow:
             left.add(i)
         elif open_:
-            (straight if is_straight([*map(fmpz_poly, rows[i][0])], curve.degree) else left).add(i)
+            (straight if is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree) else left).add(i)
     if left:
         # all once more: the results for different segments are compared, so that they must be in one unit
         nearer = [moved(*row, rational=rational) if i in left else row for i, row in enumerate(rows)]

@@ -36,7 +36,7 @@ def segment_forms(curve: Nurbs, i: int) -> SegmentForms:
     (1, [2*x, 4*x + 1, 2*x + 2])
     """
     (operands, below), n = curve.rows[i], curve.degree
-    whole = [fmpz_poly(c) for c in operands]
+    whole = [fmpz_poly(list(c)) for c in operands]
     if curve.polynomial:
         whole.append(raiser(n) * below)
     while n > 0 and all(c(-1) == 0 for c in whole):

@@ -56,7 +56,9 @@ def splines_over(
         return with_common_denominators([BSpline(degree, knots, column) for column in columns])
     below = tuple([fmpz(m) for _, m in forms])
     return [
-        BSpline.from_parts(degree, mesh, continuity, tuple(map(fmpz_poly, own)), below, leaf(), knots, column)
+        BSpline.from_parts(
+            degree, mesh, continuity, tuple([fmpz_poly(list(c)) for c in own]), below, leaf(), knots, column
+        )
         for own, column in zip(zip(*[own for own, _ in forms], strict=True), columns, strict=True)
     ]
 
