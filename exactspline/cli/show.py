@@ -28,7 +28,7 @@ def show(
         str,
         Argument(
             help="The id of a claim, what it begins (C4.2: all of §4.2), a place in the paper (eq. (12)), or words of "
-            "the statement (evolute). Without it the claims are listed. Of more than three the first is spelled out, and "
+            "the statement (evolute). Without it the claims are listed. Of more than three the first is spelled out, "
             "the others are named.",
             instead_of=PLACES,
         ),

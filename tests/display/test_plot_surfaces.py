@@ -215,7 +215,7 @@ def test_a_surface_between_two_heights_is_the_same_part_by_either_approach():
     ],
 )
 def test_the_parameters_of_each_point_of_a_ruled_surface_are_those_of_the_point(formula, argument, shown):
-    """Hovering over figures 4 to 6 said nothing; a ruling that is cut has other parameters at its ends than asked for."""
+    """Hovering over figures 4 to 6 said nothing; a ruling that is cut ends at other parameters than asked for."""
     curve = example("helix_like")
     surface = find(formula)(curve.with_point(("1/3", "1/4", 1)) if argument == "point" else curve)
     mesh = ruled_mesh(surface, (-1, 1), **shown)
