@@ -269,7 +269,7 @@ def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box
     net = [run for line in (*points, *map(list, zip(*points, strict=True))) for run in joined(line)]
     flat = [p for row in points for p in row]
     patches = patches[: 1 if w is None else 2]
-    parameters = [[[(s, t) for t in grids[1]] for s in grids[0]]] * len(patches)
+    parameters = [[[(s, t) for t in grids[1]] for s in grids[0]] for _ in patches]
     return SurfaceMesh(patches, net, len(flat), flat.count(None), cut, parameters, ("s", "t"))
 
 
