@@ -18,6 +18,10 @@ def test_curves_near_a_curve_have_what_is_certain_and_no_more_than_is_possible()
     assert not [what for what in found if what.startswith("WRONG")]
     assert found["certain features"] > 50
     assert found["possible features"] > 5
+    assert campaign.above_ceiling(found) == []
+    # passed before: a half of all features possible only, or every tenth curve refused
+    assert campaign.above_ceiling({**found, "possible features": found["certain features"]}) == ["possible"]
+    assert campaign.above_ceiling({**found, "refused: weights may vanish": 1}) == ["refused"]
 
 
 def test_an_inflection_that_may_vanish_is_not_certain():
