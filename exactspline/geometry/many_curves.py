@@ -60,7 +60,8 @@ class ManyFeatures(NamedTuple):
     def __ne__(self, other: object) -> bool:
         return not self == other
 
-    __hash__ = None  # type: ignore[assignment]  # arrays have none
+    def __hash__(self) -> int:
+        raise TypeError("the features of many curves are arrays, which have no hash")
 
     def __reduce__(self) -> tuple[object, ...]:
         return _restored, (*self[:5], dict(self.refused))  # a read-only mapping cannot be pickled
