@@ -83,6 +83,13 @@ def test_more_than_two_polynomials_share_only_their_zeros():
     assert not zero.is_zero_of(as_form(S - 2 * T))
 
 
+def test_a_polynomial_that_nearly_vanishes_at_a_zero_of_two_others():
+    """Four hundred bits do not tell: the numbers are compared with those at which all three vanish."""
+    f, g, near = 2 * S * S - 1, S - T, 2**600 * (3 * S + T) * (2 * S * S - 1)
+    assert [zero.s.minimal_polynomial() for zero in common_zeros([f, g, near], UNIT)] == [[-1, 0, 2]]
+    assert common_zeros([f, g, near + S + T], UNIT) == []
+
+
 def test_parts_of_a_rectangle():
     side = Interval(mpq(1), mpq(3))
     assert [zero.place for zero in common_zeros([S - T, (S - 3) * (S - 1) * S], Box(side, side))] == [(1, 1), (3, 3)]
