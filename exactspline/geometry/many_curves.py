@@ -54,6 +54,19 @@ class ManyFeatures(NamedTuple):
     exact: Integers
     refused: Mapping[int, ExactSplineError] = MappingProxyType({})
 
+    def __eq__(self, other: object) -> bool:
+        """Whether all rows, and the reasons for what is refused, are the same."""
+        if not isinstance(other, ManyFeatures):
+            return NotImplemented
+        reasons = [{i: (type(error), str(error)) for i, error in each.refused.items()} for each in (self, other)]
+        return reasons[0] == reasons[1] and all(map(np.array_equal, self[:5], other[:5]))
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        raise TypeError("the features of many curves are arrays, which have no hash")
+
     def __reduce__(self) -> tuple[object, ...]:
         return _restored, (*self[:5], dict(self.refused))  # a read-only mapping cannot be pickled
 

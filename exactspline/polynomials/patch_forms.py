@@ -328,6 +328,7 @@ def _elevation(n: int, to: int) -> fmpz_mat:
     return fmpz_mat([[int(x * (common // comb(to, i))) for x in row] for i, row in enumerate(rows)])
 
 
+@lru_cache(maxsize=64)
 def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
     """The matrix to Bernstein coefficients over [a, b], times the n-th power of the common denominator: blossoms at a
     and b.

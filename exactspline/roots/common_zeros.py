@@ -42,6 +42,8 @@ ELIMINANTS = 2
 #: Nanoseconds, per square of the degree and per bit, to isolate roots on an interval as small as boxes are (measured up
 #: to 11).
 SUBDIVISION = 12
+#: The product of the degrees of a form up to which resultants are computed before simple rational numbers are tried.
+FEW = 9
 #: The first precision (decimal digits) at which a sign is tried.
 DIGITS = 15
 #: Bits to which a zero is refined before it is decided exactly whether another form vanishes there; and those with
@@ -87,7 +89,10 @@ class CommonZero:
                 self._local = _moved(self._place, inverse)
             else:
                 assert self.isolated is not None
-                self._local = self.isolated.exact or _numbers(self.isolated)
+                (m, n), _ = (f.degree for f in self.isolated.forms)
+                simple = self.isolated.exact if m * n > FEW or not self.isolated.box.longest else None
+                self._local = simple or _numbers(self.isolated, self.isolated.forms)
+                assert self._local is not None, "both forms vanish there"
         return self._local
 
     @property
@@ -292,15 +297,15 @@ class _Search:
 
     def _is_inside(self, zero: Isolated) -> bool:
         """Whether a certified zero may be a common one that is inside: one that is on the border is known."""
-        bits = 16
-        while not (box := zero.refine(bits)).is_inside(UNIT):
-            if any(high < 0 or low > 1 for low, high in box) or zero.exact is not None:
-                return False  # a box on the border that is a point
+        bits, box = 16, zero.box
+        while not box.is_inside(UNIT):
+            if any(high < 0 or low > 1 for low, high in box):
+                return False
             if any(zero.region.contains(one.refine(bits)) for one in self.border):
                 return False
             if any(f.part(box).sign in (1, -1) for f in self.forms):
                 return False
-            bits *= 2
+            bits, box = 2 * bits, zero.refine(bits)
         return True
 
     def _vanish_at(self, zero: CommonZero) -> bool:
@@ -317,7 +322,20 @@ class _Search:
                 return True
             others = [k for k in others if not any(e.part(box).sign in (1, -1) for e in self.cofactors[k])]
             bits *= 2
-        return all(zero.is_zero_of(self.forms[k]) for k in others)
+        return not others or self._is_of_all(zero)
+
+    def _is_of_all(self, zero: CommonZero) -> bool:
+        """Whether all forms vanish at a zero of two of them, which then is the one pair of roots of the eliminants of
+        all in its box: these have a lower degree than those of the two.
+        """
+        assert zero.isolated is not None
+        if zero.isolated.exact is not None:
+            return all(zero.is_zero_of(f) for f in self.forms)
+        place = _numbers(zero.isolated, self.forms)
+        if place is None or not vanish_at([as_polynomial(f) for f in self.forms], *place):
+            return False
+        zero._local = place
+        return True
 
     # ---- elimination
 
@@ -484,30 +502,35 @@ def _without_t(first: list[fmpz_poly], second: list[fmpz_poly]) -> fmpz_poly:
 
 
 @lru_cache(maxsize=32)
-def _eliminants(first: PatchForm, second: PatchForm) -> Priced[tuple[list[fmpz_poly], list[fmpz_poly]]]:
+def _eliminants(*forms: PatchForm) -> Priced[tuple[list[fmpz_poly], list[fmpz_poly]]]:
     """Square-free polynomials among whose roots are the numbers s, and those among whose roots are the numbers t, of
-    all isolated common zeros of two forms.
+    all isolated common zeros of forms.
     """
-    return Priced(partial(_both_eliminants, first, second))
+    return Priced(partial(_both_eliminants, forms))
 
 
-def _both_eliminants(first: PatchForm, second: PatchForm) -> tuple[list[fmpz_poly], list[fmpz_poly]]:
-    p, q = map(as_polynomial, (first, second))
-    shared = greatest_common_divisor([p, q])
-    pair = [p / shared, q / shared]
+def _both_eliminants(forms: Sequence[PatchForm]) -> tuple[list[fmpz_poly], list[fmpz_poly]]:
+    polynomials = [as_polynomial(f) for f in forms]
+    shared = greatest_common_divisor(polynomials)
+    coprime = [p / shared for p in polynomials]
     over_s, over_t = (
-        factorize_square_free(_eliminant(own)).bases for own in (pair, [own.compose(T, S) for own in pair])
+        factorize_square_free(_eliminant(own)).bases for own in (coprime, [p.compose(T, S) for p in coprime])
     )
     return over_s, over_t
 
 
-def _numbers(zero: Isolated) -> Place:
-    """The numbers of a zero certified in a box, as roots of resultants."""
+def _numbers(zero: Isolated, forms: Sequence[PatchForm]) -> Place | None:
+    """The numbers of a zero certified in a box, as roots of the eliminants of forms; None proves that these do not all
+    vanish there.
+    """
     numbers = list[Parameter]()
-    for k, parts in enumerate(_eliminants(*zero.forms).value):
-        bits = 4 * DIGITS
-        while len(roots := [t for p in parts for t in roots_in(p, *zero.refine(bits)[k])]) > 1:
+    for k, parts in enumerate(_eliminants(*forms).value):
+        bits = 8
+        while len(roots := [t for p in parts for t in roots_in(p, *zero.box[k])]) > 1:
             bits *= 2
+            zero.refine(bits)
+        if not roots:
+            return None
         numbers.append(exactly(roots[0]))
     return numbers[0], numbers[1]
 
