@@ -19,6 +19,10 @@ def test_curves_near_a_curve_have_what_is_certain_and_no_more_than_is_possible()
         assert not [what for what in found if what.startswith("WRONG")]
         assert found["certain features"] > 20
         assert found["possible features"] > 5
+        assert campaign.above_ceiling(found) == []
+    # passed before: a half of all features possible only, or every tenth curve refused
+    assert campaign.above_ceiling({**found, "possible features": found["certain features"]}) == ["possible"]
+    assert campaign.above_ceiling({**found, "refused: weights may vanish": 1}) == ["refused"]
 
 
 def test_pairs_of_curves_near_two_curves_meet_where_it_is_certain_and_nowhere_else_than_is_possible():
