@@ -180,8 +180,7 @@ class ZeroCurve:
             if own.sign is not None:
                 continue
             boxes += 1
-            slopes = [own.derivative(k).sign for k in (0, 1)]
-            direction = next((k for k in (0, 1) if slopes[k]), None)
+            direction = next((k for k in (0, 1) if own.derivative(k).sign), None)
             on_a_line = direction is not None and self._vanishes_around(part.box)
             if direction is not None and not on_a_line:
                 self._graph(part.box, direction)
@@ -235,8 +234,7 @@ class ZeroCurve:
 
     def _along(self, direction: int, value: mpq) -> list[fmpz]:
         """The Bernstein coefficients on a line across the whole square."""
-        line = UNIT.with_side(direction, Interval.point(value))
-        return self.form.part(line).edge(direction, 0)
+        return self.form.on_line(direction, value)
 
     def _line(self, direction: int, value: mpq) -> list[Root]:
         """The zeros on a line across the whole square, in order."""
