@@ -127,7 +127,7 @@ class PatchForm:
         """
         weights, _ = _weights(self.degree[direction], x)
         line = weights * self.matrix if direction == 0 else self.matrix * weights.transpose()
-        return line.entries()  # type: ignore[no-any-return]  # FLINT's lists
+        return line.entries()
 
     def derivative(self, direction: int) -> PatchForm:
         """The derivative with respect to x (direction 0) or y, with the same constant; for degree 0 the zero form of

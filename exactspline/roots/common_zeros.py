@@ -33,7 +33,7 @@ from exactspline.polynomials.factors import factorize, factorize_square_free, gr
 from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, rows_of
-from exactspline.roots.of_polynomials import Parameter, Place, ball, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
 
@@ -178,7 +178,7 @@ class CommonZero:
 
 
 def _around(place: Place, digits: int) -> Box:
-    first, second = (_interval(x, digits) for x in place)
+    first, second = (enclosing(x, digits) for x in place)
     return Box(first, second)
 
 
@@ -366,7 +366,7 @@ class _Search:
 
     def _may_vanish(self, s: Parameter, box: Box) -> bool:
         """Whether no form is certainly not zero over a number s in a box."""
-        line = Box(_interval(s, 4 * DIGITS), box.second)
+        line = Box(enclosing(s, 4 * DIGITS), box.second)
         return not any(f.part(line).sign in (1, -1) for f in (*self.forms, *self.also))
 
 
@@ -446,7 +446,7 @@ class Column:
         numbers = [exactly(t) for t in roots_in(norm, *UNIT.second)]
         for low, high in pairwise(numbers):
             digits = 2
-            while _interval(low, digits).meets(_interval(high, digits)):
+            while enclosing(low, digits).meets(enclosing(high, digits)):
                 digits *= 2
         return numbers
 
@@ -539,10 +539,6 @@ def _number(zero: Isolated, forms: Sequence[PatchForm], k: int) -> Parameter | N
         bits *= 2
         zero.refine(bits)
     return exactly(roots[0]) if roots else None
-
-
-def _interval(t: Parameter, digits: int) -> Interval:
-    return t.refine(digits) if isinstance(t, Root) else Interval.point(t)
 
 
 def _sign_over(x: fmpq_poly, s: Parameter) -> int:

@@ -28,7 +28,7 @@ from exactspline.polynomials.factors import factorize_square_free
 from exactspline.polynomials.isolation import is_nonnegative
 from exactspline.polynomials.two_parameters import in_one, rows_of
 from exactspline.reals.real import between
-from exactspline.roots.of_polynomials import check_isolation
+from exactspline.roots.of_polynomials import Parameter, check_isolation, distinct
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
@@ -37,8 +37,6 @@ from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed
 
 #: How many segments at most are tested first to see whether an arc is on the true bisector at all.
 ASKED_FIRST = 24
-#: An exact parameter: rational, or a certified root.
-Parameter = mpq | Root
 
 
 @dataclass(frozen=True)
@@ -237,7 +235,7 @@ def cells_between(
     """
     a, b = segment
     intervals: list[tuple[Parameter, Parameter]] = []
-    ends: list[Parameter] = [a, *_distinct([*candidates, *poles]), b]
+    ends: list[Parameter] = [a, *distinct([*candidates, *poles]), b]
     for low, high in pairwise(ends):
         if holds(between(low, high)):
             if intervals and intervals[-1][1] == low and not any(low == pole for pole in poles):
@@ -245,14 +243,6 @@ def cells_between(
             else:
                 intervals.append((low, high))
     return intervals
-
-
-def _distinct(roots: list[Parameter]) -> list[Parameter]:
-    distinct: list[Parameter] = []
-    for root in sorted(roots):
-        if not distinct or distinct[-1] != root:
-            distinct.append(root)
-    return distinct
 
 
 def _intersection(

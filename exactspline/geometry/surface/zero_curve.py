@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 from itertools import pairwise, starmap
+from operator import itemgetter
 from typing import NamedTuple
 
 from flint import fmpz
@@ -222,7 +223,7 @@ class ZeroCurve:
         for value in (c, d):
             events.update({vertex: value for vertex, _ in self._zeros_on(1 - direction, value, box[direction])})
         self._vertices.update(dict.fromkeys(events))
-        places = sorted(events.items(), key=lambda pair: _Key(pair[1]))
+        places = sorted(events.items(), key=itemgetter(1))
         for (first, low), (last, high) in pairwise(places):
             middle = between(low, high)
             ends = [self._value(direction, x, middle) for x in (a, b)]
@@ -350,16 +351,6 @@ class ZeroCurve:
             x = mpq((a + b) / 2)
             points.append((x, y) if arc.direction == 0 else (y, x))
         return points
-
-
-class _Key:
-    """Rational numbers and roots in one order."""
-
-    def __init__(self, value: mpq | Root) -> None:
-        self.value = value
-
-    def __lt__(self, other: _Key) -> bool:
-        return bool(self.value < other.value)
 
 
 @dataclass
