@@ -12,7 +12,7 @@ project = "exactspline"
 author = "the exactspline developers"
 copyright = "the exactspline developers"  # Sphinx's name
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.mathjax"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.mathjax"]
 myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
 myst_heading_anchors = 3
 nb_execution_mode = "off"  # they have been executed, side by side

@@ -156,14 +156,14 @@ Part = tuple[str, str, Nurbs | NurbsSurface | Member | Problem, tuple[int, int],
 
 
 def _places(source: Source) -> list[Source]:
-    """The files of a folder in the order of their names, those with the suffix of a readable format; any other source
-    is returned unchanged.
+    """The files of a folder in the order of their names, those with the suffix of a readable format; any other source,
+    a folder without such a file included, is returned unchanged.
     """
     if not isinstance(source, str) or not os.path.isdir(source):
         return [source]
     suffixes = {suffix for known in FORMATS for suffix in known.suffixes}
     paths = sorted(path for path in Path(source).rglob("*") if path.suffix.lower() in suffixes and path.is_file())
-    return list(map(str, paths))
+    return list(map(str, paths)) or [source]
 
 
 def _size(source: Source) -> int:
@@ -198,6 +198,8 @@ def _of_file(place: str, taken: Taken) -> Iterator[Part]:
     """
     read, others, skipped = 0, 0, list[Skipped]()
     try:
+        if os.path.isdir(place):
+            raise CurveFileError("is a folder without a file of a format that is read", remedy="name another folder")
         if place in example_names() and not os.path.exists(place) and not taken.surfaces:
             yield place, place, example(place), (1, 1), ()
             return

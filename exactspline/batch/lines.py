@@ -50,12 +50,11 @@ class Found:
 
 
 class Way(StrEnum):
-    """How a curve that was given to the certified filter was decided."""
+    """How a curve of which the certified filter was asked was decided."""
 
     DECIDED = "decided in doubles"
     EXACT = "decided by exact arithmetic"
-    MISSING = "numpy is not installed"
-    FAILED = "failed"
+    MISSING = "decided by exact arithmetic, without the compiled filter"
 
 
 @dataclass(frozen=True)

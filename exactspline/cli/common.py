@@ -23,6 +23,8 @@ G = TypeVar("G")
 V = TypeVar("V")
 
 CURVE_HELP = "A file of curves (JSON, SVG, DXF, STEP, font.ttf:glyph, …), an example curve by its name, or -."
+#: How the arguments that name places of a paper are given by other commands.
+PLACES = {"--section": "5.4", "--claim": "C4.2b"}
 CurveFiles = Annotated[list[str] | None, Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")]
 Papers = Annotated[
     list[str] | None,

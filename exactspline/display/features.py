@@ -101,7 +101,7 @@ def _jumping(kind: str, in_space: bool) -> str:
 def words_of(c: Nurbs, data: Mapping[str, object]) -> list[str]:
     """The words of all tables of a curve, and below them, that the glossary explains."""
     made = feature_sheet(c, data)
-    tables = [made, *(sheet(c, data) for name, sheet in EXTRA.items() if name in data)]
+    tables = [made, *_extra(c, data)]
     words = [word for table in tables for word in (*table.columns[1:], *table.tags)]
     remarks = [row[-1] for row in made.rows]
     # κ is not κ′, nor κN
@@ -139,10 +139,9 @@ def _print_rest(out: Console, c: Nurbs, data: Mapping[str, Any]) -> None:
     if data.get("plane"):
         reason = "it has no torsion, no focal curve and no osculating spheres"
         console.lines(out, f"{c.name} lies in the plane {data['plane']}: {reason}")
-    for name, sheet in EXTRA.items():
-        if name in data:
-            out.print()
-            out.print(sheet(c, data))
+    for sheet in _extra(c, data):
+        out.print()
+        out.print(sheet)
     if "approaches" in data:
         out.print()
         out.print(_approaches(data["approaches"]))
@@ -201,6 +200,24 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     return made
 
 
+def meetings_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
+    """Where all curves near a curve meet themselves, and where some of them may."""
+    return common_points_sheet(
+        data["meetings"], f"All curves within {readable(str(data['epsilon']))} of {c.name} and themselves"
+    )
+
+
+def common_points_sheet(meetings: object, title: str) -> Sheet:
+    """The points that all curves near two curves have in common, and those that some of them may have, from data."""
+    listed: Any = meetings
+    made = Sheet("common points", "s between", "and", "t between", "and", title=title, heads=1)
+    for found in listed:
+        ((low, high),) = found["intervals"]
+        ends = map(end_text, (low, high, *found["numbers"]["second"]))
+        made.add_row("exactly one" if found["certain"] else "perhaps some", *ends)
+    return made
+
+
 def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """How far a curve may be changed until its features vanish."""
     title = f"{c.name} with all numbers changed by at most this"
@@ -217,7 +234,12 @@ def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
 
 
 #: Tables below that of the features, by the part of the data that they show.
-EXTRA = {"nearby": nearby_sheet, "stability": stability_sheet}
+EXTRA = {"nearby": nearby_sheet, "meetings": meetings_sheet, "stability": stability_sheet}
+
+
+def _extra(c: Nurbs, data: Mapping[str, Any]) -> list[Sheet]:
+    """The tables below that of the features; none of common points where there are none."""
+    return [sheet(c, data) for name, sheet in EXTRA.items() if name in data and (data[name] or name != "meetings")]
 
 
 def _in_order(found: Any) -> list[Any]:
