@@ -134,7 +134,7 @@ class Analysis(SpaceFacts, Displayed):
     @property
     def decided_in_doubles(self) -> bool | None:
         """Whether the certified filter decided the zeros of κ and of κ′; None where it was not asked."""
-        asked = vars(self).get("_certain", self)
+        asked = self._known.get("_certain", self)
         return None if asked is self else asked is not None
 
     @question(*CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros)
