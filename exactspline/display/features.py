@@ -227,7 +227,7 @@ def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
         ((low, high),) = found["intervals"]
         numbers = [rational(x) for (x,) in found["numbers"].values()]
         radius, *gone = (decimal(x, 4) for x in numbers)
-        times = f"{round(numbers[-1] / numbers[0])} ×" if gone and numbers[0] else ""
+        times = f"{round(float(numbers[-1] / numbers[0]))} ×" if gone and numbers[0] else ""
         at, certain = decimal((rational(low) + rational(high)) / 2, DIGITS), radius if radius != "0" else "not proved"
         made.add_row(
             kind_name(FeatureKind(found["kind"])), at, certain, *gone or ["not known"], times, found["prominence"] or ""

@@ -131,9 +131,9 @@ def inspect_figure(
 
 
 def plot_stability(curve: Nurbs, ax: Axes | None = None) -> Axes:
-    """Inflections (in space: zeros of the torsion), extrema of the curvature and corners of a curve as marks whose area grows with the proved
-    distance up to which the feature stays, by its logarithm: full size where that is a 16th of the curve's size or
-    more, the smallest at 10⁻⁶ and less; hollow where nothing is proved.
+    """Inflections (in space: zeros of the torsion), extrema of the curvature and corners of a curve as marks whose area
+    grows with the proved distance up to which the feature stays, by its logarithm: full size where that is a 16th of
+    the curve's size or more, the smallest at 10⁻⁶ and less; hollow where nothing is proved.
 
     >>> from exactspline.interchange.examples import example
     >>> ax = plot_stability(example("cubic_s"), plot_curve(example("cubic_s")))
