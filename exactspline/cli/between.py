@@ -89,7 +89,7 @@ def between(
             console.lines(shown, f"not decided: {what}")
 
     row = {"key": f"{curve} and {other}", "curves": [first.name, second.name]} | data
-    out.give("between", [row], sheets, people)
+    out.give("between", [row], sheets[:1], people)
 
 
 def _emit(first: Any, second: Any, path: str) -> None:

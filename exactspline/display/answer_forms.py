@@ -37,6 +37,7 @@ from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.recognized import RecognizedPart
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
+from exactspline.geometry.surface.umbilics_nearby import NearbyUmbilic
 from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.geometry.surface.zero_lines import ZeroLine
 from exactspline.numbers.exact import mpq
@@ -219,6 +220,7 @@ FORMS: dict[Any, Form] = {
         curve_of_umbilics=FLAG,
         undecided=list_of(BOX),
     ),
+    NearbyUmbilic: form_of(BOX, certain=FLAG),
     Umbilic: form_of(PLACE, kind=one_of(UmbilicKind), index=or_null(TEXT), one_sided=FLAG),
     Place: PLACE,
     ZeroLine: form_of(
@@ -290,6 +292,7 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
         "pieces": list_of({"anyOf": [_RULED, _TRIMMED]}),
     },
     "between": {"meetings": list_of(FORMS[NearbyMeeting])},
+    "inspect surface": {"umbilics_within": list_of(FORMS[NearbyUmbilic])},
     "inspect": {
         "coordinate_extrema": list_of(FEATURE),
         "nearby": list_of(FORMS[NearbyFeature]),

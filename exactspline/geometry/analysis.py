@@ -102,7 +102,7 @@ class Analysis(SpaceFacts, Displayed):
         """The construction whose zeros are the critical points of the curvature."""
         return "space_critical_curvature" if self.in_space else "critical_curvature"
 
-    @question(*CURVES, proof=lambda facts: facts.flatness.zeros, known=lambda known: known.curvature)
+    @question(*CURVES, proof=lambda facts: facts.flatness.zeros)
     def inflections(self) -> Places[Feature]:
         """The zeros of the curvature at regular points.
 
@@ -131,9 +131,13 @@ class Analysis(SpaceFacts, Displayed):
         """What is certain without exact arithmetic."""
         return None if self.in_space else certain(self)
 
-    @question(
-        *CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros, known=lambda known: known.critical
-    )
+    @property
+    def decided_in_doubles(self) -> bool | None:
+        """Whether the certified filter decided the zeros of κ and of κ′; None where it was not asked."""
+        asked = self._known.get("_certain", self)
+        return None if asked is self else asked is not None
+
+    @question(*CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros)
     def critical_points(self) -> Places[Feature]:
         """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``).
 
@@ -154,12 +158,7 @@ class Analysis(SpaceFacts, Displayed):
 
         return self.once(("critical points", variant), compute)
 
-    @question(
-        *CURVES,
-        part_of="critical_points",
-        proof=lambda facts: facts.zero_form(facts.critical_form).zeros,
-        known=lambda known: known.critical,
-    )
+    @question(*CURVES, part_of="critical_points", proof=lambda facts: facts.zero_form(facts.critical_form).zeros)
     def curvature_extrema(self) -> Places[Feature]:
         """The extrema of the curvature (in space except those with κ = 0).
 
@@ -196,7 +195,7 @@ class Analysis(SpaceFacts, Displayed):
             raise ShapeError("the torsion of a curve in R2", remedy="this needs a curve in space")
         return Places(tuple(space_features.torsion_zeros(self)), tuple(piece for piece, _ in self.planar_pieces))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda known: known.straight, of_piece="straight")
+    @question(*CURVES, answered=Answered.PIECES, of_piece="straight")
     def straight_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve is straight.
 
@@ -209,7 +208,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return tuple(self.pieces_where_zero(self.flatness))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda known: known.straight, of_piece="κ′ ≡ 0")
+    @question(*CURVES, answered=Answered.PIECES, of_piece="κ′ ≡ 0")
     def constant_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curvature is constant.
 

@@ -20,7 +20,7 @@ from flint import arb, ctx
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.intersections import IntersectionKind
-from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, sign_of
+from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, dot, sign_of
 from exactspline.numbers.exact import Number, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval, ball_ends
 from exactspline.polynomials.patch_forms import clusters
@@ -30,7 +30,7 @@ from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
 
-#: How many pairs of parts are looked at, in all and on one level of halving, beyond those of segments: what is left
+#: How many pairs of parts are looked at, in all and on one level of halving, beyond those of segments: what remains
 #: then, as where curves run along each other, is given as it is.
 MOST, MOST_OF_A_LEVEL = 5_000, 64
 #: A part is not halved where its control points are spread by less than this many times what may be changed.
@@ -159,9 +159,9 @@ class _Part:
             _Part(high, [row for _, row in points], [row for _, row in velocity]),
         )
 
-    def between(self, wanted: Interval) -> _Part:
+    def between(self, interval: Interval) -> _Part:
         """The part within an interval that meets it."""
-        low, high = (self.ends.local(t) for t in (max(wanted.low, self.ends.low), min(wanted.high, self.ends.high)))
+        low, high = (self.ends.local(t) for t in (max(interval.low, self.ends.low), min(interval.high, self.ends.high)))
         points, velocity = ([_restricted(row, low, high) for row in own] for own in (self.points, self.velocity))
         return _Part(self.ends.part(Interval(low, high)), points, velocity)
 
@@ -180,7 +180,7 @@ class _Tangled(CurvesNear):
         weights = [self.weights[j] for j in near]
         dimension = self.curve.dimension
         columns = [[self.points[j][c] * w for j, w in zip(near, weights, strict=True)] for c in range(dimension)]
-        rows = [[_dot([b[k] for b in basis], own) for k in range(n + 1)] for own in (*columns, weights)]
+        rows = [[dot([b[k] for b in basis], own) for k in range(n + 1)] for own in (*columns, weights)]
         *points, w = rows
         if self.rational:
             velocity = [
@@ -190,16 +190,16 @@ class _Tangled(CurvesNear):
             velocity = [_steps(p) for p in points]
         return _Part(ends, rows, velocity)
 
-    def over(self, wanted: Interval) -> list[_Part]:
+    def over(self, interval: Interval) -> list[_Part]:
         """What is in an interval, part by part."""
-        first, last = map(self.curve.mesh.locate, wanted)
-        return [part.between(wanted) for part in self.parts[first : last + 1]]
+        first, last = map(self.curve.mesh.locate, interval)
+        return [part.between(interval) for part in self.parts[first : last + 1]]
 
-    def jumps_in(self, wanted: Interval) -> bool:
+    def jumps_in(self, interval: Interval) -> bool:
         """Whether these curves may have a gap inside an interval."""
         knots, n = self.curve.knots, self.curve.degree
         times = zip(knots.breakpoints, knots.multiplicities, strict=True)
-        return any(m > n and wanted.low < t < wanted.high for t, m in times)
+        return any(m > n and interval.low < t < interval.high for t, m in times)
 
 
 class _Meetings:
@@ -250,7 +250,7 @@ class _Meetings:
             return False
         vectors = [*zip(*a.velocity, strict=True), *zip(*b.velocity, strict=True)]
         middle = [sum((x.mid() for x in row), start=arb(0)) for row in zip(*vectors, strict=True)]
-        return all(_dot(v, middle) > 0 for v in vectors)
+        return all(dot(v, middle) > 0 for v in vectors)
 
     def _settles(self, a: _Part, b: _Part, box: Box) -> bool:
         """Whether each pair of curves has one common point near a box and at most one in a larger box around it."""
@@ -281,7 +281,7 @@ class _Meetings:
         (s, t), inverse = found
         place = a.ends.at(s), b.ends.at(t)
         spread = [x + y for x, y in zip(a.spread, b.spread, strict=True)]
-        steps = [_dot([abs(x) for x in row], spread) for row in inverse]
+        steps = [dot([abs(x) for x in row], spread) for row in inverse]
         widths = [ball_ends(step).high * width for step, width in zip(steps, (a.ends.width, b.ends.width), strict=True)]
         for k in range(BOXES):
             box = Box(*(Interval(x - h * 2**k, x + h * 2**k) for x, h in zip(place, widths, strict=True)))
@@ -303,7 +303,7 @@ class _Meetings:
     def _along(self, row: Row, s: Interval, t: Interval) -> arb:
         """A ball with all values of a coordinate of γ(s) − γ̄(t)."""
         gamma, other = (
-            _union([_dot(p, row) for part in curves.over(interval) for p in zip(*part.places, strict=True)])
+            _union([dot(p, row) for part in curves.over(interval) for p in zip(*part.places, strict=True)])
             for curves, interval in ((self.first, s), (self.second, t))
         )
         return gamma - other
@@ -316,7 +316,7 @@ def _may_meet(a: _Part, b: _Part) -> bool:
     if len(a.hull) > 2:
         return True
     x, y = a.direction
-    across, other = (_union([_dot(p, (-y, x)) for p in zip(*part.places, strict=True)]) for part in (a, b))
+    across, other = (_union([dot(p, (-y, x)) for p in zip(*part.places, strict=True)]) for part in (a, b))
     return bool(across.overlaps(other))
 
 
@@ -349,7 +349,7 @@ def _newton(a: _Part, b: _Part) -> tuple[tuple[mpq, mpq], list[Row]] | None:
             return None
         inverse = [[-v[1] / determinant, v[0] / determinant], [-u[1] / determinant, u[0] / determinant]]
         gap = [x - y for x, y in zip(p, q, strict=True)]
-        steps = [ball_ends(_dot(row, gap)).middle for row in inverse]
+        steps = [ball_ends(dot(row, gap)).middle for row in inverse]
         s, t = (_rounded(x - step) for x, step in zip((s, t), steps, strict=True))
         if not all(-1 <= x <= 2 for x in (s, t)):
             return None
@@ -380,10 +380,6 @@ def _crosses(first: Sequence[_Part], second: Sequence[_Part]) -> bool:
     us, vs = ([v for part in parts for v in zip(*part.velocity, strict=True)] for parts in (first, second))
     sides = {sign_of(u[0] * v[1] - u[1] * v[0]) for u, v in product(us, vs)}
     return sides in ({1}, {-1})
-
-
-def _dot(a: Sequence[arb], b: Sequence[arb]) -> arb:
-    return sum((x * y for x, y in zip(a, b, strict=True)), start=arb(0))
 
 
 def _around(a: Interval, b: Interval) -> Interval:

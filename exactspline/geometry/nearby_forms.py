@@ -213,7 +213,7 @@ class CurvesNear:
         n, knots = self.curve.degree, self.curve.knots
         j = bisect_right(knots, self.curve.breakpoints[i]) - 1
         start, width = knots[j], knots[j + 1] - knots[j]
-        return j - n, _basis(n, tuple((knots[k] - start) / width for k in range(j - n, j + n + 2)))
+        return j - n, basis_ordinates(n, tuple((knots[k] - start) / width for k in range(j - n, j + n + 2)))
 
     def form(self, which: int, i: int) -> Family:
         """A form on a segment; for the distance 0 to first order, with what a change of a coordinate by 1 adds."""
@@ -264,6 +264,11 @@ class CurvesNear:
         return found
 
 
+def dot(a: Sequence[arb], b: Sequence[arb]) -> arb:
+    """The scalar product."""
+    return sum((x * y for x, y in zip(a, b, strict=True)), start=arb(0))
+
+
 def sign_of(x: arb) -> int:
     """The sign of a ball, 0 where it contains zero."""
     return 1 if x > 0 else -1 if x < 0 else 0
@@ -282,7 +287,7 @@ def _enclosed(rows: arb_mat) -> list[arb]:
 
 
 @cache
-def _basis(n: int, knots: tuple[mpq, ...]) -> tuple[tuple[arb, ...], ...]:
+def basis_ordinates(n: int, knots: tuple[mpq, ...]) -> tuple[tuple[arb, ...], ...]:
     """The ordinates of the basis functions on the segment [0, 1]."""
     units = [[int(i == k) for i in range(n + 1)] for k in range(n + 1)]
     return tuple(tuple(arb(to_fmpq(x)) for x in BSpline(n, knots, unit).segments[0]) for unit in units)

@@ -33,7 +33,7 @@ from exactspline.polynomials.factors import factorize, factorize_square_free, gr
 from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, rows_of
-from exactspline.roots.of_polynomials import Parameter, Place, ball, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
 
@@ -89,9 +89,7 @@ class CommonZero:
                 self._local = _moved(self._place, inverse)
             else:
                 assert self.isolated is not None
-                (m, n), _ = (f.degree for f in self.isolated.forms)
-                simple = self.isolated.exact if m * n > FEW or not self.isolated.box.longest else None
-                self._local = simple or _numbers(self.isolated, self.isolated.forms)
+                self._local = _numbers(self.isolated, self.isolated.forms)
                 assert self._local is not None, "both forms vanish there"
         return self._local
 
@@ -104,13 +102,20 @@ class CommonZero:
 
     @property
     def s(self) -> Parameter:
-        """The first number."""
-        return self.place[0]
+        """The first number; the second is not computed."""
+        return self._number(0)
 
     @property
     def t(self) -> Parameter:
-        """The second number."""
-        return self.place[1]
+        """The second number; the first is not computed."""
+        return self._number(1)
+
+    def _number(self, k: int) -> Parameter:
+        if self._local is None and self._place is None and self.isolated is not None:
+            own = _number(self.isolated, self.isolated.forms, k)
+            assert own is not None, "both forms vanish there"
+            return _moved_to(self.sides[k], own)
+        return self.place[k]
 
     @property
     def exact(self) -> tuple[mpq, mpq] | None:
@@ -173,7 +178,7 @@ class CommonZero:
 
 
 def _around(place: Place, digits: int) -> Box:
-    first, second = (_interval(x, digits) for x in place)
+    first, second = (enclosing(x, digits) for x in place)
     return Box(first, second)
 
 
@@ -187,8 +192,12 @@ def _rounded(side: Interval, bits: int) -> Interval:
 
 def _moved(place: Place, sides: Sequence[Interval]) -> Place:
     """Local parameters as those of a patch with these sides."""
-    s, t = (exactly(x.moved(side)) if isinstance(x, Root) else side.at(x) for x, side in zip(place, sides, strict=True))
+    s, t = map(_moved_to, sides, place)
     return s, t
+
+
+def _moved_to(side: Interval, x: Parameter) -> Parameter:
+    return exactly(x.moved(side)) if isinstance(x, Root) else side.at(x)
 
 
 class Found(NamedTuple):
@@ -313,15 +322,14 @@ class _Search:
         isolated = zero.isolated
         assert isolated is not None
         others = [k for k in range(len(self.forms)) if k not in isolated.at]
-        bits = 16
+        bits, box = 8, isolated.box
         while others and bits <= BITS:
-            box = isolated.refine(bits)
             if any(self.forms[k].part(box).sign in (1, -1) for k in others):
                 return False
             if any(isolated.region.contains(one.refine(bits)) for one in self.known):
                 return True
             others = [k for k in others if not any(e.part(box).sign in (1, -1) for e in self.cofactors[k])]
-            bits *= 2
+            bits, box = 2 * bits, isolated.refine(bits)
         return not others or self._is_of_all(zero)
 
     def _is_of_all(self, zero: CommonZero) -> bool:
@@ -329,8 +337,6 @@ class _Search:
         all in its box: these have a lower degree than those of the two.
         """
         assert zero.isolated is not None
-        if zero.isolated.exact is not None:
-            return all(zero.is_zero_of(f) for f in self.forms)
         place = _numbers(zero.isolated, self.forms)
         if place is None or not vanish_at([as_polynomial(f) for f in self.forms], *place):
             return False
@@ -360,7 +366,7 @@ class _Search:
 
     def _may_vanish(self, s: Parameter, box: Box) -> bool:
         """Whether no form is certainly not zero over a number s in a box."""
-        line = Box(_interval(s, 4 * DIGITS), box.second)
+        line = Box(enclosing(s, 4 * DIGITS), box.second)
         return not any(f.part(line).sign in (1, -1) for f in (*self.forms, *self.also))
 
 
@@ -440,7 +446,7 @@ class Column:
         numbers = [exactly(t) for t in roots_in(norm, *UNIT.second)]
         for low, high in pairwise(numbers):
             digits = 2
-            while _interval(low, digits).meets(_interval(high, digits)):
+            while enclosing(low, digits).meets(enclosing(high, digits)):
                 digits *= 2
         return numbers
 
@@ -501,42 +507,38 @@ def _without_t(first: list[fmpz_poly], second: list[fmpz_poly]) -> fmpz_poly:
     return greatest_common_divisor([*first, *second]) if len(first) == len(second) == 1 else resultant(first, second)
 
 
-@lru_cache(maxsize=32)
-def _eliminants(*forms: PatchForm) -> Priced[tuple[list[fmpz_poly], list[fmpz_poly]]]:
-    """Square-free polynomials among whose roots are the numbers s, and those among whose roots are the numbers t, of
-    all isolated common zeros of forms.
+@lru_cache(maxsize=64)
+def _eliminants(k: int, *forms: PatchForm) -> Priced[list[fmpz_poly]]:
+    """Square-free polynomials among whose roots are the numbers s (for k = 0), or t, of all isolated common zeros of
+    forms.
     """
-    return Priced(partial(_both_eliminants, forms))
+    return Priced(partial(_eliminated, k, forms))
 
 
-def _both_eliminants(forms: Sequence[PatchForm]) -> tuple[list[fmpz_poly], list[fmpz_poly]]:
-    polynomials = [as_polynomial(f) for f in forms]
+def _eliminated(k: int, forms: Sequence[PatchForm]) -> list[fmpz_poly]:
+    polynomials = [as_polynomial(f) if k == 0 else as_polynomial(f).compose(T, S) for f in forms]
     shared = greatest_common_divisor(polynomials)
-    coprime = [p / shared for p in polynomials]
-    over_s, over_t = (
-        factorize_square_free(_eliminant(own)).bases for own in (coprime, [p.compose(T, S) for p in coprime])
-    )
-    return over_s, over_t
+    return factorize_square_free(_eliminant([p / shared for p in polynomials])).bases
 
 
 def _numbers(zero: Isolated, forms: Sequence[PatchForm]) -> Place | None:
-    """The numbers of a zero certified in a box, as roots of the eliminants of forms; None proves that these do not all
-    vanish there.
+    """The numbers of a zero certified in a box; None proves that the forms do not all vanish there."""
+    s, t = (_number(zero, forms, k) for k in (0, 1))
+    return None if s is None or t is None else (s, t)
+
+
+def _number(zero: Isolated, forms: Sequence[PatchForm], k: int) -> Parameter | None:
+    """One of the numbers of a zero certified in a box, as a simple rational one or a root of an eliminant of forms;
+    None proves that these do not all vanish there.
     """
-    numbers = list[Parameter]()
-    for k, parts in enumerate(_eliminants(*forms).value):
-        bits = 8
-        while len(roots := [t for p in parts for t in roots_in(p, *zero.box[k])]) > 1:
-            bits *= 2
-            zero.refine(bits)
-        if not roots:
-            return None
-        numbers.append(exactly(roots[0]))
-    return numbers[0], numbers[1]
-
-
-def _interval(t: Parameter, digits: int) -> Interval:
-    return t.refine(digits) if isinstance(t, Root) else Interval.point(t)
+    m, n = forms[0].degree
+    if (m * n > FEW or not zero.box.longest) and zero.exact is not None:
+        return zero.exact[k] if all(f.value(*zero.exact) == 0 for f in forms) else None
+    bits, parts = 8, _eliminants(k, *forms).value
+    while len(roots := [t for p in parts for t in roots_in(p, *zero.box[k], whole=True)]) > 1:
+        bits *= 2
+        zero.refine(bits)
+    return exactly(roots[0]) if roots else None
 
 
 def _sign_over(x: fmpq_poly, s: Parameter) -> int:

@@ -16,8 +16,8 @@ from tests.campaigns import filter as campaign
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry import many_splines  # noqa: E402  # needs numpy
-from exactspline.geometry.many_splines import curve_features_in_parts, features_of_curves  # noqa: E402
+from exactspline.geometry import analysis, many_curves  # noqa: E402  # needs numpy
+from exactspline.geometry.many_curves import curve_features_in_parts, features_of_curves  # noqa: E402
 
 
 def same_as_exact(curves):
@@ -143,10 +143,14 @@ def test_a_bad_curve_does_not_stop_the_others(monkeypatch):
     assert (found.curve - 1).tolist() == whole.curve.tolist()
     assert found.low.tolist() == whole.low.tolist()
 
-    def failing(i, curve):
-        raise ExactSplineError("cannot", remedy="none")
+    class Failing(analysis.Analysis):
+        @property
+        def inflections(self):
+            if self.curve is flat:
+                raise ExactSplineError("cannot", remedy="none")
+            return super().inflections
 
-    monkeypatch.setattr(many_splines, "exactly", failing)
+    monkeypatch.setattr(many_curves, "Analysis", Failing)
     flat = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 0), (2, 0), (3, 1)])
     found = features_of_curves([flat, *curves])
     assert list(found.refused) == [0]
