@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, fields, is_dataclass
 from enum import StrEnum
 from typing import Any, get_args, get_origin, get_type_hints
 
-from exactspline.batch.corpus import Problem, short_digest
+from exactspline.batch.corpus import Problem
+from exactspline.interchange.digests import short_digest
 
 #: The version of a line's schema; it is raised when a field changes its meaning or is removed.
 VERSION = 5

@@ -58,23 +58,22 @@ def space_meetings(first: SpaceForms, second: SpaceForms) -> Meetings:
 
     Raises `ReachError` for what would take too long.
     """
-    projected = None
+    projections = []
     for shear in SHEARS:
         found = meetings(first.sheared(*shear), second.sheared(*shear))
         if not found.arcs and not found.rests:
             return _agreeing(found, first, second)
         if not found.rests:
-            projected, along = found, shear
+            projections.append((found, shear))
     first, second = first.in_lowest_terms(), second.in_lowest_terms()
     if first.degree == 0:
         return meetings_of_point(_minors(first, second), second.degree)
     if second.degree == 0:
         return meetings_of_point(_minors(second, first), first.degree).exchanged()
-    if projected is None or not (
-        all(_agrees_along(arc, first, second) for arc in projected.arcs) or _is_one_to_one(along, first, second)
-    ):
-        raise ReachError("two curves in space with one projection, of which one turns back", remedy=REMEDY)
-    return _agreeing(projected, first, second)
+    for found, shear in reversed(projections):
+        if all(_agrees_along(arc, first, second) for arc in found.arcs) or _is_one_to_one(shear, first, second):
+            return _agreeing(found, first, second)
+    raise ReachError("two curves in space with one projection, of which one turns back", remedy=REMEDY)
 
 
 def _agreeing(projected: Meetings, first: SpaceForms, second: SpaceForms) -> Meetings:

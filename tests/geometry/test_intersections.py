@@ -305,6 +305,21 @@ def test_curves_in_a_plane_of_space_meet_as_in_the_plane(first, second, number):
         assert found.left_out == flat.left_out == ()
 
 
+@pytest.mark.parametrize("along", [(-7, 4, 1), (0, 0, 1), (3, -5, 1)])
+def test_segments_that_turn_back_in_a_plane_along_a_projection(along):
+    """A plane that holds one of the directions of projection: the others decide."""
+
+    def placed(curve):
+        points = [tuple(x * a + y * b for a, b in zip(along, (1, 1, 0), strict=True)) for x, y in curve.control_points]
+        return Nurbs(curve.degree, curve.knots, points)
+
+    for other in (bezier((0, 0), (1, 1)), bezier((0, 2), (2, 0)), bezier((1, 1), (-1, -1), (2, 2))):
+        flat, found = intersections(TURNING, other), intersections(placed(TURNING), placed(other))
+        assert repr(found.everywhere) == repr(flat.everywhere)
+        assert pairs(found) == pairs(flat)
+        assert found.left_out == flat.left_out == ()
+
+
 def test_a_point_on_a_curve_in_space():
     """Undecided before, with a remark that a curve stands still or turns back."""
     twisted = bezier((0, 0, 0), ("1/3", 0, 0), ("2/3", "1/3", 0), (1, 1, 1))
