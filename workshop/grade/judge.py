@@ -372,18 +372,26 @@ def pairs_compared(case: Case, truth: Answer, answer: Any, gap: mpq) -> Verdict:
     def near(one: Sequence[mpq], other: Sequence[mpq], reach: mpq = PLACE) -> bool:
         return all(abs(s - t) <= reach * (b - a) for s, t in zip(one, other, strict=True))
 
+    def within(p: Sequence[mpq], q: Sequence[mpq]) -> bool:
+        return bool(sum(((x - y) ** 2 for x, y in zip(p, q, strict=True)), start=mpq(0)) <= gap * gap)
+
+    def points(pair: Sequence[mpq]) -> list[Sequence[mpq]]:
+        return [curve(t, "left") for curve, t in zip(curves, pair, strict=True)]
+
     def meets(pair: Sequence[mpq]) -> bool:
-        if not all(a <= t <= b for t in pair):
-            return False
-        points = (curve(t, "left") for curve, t in zip(curves, pair, strict=True))
-        return bool(sum(((x - y) ** 2 for x, y in zip(*points, strict=True)), start=mpq(0)) <= gap * gap)
+        return all(a <= t <= b for t in pair) and within(*points(pair))
+
+    def names(each: Sequence[mpq], pair: Sequence[mpq]) -> bool:
+        if near(pair, each):
+            return True
+        return meets(each) and (near(pair, each, NEAR) or all(map(within, points(pair), points(each))))
 
     missed = [
         pair
         for pair in exact
         if _must_be_named(curves, pair, PLACE * (b - a))
         and sum(near(pair, other) for other in exact) == 1
-        and not any(near(pair, each) or (near(pair, each, NEAR) and meets(each)) for each in named)
+        and not any(names(each, pair) for each in named)
     ]
     invented = [each for each in named if not meets(each) and not any(near(pair, each) for pair in exact)]
     outcome, found = (MISSED, missed) if missed else (INVENTED, invented)

@@ -211,7 +211,7 @@ def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int)
         _require(len(ratios) <= 1 and all(r > 0 for r in ratios), "another form")
 
 
-def at(c: Sequence[Fraction | int], u: Fraction) -> Fraction:
+def at(c: Sequence[Fraction | int], u: Any) -> Any:
     """``Σ c_i (1 − u)ⁿ⁻ⁱ uⁱ``."""
     n = len(c) - 1
     return sum((x * (1 - u) ** (n - i) * u**i for i, x in enumerate(c)), start=Fraction(0))
@@ -358,9 +358,9 @@ def _meetings(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
         _require(gap <= Fraction(1, 10**9) * max(abs(x) for row in curve.rows for x in row), "points that are apart")
     proved = [place for pair in certificate["pairs"] for place in _places_of(pair, ends)]
     for index, low, high in proved:
-        _require(any(_overlap(each[index], (low, high), ends) for each in named), "a common point is missing")
-    for each in named:
-        found = any(_overlap(each[index], (low, high), ends) for index, low, high in proved)
+        _require(any(_overlap(both[index], (low, high), ends) for both in named), "a common point is missing")
+    for both in named:
+        found = any(_overlap(both[index], (low, high), ends) for index, low, high in proved)
         _require(found, "a common point is invented")
     # a single pair of segments has each of its common points once
     _require(len(ends) > 2 or len(named) == len(proved), "another number of common points")
@@ -384,8 +384,8 @@ def _places_of(pair: dict[str, Any], ends: list[Fraction]) -> list[tuple[int, Fr
         return []
     index = 0 if pair["exchanged"] else 1
     a, b = ends[pair["segments"][index] : pair["segments"][index] + 2]
-    places = [zero for zero in pair["zeros"] if zero["s"] != "outside"]
-    return [(index, *(a + (b - a) * Fraction(zero[end]) for end in ("low", "high"))) for zero in places]
+    found = [zero for zero in pair["zeros"] if zero["s"] != "outside"]
+    return [(index, a + (b - a) * Fraction(zero["low"]), a + (b - a) * Fraction(zero["high"])) for zero in found]
 
 
 def _overlap(one: tuple[Fraction, Fraction], other: tuple[Fraction, Fraction], ends: list[Fraction]) -> bool:

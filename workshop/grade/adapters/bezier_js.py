@@ -30,9 +30,11 @@ class BezierJs(Adapter):
             raise ImportError("bezier-js and node")
         self.folder = folder
         script = resources.files(__package__).joinpath("bezier_js.mjs")
-        self.process = subprocess.Popen(
-            [node, str(script), str(folder)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-        )
+        self.command = [node, str(script), str(folder)]
+        self._start()
+
+    def _start(self) -> None:
+        self.process = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def version(self) -> str:
         """The version in its package.json."""
@@ -46,6 +48,8 @@ class BezierJs(Adapter):
 
     def ask(self, question: str, given: Given) -> object:
         """The answer of the node process."""
+        if self.process.poll() is not None:
+            self._start()  # it ended in the question before
         assert self.process.stdin is not None
         assert self.process.stdout is not None
         other = given.partner.points if given.partner else []

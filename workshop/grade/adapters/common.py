@@ -31,8 +31,8 @@ class Given:
         """From JSON data."""
         finer, partner = data.get("finer"), data.get("partner")
         fields = data["degree"], data["knots"], data["points"], data["weights"], data["t"]
-        made = [cls.of(each) if each else None for each in (finer, partner)]
-        return cls(*fields, *made, data.get("point", []))
+        made = {name: cls.of(each) if each else None for name, each in (("finer", finer), ("partner", partner))}
+        return cls(*fields, finer=made["finer"], partner=made["partner"], point=data.get("point", []))
 
     @property
     def dimension(self) -> int:
