@@ -56,8 +56,8 @@ class Case:
             points = [(x + step, *rest) for x, *rest in curve.control_points]
             return Nurbs(curve.degree, curve.knots, points, curve.weights, name=f"{self.key}, moved")
         order = [*range(1, len(curve.weights), 2), *range(0, len(curve.weights), 2)]
-        points, weights = ([values[i] for i in order] for values in (curve.control_points, curve.weights))
-        return Nurbs(curve.degree, curve.knots, points, weights, name=f"{self.key}, in another order")
+        others, weights = [curve.control_points[i] for i in order], [curve.weights[i] for i in order]
+        return Nurbs(curve.degree, curve.knots, others, weights, name=f"{self.key}, in another order")
 
     @property
     def point(self) -> tuple[mpq, ...]:
