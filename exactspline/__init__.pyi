@@ -43,7 +43,7 @@ from .certificates import check_certificate as check_certificate
 
 # analysis
 from .geometry.analysis import analyse as analyse
-from .geometry.many_splines import features_of_curves as features_of_curves
+from .geometry.many_curves import features_of_curves as features_of_curves
 from .geometry.many_curves import features_of_many as features_of_many
 from .batch.oracle import oracle as oracle
 from .batch.sweep import sweep as sweep

@@ -14,7 +14,7 @@ from hashlib import sha256
 from itertools import chain, groupby
 
 #: What is written in two ways.
-ALIKE = {"″": "′′", "‴": "′′′", "’": "'", "²": "2", "³": "3", "⁴": "4"}
+ALIKE = {"″": "′′", "‴": "′′′", "’": "'"} | dict(zip("⁰¹²³⁴⁶⁷⁻⁽ⁱ⁾", "0123467−(i)", strict=True))
 #: Words of one or two letters by which prose is known; a display has letters of one kind alone.
 SHORT = "a|an|as|at|be|by|if|in|is|it|of|on|or|So|to|we"
 WORD = re.compile(rf"[A-Za-z]?[a-z]{{2,}}|(?<![^\s(])(?:{SHORT})(?![\w′])")

@@ -25,6 +25,10 @@ DOCS = HERE.parent
 PROJECT = DOCS.parent
 BUILD = PROJECT / "build" / "site"
 
+#: What is said of the pages that are listed.
+NOTEBOOKS = "Lessons that run: `./run notebooks` opens them, `./run notebooks 01` the one with that number."
+REFERENCE = "Every public name: first those of `exactspline` itself, by topic, then the rooms that it names."
+LEDGERS = "A page per source: each of its statements in its words, as it is decided, with the verdict for all curves."
 #: What the archive of the source holds.
 SOURCE = (
     *(
@@ -122,9 +126,14 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     with _step("notebooks, executed"):
         executed.execute(source / "notebooks")
     with _step("reference, ledgers, errata"):
-        _collect(source / "notebooks.md", "Notebooks", sorted(f"notebooks/{n.stem}" for n in source.glob("*/*.ipynb")))
-        _collect(source / "reference.md", "Reference", pages.reference(source / "reference"))
-        _collect(source / "ledgers.md", "Ledgers", pages.write_ledgers(source / "ledger", claims))
+        _collect(
+            source / "notebooks.md",
+            "Notebooks",
+            NOTEBOOKS,
+            sorted(f"notebooks/{n.stem}" for n in source.glob("*/*.ipynb")),
+        )
+        _collect(source / "reference.md", "Reference", REFERENCE, pages.reference(source / "reference"))
+        _collect(source / "ledgers.md", "Ledgers", LEDGERS, pages.write_ledgers(source / "ledger", claims))
         pages.write_glossary(source / "glossary.md")
         pages.write_errata(source / "errata.md")
         benchmarks.write_page(source / "benchmarks.md", source / "_extra" / "gallery")
@@ -144,9 +153,9 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     _append_contents(source / "index.md", list(navigation.SECTIONS), hidden=True)
 
 
-def _collect(page: Path, title: str, names: list[str]) -> None:
-    """A page that lists others."""
-    page.write_text(f"# {title}\n", encoding="utf-8")
+def _collect(page: Path, title: str, what: str, names: list[str]) -> None:
+    """A page that lists others, and says what they are."""
+    page.write_text(f"# {title}\n\n{what}\n", encoding="utf-8")
     _append_contents(page, names, hidden=False)
 
 

@@ -18,6 +18,8 @@ from pathlib import Path
 from typing import Any
 
 import exactspline
+from docs.site.narrow import beside
+from docs.site.pages import picture
 from workshop.bench.picture import draw
 from workshop.bench.row import OURS, Row
 from workshop.bench.table import SECTIONS, chosen_sections, sheet
@@ -72,13 +74,18 @@ def _processor() -> str:
 def write_page(file: Path, pictures: Path) -> None:
     """The record as a page: a chart of the ratios, a table a section, and what it was measured on."""
     pictures.mkdir(parents=True, exist_ok=True)
-    draw([_row(row) for record in recorded() for row in record["rows"]], str(pictures / "benchmarks.svg"))
+    rows = [_row(row) for record in recorded() for row in record["rows"]]
+    draw(rows, str(pictures / "benchmarks.svg"))
+    draw(rows, str(beside(pictures / "benchmarks.svg")), narrow=True)
     lines = [
         "# Benchmarks",
         "Times are processor time; ours / theirs below 1 means that exactspline is faster. A target that was missed is "
         "shown as missed. What is measured and how: [How fast](bench.md).",
-        '<img src="gallery/benchmarks.svg" alt="the times of other libraries divided by those of exactspline, case by '
-        'case; and the growth of the times with the degree">',
+        picture(
+            "gallery/benchmarks.svg",
+            "the times of other libraries divided by those of exactspline, case by case; and the growth of the times "
+            "with the degree",
+        ),
     ]
     for record in recorded():
         lines += [f"## {record['section'].capitalize()}", _measured_on(record)]

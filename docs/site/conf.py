@@ -12,7 +12,7 @@ project = "exactspline"
 author = "the exactspline developers"
 copyright = "the exactspline developers"  # Sphinx's name
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.mathjax"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.mathjax"]
 myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
 myst_heading_anchors = 3
 nb_execution_mode = "off"  # they have been executed, side by side
@@ -66,6 +66,8 @@ html_css_files = ["pages.css"]
 html_js_files = ["pages.js"]
 html_extra_path = ["_extra"]
 html_show_sphinx = False
+html_copy_source = False  # with the outputs of notebooks it would be a tenth of the site
+html_show_sourcelink = False
 exclude_patterns = ["_extra"]
 suppress_warnings = ["mystnb.unknown_mime_type"]
 

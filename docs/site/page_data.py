@@ -11,6 +11,8 @@ from typing import Any
 import exactspline as xs
 from docs.play.python import page
 from docs.site.pages import figure
+from exactspline.display.evidence import worded
+from exactspline.display.ledger import claimed
 from exactspline.display.plot.canvas import Run, sampled
 from exactspline.display.plot.html import Scene, scenes_data
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
@@ -20,6 +22,7 @@ from exactspline.display.statement import statement_data
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_in
 from exactspline.verification.degree_tables import GenericRow, generic_table
+from exactspline.verification.errata import true_relation
 from exactspline.verification.evidence import Evidence, OnExample
 from exactspline.verification.statement import statement
 
@@ -55,7 +58,8 @@ def write(folder: Path, ledger: list[dict[str, Any]]) -> None:
     }
     told |= {f"surfaces/{one['name']}": one["scenes"] for one in shown}
     for name, made in told.items():
-        (folder / f"{name}.json").write_text(json.dumps(made, ensure_ascii=False), encoding="utf-8")
+        text = json.dumps(made, ensure_ascii=False, separators=(",", ":"))
+        (folder / f"{name}.json").write_text(text, encoding="utf-8")
 
 
 def curves() -> list[dict[str, Any]]:
@@ -154,6 +158,9 @@ def claims() -> list[dict[str, Any]]:
         told = statement_data(s)
         told |= {"paper": s.claim.paper, "title": titles[s.claim.paper], "verdict": str(told["verdict"])}
         told["quoted"] = parts(s.claim.words)
+        told["section"] = s.claim.section
+        found = worded(true_relation(s.claim, s.finding) or s.finding.computed)
+        told["found"] = "" if found == claimed(s.claim) else found or told["witness"]
         told["curve"] = _address(_witness(s.finding.witness))
         made.append(told)
     return made

@@ -33,7 +33,7 @@ from exactspline.verification.rows import recorded
 
 #: The length of the lines of code on the page of errata.
 CODE_WIDTH = 88
-COLUMNS = ("claim", "the source's words", "as it is decided", "verdict", "what is true")
+COLUMNS = ("claim", "the source's words", "as it is decided", "verdict", "what was found")
 #: What stands in the place of words that the source does not have.
 STATUS = {"ours": "goes beyond the source", "meant": "as the printed statement must read"}
 
@@ -104,18 +104,23 @@ def write_ledgers(folder: Path, claims: Iterable[dict[str, Any]]) -> list[str]:
             "What was found for all curves; verdicts are explained in the [glossary](../glossary.md). Formulas, "
             'degrees and witnesses of each claim: <a href="../play/claims.html">the ledger that is searched</a>.'
         )
-        for place, group in groupby(told, lambda claim: claim["source"]):
+        for place, group in groupby(told, _heading):
             rows = []
             for c in group:
                 anchor = f'<a id="{c["key"]}" href="#{c["key"]}">{plain(c["id"])}</a>'
                 place_of_words = f" ({plain(c['place'])})" if c["place"] else ""
                 words = f"“{typeset(c['words'])}”{place_of_words}" if c["words"] else STATUS.get(c["status"], "–")
-                found = "" if c["computed"] == c["claimed"] else c["computed"] or c["witness"]
                 decided = f"{c['statement']}: {c['claimed']}" if c["kind"] in ("degree", "count") else c["statement"]
-                rows.append([anchor, words, plain(decided), c["verdict"], plain(Numbers().within(found))])
+                rows.append([anchor, words, plain(decided), c["verdict"], plain(Numbers().within(c["found"]))])
             lines += [f"## {place}", _table(COLUMNS, rows)]
         (folder / f"{name}.md").write_text("\n\n".join(lines) + "\n", encoding="utf-8")
     return [f"{folder.name}/{name}" for name in by_source]
+
+
+def _heading(claim: dict[str, Any]) -> str:
+    """Where a claim stands: a section, an equation, a figure; never a page alone."""
+    by_page = claim["source"].startswith("p. ")
+    return str(claim["section"] if by_page and claim["section"] else claim["source"])
 
 
 def write_errata(file: Path) -> None:

@@ -7,11 +7,11 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from hashlib import blake2b
 from pathlib import Path
 
 from exactspline.batch.families import Family
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_flag
+from exactspline.interchange.digests import curve_digest, surface_digest
 from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import read_in_pieces
 from exactspline.interchange.formats import FORMATS
@@ -67,24 +67,6 @@ class Taken:
 
 
 CURVES = Taken()
-
-
-def short_digest(text: str) -> str:
-    """Sixteen hexadecimal digits that change with the text: a protection against accidents, not against forgery."""
-    return blake2b(text.encode("utf-8", "surrogatepass"), digest_size=8).hexdigest()
-
-
-def curve_digest(curve: Nurbs) -> str:
-    """A digest of a curve's exact data, whatever its name."""
-    points = [*curve.knots, *curve.weights, *(x for row in curve.control_points for x in row)]
-    return short_digest(f"{curve.degree} {curve.dimension} {' '.join(map(str, points))}")
-
-
-def surface_digest(surface: NurbsSurface) -> str:
-    """A digest of a surface's exact data, whatever its name."""
-    net = (x for row in surface.control_points for point in row for x in point)
-    points = [*surface.knots[0], "|", *surface.knots[1], *(w for row in surface.weights for w in row), *net]
-    return short_digest(f"{surface.degree} {surface.dimension} {' '.join(map(str, points))}")
 
 
 @dataclass(frozen=True)
@@ -156,14 +138,14 @@ Part = tuple[str, str, Nurbs | NurbsSurface | Member | Problem, tuple[int, int],
 
 
 def _places(source: Source) -> list[Source]:
-    """The files of a folder in the order of their names, those with the suffix of a readable format; any other source
-    is returned unchanged.
+    """The files of a folder in the order of their names, those with the suffix of a readable format; any other source,
+    a folder without such a file included, is returned unchanged.
     """
     if not isinstance(source, str) or not os.path.isdir(source):
         return [source]
     suffixes = {suffix for known in FORMATS for suffix in known.suffixes}
     paths = sorted(path for path in Path(source).rglob("*") if path.suffix.lower() in suffixes and path.is_file())
-    return list(map(str, paths))
+    return list(map(str, paths)) or [source]
 
 
 def _size(source: Source) -> int:
@@ -198,6 +180,8 @@ def _of_file(place: str, taken: Taken) -> Iterator[Part]:
     """
     read, others, skipped = 0, 0, list[Skipped]()
     try:
+        if os.path.isdir(place):
+            raise CurveFileError("is a folder without a file of a format that is read", remedy="name another folder")
         if place in example_names() and not os.path.exists(place) and not taken.surfaces:
             yield place, place, example(place), (1, 1), ()
             return

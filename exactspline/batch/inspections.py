@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from exactspline.batch.lines import EVERYWHERE, Found
 from exactspline.errors import DomainError, ExactSplineError, FormulaError, ReachError, ShapeError, as_texts, nearest
@@ -20,9 +20,6 @@ from exactspline.reals.real import Real, real
 from exactspline.roots.root import Root
 from exactspline.roots.values import exact_place
 from exactspline.splines.nurbs import Nurbs
-
-if TYPE_CHECKING:
-    from exactspline.geometry.many_roots import LateRoot, Point, Settled
 
 #: The types of answers of the questions that sweeps ask.
 LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES, Answered.DESCRIBED, Answered.PAIRS)
@@ -95,12 +92,9 @@ def _check_argument(entry: Entry, argument: str) -> None:
         raise errors[0]
 
 
-def inspected(
-    curve: Nurbs, names: Iterable[str], digits: int, settled: Settled | None = None, values: bool = False
-) -> dict[str, tuple[Found, ...]]:
+def inspected(curve: Nurbs, names: Iterable[str], digits: int, values: bool = False) -> dict[str, tuple[Found, ...]]:
     """The answers to questions about a curve, by name; those that do not apply to curves of its dimension are skipped.
-    `settled` is what the certified filter decided about it; with `values` points have their coordinates and the
-    curvature.
+    With `values` points have their coordinates and the curvature.
 
     >>> from exactspline import example
     >>> for each in inspected(example("six_segment_cubic"), ["inflections"], 3)["inflections"]:
@@ -117,16 +111,10 @@ def inspected(
     known = questions_about(curve) if requested else {}
     entries = {asked: entry_of(asked) for asked in requested}
     return {
-        asked: tuple(_listed(_answer(curve, entry, argument, settled), digits, curve if values else None))
+        asked: tuple(_listed(entry.answer(analyse(curve), argument), digits, curve if values else None))
         for asked, (entry, argument) in entries.items()
         if entry.name in known
     }
-
-
-def _answer(curve: Nurbs, asked: Entry, argument: str, settled: Settled | None) -> Any:
-    if settled is not None and asked.about.known is not None:
-        return asked.about.known(settled)
-    return asked.answer(analyse(curve), argument)
 
 
 def _listed(answer: Any, digits: int, curve: Nurbs | None) -> Iterator[Found]:
@@ -153,7 +141,7 @@ def _pairs(answer: Intersections, digits: int, curve: Nurbs | None) -> Iterator[
     if answer.left_out:
         raise ReachError(f"self-intersections: not decided: {'; '.join(answer.left_out)}", remedy="divide the curve")
     for each in answer:
-        (low, high), other = (_around(x, digits) for x in (each.first, each.second))
+        (low, high), other = (enclosed(x, digits) for x in (each.first, each.second))
         found = Found(str(each.kind), low if low == high else None, low, high, other_low=other[0], other_high=other[1])
         point: dict[str, Any] = (
             {} if curve is None else dict(zip("xyz", map(_double, map(real, each.point)), strict=False))
@@ -161,38 +149,30 @@ def _pairs(answer: Intersections, digits: int, curve: Nurbs | None) -> Iterator[
         yield replace(found, **point)
     for arc in answer.everywhere:
         (low, high), other = (
-            (_around(min(ends), digits)[0], _around(max(ends), digits)[1]) for ends in (arc.first, arc.second)
+            (enclosed(min(ends), digits)[0], enclosed(max(ends), digits)[1]) for ends in (arc.first, arc.second)
         )
         yield Found(EVERYWHERE, None, low, high, other_low=other[0], other_high=other[1])
 
 
-def _found(each: Point | Feature | Joint | CurvePiece | Described, digits: int) -> Found:
+def _found(each: Feature | Joint | CurvePiece | Described, digits: int) -> Found:
     if isinstance(each, Described):
         return _piece(each.piece, str(each.kind))
     if isinstance(each, CurvePiece):
         return _piece(each, "piece across the seam" if each.across_seam else "piece")
     if isinstance(each, Joint):
         return Found(str(each.kind), str(each.parameter), str(each.parameter), str(each.parameter))
-    low, high = enclosed(each.place if isinstance(each, tuple) else each.root, digits)
+    low, high = enclosed(each.root, digits)
     return Found(str(each.kind), low if low == high else None, low, high)
 
 
-def _valued(found: Found, each: Point | Feature | Joint, curve: Nurbs) -> Found:
+def _valued(found: Found, each: Feature | Joint, curve: Nurbs) -> Found:
     """A point with its coordinates and the curvature, in correctly rounded doubles."""
-    place = (
-        each.parameter
-        if isinstance(each, Joint)
-        else exact_place(_root(each.place if isinstance(each, tuple) else each.root))
-    )
+    place = each.parameter if isinstance(each, Joint) else exact_place(each.root)
     return replace(found, **_coordinates(curve, place), curvature=_curvature(curve, place))
 
 
 def _coordinates(curve: Nurbs, place: mpq | Real) -> dict[str, Any]:
     return dict(zip("xyz", map(_double, point_at(curve, place)), strict=False))
-
-
-def _root(place: Root | LateRoot) -> Root:
-    return place if isinstance(place, Root) else place.root
 
 
 def _curvature(curve: Nurbs, place: mpq | Real) -> float | None:
@@ -217,7 +197,7 @@ def _piece(piece: CurvePiece, kind: str) -> Found:
     return Found(kind, None, str(piece.start), str(piece.end))
 
 
-def enclosed(place: Root | LateRoot, digits: int) -> tuple[str, str]:
+def enclosed(place: Real, digits: int) -> tuple[str, str]:
     """The location of a root, independent of how far it was refined before: a rational root exactly, an irrational one
     between two neighbouring decimals.
 
@@ -226,28 +206,28 @@ def enclosed(place: Root | LateRoot, digits: int) -> tuple[str, str]:
     >>> [enclosed(root, 4) for root in zeros((3 * t - 1) * (2 * t * t - 1))]
     [('1/3', '1/3'), ('0.7071', '0.7072')]
     """
-    if not isinstance(place, Root):
-        if (below := _neighbour(place.low, place.high, mpz(10) ** digits)) is not None:
-            return _decimal(below, digits), _decimal(below + 1, digits)
-        place = place.root
-    return _around(place, digits)
-
-
-def _around(place: Real, digits: int) -> tuple[str, str]:
     scale = mpz(10) ** digits
     if place.exact is not None:
         return str(place.exact), str(place.exact)
     more = digits + BEYOND
     enclosure = place.refine if isinstance(place, Root) else place.enclosure
-    while (below := _neighbour(*enclosure(more), scale)) is None:
+    near = (place.low, place.high) if isinstance(place, Root) else enclosure(more)
+    while (below := _neighbour(place, *near, scale)) is None:
+        near = enclosure(more)
         more += 10
     return _decimal(below, digits), _decimal(below + 1, digits)
 
 
-def _neighbour(low: mpq, high: mpq, scale: mpz) -> int | None:
-    """The integer k for which [low, high] lies in [k, k + 1] divided by a scale; None where there is none."""
-    below = low.numerator * scale // low.denominator
-    return int(below) if high.numerator * scale <= (below + 1) * high.denominator else None
+def _neighbour(place: Real, low: mpq, high: mpq, scale: mpz) -> int | None:
+    """The integer k for which an irrational number between two others lies in [k, k + 1] divided by a scale; None where
+    these are too far from each other.
+    """
+    below, last = (int(end * scale // 1) for end in (low, high))
+    if last - below > 2:
+        return None
+    while below < last and place > mpq(below + 1, scale):
+        below += 1
+    return below
 
 
 def _decimal(scaled: int, digits: int) -> str:

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, fields, is_dataclass
 from enum import StrEnum
 from typing import Any, get_args, get_origin, get_type_hints
 
-from exactspline.batch.corpus import Problem, short_digest
+from exactspline.batch.corpus import Problem
+from exactspline.interchange.digests import short_digest
 
 #: The version of a line's schema; it is raised when a field changes its meaning or is removed.
 VERSION = 5
@@ -50,12 +51,11 @@ class Found:
 
 
 class Way(StrEnum):
-    """How a curve that was given to the certified filter was decided."""
+    """How a curve of which the certified filter was asked was decided."""
 
     DECIDED = "decided in doubles"
     EXACT = "decided by exact arithmetic"
-    MISSING = "numpy is not installed"
-    FAILED = "failed"
+    MISSING = "decided by exact arithmetic, without the compiled filter"
 
 
 @dataclass(frozen=True)

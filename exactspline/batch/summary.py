@@ -20,7 +20,7 @@ NAMED = 5
 NOTES = 20
 #: The counts per family.
 REFUSED, FALLBACK, OPEN = "refused", "decided by exact arithmetic after the filter", "with an undecided claim"
-FALLBACKS = (Way.EXACT, Way.FAILED)
+FALLBACKS = (Way.EXACT,)
 UNDECIDED = "UNDECIDED"
 
 

@@ -1,130 +1,33 @@
-"""The work on each curve of a sweep, picklable, so that it can be done in any process; and what the certified filter
-knows of the curves of a group together.
-"""
+"""The work on each curve of a sweep, picklable, so that it can be done in any process."""
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
-from importlib.util import find_spec
 from time import process_time
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from exactspline.batch.backends import ALONE
 from exactspline.batch.corpus import Item, Member, Problem
 from exactspline.batch.inspections import USUAL, checked_names, entry_of, inspected
 from exactspline.batch.lines import Found, Judged, Line, Way
 from exactspline.errors import as_flag, as_integer, as_texts
+from exactspline.geometry.analysis import analyse
+from exactspline.programs.accelerator import filter_curve
+from exactspline.questions.entry import Answered
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
-    from exactspline.geometry.many_roots import Settled
     from exactspline.verification.claim import Claim
     from exactspline.verification.combined import Proofs
 
-#: The filter is used for curves that together have this many segments of one degree: for fewer it takes longer than
-#: exact arithmetic.
-TOGETHER = 24
-
-
-@dataclass
-class Asked:
-    """A curve of a corpus, or the problem with it; the processor time spent on it; what the filter decided about it."""
-
-    item: Item
-    curve: Nurbs | None
-    error: Problem | None
-    seconds: float
-    way: Way | None = None
-    settled: Settled | None = None
-
-    @classmethod
-    def of(cls, item: Item) -> Asked:
-        """The curve of an item, generated where necessary."""
-        if isinstance(item.given, Problem):
-            return cls(item, None, item.given, 0)
-        start = process_time()
-        try:
-            return cls(item, item.curve(), None, process_time() - start)
-        # one curve must not end a sweep of a million: an unexpected exception is recorded by its type
-        except Exception as error:
-            return cls(item, None, Problem.of(error), process_time() - start)
-
-
-def weight(item: Item) -> int | None:
-    """A rough measure of the work on a curve that is given to the filter: its number of segments times the cube of its
-    degree; for a family the largest such value. None for other curves.
-
-    >>> from exactspline.batch.corpus import items
-    >>> from exactspline.batch.families import Family
-    >>> families = [Family.parsed(f"degree=2-5 dimension={n} count=1") for n in (2, 3)]
-    >>> [weight(item) for item in items(["six_segment_cubic", *families])]
-    [162, 125, None]
-    """
-    given = item.given
-    if isinstance(given, Member):
-        return given.family.segments[1] * given.family.degree[1] ** 3 if given.family.dimension == 2 else None
-    if not isinstance(given, Nurbs) or not _spoken_of(given):
-        return None
-    return int(given.segments * given.degree**3)
-
-
-def ask(curves: Sequence[Asked]) -> None:
-    """Apply the filter to the plane curves among these. The processor time of curves computed together is divided in
-    proportion to their segments.
-    """
-    kinds: dict[tuple[int, bool], list[Asked]] = {}
-    for each in curves:
-        if each.curve is not None and _spoken_of(each.curve):
-            kinds.setdefault((each.curve.degree, each.curve.polynomial), []).append(each)
-    for alike in kinds.values():
-        if sum(_segments(each) for each in alike) < TOGETHER:
-            continue
-        if find_spec("numpy") is None:
-            for each in alike:
-                each.way = Way.MISSING
-            continue
-        _ask(alike)
-
-
-def _spoken_of(curve: Nurbs) -> bool:
-    """Whether the filter is worthwhile: for a plane curve, except quadratics with multiple knots, which have straight
-    pieces, corners, and vertices at rational parameters only.
-    """
-    if curve.dimension != 2 or curve.degree < 2:
-        return False
-    return curve.degree > 2 or not curve.polynomial or all(smooth == 1 for smooth in curve.p[0].continuity)
-
-
-def _segments(each: Asked) -> int:
-    return 0 if each.curve is None else each.curve.segments
-
-
-def _ask(alike: Sequence[Asked]) -> None:
-    from exactspline.geometry.many_roots import settled
-
-    start = process_time()
-    answers = settled([each.curve for each in alike if each.curve is not None])
-    try:
-        for numbers, found in answers:
-            own = [alike[i] for i in numbers]
-            seconds, start = process_time() - start, process_time()
-            total = sum(map(_segments, own))
-            for each, known in zip(own, found, strict=True):
-                each.settled, each.way = known, Way.EXACT if known is None else Way.DECIDED
-                each.seconds += seconds * _segments(each) / total
-    # what the filter cannot decide is computed exactly, and the failure is counted
-    except Exception:
-        for each in alike:
-            each.way = each.way or Way.FAILED
+#: Answers to questions that take a time in proportion to the segments of a curve.
+QUICK = (Answered.PLACES, Answered.PIECES, Answered.JOINTS)
 
 
 #: The default and the largest number of digits of irrational parameters.
 DIGITS, MOST_DIGITS = 10, 10_000
-#: With more digits than this the intervals of the certified filter contain a decimal too often.
-FILTERED_DIGITS = 12
 
 
 @dataclass(frozen=True)
@@ -172,52 +75,56 @@ class Work:
         }
 
     def line(self, item: Item) -> Line:
-        """The line of one curve, in exact arithmetic. An error is recorded in the line, so that other curves are not
-        affected.
-        """
-        return self._line(Asked.of(item))
-
-    def lines(self, group: list[Item]) -> Iterator[Line]:
-        """The lines of several curves, which are removed from the list so that none is kept when its line is done. The
-        lines equal those of `line`; what the certified filter decides for the curves together is not computed again.
-        """
-        rest = deque(map(Asked.of, group))
-        group.clear()
-        if self._asks:
-            ask([made for made in rest if made.curve is not None])
-        while rest:
-            yield self._line(rest.popleft())
-
-    def weight(self, item: Item) -> int:
-        """How much of a group a curve fills; `ALONE` where the filter is not used, so that nothing is computed
-        together.
-        """
-        filtered = weight(item) if self._asks else None
-        return ALONE if filtered is None else filtered
-
-    @property
-    def _asks(self) -> bool:
-        """Whether the certified filter is used."""
-        features = any(entry_of(asked)[0].about.known for asked in self.find)
-        return features and not self.claims and self.digits <= FILTERED_DIGITS
-
-    def _line(self, made: Asked) -> Line:
-        item, curve, error = made.item, made.curve, made.error
-        begun = partial(Line, item.index, item.source, item.name, notes=item.notes, curve_digest=item.digest)
-        if curve is None:
-            return begun(error=error, seconds=made.seconds)
-        shape = curve.degree, curve.dimension, curve.segments, curve.polynomial
+        """The line of one curve. An error is recorded in the line, so that other curves are not affected."""
         start = process_time()
+        shape: dict[str, Any] = {}
         found: dict[str, tuple[Found, ...]] = {}
         judged: tuple[Judged, ...] = ()
+        error = way = None
         try:
-            found = inspected(curve, self.find, self.digits, made.settled, self.values)
-            judged = self._judged(curve)
+            if isinstance(item.given, Problem):
+                error = item.given
+            else:
+                curve = item.curve()
+                shape = {name: getattr(curve, name) for name in ("degree", "dimension", "segments", "polynomial")}
+                found, judged, way = self._answered(curve)
         # one curve must not end a sweep of a million: an unexpected exception is recorded by its type
         except Exception as failure:
-            found, error = {}, Problem.of(failure)
-        seconds = made.seconds + process_time() - start
-        return begun(*shape, found=found, claims=judged, error=error, seconds=seconds, way=made.way)
+            error = Problem.of(failure)
+        seconds = process_time() - start
+        begun = partial(Line, item.index, item.source, item.name, notes=item.notes, curve_digest=item.digest)
+        return begun(**shape, found=found, claims=judged, error=error, seconds=seconds, way=way)
+
+    def lines(self, group: list[Item]) -> Iterator[Line]:
+        """The lines of several curves, which are removed from the list so that none is kept when its line is done."""
+        while group:
+            yield self.line(group.pop(0))
+
+    def weight(self, item: Item) -> int:
+        """How much of a group a curve fills: for a plane curve of which only quick questions are asked its number of
+        segments times the cube of its degree, for a family the largest such value; otherwise `ALONE`.
+
+        >>> from exactspline.batch.corpus import items
+        >>> from exactspline.batch.families import Family
+        >>> families = [Family.parsed(f"degree=2-5 dimension={n} count=1") for n in (2, 3)]
+        >>> [Work.of().weight(item) for item in items(["six_segment_cubic", *families])]
+        [162, 125, 16384]
+        """
+        given = item.given
+        asked = [entry_of(name)[0].about for name in self.find]
+        if self.claims or any(about.argument or about.answered not in QUICK for about in asked):
+            return ALONE
+        if isinstance(given, Member) and given.family.dimension == 2:
+            return given.family.segments[1] * given.family.degree[1] ** 3
+        return given.segments * given.degree**3 if isinstance(given, Nurbs) and given.dimension == 2 else ALONE
+
+    def _answered(self, curve: Nurbs) -> tuple[dict[str, tuple[Found, ...]], tuple[Judged, ...], Way | None]:
+        analysis = analyse(curve)
+        found = inspected(curve, self.find, self.digits, self.values)
+        way = None
+        if analysis.decided_in_doubles is not None and curve.dimension == 2 and curve.degree > 1:
+            way = Way.DECIDED if analysis.decided_in_doubles else Way.EXACT if filter_curve else Way.MISSING
+        return found, self._judged(curve), way
 
     def _judged(self, curve: Nurbs) -> tuple[Judged, ...]:
         if not self.claims:

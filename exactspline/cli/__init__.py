@@ -83,12 +83,22 @@ def _unknown(name: str, known: dict[str, str], ctx: click.Context) -> click.Usag
 def _usage_message(error: click.UsageError) -> str:
     """Bad usage in one line: what is wrong, and where the right usage is described."""
     said = error.message if isinstance(error, click.BadParameter) and error.message else error.format_message()
-    if isinstance(error, click.NoSuchOption) and (others := _with_option(error)):
+    asked = error.ctx.command_path if error.ctx else command_name()
+    if isinstance(error, click.NoSuchOption) and (example := _without_option(error)):
+        said = f"{error.message.rstrip('.')}; write `{asked} {example}`"
+    elif isinstance(error, click.NoSuchOption) and (others := _with_option(error)):
         named = " and ".join(f"`{name}`" for name in others)
         said = f"{error.message.rstrip('.')}; {named} {'have' if others[1:] else 'has'} it"
-    asked = error.ctx.command_path if error.ctx else command_name()
     said = f"{said[:1].lower()}{said[1:]}".replace(". Did", "; did").rstrip(".?")
     return f"{said}; `{asked} --help` explains it"
+
+
+def _without_option(error: click.NoSuchOption) -> str:
+    """The argument that stands for the option in this command, where there is one."""
+    from exactspline.cli.parameters import Command
+
+    command = error.ctx.command if error.ctx else None
+    return command.without_option(error.option_name) if isinstance(command, Command) else ""
 
 
 def _with_option(error: click.NoSuchOption) -> list[str]:

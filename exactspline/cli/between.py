@@ -8,6 +8,7 @@ from exactspline.cli.common import (
     CURVE_HELP,
     Drawing,
     Places,
+    check_distance,
     check_output,
     load_curve,
     see_that_coq_can_name,
@@ -23,6 +24,16 @@ def between(
     curve: Annotated[str, Argument(help=CURVE_HELP)],
     other: Annotated[str, Argument(help="A second curve, of the same dimension.")],
     digits: Places = 12,
+    epsilon: Annotated[
+        str,
+        Option(
+            "--epsilon",
+            metavar="E",
+            help="Also the points that all pairs of curves have in common whose control points and weights differ by "
+            "at most E from these, and those that some of them may have: a number, or written (half a unit of the last "
+            "digit of each curve).",
+        ),
+    ] = "",
     plot: Drawing = "",
     emit_coq: Annotated[
         str,
@@ -38,7 +49,9 @@ def between(
     or, if there are none, the pairs of points at the least distance.
     """
     from exactspline.display import console
+    from exactspline.display.features import common_points_sheet
     from exactspline.display.pair_data import pair_data, pair_sheet
+    from exactspline.display.serialize import described_data
     from exactspline.geometry.curve_pair import CurvePair
 
     check_output(plot, curve, other)
@@ -47,8 +60,15 @@ def between(
     if emit_coq:
         see_that_coq_can_name(emit_coq)
         _emit(first, second, emit_coq)
+    if epsilon:
+        check_distance(epsilon)
     pair = CurvePair(first, second)
     data: Any = pair_data(pair, digits)
+    sheets = [pair_sheet(data, f"{first.name} (s) and {second.name} (t)")]
+    if epsilon:
+        data |= {"epsilon": epsilon, "meetings": list(map(described_data, pair.intersections_within(epsilon)))}
+        title = f"All curves within {epsilon} of {first.name} (s) and of {second.name} (t)"
+        sheets.append(common_points_sheet(data["meetings"], title))
     if plot:
         from exactspline.display.plot.canvas import save
         from exactspline.display.plot.curve_pairs import pair_figure
@@ -57,17 +77,19 @@ def between(
         tell_written(plot)
         if out.for_people:
             return
-    sheet = pair_sheet(data, f"{first.name} (s) and {second.name} (t)")
 
     def people() -> None:
         shown = console.console()
-        shown.print(sheet)
+        for k, sheet in enumerate(sheets):
+            if k:
+                shown.print()
+            shown.print(sheet)
         left_out = data["intersections"]["left_out"] or data["distance"]["left_out"]
         for what in left_out:
             console.lines(shown, f"not decided: {what}")
 
     row = {"key": f"{curve} and {other}", "curves": [first.name, second.name]} | data
-    out.give("between", [row], [sheet], people)
+    out.give("between", [row], sheets[:1], people)
 
 
 def _emit(first: Any, second: Any, path: str) -> None:

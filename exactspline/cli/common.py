@@ -23,6 +23,8 @@ G = TypeVar("G")
 V = TypeVar("V")
 
 CURVE_HELP = "A file of curves (JSON, SVG, DXF, STEP, font.ttf:glyph, …), an example curve by its name, or -."
+#: How the arguments that name places of a paper are given by other commands.
+PLACES = {"--section": "5.4", "--claim": "C4.2b"}
 CurveFiles = Annotated[list[str] | None, Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")]
 Papers = Annotated[
     list[str] | None,
@@ -91,7 +93,7 @@ class Read:
 
     def data(self) -> dict[str, object]:
         """Which curve it is, as data."""
-        from exactspline.batch.corpus import curve_digest
+        from exactspline.interchange.digests import curve_digest
 
         return {"source": self.source, "index": self.index, "digest": curve_digest(self.curve)}
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
-from exactspline.cli.common import Digits, Exact, Papers, Trust
+from exactspline.cli.common import PLACES, Digits, Exact, Papers, Trust
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument
 from exactspline.errors import ClaimError, nearest
@@ -21,7 +21,10 @@ def errata(
     out: Output,
     error: Annotated[
         list[str] | None,
-        Argument(help="Names of errors, ids of claims, or places (span, C4.2b, 5.4, p. 19); without any, all."),
+        Argument(
+            help="Names of errors, ids of claims, or places (span, C4.2b, 5.4, p. 19); without any, all.",
+            instead_of=PLACES,
+        ),
     ] = None,
     paper: Papers = None,
     trust: Trust = False,

@@ -64,15 +64,15 @@ Epsilon = Annotated[
     Option(
         "--epsilon",
         metavar="E",
-        help="Of plane curves: also what all curves have whose control points and weights differ by at most E, and "
-        "what some of them may have; and shapes within E: a number, or written (half a unit of the last digit).",
+        help="Also what all curves have whose control points and weights differ by at most E, and what some of them "
+        "may have (of surfaces: umbilics); and shapes within E: a number, or written (half a unit of the last digit).",
     ),
 ]
 Stability = Annotated[
     bool,
     Option(
         "--stability",
-        help="Of plane curves: also how far control points and weights may be changed until a feature vanishes: a "
+        help="Of curves: also how far control points and weights may be changed until a feature vanishes: a "
         "distance for which it is proved that it does not, and one at which it may be gone.",
     ),
 ]
@@ -266,9 +266,9 @@ def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilo
         within = distance(epsilon, c)
         data |= {"shapes": answer_data(c, analyse(c).shapes_within(within), digits)}
         data["epsilon"] = text(within) if epsilon == WRITTEN else epsilon
-        if c.dimension == 2:
-            data["nearby"] = answer_data(c, analyse(c).features_within(within), digits)
-    if stability and c.dimension == 2:
+        data["nearby"] = answer_data(c, analyse(c).features_within(within), digits)
+        data["meetings"] = answer_data(c, analyse(c).self_intersections_within(within), digits)
+    if stability:
         data["stability"] = stability_data(c)
     if coordinates:
         data["coordinate_extrema"] = coordinate_extrema_data(c, digits)

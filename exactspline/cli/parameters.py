@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from typing import Any, get_args, get_origin, get_type_hints
 
@@ -12,7 +12,7 @@ from click.exceptions import Exit
 
 from exactspline.errors import shown
 
-__all__ = ["Argument", "Exit", "Option", "command_of"]
+__all__ = ["Argument", "Command", "Exit", "Option", "command_of"]
 
 #: The words that complete what was typed so far.
 Completion = Callable[[str], Sequence[str]]
@@ -53,16 +53,25 @@ class Integer(click.IntRange):
 
 
 class Argument:
-    """An argument of a command, called by the name of the parameter unless another stands in the help."""
+    """An argument of a command, called by the name of the parameter unless another stands in the help; `instead_of` are
+    the options by which other commands take such a word, each with an example of one.
+    """
 
-    def __init__(self, *, help: str, metavar: str | None = None, completion: Completion | None = None) -> None:
-        self.help, self.metavar, self.completion = help, metavar, completion
+    def __init__(
+        self,
+        *,
+        help: str,
+        metavar: str | None = None,
+        completion: Completion | None = None,
+        instead_of: Mapping[str, str] | None = None,
+    ) -> None:
+        self.help, self.metavar, self.completion, self.instead_of = help, metavar, completion, instead_of or {}
 
 
 def command_of(function: Callable[..., object], name: str, short_help: str, epilog: str) -> click.Command:
     """The command that calls a function with what was typed: its parameters are read from the annotations."""
     hints = get_type_hints(function, include_extras=True)
-    return _Command(
+    return Command(
         name,
         callback=function,
         params=[_parameter(each, hints[each.name]) for each in inspect.signature(function).parameters.values()],
@@ -72,13 +81,20 @@ def command_of(function: Callable[..., object], name: str, short_help: str, epil
     )
 
 
-class _Command(click.Command):
+class Command(click.Command):
     """A command whose help explains its arguments, too."""
+
+    def without_option(self, option: str) -> str:
+        """An argument of the command that stands for an option which it lacks; or nothing."""
+        return next((each.instead_of[option] for each in self._explained() if option in each.instead_of), "")
+
+    def _explained(self) -> list[_Explained]:
+        return [each for each in self.params if isinstance(each, _Explained)]
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """What it does, then its arguments."""
         super().format_help_text(ctx, formatter)
-        rows = [(each.make_metavar(ctx), each.explained) for each in self.params if isinstance(each, _Explained)]
+        rows = [(each.make_metavar(ctx), each.explained) for each in self._explained()]
         if rows:
             with formatter.section("Arguments"):
                 formatter.write_dl(rows)
@@ -88,6 +104,7 @@ class _Explained(click.Argument):
     """An argument with a line in the help."""
 
     explained = ""
+    instead_of: Mapping[str, str]
 
 
 def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
@@ -107,7 +124,7 @@ def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
         made = _Explained(
             [given.name], nargs=-1 if several else 1, metavar=_shown(metavar, several, required), **fields
         )
-        made.explained = mark.help
+        made.explained, made.instead_of = mark.help, mark.instead_of
         return made
     if bool in parts:
         return click.Option([given.name, *mark.names], is_flag=True, help=mark.help, default=False)

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
-from exactspline.cli.common import Papers, Trust, claims_of_papers
+from exactspline.cli.common import PLACES, Papers, Trust, claims_of_papers
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.display.data import picked
 from exactspline.display.sheet import COLOURS, Sheet
+from exactspline.errors import command_name
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from exactspline.verification.claim import Claim
     from exactspline.verification.statement import Statement
+
+#: Up to this many claims are spelled out for a person; of more, the first.
+FEW = 3
 
 
 @printing
@@ -24,7 +28,9 @@ def show(
         str,
         Argument(
             help="The id of a claim, what it begins (C4.2: all of §4.2), a place in the paper (eq. (12)), or words of "
-            "the statement (evolute). Without it the claims are listed."
+            "the statement (evolute). Without it the claims are listed. Of more than three the first is spelled out, "
+            "the others are named.",
+            instead_of=PLACES,
         ),
     ] = "",
     latex: Annotated[bool, Option("--latex", help="Print each claim as a theorem of LaTeX with its proof.")] = False,
@@ -84,12 +90,18 @@ def _print(out: Output, found: list[Statement]) -> None:
     from exactspline.display.statement import fields, heading
 
     shown = console.console()
-    for i, s in enumerate(found):
+    spelled = found if len(found) <= FEW else found[:1]
+    for i, s in enumerate(spelled):
         if i:
             shown.print()
         console.lines(shown, heading(s), style="bold")
         for what, text in fields(s):
             style = COLOURS.get(text.split(" ")[0], "") if what == "verdict" else ""
             console.lines(shown, f"{what}: {text}", indent=4, first=2, style=style)
+    if others := found[len(spelled) :]:
+        shown.print()
+        console.lines(shown, f"{len(others)} others; `{command_name()} show NAME` spells one out:")
+        for s in others:
+            console.lines(shown, f"{s.claim.key} {s.finding.verdict}: {s.claim.statement}", indent=4, first=2)
     if not out.quiet:
         console.legend(shown, ["naive", "reduced", *[s.finding.verdict for s in found]])

@@ -69,18 +69,20 @@ def inspect_surfaces(
     out.give(
         "inspect surface",
         [{"key": str(data["surface"])} | data for data, _ in inspected],
-        [sheet for _, sheet in inspected],
+        [sheets[0] for _, sheets in inspected],
+        lambda: out.show([sheet for _, sheets in inspected for sheet in sheets]),
         by="surface",
     )
     if not good:
         raise Exit(2)
 
 
-def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> tuple[dict[str, object], Sheet]:
-    """What a surface has as data and as a table, and the picture where one is requested."""
+def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> tuple[dict[str, object], list[Sheet]]:
+    """What a surface has as data and as tables, and the picture where one is requested."""
     from exactspline.display.surface_data import (
         map_data,
         map_sheet,
+        nearby_umbilics_sheet,
         surface_answer_data,
         surface_inspection_data,
         surface_sheet,
@@ -92,17 +94,20 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> t
         if plot:
             raise OptionsError("--plot and a map of the plane", remedy="surfaces in space are drawn")
         sign = jacobian_sign(surface)
-        return map_data(sign, digits), map_sheet(sign)
+        return map_data(sign, digits), [map_sheet(sign)]
     found = inspect_surface(surface)
     if plot:
         _drawn(found, plot)
     data = surface_inspection_data(found, digits)
     if not epsilon:
-        return data, surface_sheet(found, digits)
-    shapes = found.shapes_within(epsilon)
-    return data | {"shapes": surface_answer_data(shapes, digits), "epsilon": epsilon}, surface_sheet(
-        found, digits, shapes
-    )
+        return data, [surface_sheet(found, digits)]
+    shapes, umbilics = found.shapes_within(epsilon), found.umbilics_within(epsilon)
+    data |= {"shapes": surface_answer_data(shapes, digits), "epsilon": epsilon}
+    data["umbilics_within"] = surface_answer_data(umbilics, digits)
+    sheets = [surface_sheet(found, digits, shapes)]
+    if umbilics:
+        sheets.append(nearby_umbilics_sheet(umbilics, f"All surfaces within {epsilon} of {surface.name}"))
+    return data, sheets
 
 
 def _drawn(found: SurfaceInspection, plot: str) -> None:

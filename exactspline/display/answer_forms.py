@@ -23,6 +23,7 @@ from exactspline.geometry.distance import Distance
 from exactspline.geometry.intersections import IntersectionKind, Intersections
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
+from exactspline.geometry.meetings_nearby import NearbyMeeting
 from exactspline.geometry.nearby import NearbyFeature
 from exactspline.geometry.planarity import Plane
 from exactspline.geometry.recognition.pieces import RecognizedPiece
@@ -36,6 +37,7 @@ from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.recognized import RecognizedPart
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
+from exactspline.geometry.surface.umbilics_nearby import NearbyUmbilic
 from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.geometry.surface.zero_lines import ZeroLine
 from exactspline.numbers.exact import mpq
@@ -195,6 +197,7 @@ FORMS: dict[Any, Form] = {
     RecognizedPiece: _described(ShapeKind, "whole"),
     RecognizedPart: form_of(kind=one_of(ShapeKind), patches=list_of(PATCH), whole=FLAG, numbers=_NUMBERS),
     NearbyFeature: _described(FeatureKind, "certain", "single"),
+    NearbyMeeting: _described(IntersectionKind, "certain"),
     StableFeature: _described(FeatureKind),
     Intersections: form_of(points=list_of(_INTERSECTION), everywhere=list_of(_OVERLAP), left_out=TEXTS),
     Distance: form_of(
@@ -217,6 +220,7 @@ FORMS: dict[Any, Form] = {
         curve_of_umbilics=FLAG,
         undecided=list_of(BOX),
     ),
+    NearbyUmbilic: form_of(BOX, certain=FLAG),
     Umbilic: form_of(PLACE, kind=one_of(UmbilicKind), index=or_null(TEXT), one_sided=FLAG),
     Place: PLACE,
     ZeroLine: form_of(
@@ -277,7 +281,7 @@ _MISSING = form_of(interval=INTERVAL, reason=TEXT)
 _RULED = form_of(interval=INTERVAL, moved=TEXT, directrix=_PIECE, generator=_PIECE)
 _TRIMMED = form_of(_PIECE, piece=one_of(PieceKind), foot=TEXT, low=PARAMETER, high=PARAMETER, cut=FLAG)
 _TRIMMED |= {"required": ["piece", "low", "high", "interval", "kind"]}
-#: What `inspect` and `bisector` have beside answers.
+#: What `inspect`, `between` and `bisector` have beside answers.
 FORMS_BESIDE: dict[str, dict[str, Form]] = {
     "bisector": {
         "curves": TEXTS,
@@ -287,9 +291,12 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
         "missing": list_of({"anyOf": [TEXT, _MISSING, form_of(sides=_SIDES, reason=TEXT)]}),
         "pieces": list_of({"anyOf": [_RULED, _TRIMMED]}),
     },
+    "between": {"meetings": list_of(FORMS[NearbyMeeting])},
+    "inspect surface": {"umbilics_within": list_of(FORMS[NearbyUmbilic])},
     "inspect": {
         "coordinate_extrema": list_of(FEATURE),
         "nearby": list_of(FORMS[NearbyFeature]),
+        "meetings": list_of(FORMS[NearbyMeeting]),
         "stability": list_of(form_of(FORMS[StableFeature], prominence=or_null(TEXT))),
         "approaches": list_of(
             form_of(

@@ -316,7 +316,7 @@ def _equation(left: str, factor: str, right: str) -> str:
 
 @words.register
 def _(item: Proof, numbers: Numbers = EXACT) -> str:
-    stated, where = _equation(item.left, item.factor, item.right), f"in R{item.dimension}"
+    stated, where = _equation(item.left, item.factor, item.right), f"in {item.spaces}"
     if item.holds:
         return f"{stated} for all curves {where}"
     if item.verdict == Verdict.VACUOUS:

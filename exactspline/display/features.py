@@ -101,7 +101,7 @@ def _jumping(kind: str, in_space: bool) -> str:
 def words_of(c: Nurbs, data: Mapping[str, object]) -> list[str]:
     """The words of all tables of a curve, and below them, that the glossary explains."""
     made = feature_sheet(c, data)
-    tables = [made, *(sheet(c, data) for name, sheet in EXTRA.items() if name in data)]
+    tables = [made, *_extra(c, data)]
     words = [word for table in tables for word in (*table.columns[1:], *table.tags)]
     remarks = [row[-1] for row in made.rows]
     # κ is not κ′, nor κN
@@ -139,10 +139,9 @@ def _print_rest(out: Console, c: Nurbs, data: Mapping[str, Any]) -> None:
     if data.get("plane"):
         reason = "it has no torsion, no focal curve and no osculating spheres"
         console.lines(out, f"{c.name} lies in the plane {data['plane']}: {reason}")
-    for name, sheet in EXTRA.items():
-        if name in data:
-            out.print()
-            out.print(sheet(c, data))
+    for sheet in _extra(c, data):
+        out.print()
+        out.print(sheet)
     if "approaches" in data:
         out.print()
         out.print(_approaches(data["approaches"]))
@@ -201,23 +200,48 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     return made
 
 
+def meetings_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
+    """Where all curves near a curve meet themselves, and where some of them may."""
+    return common_points_sheet(
+        data["meetings"], f"All curves within {readable(str(data['epsilon']))} of {c.name} and themselves"
+    )
+
+
+def common_points_sheet(meetings: object, title: str) -> Sheet:
+    """The points that all curves near two curves have in common, and those that some of them may have, from data."""
+    listed: Any = meetings
+    made = Sheet("common points", "s between", "and", "t between", "and", title=title, heads=1)
+    for found in listed:
+        ((low, high),) = found["intervals"]
+        ends = map(end_text, (low, high, *found["numbers"]["second"]))
+        made.add_row("exactly one" if found["certain"] else "perhaps some", *ends)
+    return made
+
+
 def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """How far a curve may be changed until its features vanish."""
     title = f"{c.name} with all numbers changed by at most this"
-    columns = ("what", "at", "certain up to", "gone within", "prominence")
+    columns = ("what", "at", "certain up to", "gone within", "ratio", "prominence")
     made = Sheet(*columns, title=title, heads=1, numbers=["certain up to"])
     for found in _in_order(data["stability"]):
         ((low, high),) = found["intervals"]
-        radius, *gone = (decimal(rational(x), 4) for (x,) in found["numbers"].values())
+        numbers = [rational(x) for (x,) in found["numbers"].values()]
+        radius, *gone = (decimal(x, 4) for x in numbers)
+        times = f"{round(float(numbers[-1] / numbers[0]))} ×" if gone and numbers[0] else ""
         at, certain = decimal((rational(low) + rational(high)) / 2, DIGITS), radius if radius != "0" else "not proved"
         made.add_row(
-            kind_name(FeatureKind(found["kind"])), at, certain, *gone or ["not known"], found["prominence"] or ""
+            kind_name(FeatureKind(found["kind"])), at, certain, *gone or ["not known"], times, found["prominence"] or ""
         )
     return made
 
 
 #: Tables below that of the features, by the part of the data that they show.
-EXTRA = {"nearby": nearby_sheet, "stability": stability_sheet}
+EXTRA = {"nearby": nearby_sheet, "meetings": meetings_sheet, "stability": stability_sheet}
+
+
+def _extra(c: Nurbs, data: Mapping[str, Any]) -> list[Sheet]:
+    """The tables below that of the features; none of common points where there are none."""
+    return [sheet(c, data) for name, sheet in EXTRA.items() if name in data and (data[name] or name != "meetings")]
 
 
 def _in_order(found: Any) -> list[Any]:

@@ -12,10 +12,9 @@ from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.curve_pair import CurvePair
 from exactspline.geometry.distance import Distance
 from exactspline.geometry.intersections import Intersection, Intersections, Overlap
-from exactspline.geometry.registry import REGISTRY
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import rounded_outwards
-from exactspline.questions.entry import Of
+from exactspline.questions.entry import questions_of
 from exactspline.reals.real import Real, real
 
 
@@ -27,14 +26,14 @@ def pair_data(pair: CurvePair, digits: int) -> Data:
     >>> pair_data(pair, 5)["intersections"]["points"][0]["second"]
     {'exact': '1/2', 'interval': ['1/2', '1/2'], 'decimal': '0.50000'}
     """
-    answers = {name: entry.answer(pair) for name, entry in REGISTRY[Of.TWO_CURVES].items()}
+    answers = {name: entry.answer(pair) for name, entry in questions_of(CurvePair).items()}
     return {name: _answer_data(answer, digits) for name, answer in answers.items()}
 
 
 def _answer_data(answer: object, digits: int) -> Data:
     if isinstance(answer, Intersections):
         return intersections_data(answer, digits)
-    assert isinstance(answer, Distance), "the registry has no other answers about two curves"
+    assert isinstance(answer, Distance), "there are no other answers about two curves"
     pairs = [{"first": real_data(p.first, digits), "second": real_data(p.second, digits)} for p in answer.pairs]
     value = {"squared": real_data(answer.squared, digits), "value": real_data(answer.value, digits)}
     lower = None if answer.lower is None else text(answer.lower)

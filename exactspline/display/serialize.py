@@ -168,7 +168,7 @@ def described_data(found: Described) -> dict[str, object]:
 
 
 def stability_data(curve: Nurbs) -> list[dict[str, object]]:
-    """The stability of the features of a plane curve, with the prominences of the extrema of κ to four digits."""
+    """The stability of the features of a curve, with the prominences of the extrema of κ to four digits."""
     least: dict[Real, Real | None] = {found.root: x for found, x in prominences(curve)}
     return [
         described_data(found) | {"prominence": None if (x := least.get(found.place)) is None else f"{x.double():.4g}"}

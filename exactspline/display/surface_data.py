@@ -11,6 +11,7 @@ from typing import Any, cast
 from exactspline.display.bisector_data import control_net
 from exactspline.display.data import Data, picked, plain
 from exactspline.display.described import described_surface, shape_text
+from exactspline.display.numbers import decimal
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, counted
@@ -20,9 +21,10 @@ from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.forms import Patch, lowest
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
-from exactspline.geometry.surface.places import Parameter, Place, enclosing
+from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.recognized import RecognizedPart
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
+from exactspline.geometry.surface.umbilics_nearby import NearbyUmbilic
 from exactspline.geometry.surface.zero_lines import ZeroLine
 from exactspline.language.formula import Formula
 from exactspline.language.rational import Rational
@@ -32,6 +34,7 @@ from exactspline.numbers.intervals import Box, Interval, hull, joined
 from exactspline.polynomials.patch_forms import clusters
 from exactspline.questions.answers import SurfacePlaces
 from exactspline.questions.entry import questions_of
+from exactspline.roots.of_polynomials import enclosing
 from exactspline.roots.root import Root
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
@@ -43,6 +46,8 @@ _PoleKey = tuple[Along, mpq, tuple[mpq, ...] | None, Gap]
 INDEX = {UmbilicKind.POSITIVE: "1/2", UmbilicKind.NEGATIVE: "-1/2"}
 #: Digits of boxes around points on borders.
 DIGITS_OF_BOXES = 6
+#: Digits of the ends of intervals in the table.
+DIGITS_OF_ENDS = 12
 #: Digits of angles in the table.
 DIGITS_OF_ANGLES = 10
 #: The description of a patch of a kind.
@@ -160,6 +165,11 @@ def _shape_data(part: RecognizedPart, digits: int) -> Data:
 
 
 @_element_data.register
+def _nearby_data(umbilic: NearbyUmbilic, digits: int) -> Data:
+    return {**_hull_data(umbilic.sides), "certain": umbilic.certain}
+
+
+@_element_data.register
 def _line_data(line: ZeroLine, digits: int) -> Data:
     value = _parameter_data(line.value, digits)
     return picked(line, "along") | value | picked(line, "interval", "closed", "one_sided")
@@ -265,6 +275,15 @@ def surface_value_data(formula: Formula, surface: NurbsSurface, name: str) -> Da
 
 
 # ---- a table
+
+
+def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
+    """The umbilics of all surfaces near a surface, and those that some of them may have."""
+    made = Sheet("umbilics", "u between", "and", "v between", "and", title=title, heads=1)
+    for umbilic in found:
+        ends = [decimal(x, DIGITS_OF_ENDS) for side in umbilic.sides for x in side]
+        made.add_row("exactly one" if umbilic.certain else "perhaps some", *ends)
+    return made
 
 
 def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[RecognizedPart] | None = None) -> Sheet:

@@ -4,6 +4,7 @@ that it can still be pasted.
 
 from __future__ import annotations
 
+import ast
 import re
 import tokenize
 from collections.abc import Iterator
@@ -84,7 +85,7 @@ INDENT = "    "
 
 
 def code_lines(line: str, width: int) -> list[str]:
-    """A statement broken into lines of at most that width where its tokens allow it.
+    """A statement broken into lines of at most that width where its tokens allow it; several ones, each for itself.
 
     >>> for part in code_lines('print(max([3141592653, 2718281828, 1618033988]))', 30):
     ...     print(part)
@@ -95,6 +96,9 @@ def code_lines(line: str, width: int) -> list[str]:
     """
     if cell_len(line) <= width:
         return [line]
+    statements = [str(ast.get_source_segment(line, each)) for each in ast.parse(line).body]
+    if len(statements) > 1:
+        return [part for each in statements for part in code_lines(each, width)]
     lines, current, depth, empty = [], "", 0, True
     for blank, token in _tokens(line):
         room = width - (0 if depth else 2)

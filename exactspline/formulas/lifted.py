@@ -125,6 +125,10 @@ def space_critical_curvature_lifted(c):
     return logarithmic_numerator((binormal_lifted_squared(c), 1), (tangent_lifted_squared(c), -3), (c.w, 6))
 
 
+#: τ, κ′, ‖γ′‖² and ‖γ′ × γ″‖² of a space curve up to positive factors.
+SPACE_FORMS = (torsion_zeros_lifted, space_critical_curvature_lifted, tangent_lifted_squared, binormal_lifted_squared)
+
+
 @formula("lifted", on="space", symbol="S")
 def osculating_sphere(c):
     """The sphere through four consecutive points of the curve."""

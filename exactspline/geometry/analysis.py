@@ -20,6 +20,7 @@ from exactspline.geometry.facts import ZeroForm
 from exactspline.geometry.intersections import Intersections, self_intersections
 from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.kinds import Feature, FeatureKind
+from exactspline.geometry.meetings_nearby import NearbyMeeting, self_intersections_nearby
 from exactspline.geometry.nearby import NearbyFeature, features_nearby, singular_points_nearby
 from exactspline.geometry.nearest import Nearest, nearest
 from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
@@ -101,7 +102,7 @@ class Analysis(SpaceFacts, Displayed):
         """The construction whose zeros are the critical points of the curvature."""
         return "space_critical_curvature" if self.in_space else "critical_curvature"
 
-    @question(*CURVES, proof=lambda facts: facts.flatness.zeros, known=lambda known: known.curvature)
+    @question(*CURVES, proof=lambda facts: facts.flatness.zeros)
     def inflections(self) -> Places[Feature]:
         """The zeros of the curvature at regular points.
 
@@ -130,9 +131,13 @@ class Analysis(SpaceFacts, Displayed):
         """What is certain without exact arithmetic."""
         return None if self.in_space else certain(self)
 
-    @question(
-        *CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros, known=lambda known: known.critical
-    )
+    @property
+    def decided_in_doubles(self) -> bool | None:
+        """Whether the certified filter decided the zeros of κ and of κ′; None where it was not asked."""
+        asked = self._known.get("_certain", self)
+        return None if asked is self else asked is not None
+
+    @question(*CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros)
     def critical_points(self) -> Places[Feature]:
         """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``).
 
@@ -153,12 +158,7 @@ class Analysis(SpaceFacts, Displayed):
 
         return self.once(("critical points", variant), compute)
 
-    @question(
-        *CURVES,
-        part_of="critical_points",
-        proof=lambda facts: facts.zero_form(facts.critical_form).zeros,
-        known=lambda known: known.critical,
-    )
+    @question(*CURVES, part_of="critical_points", proof=lambda facts: facts.zero_form(facts.critical_form).zeros)
     def curvature_extrema(self) -> Places[Feature]:
         """The extrema of the curvature (in space except those with κ = 0).
 
@@ -195,7 +195,7 @@ class Analysis(SpaceFacts, Displayed):
             raise ShapeError("the torsion of a curve in R2", remedy="this needs a curve in space")
         return Places(tuple(space_features.torsion_zeros(self)), tuple(piece for piece, _ in self.planar_pieces))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda known: known.straight, of_piece="straight")
+    @question(*CURVES, answered=Answered.PIECES, of_piece="straight")
     def straight_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve is straight.
 
@@ -208,7 +208,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return tuple(self.pieces_where_zero(self.flatness))
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda known: known.straight, of_piece="κ′ ≡ 0")
+    @question(*CURVES, answered=Answered.PIECES, of_piece="κ′ ≡ 0")
     def constant_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curvature is constant.
 
@@ -289,7 +289,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return recognized(self.curve, epsilon)
 
-    @question_with("1/1000000", Of.PLANE_CURVE, answered=Answered.DESCRIBED)
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED)
     def features_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """What all curves have whose control points and weights differ by at most this, and what some of them may have.
 
@@ -300,11 +300,28 @@ class Analysis(SpaceFacts, Displayed):
         >>> [(feature.kind.value, feature.certain, feature.single) for feature in found]
         [('minimum', True, True), ('inflection', True, True), ('maximum', True, True)]
 
-        Raises `ShapeError` for a curve that is not in the plane, and for a distance that is not positive.
+        Raises `ShapeError` for a curve that is neither in the plane nor in space, and for a distance that is not
+        positive.
         """
         return features_nearby(self.curve, epsilon)
 
-    @question_with("1/1000", Of.PLANE_CURVE, answered=Answered.DESCRIBED)
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED)
+    def self_intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
+        """Where all curves meet themselves whose control points and weights differ by at most this, and where some of
+        them may.
+
+        See `exactspline.geometry.meetings_nearby.self_intersections_nearby`.
+
+        >>> from exactspline import Nurbs
+        >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 2), (-2, 2), (1, 0)])
+        >>> [found.certain for found in analyse(loop).self_intersections_within("1e-6")]
+        [True]
+
+        Raises `ShapeError` like `features_within`.
+        """
+        return self_intersections_nearby(self.curve, epsilon)
+
+    @question_with("1/1000", *CURVES, answered=Answered.DESCRIBED)
     def cusps_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """Where curves whose control points and weights differ by at most this may have cusps or other singular points;
         none of them has one elsewhere.
@@ -319,10 +336,10 @@ class Analysis(SpaceFacts, Displayed):
         """
         return singular_points_nearby(self.curve, epsilon)
 
-    @question(Of.PLANE_CURVE, answered=Answered.DESCRIBED, on_request=True)
+    @question(*CURVES, answered=Answered.DESCRIBED, on_request=True)
     def stability(self) -> tuple[StableFeature, ...]:
-        """Inflections, extrema of the curvature and corners, and how far control points and weights may be changed
-        without one of them vanishing.
+        """Inflections (in space: zeros of the torsion), extrema of the curvature and corners, and how far control
+        points and weights may be changed without one of them vanishing.
 
         See `exactspline.geometry.stability.stability`.
 
@@ -330,7 +347,7 @@ class Analysis(SpaceFacts, Displayed):
         >>> [(found.kind.value, found.radius < found.gone) for found in analyse(example("cubic_s")).stability]
         [('minimum', True), ('inflection', True), ('maximum', True)]
 
-        Raises `ShapeError` for a curve that is not in the plane.
+        Raises `ShapeError` for a curve that is neither in the plane nor in space.
         """
         return stability(self.curve)
 

@@ -44,11 +44,18 @@ class SegmentForm:
     rows: CommonRows
 
     @cached_property
-    def inner(self) -> list[LocalZero]:
-        """Its zeros inside the segment, by exact arithmetic."""
+    def form(self) -> LocalPolynomial:
+        """Its integers."""
         program, (operands, below) = plane_program(self.degree, self.rational), self.rows
         forms = program.run([[fmpz_poly(list(c))] for c in operands], [[fmpz(below)]], [(ONE, ONE)])[0]
-        return isolate(fmpz_poly(forms[self.output]), program.terms[self.output].degrees[0]).inner
+        return LocalPolynomial(fmpz_poly(forms[self.output]))
+
+    @cached_property
+    def inner(self) -> list[LocalZero]:
+        """Its zeros inside the segment, by exact arithmetic."""
+        return isolate(
+            self.form.polynomial, plane_program(self.degree, self.rational).terms[self.output].degrees[0]
+        ).inner
 
 
 class LateZero:
@@ -58,8 +65,8 @@ class LateZero:
 
     multiplicity = 1
 
-    def __init__(self, form: SegmentForm, number: int) -> None:
-        self.form, self.number = form, number
+    def __init__(self, form: SegmentForm, number: int, before: int) -> None:
+        self.form, self.number, self.before = form, number, before
 
     @cached_property
     def exactly(self) -> LocalZero:
@@ -69,6 +76,15 @@ class LateZero:
             return zero
         p, q = int(zero.low.numerator), int(zero.low.denominator)
         return LocalZero(mpq(0), mpq(1), 1, zero.signs, LocalPolynomial(fmpz_poly([-p, q - p])), -1)
+
+    @property
+    def changing(self) -> tuple[LocalPolynomial, int]:
+        """As that of a `LocalZero`; the form itself, without isolating the zero anew, where it is linear or the zero is
+        certainly irrational.
+        """
+        form = self.form.form
+        whole = form.polynomial.degree() == 1 or form.without_rational_zero
+        return (form, self.before) if whole else self.exactly.changing
 
     def __getattr__(self, name: str) -> object:
         if name in LocalZero._fields:
@@ -131,7 +147,7 @@ class Certain:
                     forms[i] = form, Interval(breaks[i], breaks[i + 1])
                 form, ends = forms[i]
                 low, high = ends.at(mpq(zero.low)), ends.at(mpq(zero.high))
-                late: LocalZero = LateZero(form, number)  # type: ignore[assignment]  # it has the attributes
+                late: LocalZero = LateZero(form, number, zero.before)  # type: ignore[assignment]  # it has the attributes
                 root = Root(low, high, (1, 1), (zero.before, -zero.before), late, ends)
                 number += 1
             by_jump = isinstance(zero, Jump)

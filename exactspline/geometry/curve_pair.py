@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from exactspline.geometry.distance import Distance, distance
 from exactspline.geometry.intersections import Intersections, intersections
+from exactspline.geometry.meetings_nearby import NearbyMeeting, intersections_nearby
 from exactspline.hooks import Displayed
+from exactspline.numbers.exact import Number
 from exactspline.questions.entry import Answered, Inspected, Of, question
 from exactspline.splines.nurbs import Nurbs
 
@@ -35,6 +37,18 @@ class CurvePair(Inspected, Displayed):
         [<crossing at 0 and 1/2>]
         """
         return intersections(*self.curves)
+
+    def intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
+        """The points that all curves near both have in common, and those that some may have: of all whose control
+        points and weights differ by at most this.
+
+        >>> from exactspline import Nurbs, example
+        >>> from exactspline.geometry.curve_pair import CurvePair
+        >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, "1/7"), (2, "2/7")]))
+        >>> [found.certain for found in pair.intersections_within("1/1000")]
+        [True]
+        """
+        return intersections_nearby(*self.curves, epsilon)
 
     @question(Of.TWO_CURVES, answered=Answered.PAIRS)
     def distance(self) -> Distance:

@@ -351,7 +351,7 @@ class Facts(Remembers):
 
     # ---- singular points
 
-    @question(*CURVES, proof=lambda facts: facts.speed.zeros, known=lambda _: ())
+    @question(*CURVES, proof=lambda facts: facts.speed.zeros)
     def singular_points(self) -> Places[Feature]:
         """The points with γ′ = 0.
 
@@ -376,7 +376,7 @@ class Facts(Remembers):
             knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in where]
         return Places(tuple(sorted(inner + knots, key=lambda f: f.root)), self.standing_pieces)
 
-    @question(*CURVES, part_of="singular_points", proof=lambda facts: facts.speed.zeros, known=lambda _: ())
+    @question(*CURVES, part_of="singular_points", proof=lambda facts: facts.speed.zeros)
     def cusps(self) -> Places[Feature]:
         """The singular points at which the direction of the curve is reversed.
 
@@ -484,7 +484,7 @@ class Facts(Remembers):
         """The maximal pieces made of segments on which something holds (see `runs`)."""
         return [CurvePiece(intervals_of(self.breaks, *run)) for run in runs(holds, joined)]
 
-    @question(*CURVES, answered=Answered.PIECES, known=lambda _: (), of_piece="stands still")
+    @question(*CURVES, answered=Answered.PIECES, of_piece="stands still")
     def standing_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve stands still."""
         if not any(self.standing):

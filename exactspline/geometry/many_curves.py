@@ -1,13 +1,16 @@
-"""Inflections and curvature extrema of thousands of plane Bézier curves given as arrays of doubles.
+"""Inflections and curvature extrema of thousands of plane curves, as arrays: of Bézier curves given as arrays of
+doubles, and of curves of any degrees and numbers of segments.
 
-The forms are computed in doubles with proved bounds (`exactspline.programs.doubles`), their zeros are isolated where
-that is certified (`exactspline.polynomials.doubles`), and all others are decided in exact arithmetic: every answer is
-that of `exactspline.analyse` for the curve with exactly these doubles as data. This module loads numpy.
+For Bézier curves the forms are computed in doubles with proved bounds (`exactspline.programs.doubles`), their zeros are
+isolated where that is certified (`exactspline.polynomials.doubles`), and all others are decided in exact arithmetic:
+every answer is that of `exactspline.analyse` for the curve with exactly these doubles as data; those of other curves
+are asked of it. This module loads numpy.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import islice
 from math import comb
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -15,12 +18,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from exactspline.errors import ExactSplineError, NumberError, ShapeError
+from exactspline.errors import ExactSplineError, NumberError, ShapeError, as_items
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.filtered import AT_ONCE, filtered
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.numbers.exact import Rounding, double, from_floats, is_float, mpq, rational
 from exactspline.polynomials.doubles import Flags, Floats, Integers
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 #: The codes of the kinds in an array.
@@ -50,6 +54,19 @@ class ManyFeatures(NamedTuple):
     exact: Integers
     refused: Mapping[int, ExactSplineError] = MappingProxyType({})
 
+    def __eq__(self, other: object) -> bool:
+        """Whether all rows, and the reasons for what is refused, are the same."""
+        if not isinstance(other, ManyFeatures):
+            return NotImplemented
+        reasons = [{i: (type(error), str(error)) for i, error in each.refused.items()} for each in (self, other)]
+        return reasons[0] == reasons[1] and all(map(np.array_equal, self[:5], other[:5]))
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        raise TypeError("the features of many curves are arrays, which have no hash")
+
     def __reduce__(self) -> tuple[object, ...]:
         return _restored, (*self[:5], dict(self.refused))  # a read-only mapping cannot be pickled
 
@@ -76,6 +93,50 @@ def features_of_many(points: ArrayLike, weights: ArrayLike | None = None) -> Man
     Raises `ShapeError` for arrays of another shape, `NumberError` for arrays that do not contain numbers.
     """
     return joined(list(features_in_parts(points, weights)))
+
+
+def features_of_curves(curves: Iterable[Nurbs]) -> ManyFeatures:
+    """Inflections and curvature extrema of plane curves, of any degrees, polynomial or rational. Curves that are not in
+    the plane are refused; the others are computed.
+
+    >>> from exactspline import example
+    >>> features = features_of_curves([example("six_segment_cubic"), example("cubic_s")] * 2)
+    >>> np.bincount(features.curve).tolist(), len(features.refused)
+    ([10, 3, 10, 3], 0)
+    """
+    parts = list(curve_features_in_parts(curves))
+    return joined(parts) if parts else in_order([], np.zeros(0, dtype=int), {})
+
+
+def curve_features_in_parts(curves: Iterable[Nurbs], *, at_once: int = AT_ONCE) -> Iterator[ManyFeatures]:
+    """The same as `features_of_curves`, for this many curves at a time, so that partial results are available."""
+    source, start = iter(as_items(curves, "curves")), 0
+    while some := list(islice(source, at_once)):
+        yield _of_curves(some, start)
+        start += len(some)
+
+
+def _of_curves(curves: Sequence[Nurbs], start: int) -> ManyFeatures:
+    """The features of curves that are numbered from `start`."""
+    parts: list[Found] = []
+    exact: list[int] = []
+    refused: dict[int, ExactSplineError] = {}
+    for i, curve in enumerate(curves, start):
+        try:
+            if curve_of(curve).dimension != 2:
+                raise ShapeError(f"a curve in {curve.dimension} dimensions", remedy="in 2")
+        except ShapeError as error:
+            refused[i] = ShapeError(error.problem, where=f"curves[{i}]", remedy=error.remedy)
+            continue
+        analysis = Analysis(curve)
+        try:
+            parts.append(_found(i, analysis))
+        except ExactSplineError as error:
+            refused[i] = error
+            continue
+        if not analysis.decided_in_doubles:
+            exact.append(i)
+    return in_order(parts, np.array(exact, dtype=int), refused)
 
 
 def joined(parts: list[ManyFeatures]) -> ManyFeatures:
@@ -188,7 +249,7 @@ def _features(p: Floats, w: Floats | None, wrong: dict[int, ExactSplineError]) -
     for i in np.flatnonzero(undecided).tolist():
         try:
             curve = _curve(p[i], None if w is None else w[i])
-            features.append(exactly(i, curve))
+            features.append(_found(i, Analysis(curve)))
         except ExactSplineError as error:
             refused[i] = error
             undecided[i] = False
@@ -248,12 +309,13 @@ def _exact(row: Floats) -> list[mpq]:
     return values
 
 
-def exactly(i: int, curve: Nurbs) -> Found:
-    """The features of one curve in exact arithmetic."""
-    analysis = Analysis(curve)
+def _found(i: int, analysis: Analysis) -> Found:
+    """The features of one curve."""
     lists = analysis.inflections, analysis.curvature_extrema
     features = [(which, feature) for which, own in enumerate(lists) for feature in own]
-    bounds = [outside(*feature.root.refine(15)) for _, feature in features]
+    # the filter narrows as far as doubles allow
+    near = [f.root if analysis.decided_in_doubles else f.root.refine(15) for _, f in features]
+    bounds = [outside(place.low, place.high) for place in near]
     return (
         np.full(len(features), i),
         np.array([str(feature.kind) for _, feature in features], dtype=str),

@@ -1,5 +1,5 @@
 """What all curves have in common whose control points and weights differ from those of a curve by at most epsilon: the
-forms of κ and κ′ with balls as coefficients, and where their signs are certain.
+forms of κ and κ′, in space of τ and κ′, with balls as coefficients, and where their signs are certain.
 
 A sign that the coefficients of a form in the Bernstein basis have in common is that of all values, for all
 these curves. Between two certain signs that differ every one of the curves has a zero; between two that agree some may
@@ -11,16 +11,16 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import groupby, pairwise
+from itertools import combinations, groupby, pairwise
 
 from flint import arb, ctx
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family, sign_of
-from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, SPEED
+from exactspline.geometry.plane_programs import BENDING, CRITICAL, CURVATURE, SPEED, TORSION
 from exactspline.numbers.exact import Number, mpq
-from exactspline.numbers.intervals import Interval, ball_ends
+from exactspline.numbers.intervals import Interval, ball_ends, joined
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
@@ -71,11 +71,12 @@ class _Part:
 
 
 def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
-    """Inflections, extrema of the curvature, corners and singular points that all curves near a plane curve have, and
-    those that some of them may have: all whose coordinates and, for a rational curve, weights differ by at most
-    epsilon (a number, or ``written``: see `exactspline.splines.precision`).
+    """Inflections (in space: zeros of the torsion), extrema of the curvature, corners and singular points that all
+    curves near a curve have, and those that some of them may have: all whose coordinates and, for a rational curve,
+    weights differ by at most epsilon (a number, or ``written``: see `exactspline.splines.precision`).
 
-    Corners stand at knots; an end of the domain is not looked at beyond. In the order of the parameter.
+    Corners stand at knots; an end of the domain is not looked at beyond. In space κ may be zero in some of the curves,
+    never in all: there an inflection is possible. In the order of the parameter.
 
     >>> from exactspline import example
     >>> for found in features_nearby(example("cubic_s"), "1/1000"):
@@ -84,8 +85,8 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
     inflection True True 0.5 0.5
     maximum True True 0.81 0.81
 
-    Raises `ShapeError` for a curve that is not in the plane, for an epsilon that is not positive, and where it lets a
-    weight function vanish.
+    Raises `ShapeError` for a curve that is neither in the plane nor in space, for an epsilon that is not positive, and
+    where it lets a weight function vanish.
     """
     with ctx.workprec(PRECISION):
         found = list(_near(curve, epsilon).features())
@@ -93,7 +94,7 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
 
 
 def singular_points_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
-    """Where curves near a plane curve may have singular points, such as cusps: no curve whose coordinates and, for a
+    """Where curves near a curve may have singular points, such as cusps: no curve whose coordinates and, for a
     rational curve, weights differ by at most epsilon has one elsewhere. In the order of the parameter.
 
     >>> from exactspline import Nurbs, example
@@ -109,8 +110,10 @@ def singular_points_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature
 
 def _near(curve: Nurbs, epsilon: Number) -> _Features:
     given = curve_of(curve)
-    if given.dimension != 2:
-        raise ShapeError(f"curves near a curve in R{given.dimension}", remedy="this needs a plane curve")
+    if given.dimension not in (2, 3):
+        raise ShapeError(
+            f"curves near a curve in R{given.dimension}", remedy="this needs a curve in the plane or in space"
+        )
     return _Features(given, distance(epsilon, given))
 
 
@@ -123,11 +126,17 @@ class _Features(CurvesNear):
         yield from singular
         slow = [feature.place for feature in singular]
         n = self.curve.degree
-        inflections = dict.fromkeys((1, -1), FeatureKind.INFLECTION)
         extrema = {1: FeatureKind.MAXIMUM, -1: FeatureKind.MINIMUM}
-        for which, kinds, least in ((CURVATURE, inflections, n), (CRITICAL, extrema, n - 1)):
-            # at a knot of this multiplicity the tangent (the curvature) may jump, so that a sign may change without one
-            open_places = sorted([*slow, *(Interval.point(t) for _, t in self._knots(least))])
+        zeros = (CURVATURE, dict.fromkeys((1, -1), FeatureKind.INFLECTION), n)
+        if self.curve.dimension == 3:
+            flat = self._possible_zeros(BENDING)
+            yield from (_feature(FeatureKind.INFLECTION, place, certain=False) for place in flat)
+            slow += flat
+            zeros = (TORSION, dict.fromkeys((1, -1), FeatureKind.TORSION_ZERO), n - 1)
+        for which, kinds, least in (zeros, (CRITICAL, extrema, n - 1)):
+            # at a knot of this multiplicity the tangent (the curvature, in space the osculating plane) may jump, so
+            # that a sign may change without one
+            open_places = joined([*slow, *(Interval.point(t) for _, t in self._knots(least))])
             # and at one of a multiplicity less by 1 the form itself may jump, so that slopes decide nothing there
             jumps = [Interval.point(t) for _, t in self._knots(least - 1)]
             for feature in self._zeros(which, kinds, jumps):
@@ -137,8 +146,11 @@ class _Features(CurvesNear):
 
     def singular_points(self) -> list[NearbyFeature]:
         """The parts of the domain in which some of the curves may stand still."""
-        slow = [Interval(part.low, part.high) for part in self._parts(SPEED) if part.sign <= 0]
-        return [_feature(FeatureKind.STOP, place, certain=False) for place in slow]
+        return [_feature(FeatureKind.STOP, place, certain=False) for place in self._possible_zeros(SPEED)]
+
+    def _possible_zeros(self, which: int) -> list[Interval]:
+        """The parts of the domain in which a form that is a sum of squares may be 0 for some of the curves."""
+        return [Interval(part.low, part.high) for part in self._parts(which) if part.sign <= 0]
 
     def _knots(self, least: int) -> list[tuple[int, mpq]]:
         """The inner knots of at least this multiplicity, with the segments that end there."""
@@ -176,8 +188,9 @@ class _Features(CurvesNear):
             last = end + self.curve.degree
             before, at, on, behind = (self.points[k] for k in (last - 1, last, start, start + 1))
             left, right = _minus(at, before), _minus(behind, on)
-            turn, ahead = left[0] * right[1] - left[1] * right[0], left[0] * right[0] + left[1] * right[1]
-            certain = turn > 0 or turn < 0 or ahead < 0
+            turns = [left[k] * right[m] - left[m] * right[k] for k, m in combinations(range(len(left)), 2)]
+            ahead = sum((x * y for x, y in zip(left, right, strict=True)), start=arb(0))
+            certain = any(map(sign_of, turns)) or ahead < 0
             yield _feature(FeatureKind.CORNER, Interval(t, t), bool(certain), bool(certain))
 
 

@@ -1,5 +1,5 @@
-"""The forms of κ, κ′ and the speed of all curves near a curve: with one number per coordinate of a control point that
-says how the form changes with it, and a ball for all that is of second order.
+"""The forms of κ, κ′ and the speed (in space of τ, too) of all curves near a curve: with one number per coordinate of a
+control point that says how the form changes with it, and a ball for all that is of second order.
 
 A number that depends on the curve is written ``f + Σ sⱼ εⱼ + r`` with ``|εⱼ| ≤ 1``, where εⱼ E is what is added to one
 coordinate of a control point, or to a weight, and r is in a ball (affine arithmetic: Comba and Stolfi, 1993). The
@@ -19,7 +19,7 @@ from typing import Any
 from flint import arb, arb_mat, arb_poly, fmpz
 
 from exactspline.errors import ShapeError
-from exactspline.geometry.plane_programs import plane_program
+from exactspline.geometry.plane_programs import plane_program, space_program
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -184,15 +184,16 @@ class Family:
 
 
 class CurvesNear:
-    """The forms of the curves near a plane curve, segment by segment.
+    """The forms of the curves near a curve in the plane or in space, segment by segment.
 
     Raises `ShapeError` where a weight function of one of these curves may vanish.
     """
 
     def __init__(self, curve: Nurbs, within: mpq) -> None:
         self.curve, self.within, self.rational = curve, within, not curve.polynomial
-        self.per_point = 3 if self.rational else 2
-        self._program = plane_program(curve.degree, self.rational)
+        self.per_point = curve.dimension + self.rational
+        program = plane_program if curve.dimension == 2 else space_program
+        self._program = program(curve.degree, self.rational)
         self._known = dict[int, tuple[Any, ...]]()
         ball = arb(0, arb(to_fmpq(within)).upper())
         self._points = [[arb(to_fmpq(x)) for x in point] for point in curve.control_points]
@@ -212,7 +213,7 @@ class CurvesNear:
         n, knots = self.curve.degree, self.curve.knots
         j = bisect_right(knots, self.curve.breakpoints[i]) - 1
         start, width = knots[j], knots[j + 1] - knots[j]
-        return j - n, _basis(n, tuple((knots[k] - start) / width for k in range(j - n, j + n + 2)))
+        return j - n, basis_ordinates(n, tuple((knots[k] - start) / width for k in range(j - n, j + n + 2)))
 
     def form(self, which: int, i: int) -> Family:
         """A form on a segment; for the distance 0 to first order, with what a change of a coordinate by 1 adds."""
@@ -245,19 +246,27 @@ class CurvesNear:
         local = [(width * k, first + k, b, b * step) for k, b in enumerate(polynomials)]
         square = arb(0, (step * step).upper())
         found = []
-        for c in range(2):
+        last = self.curve.dimension
+        for c in range(last):
             value = sum((b * (self._weights[j] * self._points[j][c]) for _, j, b, _ in local), start=NOTHING)
             slopes = {k + c: moved * self._weights[j] for k, j, _, moved in local}
             second = NOTHING
             if self.rational:
-                slopes |= {k + 2: moved * self._points[j][c] for k, j, _, moved in local}
+                slopes |= {k + last: moved * self._points[j][c] for k, j, _, moved in local}
                 # (w + ε E) (x + ε′ E) has ε ε′ E² beyond its linear part
                 second = sum((b * square for *_, b, _ in local), start=NOTHING)
             found.append(_Affine(value, slopes, second if self.within else None))
         if self.rational:
             value = sum((b * self._weights[j] for _, j, b, _ in local), start=NOTHING)
-            found.append(_Affine(value, {k + 2: moved for k, _, _, moved in local}, NOTHING if self.within else None))
+            found.append(
+                _Affine(value, {k + last: moved for k, _, _, moved in local}, NOTHING if self.within else None)
+            )
         return found
+
+
+def dot(a: Sequence[arb], b: Sequence[arb]) -> arb:
+    """The scalar product."""
+    return sum((x * y for x, y in zip(a, b, strict=True)), start=arb(0))
 
 
 def sign_of(x: arb) -> int:
@@ -278,7 +287,7 @@ def _enclosed(rows: arb_mat) -> list[arb]:
 
 
 @cache
-def _basis(n: int, knots: tuple[mpq, ...]) -> tuple[tuple[arb, ...], ...]:
+def basis_ordinates(n: int, knots: tuple[mpq, ...]) -> tuple[tuple[arb, ...], ...]:
     """The ordinates of the basis functions on the segment [0, 1]."""
     units = [[int(i == k) for i in range(n + 1)] for k in range(n + 1)]
     return tuple(tuple(arb(to_fmpq(x)) for x in BSpline(n, knots, unit).segments[0]) for unit in units)

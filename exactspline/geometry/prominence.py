@@ -1,4 +1,4 @@
-"""How far the curvature of a plane curve must be changed, as a function, until an extremum vanishes."""
+"""How far the curvature of a curve must be changed, as a function, until an extremum vanishes."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ from exactspline.splines.nurbs import Nurbs
 
 
 def prominences(curve: Nurbs) -> tuple[tuple[Feature, Real | None], ...]:
-    """The extrema of the curvature of a plane curve, each with half of the smaller difference between κ there and at
-    its neighbours: the extrema on both sides, knots at which the tangent or κ jumps, the ends of the domain.
+    """The extrema of the curvature of a curve, each with half of the smaller difference between κ there and at its
+    neighbours: the extrema on both sides (in space also points with κ = 0), knots at which the tangent or κ jumps, the
+    ends of the domain.
 
     Every continuous function that differs from κ by less has such an extremum between the neighbours; one that differs
     by as much has none. None where κ has a pole at both neighbours.
@@ -25,15 +26,18 @@ def prominences(curve: Nurbs) -> tuple[tuple[Feature, Real | None], ...]:
     >>> [(found.kind.value, str(least)) for found, least in prominences(example("ellipse"))][:2]
     [('maximum', '7/8'), ('minimum', '7/8')]
 
-    Raises `ShapeError` for a curve that is not in the plane.
+    Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """
     given = curve_of(curve)
-    if given.dimension != 2:
-        raise ShapeError(f"prominences of a curve in R{given.dimension}", remedy="this needs a plane curve")
+    if given.dimension not in (2, 3):
+        raise ShapeError(
+            f"prominences of a curve in R{given.dimension}", remedy="this needs a curve in the plane or in space"
+        )
     facts = analyse(given)
     ends = [*map(real, given.domain), *[real(x.parameter) for x in facts.joints if x.kind is not JointKind.CONTINUOUS]]
     extrema = facts.curvature_extrema
-    places = sorted([*ends, *[found.root for found in extrema]])
+    flat = facts.inflections if facts.in_space else ()
+    places = sorted([*ends, *[found.root for found in (*extrema, *flat)]])
     return tuple((found, _half_of_the_step(given, found.root, places)) for found in extrema)
 
 

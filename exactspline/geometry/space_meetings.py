@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from flint import fmpz_poly
+from flint import fmpz_mat, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
@@ -15,7 +15,8 @@ from exactspline.polynomials.bernstein import ONE, substituted, value
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Arc, Image, Local, Meeting, Meetings, RationalMap
 from exactspline.polynomials.cost import REMEDY
-from exactspline.polynomials.plane_pairs import meetings
+from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.plane_pairs import meetings, meetings_of_point
 from exactspline.polynomials.zero_places import Place
 from exactspline.roots.local_parameters import parameter
 from exactspline.roots.values import value_at
@@ -40,6 +41,12 @@ class SpaceForms(NamedTuple):
         """The projection along ``(−a, −b, 1)``."""
         return PlaneForms(self.degree, self.x + self.z * a, self.y + self.z * b, self.w)
 
+    def in_lowest_terms(self) -> SpaceForms:
+        """Without a common factor of the four forms: of degree 0 for a single point."""
+        common = greatest_common_divisor(list(self[1:]))
+        forms = [form // common for form in self[1:]]
+        return SpaceForms(max(form.degree() for form in forms), *forms)
+
 
 def space_meetings(first: SpaceForms, second: SpaceForms) -> Meetings:
     """All common points and arcs of two segments in space; the multiplicities are left open.
@@ -51,17 +58,41 @@ def space_meetings(first: SpaceForms, second: SpaceForms) -> Meetings:
 
     Raises `ReachError` for what would take too long.
     """
+    projections = []
     for shear in SHEARS:
         found = meetings(first.sheared(*shear), second.sheared(*shear))
         if not found.arcs and not found.rests:
-            points = [p for p in found.points if _agrees(p, first, second)]
-            return Meetings([Meeting(p.first, p.second, None) for p in points])
-    if found.rests or not all(_agrees_along(arc, first, second) for arc in found.arcs):
-        raise ReachError(
-            "two curves in space with one projection, of which one stands still or turns back", remedy=REMEDY
-        )
-    points = [p for p in found.points if _agrees(p, first, second)]
-    return Meetings([Meeting(p.first, p.second, None) for p in points], found.arcs)
+            return _agreeing(found, first, second)
+        if not found.rests:
+            projections.append((found, shear))
+    first, second = first.in_lowest_terms(), second.in_lowest_terms()
+    if first.degree == 0:
+        return meetings_of_point(_minors(first, second), second.degree)
+    if second.degree == 0:
+        return meetings_of_point(_minors(second, first), first.degree).exchanged()
+    for found, shear in reversed(projections):
+        if all(_agrees_along(arc, first, second) for arc in found.arcs) or _is_one_to_one(shear, first, second):
+            return _agreeing(found, first, second)
+    raise ReachError("two curves in space with one projection, of which one turns back", remedy=REMEDY)
+
+
+def _agreeing(projected: Meetings, first: SpaceForms, second: SpaceForms) -> Meetings:
+    """The arcs, and the common points at which the third coordinates agree, too."""
+    points = [p for p in projected.points if _agrees(p, first, second)]
+    return Meetings([Meeting(p.first, p.second, None) for p in points], projected.arcs)
+
+
+def _minors(point: SpaceForms, curve: SpaceForms) -> list[fmpz_poly]:
+    """What vanishes where a curve passes through a point, a curve of degree 0."""
+    pairs = (point.x, curve.x), (point.y, curve.y), (point.z, curve.z)
+    return [moving * point.w - curve.w * fixed for fixed, moving in pairs]
+
+
+def _is_one_to_one(shear: tuple[int, int], first: SpaceForms, second: SpaceForms) -> bool:
+    """Whether a projection takes no two points of two curves to one because both are in a plane that it keeps."""
+    rows = [[form[i] for form in forms] for n, *forms in (first, second) for i in range(n + 1)]
+    a, b = shear
+    return int(fmpz_mat([*rows, [-a, -b, 1, 0]]).rank()) > int(fmpz_mat(rows).rank())
 
 
 def _agrees(point: Meeting, first: SpaceForms, second: SpaceForms) -> bool:

@@ -1,4 +1,4 @@
-"""How far a plane curve may be changed until a feature vanishes or merges with another: a distance for which it is
+"""How far a curve may be changed until a feature vanishes or merges with another: a distance for which it is
 proved that no such change does it, and a curve, at a distance not much larger, without the feature.
 
 The distance is the largest of a list for which `exactspline.geometry.nearby` finds the feature once in all curves that
@@ -16,14 +16,15 @@ from itertools import pairwise
 from flint import arb, ctx
 
 from exactspline.errors import ShapeError, WeightError
+from exactspline.geometry import plane_features, space_features
 from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Facts
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.geometry.nearby import NearbyFeature, features_nearby
 from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family, best_factor
-from exactspline.geometry.plane_features import critical_points, flat_points
-from exactspline.geometry.plane_programs import CRITICAL, CURVATURE
+from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, TORSION
 from exactspline.geometry.recognition.proof import rounded_up
+from exactspline.geometry.space_features import SpaceFacts
 from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import ball_ends
 from exactspline.questions.answers import CurvePiece, Described
@@ -31,11 +32,13 @@ from exactspline.reals.real import Real, real
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
-#: Kinds of features, with the constructions of which they are zeros, and their forms.
-FORMS: dict[FeatureKind, tuple[str, int]] = {
-    FeatureKind.INFLECTION: ("zero_curvature", CURVATURE),
-    FeatureKind.MAXIMUM: ("critical_curvature", CRITICAL),
-    FeatureKind.MINIMUM: ("critical_curvature", CRITICAL),
+EXTREMA = FeatureKind.MAXIMUM, FeatureKind.MINIMUM
+#: Kinds of features by the dimension, with the constructions of which they are zeros, and their forms.
+FORMS: dict[int, dict[FeatureKind, tuple[str, int]]] = {
+    2: {FeatureKind.INFLECTION: ("zero_curvature", CURVATURE)}
+    | dict.fromkeys(EXTREMA, ("critical_curvature", CRITICAL)),
+    3: {FeatureKind.TORSION_ZERO: ("zero_torsion", TORSION)}
+    | dict.fromkeys(EXTREMA, ("space_critical_curvature", CRITICAL)),
 }
 #: The distances that are tried, in units of the size of the curve.
 DISTANCES = tuple(mpq(m, 8) * mpq(2) ** e for e in range(-60, 0) for m in (8, 10, 12, 14))
@@ -49,7 +52,7 @@ FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64, 96, 128, 256))
 
 @dataclass(frozen=True)
 class StableFeature(Described):
-    """A feature of a plane curve, and how far the curve may be changed.
+    """A feature of a curve, and how far the curve may be changed.
 
     Every curve whose control points and weights differ by at most `radius` has this feature exactly once near this
     place; 0 where nothing like that is proved. `witness` is a curve with fewer features of this kind, whose numbers
@@ -75,8 +78,9 @@ class StableFeature(Described):
 
 
 def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
-    """Inflections, extrema of the curvature and corners of a plane curve, and how far its control points and weights
-    may be changed (each coordinate and each weight for itself) without one of them vanishing or merging with another.
+    """Inflections (in space: zeros of the torsion), extrema of the curvature and corners of a curve, and how far its
+    control points and weights may be changed (each coordinate and each weight for itself) without one of them vanishing
+    or merging with another. Zeros of the curvature of a space curve vanish by any change, so that they are not here.
 
     >>> from exactspline import example
     >>> for found in stability(example("cubic_s")):
@@ -85,20 +89,30 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
     inflection 0.250 0.756
     maximum 0.031 1.000
 
-    Raises `ShapeError` for a curve that is not in the plane.
+    Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """
     given = curve_of(curve)
-    if given.dimension != 2:
-        raise ShapeError(f"the stability of a curve in R{given.dimension}", remedy="this needs a plane curve")
-    facts, radii = Facts(given), _Radii(given)
+    if given.dimension not in FORMS:
+        raise ShapeError(
+            f"the stability of a curve in R{given.dimension}", remedy="this needs a curve in the plane or in space"
+        )
+    facts, radii = _facts(given), _Radii(given)
     with ctx.workprec(PRECISION):
         return tuple(_stable(facts, kind, place, radii) for kind, place in _features(facts))
 
 
+def _facts(curve: Nurbs) -> Facts:
+    return Facts(curve) if curve.dimension == 2 else SpaceFacts(curve)
+
+
 def _features(facts: Facts) -> list[tuple[FeatureKind, Real]]:
     """The features with their parameters, in order."""
-    points = [*flat_points(facts), *critical_points(facts, Variant.MINIMAL)]
-    found: list[tuple[FeatureKind, Real]] = [(point.kind, point.root) for point in points if point.kind in FORMS]
+    if isinstance(facts, SpaceFacts):
+        points = [*space_features.torsion_zeros(facts), *space_features.critical_points(facts, Variant.MINIMAL)]
+    else:
+        points = [*plane_features.flat_points(facts), *plane_features.critical_points(facts, Variant.MINIMAL)]
+    forms = FORMS[facts.curve.dimension]
+    found: list[tuple[FeatureKind, Real]] = [(point.kind, point.root) for point in points if point.kind in forms]
     found += [(FeatureKind.CORNER, real(joint.parameter)) for joint in facts.corners]
     return sorted(found, key=lambda each: each[1])
 
@@ -108,8 +122,9 @@ def _stable(facts: Facts, kind: FeatureKind, place: Real, radii: _Radii) -> Stab
     if kind is FeatureKind.CORNER:
         moved = _straightened(curve, place)
     else:
-        name, which = FORMS[kind]
-        low, high = _neighbours(list(facts.zero_form(name).zeros), place, curve)
+        name, which = FORMS[curve.dimension][kind]
+        variant = Variant.PAPER if which == TORSION and curve.dimension == 3 else Variant.MINIMAL
+        low, high = _neighbours(list(facts.zero_form(name, variant).zeros), place, curve)
         moved = _flattened(curve, which, (low, place, high))
     before = len(_of_kind(facts, kind))
     witness = next((each for each in moved if _lacks(each, kind, before, low, high)), None)
@@ -128,7 +143,7 @@ def _lacks(curve: Nurbs, kind: FeatureKind, before: int, low: Real, high: Real) 
     """Whether a curve has fewer features of a kind, by exact arithmetic, and none of them between these places, so that
     it is not another one that is missing.
     """
-    found = _of_kind(Facts(curve), kind)
+    found = _of_kind(_facts(curve), kind)
     return len(found) < before and not any(low <= place <= high for place in found)
 
 
@@ -239,11 +254,11 @@ class _Lift:
 
 
 def _moved(curve: Nurbs, steps: dict[int, Sequence[mpq]]) -> Nurbs:
-    """The curve with control points moved by these steps, each for both coordinates and, perhaps, the weight."""
+    """The curve with control points moved by these steps, each for all coordinates and, perhaps, the weight."""
     points, weights = list(curve.control_points), list(curve.weights)
-    for i, (x, y, *w) in steps.items():
-        points[i] = (points[i][0] + x, points[i][1] + y)
-        weights[i] += w[0] if w else 0
+    for i, row in steps.items():
+        points[i] = tuple(x + step for x, step in zip(points[i], row, strict=False))
+        weights[i] += sum(row[curve.dimension :])
     return Nurbs(curve.degree, curve.knots, points, weights)
 
 

@@ -23,13 +23,16 @@ _NOT_MARKUP = re.compile(r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?
 
 @dataclass
 class Element:
-    """An element: its name without a namespace prefix, attributes, children, text, and the line where it begins."""
+    """An element: its name without a namespace prefix, attributes, children, text, the line where it begins, and its
+    namespace ("" for none; the prefix itself where it is not declared).
+    """
 
     tag: str
     attributes: dict[str, str]
     line: int
     children: list[Element] = field(default_factory=list)
     text: str = ""
+    namespace: str = ""
 
     def walk(self) -> Iterator[Element]:
         """This element and all its descendants, in document order."""
@@ -63,6 +66,7 @@ def parse(data: bytes, limits: Limits) -> Element:
     parser.buffer_text = True
     open_elements: list[Element] = []
     texts: list[list[str]] = []
+    declared: list[dict[str, str]] = [{}]
     roots: list[Element] = []
     counted = 0
 
@@ -75,13 +79,18 @@ def parse(data: bytes, limits: Limits) -> Element:
                 where=f"line {parser.CurrentLineNumber}",
                 remedy="read with larger limits",
             )
-        element = Element(name.rpartition(":")[2], attributes, parser.CurrentLineNumber)
+        own = {key.partition(":")[2]: value for key, value in attributes.items() if key.split(":")[0] == "xmlns"}
+        declared.append({**declared[-1], **own} if own else declared[-1])
+        prefix, _, tag = name.rpartition(":")
+        namespace = declared[-1].get(prefix, prefix)
+        element = Element(tag, attributes, parser.CurrentLineNumber, namespace=namespace)
         (open_elements[-1].children if open_elements else roots).append(element)
         open_elements.append(element)
         texts.append([])
 
     def end(_: str) -> None:
         open_elements.pop().text = "".join(texts.pop())
+        declared.pop()
 
     def characters(data: str) -> None:
         texts[-1].append(data)

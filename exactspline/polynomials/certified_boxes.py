@@ -40,7 +40,7 @@ DEPTH, BOXES = 48, 5000
 #: The cost of bisecting a patch: nanoseconds per coefficient, and in addition per 100 bits of a coefficient.
 HALVING, HALVING_BITS = 4000, 500
 #: The precision (bits) of a box at which a simple rational zero is searched for, and the largest denominator tried.
-SIMPLE_BITS, SIMPLE = 60, 4096
+SIMPLE_BITS, SIMPLE = 32, 4096
 #: The contraction factor of Krawczyk's operator required for certification.
 KEPT = 3, 4
 
@@ -91,12 +91,13 @@ class Isolated:
         not, the pair preconditioned on the region contracts the longer side, relative to the sides of the region.
         """
         pair = preconditioned(*(f.part(box) for f in self.forms))
-        if pair is None or not _contracts(pair):
+        ranges = pair and _contracting(pair)
+        if pair is None or ranges is None:
             pair = _preconditioned_on(self.forms, self.region, box)
+            ranges = [_ranges(g, k) for k, g in enumerate(pair)]
         half = mpq(1, 2)
         sides = []
-        for k, g in enumerate(pair):
-            diagonal, off_diagonal = g.derivative(k).range, g.derivative(1 - k).range
+        for g, (diagonal, off_diagonal) in zip(pair, ranges, strict=True):
             scale = mpq(int(diagonal[0] + diagonal[1]), 2)
             radius = (int(diagonal[1]) - scale + int(max(-off_diagonal[0], off_diagonal[1]))) / scale / 2
             middle = half - g.value(half, half) / scale
@@ -161,7 +162,7 @@ def _is_decided(part: Sized, given: Pair, at: tuple[int, int], zeros: list[Isola
         return False
     if any(g.sign is not None for g in pair):
         return True
-    region = _certified(given, part.box) if _contracts(pair) else None
+    region = _certified(given, part.box) if _contracting(pair) else None
     if region is not None:
         _add(zeros, Isolated(given, region, at))
     return region is not None
@@ -212,18 +213,24 @@ def _slopes(f: PatchForm) -> tuple[fmpz, fmpz]:
     return right + top - low - up, up + top - low - right
 
 
-def _contracts(pair: Pair) -> bool:
-    """Whether the derivatives are so strongly diagonally dominant on the whole square that Krawczyk's operator
-    contracts each side by the factor `KEPT`; then the pair is injective.
+def _ranges(g: PatchForm, k: int) -> tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]:
+    """Bounds of the derivatives with respect to its own parameter, the k-th, and to the other one."""
+    return g.derivative(k).range, g.derivative(1 - k).range
+
+
+def _contracting(pair: Pair) -> list[tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]] | None:
+    """Bounds of the derivatives of both, if these are so strongly diagonally dominant on the whole square that
+    Krawczyk's operator contracts each side by the factor `KEPT`; then the pair is injective.
     """
-    part, whole = KEPT
+    (part, whole), found = KEPT, []
     for k, g in enumerate(pair):
-        diagonal, off_diagonal = g.derivative(k).range, g.derivative(1 - k).range
+        diagonal, off_diagonal = ranges = _ranges(g, k)
         if not diagonal[0] > 0 or whole * (
             diagonal[1] - diagonal[0] + 2 * max(-off_diagonal[0], off_diagonal[1])
         ) > part * (diagonal[0] + diagonal[1]):
-            return False
-    return True
+            return None
+        found.append(ranges)
+    return found
 
 
 def _certified(forms: Pair, box: Box) -> Box | None:
@@ -231,7 +238,7 @@ def _certified(forms: Pair, box: Box) -> Box | None:
     first, second = (side.grown(side.width * MARGIN) for side in box)
     region = Box(first, second)
     pair = preconditioned(*(f.part(region) for f in forms))
-    if pair is None or not _contracts(pair):
+    if pair is None or not _contracting(pair):
         return None
     crossed = all(max(g.edge(k, 0)) < 0 < min(g.edge(k, 1)) for k, g in enumerate(pair))
     return region if crossed else None
@@ -259,7 +266,7 @@ def _rounded(part: Interval, side: Interval) -> Interval:
     """An interval with short ends around a part and inside the whole side. It is never a single point, because a
     degenerate box has no Jacobian.
     """
-    pad = max(part.width / 64, side.width / 1024)
+    pad = max(part.width / 64, side.width / (1 << 48))
     scale = mpq(1 << int(1 / pad).bit_length())
     low, high = mpq(((part.low - pad) * scale) // 1) / scale, mpq(-((-(part.high + pad) * scale) // 1)) / scale
     return Interval(max(side.low, low), min(side.high, high))

@@ -90,6 +90,13 @@ class LocalZero(NamedTuple):
     #: Sign of the factor just left of the zero (0 if it is exact).
     sign: int
 
+    @property
+    def changing(self) -> tuple[LocalPolynomial, int]:
+        """A polynomial that changes its sign at the zero and nowhere else in the interval, and its sign just left of
+        it.
+        """
+        return self.factor, self.sign
+
 
 class Leaf(NamedTuple):
     """The interval ``[k, k + 1]/2^level``, with 0 or 1 sign changes of the subdivided polynomial."""

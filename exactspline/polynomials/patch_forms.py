@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
+from itertools import pairwise
 from math import comb
 from typing import NamedTuple
 
@@ -16,6 +17,9 @@ from flint import fmpz, fmpz_mat, fmpz_poly
 
 from exactspline.numbers.exact import common_divisor, lcm, mpq
 from exactspline.numbers.intervals import Box, hull
+
+#: Up to this degree differences are taken by a product of matrices.
+DENSE = 30
 
 
 class PatchForm:
@@ -117,6 +121,14 @@ class PatchForm:
         total = (left * self.matrix * right.transpose())[0, 0]
         return mpq(int(total)) / (a * b)
 
+    def on_line(self, direction: int, x: mpq) -> list[fmpz]:
+        """The Bernstein coefficients along the line on which x (direction 0) or y has this value, up to a positive
+        constant for 0 ≤ x ≤ 1.
+        """
+        weights, _ = _weights(self.degree[direction], x)
+        line = weights * self.matrix if direction == 0 else self.matrix * weights.transpose()
+        return line.entries()
+
     def derivative(self, direction: int) -> PatchForm:
         """The derivative with respect to x (direction 0) or y, with the same constant; for degree 0 the zero form of
         degree 0.
@@ -124,8 +136,12 @@ class PatchForm:
         n = self.degree[direction]
         if n == 0:
             return PatchForm(self.matrix * 0)
-        by = _differences(n)
-        return PatchForm(by * self.matrix if direction == 0 else self.matrix * by.transpose())
+        if n <= DENSE:
+            by = _differences(n)
+            return PatchForm(by * self.matrix if direction == 0 else self.matrix * by.transpose())
+        rows = (self.matrix if direction == 0 else self.matrix.transpose()).table()
+        differences = fmpz_mat([[n * (y - x) for x, y in zip(*pair, strict=True)] for pair in pairwise(rows)])
+        return PatchForm(differences if direction == 0 else differences.transpose())
 
     @property
     def steeper(self) -> int:
@@ -328,6 +344,7 @@ def _elevation(n: int, to: int) -> fmpz_mat:
     return fmpz_mat([[int(x * (common // comb(to, i))) for x in row] for i, row in enumerate(rows)])
 
 
+@lru_cache(maxsize=64)
 def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
     """The matrix to Bernstein coefficients over [a, b], times the n-th power of the common denominator: blossoms at a
     and b.

@@ -10,7 +10,7 @@ Segments are those of `exactspline.polynomials.bernstein`: parameters are local,
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from enum import Enum
 from functools import cached_property
 
@@ -246,12 +246,16 @@ def _with_straight(first: PlaneForms, second: PlaneForms) -> Meetings:
 
 
 def _of_point(point: PlaneForms, curve: PlaneForms) -> Meetings:
-    """The parameters at which a curve passes through a point."""
-    forms = [form for form in bezout.minors(point, curve) if form]
+    return meetings_of_point(bezout.minors(point, curve), curve.degree)
+
+
+def meetings_of_point(minors: Iterable[fmpz_poly], degree: int) -> Meetings:
+    """The parameters at which a curve of this degree passes through a point: the common zeros of forms."""
+    forms = [form for form in minors if form]
     if not forms:
         return Meetings(rests=[Rest(None)])
     common = greatest_common_divisor(forms)
-    at_end = curve.degree - max(form.degree() for form in forms)
+    at_end = degree - max(form.degree() for form in forms)
     return Meetings(rests=[Rest(place) for place in places(isolate(common, common.degree() + at_end))])
 
 

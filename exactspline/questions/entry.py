@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from inspect import cleandoc
 from threading import RLock
-from typing import Any, Concatenate, Generic, ParamSpec, Protocol, TypeVar, cast, overload
+from typing import Any, Concatenate, Generic, ParamSpec, TypeVar, cast, overload
 
 from exactspline.roots.zero_set import ZeroSet
 
@@ -107,41 +107,21 @@ class Answered(StrEnum):
     POINT = "point"
 
 
-class Known(Protocol):
-    """What the certified filter knows of a curve of which everything is certain (`exactspline.geometry.many_roots`): it
-    has no singular points, and is no arc of a circle on any segment.
-    """
-
-    @property
-    def curvature(self) -> object:
-        """The zeros of its curvature."""
-
-    @property
-    def critical(self) -> object:
-        """The extrema of its curvature: all its critical points."""
-
-    @property
-    def straight(self) -> object:
-        """Its straight pieces."""
-
-
 @dataclass(frozen=True)
 class About:
     """What is said of a question beside its name, its meaning and its exact answer.
 
     ``of``: what it is asked of. ``answered``: what its answer consists of. ``part_of``: another question, whose answer
     contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the object and the
-    argument. ``known``: the answer
-    from what the certified filter knows. ``argument``: what it is asked with, an example of it in text ("" for
-    nothing). ``of_piece``: what a table says of one of the pieces. ``on_request``: whether it takes so long that it is
-    answered only where it is asked for by its name.
+    argument. ``argument``: what it is asked with, an example of it in text ("" for nothing). ``of_piece``: what a table
+    says of one of the pieces. ``on_request``: whether it takes so long that it is answered only where it is asked for
+    by its name.
     """
 
     of: tuple[Of, ...]
     answered: Answered = Answered.PLACES
     part_of: str = ""
     proof: Callable[..., ZeroSet] | None = None
-    known: Callable[[Known], object] | None = None
     argument: str = ""
     of_piece: str = ""
     on_request: bool = False
@@ -241,12 +221,11 @@ def question(
     answered: Answered = Answered.PLACES,
     part_of: str = "",
     proof: Callable[..., ZeroSet] | None = None,
-    known: Callable[[Known], object] | None = None,
     of_piece: str = "",
     on_request: bool = False,
 ) -> Callable[[Callable[[F], T]], Question[F, T]]:
     """Make the property that computes an answer an entry of the registry (see `About`)."""
-    about = About(of, answered, part_of, proof, known, of_piece=of_piece, on_request=on_request)
+    about = About(of, answered, part_of, proof, of_piece=of_piece, on_request=on_request)
     return lambda compute: Question(compute, about)
 
 

@@ -17,7 +17,7 @@ from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import Number, mpq
 
-#: Nonzero coefficients by the exponents of the two variables.
+#: Nonzero coefficients by the exponents of the two variables: exact numbers, or what can be calculated with like them.
 Coefficients = dict[tuple[int, int], mpq]
 
 
@@ -36,25 +36,31 @@ class DoubleSeries(FieldOperand):
         known = {place: a for place, a in coefficients.items() if a and sum(place) < terms}
         self.coefficients, self.terms = dict(sorted(known.items())), terms
 
-    def constant(self, value: Constant) -> DoubleSeries:
-        """An exact constant."""
-        return DoubleSeries({(0, 0): mpq(value)}, self.terms)
+    @staticmethod
+    def number(value: Constant) -> mpq:
+        """A constant as a coefficient."""
+        return mpq(value)
 
-    def _plus(self, right: DoubleSeries) -> DoubleSeries:
+    def constant(self, value: Constant) -> Self:
+        """An exact constant."""
+        return type(self)({(0, 0): self.number(value)}, self.terms)
+
+    def _plus(self, right: Self) -> Self:
         total = dict(self.coefficients)
         for place, a in right.coefficients.items():
-            total[place] = total.get(place, mpq(0)) + a
-        return DoubleSeries(total, min(self.terms, right.terms))
+            total[place] = total.get(place, self.number(0)) + a
+        return type(self)(total, min(self.terms, right.terms))
 
-    def _times(self, right: DoubleSeries) -> DoubleSeries:
+    def _times(self, right: Self) -> Self:
         product, terms = Coefficients(), min(self.terms, right.terms)
+        others = [(m, n, b) for (m, n), b in right.coefficients.items() if m + n < terms]
         for (i, j), a in self.coefficients.items():
-            for (m, n), b in right.coefficients.items():
+            for m, n, b in others:
                 if i + j + m + n < terms:
-                    product[i + m, j + n] = product.get((i + m, j + n), mpq(0)) + a * b
-        return DoubleSeries(product, terms)
+                    product[i + m, j + n] = product.get((i + m, j + n), self.number(0)) + a * b
+        return type(self)(product, terms)
 
-    def reciprocal(self) -> DoubleSeries:
+    def reciprocal(self) -> Self:
         """``1 / a``; raises `FormulaError` if the constant term is zero."""
         if not self.value:
             raise FormulaError("division by a series that vanishes at this point", remedy="expand at another point")
@@ -65,11 +71,11 @@ class DoubleSeries(FieldOperand):
             total = total + power
         return total * inverse
 
-    def scaled(self, constant: Constant) -> DoubleSeries:
+    def scaled(self, constant: Constant) -> Self:
         """The series times an exact constant."""
-        return DoubleSeries({place: a * mpq(constant) for place, a in self.coefficients.items()}, self.terms)
+        return type(self)({place: a * self.number(constant) for place, a in self.coefficients.items()}, self.terms)
 
-    def d(self, order: int = 1, *, by: str | None = None) -> DoubleSeries:
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The derivative with respect to one of the two parameters, with `order` fewer terms.
 
         Raises `FormulaError` if no parameter is named, and for derivatives beyond the known terms.
@@ -87,12 +93,12 @@ class DoubleSeries(FieldOperand):
             if (n := place[which]) >= order:
                 lowered = tuple(e - order if k == which else e for k, e in enumerate(place))
                 derived[lowered[0], lowered[1]] = a * (factorial(n) // factorial(n - order))
-        return DoubleSeries(derived, self.terms - order)
+        return type(self)(derived, self.terms - order)
 
     @property
     def value(self) -> mpq:
         """The value at the point."""
-        return self.coefficients.get((0, 0), mpq(0))
+        return self.coefficients.get((0, 0), self.number(0))
 
     @property
     def is_zero(self) -> bool:

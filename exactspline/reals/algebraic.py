@@ -219,7 +219,7 @@ class Algebraic(Digits):
 
 def _order(x: Algebraic, y: Algebraic | mpq) -> int:
     """The sign of ``x − y``, by enclosures or, if these do not separate the numbers, by polynomials."""
-    digits, suspected = 10, False
+    digits, suspected = 7, False
     suspicious = max(n._suspicious for n in (x, y) if isinstance(n, Algebraic))
     while True:
         a, b = x._enclosed(digits)

@@ -33,7 +33,7 @@ from exactspline.polynomials.factors import factorize, factorize_square_free, gr
 from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, rows_of
-from exactspline.roots.of_polynomials import Parameter, Place, ball, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
 
@@ -42,6 +42,8 @@ ELIMINANTS = 2
 #: Nanoseconds, per square of the degree and per bit, to isolate roots on an interval as small as boxes are (measured up
 #: to 11).
 SUBDIVISION = 12
+#: The product of the degrees of a form up to which resultants are computed before simple rational numbers are tried.
+FEW = 9
 #: The first precision (decimal digits) at which a sign is tried.
 DIGITS = 15
 #: Bits to which a zero is refined before it is decided exactly whether another form vanishes there; and those with
@@ -87,7 +89,8 @@ class CommonZero:
                 self._local = _moved(self._place, inverse)
             else:
                 assert self.isolated is not None
-                self._local = self.isolated.exact or _numbers(self.isolated)
+                self._local = _numbers(self.isolated, self.isolated.forms)
+                assert self._local is not None, "both forms vanish there"
         return self._local
 
     @property
@@ -99,13 +102,20 @@ class CommonZero:
 
     @property
     def s(self) -> Parameter:
-        """The first number."""
-        return self.place[0]
+        """The first number; the second is not computed."""
+        return self._number(0)
 
     @property
     def t(self) -> Parameter:
-        """The second number."""
-        return self.place[1]
+        """The second number; the first is not computed."""
+        return self._number(1)
+
+    def _number(self, k: int) -> Parameter:
+        if self._local is None and self._place is None and self.isolated is not None:
+            own = _number(self.isolated, self.isolated.forms, k)
+            assert own is not None, "both forms vanish there"
+            return _moved_to(self.sides[k], own)
+        return self.place[k]
 
     @property
     def exact(self) -> tuple[mpq, mpq] | None:
@@ -137,7 +147,7 @@ class CommonZero:
         """A box that contains it, its sides at most ``10^−digits`` long."""
         if self._place is not None:
             return _around(self._place, digits)
-        return self.sides.part(self.refine(int(self.sides.longest * mpq(10) ** digits + 1).bit_length()))
+        return self.sides.part(self.refine(int(self.sides.longest * mpq(10) ** digits).bit_length()))
 
     def is_zero_of(self, form: PatchForm) -> bool:
         """Whether a form vanishes here too, decided exactly. Raises `ReachError` where this would take too long."""
@@ -168,7 +178,7 @@ class CommonZero:
 
 
 def _around(place: Place, digits: int) -> Box:
-    first, second = (_interval(x, digits) for x in place)
+    first, second = (enclosing(x, digits) for x in place)
     return Box(first, second)
 
 
@@ -182,8 +192,12 @@ def _rounded(side: Interval, bits: int) -> Interval:
 
 def _moved(place: Place, sides: Sequence[Interval]) -> Place:
     """Local parameters as those of a patch with these sides."""
-    s, t = (exactly(x.moved(side)) if isinstance(x, Root) else side.at(x) for x, side in zip(place, sides, strict=True))
+    s, t = map(_moved_to, sides, place)
     return s, t
+
+
+def _moved_to(side: Interval, x: Parameter) -> Parameter:
+    return exactly(x.moved(side)) if isinstance(x, Root) else side.at(x)
 
 
 class Found(NamedTuple):
@@ -292,15 +306,15 @@ class _Search:
 
     def _is_inside(self, zero: Isolated) -> bool:
         """Whether a certified zero may be a common one that is inside: one that is on the border is known."""
-        bits = 16
-        while not (box := zero.refine(bits)).is_inside(UNIT):
-            if any(high < 0 or low > 1 for low, high in box) or zero.exact is not None:
-                return False  # a box on the border that is a point
+        bits, box = 16, zero.box
+        while not box.is_inside(UNIT):
+            if any(high < 0 or low > 1 for low, high in box):
+                return False
             if any(zero.region.contains(one.refine(bits)) for one in self.border):
                 return False
             if any(f.part(box).sign in (1, -1) for f in self.forms):
                 return False
-            bits *= 2
+            bits, box = 2 * bits, zero.refine(bits)
         return True
 
     def _vanish_at(self, zero: CommonZero) -> bool:
@@ -308,16 +322,26 @@ class _Search:
         isolated = zero.isolated
         assert isolated is not None
         others = [k for k in range(len(self.forms)) if k not in isolated.at]
-        bits = 16
+        bits, box = 8, isolated.box
         while others and bits <= BITS:
-            box = isolated.refine(bits)
             if any(self.forms[k].part(box).sign in (1, -1) for k in others):
                 return False
             if any(isolated.region.contains(one.refine(bits)) for one in self.known):
                 return True
             others = [k for k in others if not any(e.part(box).sign in (1, -1) for e in self.cofactors[k])]
-            bits *= 2
-        return all(zero.is_zero_of(self.forms[k]) for k in others)
+            bits, box = 2 * bits, isolated.refine(bits)
+        return not others or self._is_of_all(zero)
+
+    def _is_of_all(self, zero: CommonZero) -> bool:
+        """Whether all forms vanish at a zero of two of them, which then is the one pair of roots of the eliminants of
+        all in its box: these have a lower degree than those of the two.
+        """
+        assert zero.isolated is not None
+        place = _numbers(zero.isolated, self.forms)
+        if place is None or not vanish_at([as_polynomial(f) for f in self.forms], *place):
+            return False
+        zero._local = place
+        return True
 
     # ---- elimination
 
@@ -342,7 +366,7 @@ class _Search:
 
     def _may_vanish(self, s: Parameter, box: Box) -> bool:
         """Whether no form is certainly not zero over a number s in a box."""
-        line = Box(_interval(s, 4 * DIGITS), box.second)
+        line = Box(enclosing(s, 4 * DIGITS), box.second)
         return not any(f.part(line).sign in (1, -1) for f in (*self.forms, *self.also))
 
 
@@ -422,7 +446,7 @@ class Column:
         numbers = [exactly(t) for t in roots_in(norm, *UNIT.second)]
         for low, high in pairwise(numbers):
             digits = 2
-            while _interval(low, digits).meets(_interval(high, digits)):
+            while enclosing(low, digits).meets(enclosing(high, digits)):
                 digits *= 2
         return numbers
 
@@ -483,37 +507,38 @@ def _without_t(first: list[fmpz_poly], second: list[fmpz_poly]) -> fmpz_poly:
     return greatest_common_divisor([*first, *second]) if len(first) == len(second) == 1 else resultant(first, second)
 
 
-@lru_cache(maxsize=32)
-def _eliminants(first: PatchForm, second: PatchForm) -> Priced[tuple[list[fmpz_poly], list[fmpz_poly]]]:
-    """Square-free polynomials among whose roots are the numbers s, and those among whose roots are the numbers t, of
-    all isolated common zeros of two forms.
+@lru_cache(maxsize=64)
+def _eliminants(k: int, *forms: PatchForm) -> Priced[list[fmpz_poly]]:
+    """Square-free polynomials among whose roots are the numbers s (for k = 0), or t, of all isolated common zeros of
+    forms.
     """
-    return Priced(partial(_both_eliminants, first, second))
+    return Priced(partial(_eliminated, k, forms))
 
 
-def _both_eliminants(first: PatchForm, second: PatchForm) -> tuple[list[fmpz_poly], list[fmpz_poly]]:
-    p, q = map(as_polynomial, (first, second))
-    shared = greatest_common_divisor([p, q])
-    pair = [p / shared, q / shared]
-    over_s, over_t = (
-        factorize_square_free(_eliminant(own)).bases for own in (pair, [own.compose(T, S) for own in pair])
-    )
-    return over_s, over_t
+def _eliminated(k: int, forms: Sequence[PatchForm]) -> list[fmpz_poly]:
+    polynomials = [as_polynomial(f) if k == 0 else as_polynomial(f).compose(T, S) for f in forms]
+    shared = greatest_common_divisor(polynomials)
+    return factorize_square_free(_eliminant([p / shared for p in polynomials])).bases
 
 
-def _numbers(zero: Isolated) -> Place:
-    """The numbers of a zero certified in a box, as roots of resultants."""
-    numbers = list[Parameter]()
-    for k, parts in enumerate(_eliminants(*zero.forms).value):
-        bits = 4 * DIGITS
-        while len(roots := [t for p in parts for t in roots_in(p, *zero.refine(bits)[k])]) > 1:
-            bits *= 2
-        numbers.append(exactly(roots[0]))
-    return numbers[0], numbers[1]
+def _numbers(zero: Isolated, forms: Sequence[PatchForm]) -> Place | None:
+    """The numbers of a zero certified in a box; None proves that the forms do not all vanish there."""
+    s, t = (_number(zero, forms, k) for k in (0, 1))
+    return None if s is None or t is None else (s, t)
 
 
-def _interval(t: Parameter, digits: int) -> Interval:
-    return t.refine(digits) if isinstance(t, Root) else Interval.point(t)
+def _number(zero: Isolated, forms: Sequence[PatchForm], k: int) -> Parameter | None:
+    """One of the numbers of a zero certified in a box, as a simple rational one or a root of an eliminant of forms;
+    None proves that these do not all vanish there.
+    """
+    m, n = forms[0].degree
+    if (m * n > FEW or not zero.box.longest) and zero.exact is not None:
+        return zero.exact[k] if all(f.value(*zero.exact) == 0 for f in forms) else None
+    bits, parts = 8, _eliminants(k, *forms).value
+    while len(roots := [t for p in parts for t in roots_in(p, *zero.box[k], whole=True)]) > 1:
+        bits *= 2
+        zero.refine(bits)
+    return exactly(roots[0]) if roots else None
 
 
 def _sign_over(x: fmpq_poly, s: Parameter) -> int:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from flint import arb, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpz
-from exactspline.numbers.intervals import ball_around
+from exactspline.numbers.intervals import Interval, ball_around
 from exactspline.polynomials.bernstein import ONE, of_parameter
 from exactspline.polynomials.cost import QUESTION, check_reach, height_bits
 from exactspline.polynomials.factors import factorize, factorize_square_free
@@ -67,3 +67,17 @@ def ball(t: Parameter, digits: int) -> arb:
 def exactly(t: Parameter) -> Parameter:
     """The rational value of a parameter that is rational; others unchanged."""
     return t if not isinstance(t, Root) or t.exact is None else t.exact
+
+
+def enclosing(t: Parameter, digits: int) -> Interval:
+    """An interval that contains a parameter, at most ``10^−digits`` long."""
+    return t.refine(digits) if isinstance(t, Root) else Interval.point(t)
+
+
+def distinct(numbers: Iterable[Parameter]) -> list[Parameter]:
+    """Numbers in ascending order, each once; rational ones as such."""
+    found: list[Parameter] = []
+    for t in sorted(map(exactly, numbers)):
+        if not found or found[-1] != t:
+            found.append(t)
+    return found

@@ -129,9 +129,14 @@ class Root(Real, Displayed):
         return self.segment is None
 
     def _decided(self) -> mpq | None:
-        zero = self._zero
-        if zero is not None and self._reached[0] < self._reached[1] and zero.factor.without_rational_zero:
-            return None
+        if self._zero is not None and self.segment is not None and self._reached[0] < self._reached[1]:
+            changing, _ = self._zero.changing
+            if changing.polynomial.degree() == 1:
+                c, d = changing.polynomial.coeffs()
+                self._set_rational(self.segment.at(mpq(int(c), int(c - d))))
+                return self.low
+            if changing.without_rational_zero:
+                return None
         return super()._decided()
 
     def _integers(self) -> fmpz_poly:
@@ -187,8 +192,9 @@ class Root(Real, Displayed):
         a, b = self.segment
         width = b - a
         bits = int(width * scale + 1).bit_length()
+        changing, before = self._zero.changing
         while low < high and ((high - low) * scale > 1 or low == self._first[0] or high == self._first[1]):
-            for u, v in enclosures(self._zero.factor, (low - a) / width, (high - a) / width, self._zero.sign, bits):
+            for u, v in enclosures(changing, (low - a) / width, (high - a) / width, before, bits):
                 low, high = a + width * u, a + width * v
                 self._keep(low, high)
                 if progress is not None:
@@ -266,11 +272,12 @@ class Root(Real, Displayed):
         if t <= low or t >= high:
             return 1 if t <= low else -1
         a, b = self.segment
-        sign = sign_at(self._zero.factor.polynomial, (t - a) / (b - a))
+        changing, before = self._zero.changing
+        sign = sign_at(changing.polynomial, (t - a) / (b - a))
         if sign == 0:
             self._set_rational(t)
             return 0
-        return 1 if sign == self._zero.sign else -1
+        return 1 if sign == before else -1
 
 
 def _restored(

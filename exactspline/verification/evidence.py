@@ -45,6 +45,7 @@ class Fact(Evidence, Enum):
     NO_FACTOR = "the factor does not exist on all of this curve: 1/0"
     NO_VALUE = "it does not exist on all of this curve: 1/0"
     NO_COMMON_ZERO = "no zero in common"
+    NOT_ISOLATED = "a side vanishes on a whole segment, whose points have no condition number"
     NO_JOINT = "one segment: nothing is joined"
     NOT_HERE = "does not exist here"
     # what holds

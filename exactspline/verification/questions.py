@@ -5,7 +5,7 @@ are given as objects or by name.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from exactspline.errors import FormulaError, as_flag, as_integer, counted
 from exactspline.hooks import Worded
@@ -22,7 +22,7 @@ from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, 
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation
 from exactspline.verification.evidence import At, Difference
-from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED, Finding
+from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED, Finding, worst
 from exactspline.verification.vocabulary import Verdict
 from exactspline.words import choice
 
@@ -59,17 +59,27 @@ class _Answer(Worded):
 
 @dataclass(frozen=True, repr=False)
 class Proof(_Answer):
-    """The answer of `prove`: whether ``left = factor · right`` for all curves of that dimension."""
+    """The answer of `prove`: whether ``left = factor · right`` for all curves of these dimensions."""
 
-    dimension: int
+    dimensions: tuple[int, ...]
     #: The true quotient of the left side by the right side; None for vectors that are not parallel, and where roots are
     #: adjoined.
     quotient: Factor | None
     #: Whether roots are adjoined: then a quotient is not a product of polynomials.
     roots: bool = False
 
+    @property
+    def dimension(self) -> int:
+        """The first of the dimensions."""
+        return self.dimensions[0]
+
+    @property
+    def spaces(self) -> str:
+        """The dimensions in words: R2 and R3."""
+        return " and ".join(f"R{n}" for n in self.dimensions)
+
     def __repr__(self) -> str:
-        return f"{super().__repr__()[:-1]} in R{self.dimension}>"
+        return f"{super().__repr__()[:-1]} in {self.spaces}>"
 
     def data(self) -> dict[str, object]:
         """The answer as data."""
@@ -77,7 +87,7 @@ class Proof(_Answer):
         quotient = None if self.quotient is None else str(self.quotient)
         return (
             sides
-            | {"factor": self.factor, "dimension": self.dimension, "holds": self.holds}
+            | {"factor": self.factor, "dimensions": [*self.dimensions], "holds": self.holds}
             | {"verdict": self.verdict, "quotient": quotient}
         )
 
@@ -101,8 +111,9 @@ class Check(_Answer):
 def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None = None) -> Proof:
     """Whether ``left = factor · right`` for all curves: decided in indeterminate derivatives.
 
-    A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` the lowest one in which both formulas
-    are defined is used. The answer contains the true quotient as well.
+    A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` it must hold in all in which the
+    formulas are defined: where it does not, the answer is about one in which it fails. The answer contains the true
+    quotient as well.
 
     >>> print(prove("f1", "f2", "w"))
     f1 = w · f2 for all curves in R2
@@ -120,15 +131,25 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
             f"{f'R{dimension}' if dimension else 'R2 or in R3'}",
             remedy="compare formulas of one kind of curve",
         )
-    n = common[0] if dimension is None else dimension
-    kind = common_kind(f.kind for f in sides)
-    equation = Equation(sides[0], sides[1], factor)
+    equation, kind = Equation(sides[0], sides[1], factor), common_kind(f.kind for f in sides)
+    defined = [n for n in common if all(kind.takes(f.kind, n) for f in equation.formulas)]
+    asked = (defined or common[:1]) if dimension is None else [dimension]
+    found = [_proved(equation, kind, n, factor) for n in asked]
+    least = worst([each.finding for each in found])
+    alike = [each for each in found if each.verdict == least.verdict]
+    # a quotient belongs to one dimension
+    same = all(each.holds for each in alike)
+    return replace(alike[0], dimensions=tuple(each.dimension for each in alike)) if same else alike[0]
+
+
+def _proved(equation: Equation, kind: Kind, n: int, factor: str) -> Proof:
+    """The answer in one dimension."""
     _check_kinds(kind, equation.formulas, n)
     curve = jets_for(equation.formulas, n, factor=factor)
-    finding = equation.decide(curve)
-    nothing = kind.adjoins_roots or sides[1](curve).is_zero
-    quotient = None if nothing else find_factor(sides[0](curve), sides[1](curve))
-    return Proof(sides[0].name, sides[1].name, factor, finding, n, quotient, kind.adjoins_roots)
+    left, right = equation.left(curve), equation.right(curve)
+    quotient = None if kind.adjoins_roots or right.is_zero else find_factor(left, right)
+    names = equation.left.name, equation.right.name
+    return Proof(*names, factor, equation.decide(curve), (n,), quotient, kind.adjoins_roots)
 
 
 def proof_of(text: str, *, trust: bool = False) -> Proof:

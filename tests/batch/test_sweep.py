@@ -402,7 +402,8 @@ def test_the_command_counts_what_is_there(tmp_path):
     assert rows["segments", ""] == 6 + 4
     assert rows["inflections", "inflection"] == 2
     again = json.loads(run("six_segment_cubic", "circle", "--json", "-o", tmp_path / "a.jsonl").stdout)["rows"]
-    assert rows.pop(("filter", "not asked")) == 2
+    for way in [name for what, name in rows if what == "filter"]:
+        rows.pop(("filter", way))
     assert {(row["what"], row["name"]): row["count"] for row in again} == rows | {("filter", "computed before"): 2}
 
 

@@ -33,6 +33,14 @@ def test_curves_that_could_not_be_read_end_with_2(tmp_path):
     assert [line.error.kind for line in xs.sweep(str(place)) if line.error] == ["Skipped", "Skipped"]
 
 
+def test_a_folder_without_curves_ends_with_2(tmp_path):
+    """False before: exit status 0, nothing said, of a folder of which no file is one of curves."""
+    (tmp_path / "readme.txt").write_text("no curve")
+    assert run(tmp_path).exit_code == 2
+    [line] = xs.sweep(str(tmp_path))
+    assert (line.error.kind, line.source) == ("CurveFileError", str(tmp_path))
+
+
 def test_notes_of_readers_are_in_the_lines_and_counted(tmp_path):
     """False before: a curve cut by a clip path was swept as if it were drawn whole."""
     place = tmp_path / "a.svg"

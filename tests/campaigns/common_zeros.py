@@ -1,7 +1,9 @@
 """Common zeros against elimination by another route: ``python -m tests.campaigns.common_zeros 2000``.
 
 The other route: FLINT's resultants in both directions, all their real roots to a thousand bits, and every pair of them
-at which both polynomials are below 2⁻⁴⁰⁰. It shares no code with the library and knows no fields, boxes or signs.
+at which both polynomials are below 2⁻⁴⁰⁰. It shares no code with the library and knows no fields, boxes or signs. What
+is out of reach is counted for each family; the exit status is 1 where anything is different, or more than one per mille
+of a family is left out.
 """
 
 from __future__ import annotations
@@ -13,12 +15,15 @@ from random import Random
 
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly
 
+from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.two_parameters import CONTEXT, S, T
 from exactspline.roots.common_zeros import common_zeros, multiplicity
 
 SEED = 31
+#: Per mille of the pairs of a family that may be out of reach.
+CEILING = 1
 BITS, SMALL = 1000, 400
 SIDE = Interval(mpq(0), mpq(1))
 
@@ -139,7 +144,11 @@ def run(count: int, start: int = 0) -> dict[str, Counter[str]]:
         own = table.setdefault(family.__name__, Counter())
         own["pairs"] += 1
         before = time.process_time()
-        zeros = common_zeros([f, g], Box(SIDE, SIDE))
+        try:
+            zeros = common_zeros([f, g], Box(SIDE, SIDE))
+        except ReachError:
+            own["left out"] += 1
+            continue
         own["milliseconds"] += round(1000 * (time.process_time() - before))
         own["zeros"] += len(zeros)
         if told := difference(f, g):
@@ -150,9 +159,14 @@ def run(count: int, start: int = 0) -> dict[str, Counter[str]]:
     return table
 
 
+def above_ceiling(table: dict[str, Counter[str]]) -> list[str]:
+    """The families of which more is left out than may be."""
+    return [name for name, own in table.items() if 1000 * own["left out"] > CEILING * own["pairs"]]
+
+
 if __name__ == "__main__":
     arguments = [int(x) for x in sys.argv[1:]]
     table = run(*(arguments or [1000]))
     for name, counts in table.items():
         print(f"{name:12}", ", ".join(f"{what} {n}" for what, n in counts.items()))
-    sys.exit(any(counts["different"] for counts in table.values()))
+    sys.exit(bool(above_ceiling(table)) or any(counts["different"] for counts in table.values()))

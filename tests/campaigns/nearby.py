@@ -2,46 +2,65 @@
 ``python -m tests.campaigns.nearby 1000``; and how much farther away than proved features vanish:
 ``python -m tests.campaigns.nearby --pessimism 100``.
 
-Of every curve near it, the sign of κ and of κ′ at both ends of each interval that has a certain feature is computed by
-its own formula in 60 digits, from control points by de Boor's algorithm; and every feature that the curve has, found in
-exact arithmetic, must lie in an interval that was listed. The exit status is 1 where anything is different. The result
-of the last whole run stands in `docs/as-meant.md`.
+Of every curve near it, the sign of κ (in space of τ) and of κ′ at both ends of each interval that has a certain
+feature is computed by its own formula in 60 digits, from control points by de Boor's algorithm; and every feature that
+the curve has, found in exact arithmetic, must lie in an interval that was listed. Where curves are said to meet,
+Newton's method on the same points must lead into the box; all common points, found in exact arithmetic, must lie in
+one. Radii of stability: no feature may vanish on curves as far as the radius, and a curve that is given as one without
+the feature must have fewer zeros by SymPy's isolation, on a polynomial from its values. The exit status is 1 where
+anything is different, or more is refused, or possible only, than the ceilings allow. The result of the last whole run
+stands in `docs/as-meant.md`.
 """
 
 from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from math import inf
 from random import Random
+from typing import Any
 
 from gmpy2 import mpq
 from mpmath import mp, mpf
+from sympy import Poly, Rational, Symbol, interpolate
 
 from exactspline import Nurbs, analyse
 from exactspline.errors import ExactSplineError
+from exactspline.geometry.intersections import intersections
 from exactspline.geometry.kinds import FeatureKind
+from exactspline.geometry.meetings_nearby import intersections_nearby, self_intersections_nearby
 from exactspline.geometry.nearby import NearbyFeature, features_nearby
 from exactspline.geometry.stability import stability
 
 SEED = 2032
+#: Per mille of the curves that may be refused: no weight comes near 0 within these distances.
+REFUSED = 1
+#: Per cent of the features listed that may be possible only: what is nearer to vanishing than the distance drawn, which
+#: may be a tenth of the curve.
+POSSIBLE = 35
 #: Curves near each curve.
 DRAWN = 4
 ZERO = (FeatureKind.INFLECTION, FeatureKind.UNDULATION)
+TWIST = (FeatureKind.TORSION_ZERO, FeatureKind.TORSION_TOUCH)
 EXTREME = (FeatureKind.MAXIMUM, FeatureKind.MINIMUM, FeatureKind.STATIONARY)
 
 
-def drawn(random: Random) -> Nurbs:
+def number(x: mpq) -> mpf:
+    """A rational number in the working precision."""
+    return mpf(int(x.numerator)) / int(x.denominator)
+
+
+def drawn(random: Random, dimension: int = 2) -> Nurbs:
     """A curve of degree 2 to 5 with one to four segments, polynomial or rational, smooth or with corners."""
-    degree, inner = random.randint(2, 5), random.randint(0, 3)
+    degree, inner = random.randint(dimension, 5), random.randint(0, 3)
     knots = [0] * (degree + 1)
     for t in range(1, inner + 1):
         knots += [t] * random.choice([1, 1, 1, degree - 1, degree])
     knots += [inner + 1] * (degree + 1)
     setting = random.choice([lambda: mpq(random.randint(-9, 9)), lambda: mpq(random.uniform(-1, 1))])
-    points = [(setting(), setting()) for _ in range(len(knots) - degree - 1)]
+    points = [tuple(setting() for _ in range(dimension)) for _ in range(len(knots) - degree - 1)]
     weights = [mpq(random.randint(8, 24), 8) for _ in points] if random.random() < 0.5 else None
     return Nurbs(degree, knots, points, weights)
 
@@ -57,7 +76,7 @@ def moved(curve: Nurbs, epsilon: mpq, random: Random) -> Nurbs:
     return Nurbs(curve.degree, curve.knots, points, weights)
 
 
-def blossom(curve: Nurbs, t: mpq, left: bool) -> list[list[mpf]]:
+def blossom(curve: Nurbs, t: mpq, left: bool, of: Callable[[mpq], Any] = number) -> list[list[Any]]:
     """Derivatives of order 0 to 3 of the homogeneous coordinates, by de Boor's algorithm on differences."""
     d, knots = curve.degree, list(curve.knots)
     j = max(i for i in range(d, len(knots) - d - 1) if (knots[i] < t if left else knots[i] <= t) or i == d)
@@ -68,7 +87,7 @@ def blossom(curve: Nurbs, t: mpq, left: bool) -> list[list[mpf]]:
     for order in range(4):
         n = d - order
         if n < 0:
-            found.append([mpf(0)] * 3)
+            found.append([of(mpq(0))] * len(rows[0]))
             continue
         points = [list(point) for point in net]
         base = j - n
@@ -77,7 +96,7 @@ def blossom(curve: Nurbs, t: mpq, left: bool) -> list[list[mpf]]:
                 a, b = knots[base + i], knots[base + i + n + 1 - r]
                 s = (t - a) / (b - a)
                 points[i] = [(1 - s) * x + s * y for x, y in zip(points[i - 1], points[i], strict=True)]
-        found.append([mpf(int(x.numerator)) / int(x.denominator) for x in points[n]])
+        found.append([of(x) for x in points[n]])
         net = [
             [n * (y - x) / (knots[base + i + n + 1] - knots[base + i + 1]) for x, y in zip(p, q, strict=True)]
             for i, (p, q) in enumerate(pairwise(net))
@@ -86,21 +105,37 @@ def blossom(curve: Nurbs, t: mpq, left: bool) -> list[list[mpf]]:
 
 
 def signs(curve: Nurbs, t: mpq, left: bool) -> tuple[int, int]:
-    """The signs of κ and κ′, by the quotient rule."""
+    """The signs of κ (in space of τ) and κ′, by the quotient rule."""
+    jets = derivatives(curve, t, left)
+    _, first, second, third = zip(*jets, strict=True)
+    if len(jets) == 3:
+        bend, turn = cross(first, second), cross(first, third)
+        slope = mp.fdot(bend, turn) * mp.fdot(first, first) - 3 * mp.fdot(bend, bend) * mp.fdot(first, second)
+        return int(mp.sign(mp.fdot(bend, third))), int(mp.sign(slope))
+    (x1, y1), (x2, y2), (x3, y3) = first, second, third
+    cross_, speed = x1 * y2 - y1 * x2, x1 * x1 + y1 * y1
+    slope = (x1 * y3 - y1 * x3) * speed - 3 * cross_ * (x1 * x2 + y1 * y2)
+    return int(mp.sign(cross_)), int(mp.sign(slope))
+
+
+def cross(a: Sequence[mpf], b: Sequence[mpf]) -> list[mpf]:
+    """The vector product."""
+    return [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
+
+
+def derivatives(curve: Nurbs, t: mpq, left: bool) -> list[list[mpf]]:
+    """Each coordinate with its derivatives of order 1 to 3."""
     rows = blossom(curve, t, left)
-    w = [row[2] for row in rows]
+    w = [row[-1] for row in rows]
     jets = []
-    for axis in (0, 1):
+    for axis in range(curve.dimension):
         p = [row[axis] for row in rows]
         value = [p[0] / w[0]]
         value.append((p[1] - value[0] * w[1]) / w[0])
         value.append((p[2] - 2 * value[1] * w[1] - value[0] * w[2]) / w[0])
         value.append((p[3] - 3 * value[2] * w[1] - 3 * value[1] * w[2] - value[0] * w[3]) / w[0])
         jets.append(value)
-    (_, x1, x2, x3), (_, y1, y2, y3) = jets
-    cross, speed = x1 * y2 - y1 * x2, x1 * x1 + y1 * y1
-    slope = (x1 * y3 - y1 * x3) * speed - 3 * cross * (x1 * x2 + y1 * y2)
-    return int(mp.sign(cross)), int(mp.sign(slope))
+    return jets
 
 
 def changes(curve: Nurbs, found: NearbyFeature) -> bool:
@@ -112,17 +147,18 @@ def changes(curve: Nurbs, found: NearbyFeature) -> bool:
     return before == -behind and (which == 0 or (before == 1) == (found.kind is FeatureKind.MAXIMUM))
 
 
-def wrong(curve: Nurbs, near: Nurbs, said: Sequence[NearbyFeature]) -> str:
-    """What a curve near another has that was not said, or lacks; "" for nothing."""
+def wrong(near: Nurbs, said: Sequence[NearbyFeature], *, complete: bool = True) -> str:
+    """What a curve near another lacks, or has that was not said where that is complete; "" for nothing."""
     for found in said:
-        if found.certain and found.kind in (*ZERO, *EXTREME) and not changes(near, found):
+        if found.certain and found.kind in (*ZERO, *TWIST, *EXTREME) and not changes(near, found):
             return f"no {found.kind} in {found.place}"
     facts = analyse(near)
-    for kinds, answer in ((ZERO, facts.inflections), (EXTREME, facts.critical_points)):
+    answers = [(ZERO, facts.inflections), (EXTREME, facts.critical_points)]
+    for kinds, answer in [*answers, (TWIST, facts.torsion_zeros)] if near.dimension == 3 else answers:
         places = [found.place for found in said if found.kind in kinds or found.kind is FeatureKind.STOP]
         for feature in answer:
             low, high = feature.root.refine(20)
-            if not any(low <= place.high and place.low <= high for place in places):
+            if complete and not any(low <= place.high and place.low <= high for place in places):
                 return f"{feature} is in no interval"
         for found in said:
             if found.single and found.kind in kinds:
@@ -131,19 +167,19 @@ def wrong(curve: Nurbs, near: Nurbs, said: Sequence[NearbyFeature]) -> str:
                     return f"{len(inside)} zeros where one was said, in {found.place}"
     corners = [joint.parameter for joint in facts.corners]
     listed = {found.place.low: found for found in said if found.kind is FeatureKind.CORNER}
-    if any(t not in listed for t in corners):
+    if complete and any(t not in listed for t in corners):
         return f"a corner that was not listed, of {corners}"
     if any(found.certain and t not in corners for t, found in listed.items()):
         return "no corner where one was said"
     return ""
 
 
-def campaign(count: int, seed: int = SEED) -> Counter[str]:
+def campaign(count: int, seed: int = SEED, dimension: int = 2) -> Counter[str]:
     """Random curves, each with a few near it at a random distance."""
     random, tally = Random(seed), Counter[str]()
     mp.dps = 60
     for _ in range(count):
-        curve, epsilon = drawn(random), mpq(1, 10 ** random.randint(1, 14))
+        curve, epsilon = drawn(random, dimension), mpq(1, 10 ** random.randint(1, 14))
         try:
             said = features_nearby(curve, epsilon)
         except ExactSplineError:
@@ -154,9 +190,138 @@ def campaign(count: int, seed: int = SEED) -> Counter[str]:
         tally["possible features"] += sum(not found.certain for found in said)
         for _ in range(DRAWN):
             tally["curves near them"] += 1
-            if what := wrong(curve, moved(curve, epsilon, random), said):
+            if what := wrong(moved(curve, epsilon, random), said):
                 tally[f"WRONG: {what}, {curve!r}"] += 1
     return tally
+
+
+def above_ceiling(tally: Mapping[str, int]) -> list[str]:
+    """What there is more of than may be."""
+    refused, possible = tally.get("refused: weights may vanish", 0), tally["possible features"]
+    above = ["refused"] if 1000 * refused > REFUSED * (refused + tally["curves"]) else []
+    return above + (["possible"] if 100 * possible > POSSIBLE * (possible + tally["certain features"]) else [])
+
+
+def crosses_in(first: Nurbs, second: Nurbs, box: tuple[Sequence[mpq], Sequence[mpq]]) -> bool:
+    """Whether Newton's method from the middle of a box leads to a common point of two plane curves in it."""
+    s, t = ((number(a) + number(b)) / 2 for a, b in box)
+    for _ in range(12):
+        (x, y), (u, v) = (derivatives(c, exact(r), left=False) for c, r in ((first, s), (second, t)))
+        step = mp.lu_solve(mp.matrix([[x[1], -u[1]], [y[1], -v[1]]]), mp.matrix([x[0] - u[0], y[0] - v[0]]))
+        s, t = s - step[0], t - step[1]
+    small = mpf(10) ** -45
+    met = max(map(abs, step)) < small
+    return met and all(number(a) - small <= r <= number(b) + small for r, (a, b) in zip((s, t), box, strict=True))
+
+
+def exact(x: mpf) -> mpq:
+    """The number that a float of the working precision is."""
+    return mpq(int(mp.nint(x * 2**180)), 2**180)
+
+
+def meetings(count: int, seed: int = SEED) -> Counter[str]:
+    """Pairs of random plane curves, and each of these with itself, with pairs near them at a random distance."""
+    random, tally = Random(seed), Counter[str]()
+    mp.dps = 60
+    for k in range(count):
+        first = drawn(random)
+        second, epsilon = (first if k % 2 else drawn(random)), mpq(1, 10 ** random.randint(1, 14))
+        try:
+            said = self_intersections_nearby(first, epsilon) if k % 2 else intersections_nearby(first, second, epsilon)
+        except ExactSplineError:
+            tally["refused: weights may vanish"] += 1
+            continue
+        tally["pairs of curves"] += 1
+        tally["certain common points"] += sum(found.certain for found in said)
+        tally["possible common points"] += sum(not found.certain for found in said)
+        for _ in range(DRAWN):
+            tally["pairs near them"] += 1
+            a = moved(first, epsilon, random)
+            b = a if k % 2 else moved(second, epsilon, random)
+            found = analyse(a).self_intersections if k % 2 else intersections(a, b)
+            inside = [
+                [x for x in said if x.first.low <= s <= x.first.high and x.second.low <= t <= x.second.high]
+                for s, t in ((x.first, x.second) for x in found)
+            ]
+            if not all(inside):
+                tally[f"WRONG: a common point in no box, {a!r}, {b!r}"] += 1
+            for meet in said:
+                if meet.certain and not crosses_in(a, b, (meet.first, meet.second)):
+                    tally[f"WRONG: no common point in {meet}, {a!r}, {b!r}"] += 1
+                if meet.certain and sum(meet in own for own in inside) != 1 and not found.left_out:
+                    tally[f"WRONG: not one common point in {meet}, {a!r}, {b!r}"] += 1
+    return tally
+
+
+def forms(curve: Nurbs) -> tuple[Poly, Poly]:
+    """The numerators of κ and κ′ of a plane curve of one segment, interpolated from values."""
+    t = Symbol("t")
+    count = 4 * curve.degree + 1
+    jets = [(Rational(k, count), blossom(curve, mpq(k, count), left=False, of=_as_it_is)) for k in range(count)]
+
+    def interpolated(values: list[object]) -> Poly:
+        return Poly(interpolate([(place, value) for (place, _), value in zip(jets, values, strict=True)], t), t)
+
+    bends, speeds, weights = [], [], []
+    for _, rows in jets:
+        p, first, second = ([Rational(int(x.numerator), int(x.denominator)) for x in row] for row in rows[:3])
+        one, two = ([d[c] * p[2] - p[c] * d[2] for c in (0, 1)] for d in (first, second))
+        bends.append(one[0] * two[1] - one[1] * two[0])
+        speeds.append(one[0] ** 2 + one[1] ** 2)
+        weights.append(p[2])
+    bend, speed, w = map(interpolated, (bends, speeds, weights))
+    slope = (bend.diff(t) * w + 2 * bend * w.diff(t)) * speed * 2 - 3 * bend * w * speed.diff(t)
+    return bend, slope
+
+
+def _as_it_is(x: mpq) -> mpq:
+    return x
+
+
+def sign_changes(form: Poly) -> Counter[int]:
+    """How often a polynomial changes its sign on ]0, 1[, by the sign before: by SymPy's isolation of real roots."""
+    tally, before = Counter[int](), 0
+    ends = sorted((high, times) for (_, high), times in form.intervals(inf=0, sup=1) if times % 2)
+    for place in [Rational(0), *[high for high, _ in ends], Rational(1)]:
+        now = 1 if (value := form.eval(place)) > 0 else -1 if value < 0 else 0
+        if before and now == -before:
+            tally[before] += 1
+        before = now or before
+    return tally
+
+
+def radii(count: int, seed: int = SEED) -> Counter[str]:
+    """Curves as far from random ones as features are proved to be stable; and the curves without them."""
+    random, tally = Random(seed), Counter[str]()
+    mp.dps = 60
+    for k in range(count):
+        curve = drawn(random)
+        while curve.degree > 3 or (curve.segments > 1 and k % 2):
+            curve = drawn(random)
+        for found in stability(curve):
+            if found.radius:
+                said = [
+                    near
+                    for near in features_nearby(curve, found.radius)
+                    if near.kind is found.kind and near.place.low <= found.place <= near.place.high
+                ]
+                tally["features with a radius"] += 1
+                tally[f"WRONG: {found} of {curve!r} is not certain"] += len(said) != 1 or not said[0].single
+                for _ in range(3 * DRAWN):
+                    tally["curves within a radius"] += 1
+                    what = wrong(moved(curve, found.radius, random), said, complete=False)
+                    tally[f"WRONG: {what}, {found} of {curve!r}"] += bool(what)
+            if found.witness is not None and curve.segments == 1 and found.kind is not FeatureKind.CORNER:
+                tally["curves without a feature"] += 1
+                which = int(found.kind in EXTREME)
+                one, other = (sign_changes(forms(c)[which]) for c in (curve, found.witness))
+                if not which:
+                    fewer = sum(other.values()) < sum(one.values())
+                else:
+                    before = 1 if found.kind is FeatureKind.MAXIMUM else -1
+                    fewer = other[before] < one[before]
+                tally[f"WRONG: {found} is there in {found.witness!r}"] += not fewer
+    return +tally
 
 
 def pessimism(count: int, seed: int = SEED) -> list[float]:
@@ -181,10 +346,14 @@ def main() -> int:
         within = [sum(ratio <= limit for ratio in ratios) for limit in (4, 16, 1000)]
         print(f"{len(ratios)} features; quartile and median {middle}; within 4, 16, 1000: {within}")
         return 0
-    found = campaign(int(sys.argv[1]) if len(sys.argv) > 1 else 100)
+    count, seed = (int(given) for given in (*sys.argv[1:], *("100", str(SEED))[len(sys.argv) - 1 :])[:2])
+    found = campaign(count, seed) + campaign(count // 4, seed, dimension=3) + meetings(count, seed)
+    found += radii(count // 6, seed)
     for what, count in sorted(found.items()):
         print(f"{count:8} {what}")
-    return any(what.startswith("WRONG") for what in found)
+    above = above_ceiling(found)
+    print(*[f"above its ceiling: {what}" for what in above], sep="\n", end="\n" * bool(above))
+    return bool(above) or any(what.startswith("WRONG") for what in found)
 
 
 if __name__ == "__main__":

@@ -310,6 +310,7 @@ def test_an_error_points_to_what_was_meant(tmp_path):
     end of a file of one line was line 2.
     """
     assert "`exactspline teach check` has it" in run("teach", "exercise", "--hint").stderr
+    assert "write `exactspline errata 5.4`" in run("errata", "--section", "5.4").stderr
     assert "add --formulas" in run("formula", "degrees", "f2").stderr
     assert "add --generic, or --at D" in run("formula", "degrees", "bisector").stderr
     names = re.search(r"the nearest are (.*?);", run("errata", "6.9").stderr)[1].split(", ")

@@ -32,6 +32,14 @@ def test_a_claim_has_its_sides_factor_degrees_verdict_and_source():
         assert part in output
 
 
+def test_of_many_claims_the_first_is_spelled_out_and_the_others_are_named():
+    """`show C5.4a` printed thirteen claims one after the other."""
+    claims = select(["C5.4a"])
+    told = show("C5.4a")
+    assert told.count("statement: ") == 1
+    assert all(f"{claim.key} {claim.expected}: " in told for claim in claims[1:])
+
+
 def test_latex_is_not_broken_into_lines():
     lines = show("C4.2c", "--latex").splitlines()
     assert r"\[ g_2 = w\,g_1 \]" in lines

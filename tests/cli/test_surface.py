@@ -40,7 +40,7 @@ def test_umbilics_to_any_number_of_digits():
 
 
 def test_shapes_within_a_distance():
-    document = json.loads(invoke("inspect", "ellipsoid", "cylinder", "--epsilon", "1e-3", "--json").output)
+    document = json.loads(invoke("inspect", "hyperbolic_paraboloid", "cylinder", "--epsilon", "1e-3", "--json").output)
     jsonschema.validate(document, schema_of("inspect surface"))
     none, found = (row["shapes"] for row in document["rows"])
     assert none == []

@@ -211,7 +211,7 @@ def test_quiet_leaves_the_legend_out():
 
 
 def test_an_equation_is_found_by_its_number():
-    told = invoke("show", "eq. (12)").stdout
+    told = " ".join(invoke("show", "eq. (12)").stdout.split())
     assert "1/κ, with its sign, is ‖γ′‖³ / [γ′ γ″]" in told
     assert "REFUTED" in told
     assert "(8)" not in told

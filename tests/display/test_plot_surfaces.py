@@ -206,6 +206,32 @@ def test_a_surface_between_two_heights_is_the_same_part_by_either_approach():
     assert rows == before
 
 
+@pytest.mark.parametrize(
+    ("formula", "argument", "shown"),
+    [
+        ("point_bisector_polynomial", "point", {"heights": ("-1/2", "5/2")}),
+        ("point_bisector_direct_z", "point", {"heights": ("-1/2", "5/2")}),
+        ("tangent_developable", "curve", {"box": ((-1, -1, 0), (2, 2, 2))}),
+    ],
+)
+def test_the_parameters_of_each_point_of_a_ruled_surface_are_those_of_the_point(formula, argument, shown):
+    """Hovering over figures 4 to 6 said nothing; a ruling that is cut ends at other parameters than asked for."""
+    curve = example("helix_like")
+    surface = find(formula)(curve.with_point(("1/3", "1/4", 1)) if argument == "point" else curve)
+    mesh = ruled_mesh(surface, (-1, 1), **shown)
+    points, _ = mesh.indexed
+    assert len(points) == len(mesh.located) > 1000
+    for point, (s, zeta) in list(zip(points, mesh.located, strict=True))[::97]:
+        assert surface.at(zeta)(s) == point
+
+
+def test_the_parameters_of_a_surface_of_two_parameters_are_those_of_its_points_but_where_it_is_cut():
+    mesh = tensor_mesh(SADDLE, box=((0, 0, 0), (1, 1, mpq(1, 3))))
+    points, _ = mesh.indexed
+    assert 1000 < len(mesh.located) < len(points)
+    assert all(point == (s, t, s * t) for point, (s, t) in zip(points, mesh.located, strict=False))
+
+
 def test_a_level_ruling_has_no_part_between_two_heights():
     line, level = BSpline(1, [0, 0, 1, 1], [0, 1]), BSpline(1, [0, 0, 1, 1], [1, 1])
     rising = BSpline(1, [0, 0, 1, 1], [0, 1])

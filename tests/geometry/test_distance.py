@@ -7,8 +7,9 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, distance, example
+from exactspline import BSpline, Nurbs, distance, example
 from exactspline.errors import ShapeError
+from exactspline.language import Vector
 from tests.support.bisector_oracle import bezier
 
 
@@ -89,8 +90,9 @@ def test_arcs_of_nearest_points_are_named(first, second, value, arcs):
 
 def test_what_intersections_leave_out_is_left_out_of_the_distance():
     """False before: "these pairs" at the distance 0, where the common points of two segments are undecided."""
-    knots = [0, 0, 1, 2, 3, 3]
-    still = Nurbs(1, knots, [(0, 0, 0), (1, 0, 0), (1, 0, 0), (2, 1, 0)])
-    found = distance(still, bezier((1, -1, 0), (1, 1, 0)))
+    t = BSpline.identity(0, 1)
+    twice, again = (Nurbs.from_splines(Vector(u, u * u), t.constant(1)) for u in (4 * t * (1 - t), 3 * t * t - 2 * t))
+    more = [*twice.control_points, (1, 0), (2, 0), (3, 2), (0, 1)]  # over an arc of y = x² to and fro, then across it
+    found = distance(Nurbs(4, [0] * 5 + [1] * 4 + [2] * 5, more), again)
     assert (found.value, found.lower) == (0, 0)
     assert found.left_out

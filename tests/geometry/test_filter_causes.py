@@ -4,47 +4,22 @@ Run as a program it prints the table of docs/certified-filter.md: ``python -m te
 """
 
 from collections import Counter
-from itertools import pairwise
 
 import pytest
 
 from exactspline.batch.families import Family
-from exactspline.papers import find
-from exactspline.roots.zero_set import zeros
+from tests.support.filter_causes import CEILING, cause
 from tests.support.sampled import FULL
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry.many_splines import features_of_curves  # noqa: E402  # needs numpy
+from exactspline.geometry.many_curves import features_of_curves  # noqa: E402  # needs numpy
 from exactspline.polynomials.doubles import Bounded, without_zeros  # noqa: E402
 
 #: Families of integers of that many bits: what is left of 3000 curves of each, of which tests look at a third.
 BITS = (10, 6, 4, 2)
 WORDS = "degree=2-5 segments=1-4 rational=half seed=1"
 COUNT = 3000 if FULL else 1000
-#: Per mille of the curves that may be left for no exact reason.
-CEILING = 1
-
-
-def cause(curve):
-    """What is exactly true of a curve that no enclosure of numbers can tell; an empty text for none."""
-    inflections, critical, speed = (find(name)(curve) for name in ("f2", "g2", "D1_squared"))
-    segments = [form.bezier_segments() for form in (inflections, critical, speed)]
-    if any(piece.is_zero for form in segments for piece in form):
-        return "κ or κ′ vanishes on a segment"
-    ends = [[piece(t) == 0 for piece in form for t in piece.domain] for form in segments]
-    if any(ends[2]):
-        return "γ′ vanishes at a knot or an end"
-    if any(ends[0]):
-        return "κ vanishes at a knot or an end"
-    if any(ends[1]):
-        return "κ′ vanishes at a knot or an end"
-    if any(root.multiplicity > 1 for form in segments for piece in form for root in zeros(piece)):
-        return "a multiple zero"
-    changes = [any(a(a.domain[1]) * b(b.domain[0]) < 0 for a, b in pairwise(form)) for form in segments[:2]]
-    if curve.closed or any(changes):
-        return "κ or κ′ changes its sign at a knot"
-    return ""
 
 
 def left(words):

@@ -14,6 +14,7 @@ from exactspline.geometry.intersections import _Collected
 from exactspline.numbers.exact import rational
 from tests.campaigns.intersections import FAMILIES, above_ceiling, bezier_rows, campaign, curve, multiplied
 from tests.support.bisector_oracle import bezier
+from tests.support.dials import factors, over_dials
 from tests.support.elimination_oracle import common_points
 
 
@@ -272,6 +273,62 @@ def test_irrational_points_in_space_are_compared_exactly():
     assert found.first.minimal_polynomial() == [-1, 0, 2]
     near = mpq(1, 2) + mpq(1, 1 << 200)
     assert not intersections(parabola, bezier((0, "1/2", near), (1, "1/2", near)))
+
+
+TURNING = bezier((0, 0), (3, 3), (0, 0))
+POINT = bezier(("3/4", "3/4"), ("3/4", "3/4"), weights=[1, 3])
+
+
+@pytest.mark.parametrize(("first", "second"), [
+    (TURNING, POINT), (POINT, POINT), (bezier((1, 2), (1, 2)), POINT), (TURNING, bezier((0, 0), (1, 1))),
+    (TURNING, bezier((1, 1), (-1, -1), (2, 2))), (TURNING, bezier((0, 2), (2, 0))),
+    (bezier((0, 0), (1, 2), (2, 0)), bezier((1, 1), (1, 1))),
+    (bezier((0, 0), (1, 2), (2, 0)), bezier((0, 0), (1, 2), (2, 0)).restrict("1/3", 1).reverse()),
+    (Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (1, 0), (2, 1)]), bezier((1, -1), (1, 1))),
+])  # fmt: skip
+@over_dials
+def test_curves_in_a_plane_of_space_meet_as_in_the_plane(first, second, number):
+    """Undecided before: a point, or a piece that stands still, on a curve in space; segments that turn back."""
+    random = Random(5)
+    a, b, c, d, e, f = (x + random.randint(7, 9) * mpq(10) ** k for k, x in enumerate(factors(number, random, 6)))
+
+    def placed(curve):
+        points = [(a * x + b * y, c * x - d * y, e * x + f * y + 1) for x, y in curve.control_points]
+        return Nurbs(curve.degree, curve.knots, points, curve.weights)
+
+    for one, other in ((first, second), (second, first)):
+        flat, found = intersections(one, other), intersections(placed(one), placed(other))
+        assert [(p.first, p.second) for p in found] == [(p.first, p.second) for p in flat]
+        assert [(arc.first, arc.second) for arc in found.everywhere] == [
+            (arc.first, arc.second) for arc in flat.everywhere
+        ]
+        assert found.left_out == flat.left_out == ()
+
+
+@pytest.mark.parametrize("along", [(-7, 4, 1), (0, 0, 1), (3, -5, 1)])
+def test_segments_that_turn_back_in_a_plane_along_a_projection(along):
+    """A plane that holds one of the directions of projection: the others decide."""
+
+    def placed(curve):
+        points = [tuple(x * a + y * b for a, b in zip(along, (1, 1, 0), strict=True)) for x, y in curve.control_points]
+        return Nurbs(curve.degree, curve.knots, points)
+
+    for other in (bezier((0, 0), (1, 1)), bezier((0, 2), (2, 0)), bezier((1, 1), (-1, -1), (2, 2))):
+        flat, found = intersections(TURNING, other), intersections(placed(TURNING), placed(other))
+        assert repr(found.everywhere) == repr(flat.everywhere)
+        assert pairs(found) == pairs(flat)
+        assert found.left_out == flat.left_out == ()
+
+
+def test_a_point_on_a_curve_in_space():
+    """Undecided before, with a remark that a curve stands still or turns back."""
+    twisted = bezier((0, 0, 0), ("1/3", 0, 0), ("2/3", "1/3", 0), (1, 1, 1))
+    for t in (0, mpq(1, 3), 1):
+        (found,) = intersections(bezier(*[twisted(t)] * 3, weights=[1, 2, 5]), twisted).everywhere
+        assert (found.first, found.second) == ((0, 1), (t, t))
+    (found,) = intersections(bezier((2, 0, 0), (3, 1, 1)), bezier((2, 0, 0), (2, 0, 0))).everywhere
+    assert (found.first, found.second) == ((0, 0), (0, 1))
+    assert not intersections(twisted, bezier((1, 1, 0), (1, 1, 0)))
 
 
 # ---- many segments

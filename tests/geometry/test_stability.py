@@ -85,5 +85,18 @@ def test_what_every_change_destroys_has_no_radius():
 def test_questions_and_errors():
     curve = xs.example("cubic_s")
     assert xs.analyse(curve).stability == stability(curve)
-    with pytest.raises(ShapeError, match="plane curve"):
-        stability(xs.example("twisted_cubic"))
+    with pytest.raises(ShapeError, match="in the plane or in space"):
+        stability(xs.Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 1, 1, 1)]))
+
+
+def test_a_space_curve():
+    """Torsion and curvature of a quartic: radii hold for curves near it, witnesses have fewer extrema."""
+    curve, random = xs.example("space_quartic"), Random(5)
+    found = stability(curve)
+    assert [one.kind for one in found] == [one.kind for one in xs.analyse(curve).curvature_extrema]
+    for one in found:
+        assert 0 < one.radius < one.gone
+        near = xs.analyse(moved(curve, one.radius, random)).curvature_extrema
+        assert sum(f.kind is one.kind for f in near) == sum(each.kind is one.kind for each in found)
+        witness = xs.analyse(one.witness).curvature_extrema
+        assert sum(f.kind is one.kind for f in witness) < sum(each.kind is one.kind for each in found)

@@ -115,6 +115,21 @@ def test_the_first_child_of_a_switch_that_can_be_drawn_is_drawn():
     assert ends(svg(inside.replace(' display="none"', ""))) == [((0, 0), (3, 3))]
 
 
+def test_elements_of_other_namespaces_are_not_drawn():
+    """False before: elements of other programs that are called path, circle or g were curves of the drawing."""
+    other = '<x:g xmlns:x="urn:x"><path id="b" d="M0 0L2 0"/></x:g><i:path d="M0 0L3 0"/>'
+    late = '<s:path xmlns:s="http://www.w3.org/2000/svg" d="M0 0L4 0"/><g xmlns="urn:y"><circle r="1"/></g>'
+    reading = svg(f'{LINE}{other}{late}<switch><x:g xmlns:x="urn:x"/>{LINE}</switch><use href="#b"/>')
+    assert ends(reading) == [((0, 0), (8, 0)), ((0, 0), (4, 0)), ((0, 0), (8, 0)), ((0, 0), (2, 0))]
+    assert [s.what for s in reading.skipped] == ["path", "path", "circle"]
+    assert all("namespace" in s.why and not s.curve for s in reading.skipped)
+    for root, given in (("svg", ""), ("s:svg", ' xmlns:s="http://www.w3.org/2000/svg"')):
+        alone = read(f'<{root}{given}><path d="M0 0L1 0"/><s:path d="M0 0L2 0"/></{root}>'.encode(), "svg")
+        assert ends(alone) == [((0, 0), (1 if root == "svg" else 2, 0))]
+    page = f'<html xmlns="http://www.w3.org/1999/xhtml"><p/><svg xmlns="http://www.w3.org/2000/svg">{LINE}</svg></html>'
+    assert ends(read(page.encode(), "svg")) == [((0, 0), (8, 0))]
+
+
 def test_copies_are_placed():
     """False before: a use was left out, and the command ended with 0."""
     reading = svg(

@@ -403,6 +403,9 @@ def test_features_of_many_curves_can_be_pickled():
     assert [*again.refused] == [*found.refused] == [1]
     with pytest.raises(TypeError):
         again.refused[0] = None
+    # a ValueError before: "The truth value of an array with more than one element is ambiguous"
+    assert again == found
+    assert found != xs.features_of_many([[(0, 0), (1, 2), (2, -2), (3, 0.5)]])
 
 
 # ---- equality

@@ -117,3 +117,23 @@ def test_a_derivation_ends_in_an_assertion_and_types_in_no_result(path):
     literals = [n for side in compared if isinstance(side, (ast.Constant, ast.Tuple, ast.List)) for n in ast.walk(side)]
     typed = {n.value for n in literals if isinstance(n, ast.Constant) and isinstance(n.value, (int, float))}
     assert typed <= HARMLESS, "a result is computed or read out of a claim, not typed in"
+
+
+def sections(book):
+    """The code of each section that computes something, by its heading."""
+    found, heading = {}, ""
+    for cell in book.cells:
+        if cell.cell_type == "markdown":
+            heading = (re.findall(r"^## (.*)", cell.source, re.MULTILINE) or [heading])[-1]
+        elif heading:
+            found[heading] = [*found.get(heading, []), *ast.walk(ast.parse(code_of(cell)))]
+    return found
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda p: p.stem)
+def test_every_section_asserts_something(path):
+    """Whole sections showed a table or a picture and checked nothing."""
+    for heading, nodes in sections(read(path)).items():
+        assert any(isinstance(node, ast.Assert) for node in nodes) or "AssertionError" in {
+            node.id for node in nodes if isinstance(node, ast.Name)
+        }, heading

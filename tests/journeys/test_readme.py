@@ -4,6 +4,7 @@ import contextlib
 import io
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from functools import cache
@@ -147,3 +148,22 @@ def test_one_check_runs_in_a_process_of_its_own():
     for _, each in checks()[:1]:
         done = subprocess.run([sys.executable, "-c", "\n".join(each.check)], capture_output=True, text=True, check=True)
         assert done.stdout.strip()
+
+
+def test_the_first_installation_says_what_it_fetches_and_fails_where_pip_fails(tmp_path):
+    """It was silent for minutes."""
+    shutil.copy(README.parent / "run", tmp_path)
+    (tmp_path / "pyproject.toml").touch()
+    python = tmp_path / ".venv" / "bin" / "python"
+    python.parent.mkdir(parents=True)
+    lines = (
+        "Collecting a-b>=1 (from x)\n  Using cached a\nInstalling collected packages: a-b\nSuccessfully installed a-b-1"
+    )
+    for status in (0, 1):
+        python.write_text(f'#!/bin/sh\necho "{lines}"\nexit {status}\n', encoding="utf-8")
+        python.chmod(0o755)
+        done = subprocess.run(["./run", "install", "plot"], cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert done.returncode == status
+        assert "fetching\na-b \nputting all that in place\ninstalled\n" in done.stderr
+        assert (tmp_path / ".venv" / ".installed-plot").exists() == (status == 0)
+        (tmp_path / ".venv" / ".installed-plot").unlink(missing_ok=True)

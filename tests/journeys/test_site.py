@@ -254,6 +254,15 @@ def pictures(tab: Any) -> list[bytes]:
     return [canvas.screenshot() for canvas in tab.locator("canvas").all()]
 
 
+def under_the_pointer(tab: Any, box: Any) -> bool:
+    """Whether the two parameters of a ruled surface are shown somewhere on the middle line of a picture."""
+    for share in range(1, 20):
+        tab.mouse.move(box["x"] + box["width"] * share / 20, box["y"] + box["height"] / 2)
+        if re.fullmatch(r"s ≈ [-.\d]+, ζ ≈ [-.\d]+", tab.locator(".tip").first.text_content() or ""):
+            return True
+    return False
+
+
 def test_surfaces_turn_together_by_mouse_and_keys_and_come_back(browser, address):
     with opened(browser, address, "play/surface.html") as tab:
         tab.wait_for_function("document.body.dataset.surface", timeout=PATIENCE)
@@ -280,6 +289,8 @@ def test_surfaces_turn_together_by_mouse_and_keys_and_come_back(browser, address
         tab.get_by_role("button", name="Turn back").click()
         tab.mouse.move(0, 0)
         assert pictures(tab) == start
+        # over the surface its parameters are shown
+        assert under_the_pointer(tab, canvas.bounding_box())
         tab.locator(".switches label", has_text="surface").click()
         assert all(a != b for a, b in zip(start, pictures(tab), strict=True))
         for name in names:

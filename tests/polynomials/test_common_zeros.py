@@ -57,6 +57,23 @@ def test_borders_are_taken_off_and_nothing_else():
     assert common_factor([as_form(S), as_form(T)]) is None
 
 
+@pytest.mark.parametrize("n", [2, 40])
+def test_derivatives_and_lines_of_forms_of_low_and_high_degree(n):
+    """Differences of rows and products of matrices are the same; a line is the part of the form on it."""
+    rng = random.Random(n)
+    form = PatchForm.of_net([[rng.randint(-9, 9) for _ in range(4)] for _ in range(n + 1)])
+    across = PatchForm(form.matrix.transpose())
+    x, y, h = mpq(1, 3), mpq(2, 5), mpq(1, 10**40)
+    for own, place, other in ((form, (x, y), (x + h, y)), (across, (y, x), (y, x + h))):
+        k = int(own is across)
+        slope = (own.value(*other) - own.value(*place)) / h
+        assert abs(own.derivative(k).value(*place) - slope) < mpq(1, 10**20)
+        line = own.on_line(k, x)
+        expected = own.part(Box(*([Interval.point(x), Interval(mpq(0), mpq(1))][:: 1 - 2 * k]))).edge(k, 0)
+        assert [a * line[0] for a in expected] == [b * expected[0] for b in line]
+        assert line[0] * expected[0] > 0
+
+
 # ---- signs
 
 
@@ -92,6 +109,10 @@ def test_a_grid_of_zeros_is_found_whole(xs, ys):
     assert len(places) == len(found.zeros)
     assert places == closed
     assert {zero.exact for zero in found.zeros if zero.is_inside} == {p for p in closed if all(0 < t < 1 for t in p)}
+
+
+def test_the_simplest_number_of_an_interval_may_be_its_end():
+    assert [simplest(*map(mpq, ends)) for ends in ((3, 3), ("5/2", 3), ("2/7", "2/7"))] == [3, 3, mpq(2, 7)]
 
 
 def test_boxes_shrink_around_the_zero_and_keep_it():

@@ -17,7 +17,7 @@ from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.two_parameters import S, T, as_form, value_at
 from exactspline.roots import common_zeros as solver
 from exactspline.roots.common_zeros import Column, Found, common_zeros, multiplicity
-from tests.campaigns.common_zeros import FAMILIES, any_polynomial, difference, run
+from tests.campaigns.common_zeros import FAMILIES, above_ceiling, any_polynomial, difference, run
 
 
 def test_all_zeros_are_those_of_elimination_by_another_route():
@@ -25,6 +25,19 @@ def test_all_zeros_are_those_of_elimination_by_another_route():
     assert set(table) == {family.__name__ for family in FAMILIES}
     assert not any(counts["different"] for counts in table.values())
     assert sum(counts["zeros"] for counts in table.values()) > 20
+    assert above_ceiling(table) == []
+
+
+def test_what_is_out_of_reach_is_counted(monkeypatch):
+    """Before: nothing; the campaign ended with an error, and had no ceiling."""
+    from tests.campaigns import common_zeros as campaign
+
+    def refuse(*_):
+        raise ReachError("a resultant")
+
+    monkeypatch.setattr(campaign, "common_zeros", refuse)
+    table = run(5)
+    assert above_ceiling(table) == list(table)
 
 
 def test_the_other_route_notices_a_lost_zero(monkeypatch):
@@ -62,12 +75,29 @@ def test_zeros_that_differ_in_the_hundredth_digit_are_two():
     assert all(zero.s == zero.t for zero in zeros)
 
 
+def test_zeros_at_nearly_one_parameter_have_their_own_numbers():
+    """Both numbers s are roots of one eliminant, in the box of either zero: found by a mutant that ended in a loop."""
+    f, g = 10**9 * (2 * S * S - 1) - (3 * T - 1), (3 * T - 1) * (3 * T - 2)
+    one, other = common_zeros([f, g], UNIT)
+    assert one.s.minimal_polynomial() == [-1, 0, 2]
+    assert other.s.minimal_polynomial() == [-(10**9 + 1), 0, 2 * 10**9]
+    assert not one.is_at(other)
+    assert one.is_at(one)
+
+
 def test_more_than_two_polynomials_share_only_their_zeros():
     f, g, h = (2 * S * S - 1) * T, (2 * S * S - 1) * (T - 1), (3 * T - 1) * (S + T)
     (zero,) = common_zeros([f, g, h], UNIT)
     assert zero.t == mpq(1, 3)
     assert zero.is_zero_of(as_form((2 * S * S - 1) * (S - 7 * T) ** 3))
     assert not zero.is_zero_of(as_form(S - 2 * T))
+
+
+def test_a_polynomial_that_nearly_vanishes_at_a_zero_of_two_others():
+    """Four hundred bits do not tell: the numbers are compared with those at which all three vanish."""
+    f, g, near = 2 * S * S - 1, S - T, 2**600 * (3 * S + T) * (2 * S * S - 1)
+    assert [zero.s.minimal_polynomial() for zero in common_zeros([f, g, near], UNIT)] == [[-1, 0, 2]]
+    assert common_zeros([f, g, near + S + T], UNIT) == []
 
 
 def test_parts_of_a_rectangle():

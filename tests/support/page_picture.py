@@ -39,9 +39,10 @@ def take() -> None:
             tab.evaluate("delete document.body.dataset.degrees")
             tab.select_option("#examples", "0")
         tab.wait_for_function("document.body.dataset.degrees", timeout=PATIENCE)
-        seen = Image.open(BytesIO(tab.screenshot()))
         said = PngInfo()
+        # how long the answer took depends on what else the machine does: it goes before the picture is taken
         said.add_itxt("Description", words(tab))
+        seen = Image.open(BytesIO(tab.screenshot()))
         seen.save(PICTURE, optimize=True, pnginfo=said)
 
 

@@ -1,5 +1,6 @@
 """Every kind of claim on curves made for it, where what it must say is known."""
 
+import json
 from dataclasses import replace
 
 import pytest
@@ -8,10 +9,11 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
+from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
-from exactspline.papers import find
+from exactspline.papers import find, load_paper
 from exactspline.readings.degree import DegreeReading, parse_degree
-from exactspline.verification.claims import all_claims
+from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound
@@ -20,6 +22,7 @@ from exactspline.verification.ledger import audit, proved
 from exactspline.verification.statement import degree_of_cubic, dimension_of, sides
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.support.claims import claim
+from tests.verification.test_own_paper import plane_formulas, written
 
 T = BSpline.identity(0, 1)
 
@@ -117,6 +120,28 @@ def test_examples_must_be_curves_of_which_the_claim_speaks(one):
     with pytest.raises(ClaimError, match="not a curve to which the claim applies"):
         replace(one, of="polynomial" if rational else "rational")
     replace(one, of="rational" if rational else "polynomial")
+
+
+def test_zeros_on_a_whole_segment_have_no_condition_number(tmp_path):
+    """Passed before: "no zero in common" of forms that vanish on one segment; VERIFIED for the other zeros alone."""
+    bodies = {"bend": "det(c.gamma.d(1), c.gamma.d(2))", "longer": "det(c.gamma.d(1), c.gamma.d(2)) * c.p[0]"}
+    written(tmp_path / "paper", plane_formulas(**bodies), [])
+    (tmp_path / "paper" / "curves").mkdir()
+    points = [(1, 0), (2, 0), (3, 0), (4, 0), (5, 2), (6, -3), (7, 1)]
+    bent = Nurbs(3, [0] * 4 + [1] * 3 + [2] * 4, points)
+    (tmp_path / "paper" / "curves" / "bent.json").write_text(json.dumps(curve_data(bent)))
+    given = {"curve": "plane", "statement": "said", "kind": "condition", "of": "polynomial"}
+    sides = [("bend", "longer"), ("longer", "bend")]
+    claims = [
+        given | {"id": f"K{k}{name}", "example": name, "left": left, "right": right}
+        for name in ("straight_between_arcs", "bent")
+        for k, (left, right) in enumerate(sides)
+    ]
+    written(tmp_path / "paper", plane_formulas(**bodies), claims)
+    found = [one.prove()[1] for one in claims_of(load_paper(tmp_path / "paper"))]
+    assert [one.verdict for one in found[:2]] == [UNDECIDED] * 2
+    assert worded(found[0].witness).startswith("a side vanishes on a whole segment")
+    assert sorted(one.verdict for one in found[2:]) == [REFUTED, UNDECIDED]
 
 
 # ---- existence

@@ -441,6 +441,23 @@ def test_the_report_is_complete_in_itself(tmp_path):
 # ---- one identity
 
 
+def test_an_identity_holds_in_every_dimension_or_names_one_in_which_it_fails(tmp_path, monkeypatch):
+    """Passed before: Lagrange's identity of the plane "for all curves", of which only those in the plane were asked."""
+    bodies = {
+        "speed": "norm2(c.gamma.d(1))",
+        "area": "norm2(c.gamma.d(1)) * norm2(c.gamma.d(2)) - dot(c.gamma.d(1), c.gamma.d(2)) ** 2",
+        "shadow": "(c.gamma.d(1)[0] * c.gamma.d(2)[1] - c.gamma.d(1)[1] * c.gamma.d(2)[0]) ** 2",
+        "product": "dot(c.gamma.d(1), c.gamma.d(1)) * area(c)",
+        "other": "speed(c) * area(c)",
+    }
+    text = "".join(f"@formula('e', on='curve')\ndef {name}(c):\n    return {body}\n" for name, body in bodies.items())
+    monkeypatch.chdir(written(tmp_path / "paper", text, []))
+    done = invoke("identity", "formulas.py:area = formulas.py:shadow")
+    assert (done.exit_code, "not area = shadow in R3" in done.output) == (1, True)
+    done = invoke("identity", "formulas.py:product = formulas.py:other")
+    assert (done.exit_code, done.output.strip()) == (0, "product = other for all curves in R2 and R3")
+
+
 def test_one_identity_from_the_command_line(tmp_path, monkeypatch):
     write_new_paper(tmp_path / "mine")
     monkeypatch.chdir(tmp_path / "mine")

@@ -46,7 +46,7 @@ def _together(curves: Sequence[Nurbs]) -> Iterator[Row]:
     if not installed("numpy"):
         yield missing(FEATURES, TOGETHER, "numpy")
         return
-    from exactspline.geometry.many_splines import features_of_curves
+    from exactspline.geometry.many_curves import features_of_curves
 
     features = features_of_curves(_again(curves))
     timed: dict[str, Timed] = {OURS: (features_of_curves, lambda: _again(curves))}  # type: ignore[dict-item]  # as made

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from textwrap import fill
 from typing import TYPE_CHECKING
 
 from exactspline.display.plot.canvas import (
@@ -38,6 +39,8 @@ MARKS = {
     "geomdl": ("<", PURPLE),
     "scipy": (">", SKY),
 }
+#: The width for a telephone, in inches, and how many letters of the name of a case it holds.
+NARROW, LETTERS = 4.4, 48
 #: Up to this quotient of the largest and the smallest ratio the axis gets more labels.
 SHORT = 500
 #: The growth cases that are drawn: the beginning of the case, and the name of its axis.
@@ -45,26 +48,29 @@ DEGREES = "g2 by degree: "
 AXES = {DEGREES: "degree", "g2 by segments: ": "segments", "g2 by bits: ": "bits of a coordinate"}
 
 
-def draw(rows: Sequence[Row], path: str) -> None:
-    """Draw the rows into an SVG or PNG file. Raises `PlotError`."""
+def draw(rows: Sequence[Row], path: str, *, narrow: bool = False) -> None:
+    """Draw the rows into an SVG or PNG file; `narrow` for a telephone, with the names of the cases above their rows and
+    the panels one below the other. Raises `PlotError`.
+    """
     compared = [row for row in rows if row.ratio and row.section != "growth" and not row.case.startswith("constr")]
     grown = {begin: [row for row in rows if row.case.startswith(begin)] for begin in AXES}
     drawn = [begin for begin, group in grown.items() if group]
     cases = list(dict.fromkeys(row.case for row in compared))
     if not cases and not drawn:
         raise PlotError("there is no ratio to draw", remedy="measure a section with other libraries, or growth")
-    heights = [height for height in (3 + len(cases) / 3 if cases else 0, 4 if drawn else 0) if height]
-    figure = new_figure(PAGE, sum(heights))
+    grid, row = ((len(drawn), 1), 0.5) if narrow else ((1, len(drawn)), 1 / 3)
+    heights = [height for height in (3 + row * len(cases) if cases else 0, 4 * grid[0] if drawn else 0) if height]
+    figure = new_figure(NARROW if narrow else PAGE, sum(heights))
     parts = iter(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0])
     if cases:
-        _ratios(next(parts).subplots(), compared, cases)
+        _ratios(next(parts).subplots(), compared, cases, narrow)
     if drawn:
-        for axes, begin in zip(next(parts).subplots(1, len(drawn), squeeze=False)[0], drawn, strict=True):
+        for axes, begin in zip(next(parts).subplots(*grid, squeeze=False).flat, drawn, strict=True):
             _growth(axes, grown[begin], begin)
     save(figure, path)
 
 
-def _ratios(axes: Axes, rows: Sequence[Row], cases: Sequence[str]) -> None:
+def _ratios(axes: Axes, rows: Sequence[Row], cases: Sequence[str], narrow: bool) -> None:
     for who, (marker, colour) in MARKS.items():
         measured = [row for row in rows if row.peer == who and row.ratio]
         if measured:
@@ -74,11 +80,17 @@ def _ratios(axes: Axes, rows: Sequence[Row], cases: Sequence[str]) -> None:
     axes.axvline(1, color=GREY, linewidth=1)
     axes.set_xscale("log")
     _label(axes, [1, *(1 / row.ratio for row in rows if row.ratio)])
-    axes.set_yticks([-i for i in range(len(cases))], cases)
+    axes.set_yticks([-i for i in range(len(cases))], [""] * len(cases) if narrow else cases)
+    for i, case in enumerate(cases if narrow else ()):
+        axes.text(0.01, 0.18 - i, fill(case, LETTERS), transform=axes.get_yaxis_transform(), fontsize=8)
+    axes.set_ylim(-len(cases) + 0.5, 0.8)
     axes.tick_params(axis="y", labelsize=9)
     axes.grid(axis="y", color=GREY, alpha=1 / 5)
-    axes.set_xlabel("time of the other / ours (> 1: exactspline is faster)")
-    axes.legend(fontsize=9, loc="upper right", bbox_to_anchor=(1, -0.1), ncols=4)
+    axes.set_xlabel("time of the other / ours (> 1: exactspline is faster)", fontsize=9 if narrow else None)
+    if narrow:
+        axes.legend(fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.06), ncols=2)
+    else:
+        axes.legend(fontsize=9, loc="upper right", bbox_to_anchor=(1, -0.1), ncols=4)
 
 
 def _label(axes: Axes, ratios: Sequence[float]) -> None:

@@ -15,6 +15,7 @@ import sys
 import tomllib
 from collections import Counter
 from collections.abc import Callable
+from datetime import date
 from pathlib import Path
 from time import monotonic
 from typing import Any
@@ -32,6 +33,11 @@ HARMLESS = ("killed", "equivalent")
 #: The target: how many of the unexplained mutants of engines must be detected, in per cent.
 TARGET = 95
 Known = dict[str, dict[str, Any]]
+#: The columns of the table; the last one is the day on which a row was written from verdicts.
+COLUMNS = ("room", "judged", "noticed", "equal", "explained", "open", "score", "as of")
+#: The verdicts by room; the rows of the table, each with its day.
+Rooms = dict[str, Counter[str]]
+Rows = dict[str, tuple[str, Counter[str]]]
 
 
 def read(path: Path) -> Known:
@@ -182,48 +188,79 @@ def record(known: Known) -> int:
     engines.WITNESSES.write_text(json.dumps(witnesses, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
     print(f"{len(witnesses)} mutants, each with a test that detects it, in {engines.WITNESSES.relative_to(ROOT)}")
     before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    PAGE.write_text(before + BEGIN + "\n".join(rows(known)) + "\n" + END + rest.split(END)[1], encoding="utf-8")
+    written, after = rest.split(END)
+    rows, kept = merged(counted(known), read_rows(written), date.today().isoformat())
+    PAGE.write_text(before + BEGIN + "\n".join(lines(rows)) + "\n" + END + after, encoding="utf-8")
+    for room in kept:
+        print(f"kept as of {rows[room][0]}: {room}, of which fewer verdicts are on this machine")
     return 0
 
 
 def table(known: Known) -> int:
     """The verdicts on all functions as they are now, package by package, whatever was drawn."""
-    print("\n".join(rows(known)))
+    print("\n".join(lines({room: (date.today().isoformat(), counts) for room, counts in counted(known).items()})))
     return 0
 
 
-def rows(known: Known) -> list[str]:
-    """The table of the page. It includes mutants recorded as detected by earlier runs, and those that are explained."""
+def counted(known: Known) -> Rooms:
+    """The verdicts by room. They include mutants recorded as detected by earlier runs, and those that are explained."""
     from workshop.mutation import engines, formulas
 
     why, witnesses = explained(), engines.Witnesses().recorded
-    rooms: dict[str, Counter[str]] = {}
+    rooms: Rooms = {}
     # the judged mutants first: an explanation that applies to none of them is counted once, though it may apply to
     # several
     everything = sorted((*formulas.all_mutants(), *engines.all_mutants()), key=lambda m: m.key not in known)
-    counted = set()
+    seen = set()
     for mutant in everything:
         verdict = known.get(mutant.key, {}).get("verdict") or ("killed" if mutant.key in witnesses else "")
-        if mutant.stable in why and verdict != "killed" and (verdict or mutant.stable not in counted):
+        if mutant.stable in why and verdict != "killed" and (verdict or mutant.stable not in seen):
             verdict = "explained"
-            counted.add(mutant.stable)
+            seen.add(mutant.stable)
+        depth = 3 if "/papers/" in mutant.file else 2
+        room = rooms.setdefault("/".join(Path(mutant.file).parts[1:depth]), Counter())
         if verdict:
-            depth = 3 if "/papers/" in mutant.file else 2
-            rooms.setdefault("/".join(Path(mutant.file).parts[1:depth]), Counter())[verdict] += 1
-    lines = ["| room | judged | noticed | equal | explained | open | score |", "|---|---|---|---|---|---|---|"]
+            room[verdict] += 1
+    return rooms
+
+
+def merged(here: Rooms, on_page: Rows, today: str) -> tuple[Rows, list[str]]:
+    """The rows to be written, and the rooms whose row on the page is kept: those of which fewer mutants were judged
+    here. A room that does not exist any more is left out.
+    """
+    rows = {room: (today, counts) for room, counts in here.items() if counts}
+    kept = [room for room, (_, counts) in on_page.items() if room in here and here[room].total() < counts.total()]
+    return rows | {room: on_page[room] for room in kept}, kept
+
+
+def read_rows(written: str) -> Rows:
+    """The rows of a table, without its sums."""
+    rows: Rows = {}
+    for line in written.splitlines():
+        room, *cells = (cell.strip() for cell in line.strip("| ").split("|"))
+        if len(cells) == len(COLUMNS) - 1 and cells[0].isdecimal() and not room.startswith("**"):
+            _, killed, equivalent, explained_, remaining = map(int, cells[:5])
+            of = Counter(killed=killed, equivalent=equivalent, explained=explained_, survived=remaining)
+            rows[room] = cells[-1], +of
+    return rows
+
+
+def lines(rows: Rows) -> list[str]:
+    """The table of the page."""
+    text = ["| " + " | ".join(COLUMNS) + " |", "|---" * len(COLUMNS) + "|"]
     for name, of in (("formulas", "papers/"), ("engines", "")):
-        mine = {room: counts for room, counts in sorted(rooms.items()) if room.startswith("papers/") == bool(of)}
-        lines += [_row(room, counts) for room, counts in mine.items()]
-        lines.append(_row(f"**all {name}**", sum(mine.values(), Counter())))
-    return lines
+        mine = {room: row for room, row in sorted(rows.items()) if room.startswith("papers/") == bool(of)}
+        text += [_row(room, *row) for room, row in mine.items()]
+        text.append(_row(f"**all {name}**", "", sum((counts for _, counts in mine.values()), Counter())))
+    return text
 
 
-def _row(name: str, counts: Counter[str]) -> str:
+def _row(name: str, day: str, counts: Counter[str]) -> str:
     judged = counts.total()
     real = judged - counts["equivalent"] - counts["explained"]
     cells = judged, counts["killed"], counts["equivalent"], counts["explained"], real - counts["killed"]
     score = f"{100 * counts['killed'] / real:.1f} %" if real else "–"
-    return f"| {name} | " + " | ".join(map(str, cells)) + f" | {score} |"
+    return f"| {name} | " + " | ".join(map(str, cells)) + f" | {score} | {day} |"
 
 
 def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> list[Mutant]:

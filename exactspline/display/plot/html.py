@@ -38,8 +38,10 @@ class SurfaceData(TypedDict):
     color: str
     points: list[list[float]]
     faces: list[list[int]]
-    #: The two parameters of every point, which are shown under the pointer.
-    parameters: NotRequired[list[list[float]]]
+    #: The two parameters of the first points (of all but those at which a face is cut), shown under the pointer.
+    parameters: list[list[float]]
+    #: The names of these parameters.
+    letters: list[str]
 
 
 class LineData(TypedDict):
@@ -107,13 +109,19 @@ class Scene:
         dots = [dots_of("control points", BLUE, 5, dict.fromkeys(p for run in net for p in run))] if net else []
         dots += [dots_of(name, GREY, 13, [p]) for name, p in self.points]
         box = box or self.box
+        surface: SurfaceData = {
+            "label": "surface",
+            "color": SKY,
+            "points": places_of(points),
+            "faces": [list(face) for face in faces],
+            "parameters": places_of(self.mesh.located),
+            "letters": [*self.mesh.letters],
+        }
         return {
             "title": self.title,
             "box": places_of(box),
             "ticks": [[_rounded(x) for x in three_ticks(*ends)] for ends in zip(*box, strict=True)],
-            "surfaces": [
-                {"label": "surface", "color": SKY, "points": places_of(points), "faces": [list(face) for face in faces]}
-            ],
+            "surfaces": [surface],
             "lines": lines,
             "dots": dots,
         }
@@ -163,7 +171,7 @@ def page_of(scenes: Sequence[SceneData], title: str) -> str:
     """The page of scenes given as data."""
     here = files("exactspline.display.plot")
     script, style = (here.joinpath(f"turning.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
-    data = json.dumps(scenes, ensure_ascii=False).replace("<", "\\u003c")
+    data = json.dumps(scenes, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
     body = f"""<p>{escape(title)}</p>
 <div id="scenes"></div>
 <script type="module">

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from itertools import count, pairwise
+from itertools import chain, count, pairwise
 from typing import Any
 
 from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
@@ -30,6 +30,8 @@ GRID, LEAST_OF_GRID = 48, 8
 DEPTH = 4
 #: Sampling stops this close to a pole, as a fraction of the distance between samples.
 BESIDE = mpq(1, 8)
+#: Two parameters of a surface.
+Parameters = tuple[mpq, ...]
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,8 @@ class SurfaceMesh:
 
     ``cut`` are the polygons that join the patches to the border of what is shown, three or more corners each. ``net``
     are the polygons of the control points in connected runs, ``points`` is the number of control points, ``hidden`` the
-    number of those that are directions (weight 0) or far away.
+    number of those that are directions (weight 0) or far away. ``parameters`` are the two parameters of each point of
+    the patches, in their shape, and ``letters`` their names.
     """
 
     patches: list[list[list[Point | None]]]
@@ -46,6 +49,14 @@ class SurfaceMesh:
     points: int
     hidden: int
     cut: Sequence[Run] = ()
+    parameters: Sequence[Sequence[Sequence[Parameters | None]]] = ()
+    letters: tuple[str, str] = ("s", "ζ")
+
+    @property
+    def located(self) -> list[Parameters]:
+        """The parameters of the first points of `indexed`: those of the patches, where they are known."""
+        rows = zip(chain(*self.patches), chain(*self.parameters), strict=False)
+        return [q for points, own in rows for p, q in zip(points, own, strict=True) if p is not None and q is not None]
 
     @property
     def faces(self) -> list[Run]:
@@ -151,23 +162,29 @@ def ruled_mesh(
             if values[5] == 0:
                 return [None, None]
             start, end = ((h - values[2]) / values[5] for h in levels)
-        return [tuple(d + z * g for d, g in zip(values[:3], values[3:], strict=True)) for z in (start, end)]
+        return [(*[d + z * g for d, g in zip(values[:3], values[3:], strict=True)], s, z) for z in (start, end)]
 
     poles = [] if denominator is None else [parameter(t, denominator.domain) for t in zeros(denominator)]
     patches = _sampled_rows(row, components[0].breakpoints, poles)
     if box is None:
-        box = usual_box([p for rows in patches for r in rows for p in r if p is not None], bool(poles))
+        box = usual_box([p[:3] for rows in patches for r in rows for p in r if p is not None], bool(poles))
     net, points, hidden = _net(surface.joined, (low, high), box)
-    return SurfaceMesh([[_along(ends, box) for ends in rows] for rows in patches], net, points, hidden)
+    found = [[_along(ends, box) for ends in rows] for rows in patches]
+    places, parameters = (
+        [[[None if p is None else p[part] for p in row] for row in rows] for rows in found]
+        for part in (slice(3), slice(3, 5))
+    )
+    return SurfaceMesh(places, net, points, hidden, parameters=parameters)
 
 
 def _along(ends: Sequence[Point | None], box: Box) -> list[Point | None]:
-    """The points of a ruling between two ends, as far as it is in the box."""
+    """The points of a ruling between two ends, as far as it is in the box, each followed by its parameters."""
     first, last = ends
     inside = None
     if first is not None and last is not None:
         direction = tuple(y - x for x, y in zip(first, last, strict=True))
-        inside = clipped(first, direction, box, mpq(0), mpq(1))
+        low, high = box_around([first[3:], last[3:]])
+        inside = clipped(first, direction, ((*box[0], *low), (*box[1], *high)), mpq(0), mpq(1))
     if inside is None:
         return [None] * ALONG
     steps = [mpq(k, ALONG - 1) for k in range(ALONG)]
@@ -251,7 +268,9 @@ def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box
     points = _control_net(numerator, w, box)
     net = [run for line in (*points, *map(list, zip(*points, strict=True))) for run in joined(line)]
     flat = [p for row in points for p in row]
-    return SurfaceMesh(patches[: 1 if w is None else 2], net, len(flat), flat.count(None), cut)
+    patches = patches[: 1 if w is None else 2]
+    parameters = [[[(s, t) for t in grids[1]] for s in grids[0]] for _ in patches]
+    return SurfaceMesh(patches, net, len(flat), flat.count(None), cut, parameters, ("s", "t"))
 
 
 class _Sampled:

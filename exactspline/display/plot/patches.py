@@ -16,9 +16,10 @@ from exactspline.display.plot.curvature_lines import FAMILIES, Samples, lines_of
 from exactspline.display.plot.surfaces import shaded
 from exactspline.errors import as_instance, counted
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
-from exactspline.geometry.surface.places import Place, enclosing
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.signs import Point
 from exactspline.numbers.exact import mpq
+from exactspline.roots.of_polynomials import enclosing
 from exactspline.splines.surface import Along
 
 if TYPE_CHECKING:

@@ -129,9 +129,10 @@ def show_box(ax: Axes, box: Box) -> None:
 
 
 def _tick(space: Any) -> None:
-    for axis in "xyz":
-        ticks = three_ticks(*getattr(space, f"get_{axis}lim")())
-        getattr(space, f"{axis}axis").set_ticks([float(x) for x in ticks])
+    sides = {axis: getattr(space, f"get_{axis}lim")() for axis in "xyz"}
+    longest = max(high - low for low, high in sides.values())
+    for axis, (low, high) in sides.items():
+        getattr(space, f"{axis}axis").set_ticks([float(x) for x in three_ticks(low, high, longest)])
 
 
 def plot_ruled_surface(

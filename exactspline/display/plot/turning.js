@@ -1,7 +1,7 @@
 // Interactive 3-D surfaces, with light: WebGL, nothing else. One camera for all scenes that stand side by side.
 //
 // A scene is plain data: {title, box: [low, high], ticks: [[…], […], […]],
-//   surfaces: [{label, color, points: [[x, y, z], …], faces: [[i, j, k, …], …], parameters: [[u, v], …] or none}],
+//   surfaces: [{label, color, points: [[x, y, z], …], faces: [[i, j, k, …], …], parameters: [[u, v], …], letters: ["u", "v"]}],
 //   lines:    [{label, color, width, runs: [[[x, y, z], …], …]}],
 //   dots:     [{label, color, size, places: [[x, y, z], …], names: ["…", …] or none}]}
 
@@ -250,7 +250,7 @@ class View {
       if (far < reach && rank < best.rank) best = { rank, text, px, py };
     };
     for (const dot of this.dots) if (this.#isShown(dot)) dot.places.forEach((p, i) => offer(p, dot.names?.[i], dot.names ? 10 : 0, 100));
-    for (const s of this.surfaces) if (this.#isShown(s) && s.parameters) s.points.forEach((p, i) => offer(p, `u ≈ ${s.parameters[i][0]}, v ≈ ${s.parameters[i][1]}`, 14, 0));
+    for (const s of this.surfaces) if (this.#isShown(s)) s.parameters.forEach((values, i) => offer(s.points[i], values.map((x, k) => `${s.letters[k]} ≈ ${x}`).join(", "), 14, 0));
     this.tip.hidden = !best.text;
     if (!best.text) return;
     this.tip.textContent = best.text;

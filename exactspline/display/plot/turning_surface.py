@@ -72,7 +72,14 @@ def _surfaces(inspection: SurfaceInspection, samples: Samples) -> Iterator[Surfa
                     face.append(known[which, k, h])
                 faces.append(face)
         if faces:
-            yield {"label": label, "color": colour, "points": points, "faces": faces, "parameters": parameters}
+            yield {
+                "label": label,
+                "color": colour,
+                "points": points,
+                "faces": faces,
+                "parameters": parameters,
+                "letters": ["u", "v"],
+            }
 
 
 def _faces(one: PatchInspection, samples: Samples, colour: str) -> Iterator[tuple[int, int]]:

@@ -14,7 +14,7 @@ from functools import partial
 from itertools import pairwise
 from typing import Any
 
-from flint import fmpz, fmpz_mpoly, fmpz_poly
+from flint import fmpz_mpoly, fmpz_poly
 
 from exactspline.geometry.bisector.certain_parts import holds_certainly, keeps_sign, possible_parts
 from exactspline.language.arguments import Curve
@@ -26,8 +26,9 @@ from exactspline.polynomials.bernstein import ONE, over_common_denominator, valu
 from exactspline.polynomials.elimination import discriminant, resultant
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.polynomials.isolation import is_nonnegative
+from exactspline.polynomials.two_parameters import in_one, rows_of
 from exactspline.reals.real import between
-from exactspline.roots.of_polynomials import check_isolation
+from exactspline.roots.of_polynomials import Parameter, check_isolation, distinct
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
@@ -36,8 +37,6 @@ from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed
 
 #: How many segments at most are tested first to see whether an arc is on the true bisector at all.
 ASKED_FIRST = 24
-#: An exact parameter: rational, or a certified root.
-Parameter = mpq | Root
 
 
 @dataclass(frozen=True)
@@ -68,12 +67,6 @@ class _Family:
         """
         rows, m = (self.rows, n) if self.rest is None else self.rest
         return all(keeps_sign(rows, m, part, 1) or keeps_sign(rows, m, part, -1) for part in parts)
-
-
-def _borders(parts: list[Interval], segment: tuple[mpq, mpq]) -> list[Parameter]:
-    """The ends of parts of a segment as parameters of the curve, without those of the segment itself."""
-    a, b = segment
-    return [a + (b - a) * t for part in parts for t in part if 0 < t < 1]
 
 
 def _without_foot(whole: fmpz_poly, stride: int, n: int, degree: int) -> tuple[list[fmpz_poly], int] | None:
@@ -141,19 +134,20 @@ class Conditions:
             if not family.certain(e, n, open_parts):
                 unclear[j] = family
         open_parts = possible_parts([family.rows for family in (first | unclear).values()], e, n)
-        intervals: list[tuple[Parameter, Parameter]] = [segment] if open_parts else []
+        a, b = segment
+        intervals: list[tuple[Parameter, Parameter]] = [(a + (b - a) * x, a + (b - a) * y) for x, y in open_parts]
         for family in unclear.values():
             if not intervals:
                 break
             if family.certain(e, n, open_parts):
                 continue
             if family.of_certain_sign(n, open_parts):
-                candidates: list[Parameter] = _borders(open_parts, segment)
+                candidates: list[Parameter] = [t for ends in intervals for t in ends if a < t < b]
             else:
                 candidates = [*_candidates(as_mpoly(family.whole, family.stride), segment)]
             holds = partial(self._holds, family.rows, e, n, segment)
             intervals = _intersection(intervals, cells_between(candidates, _roots(e, segment), segment, holds))
-        return _on_parts(intervals, open_parts, segment)
+        return intervals
 
     def _builder(self, forms: list[fmpz_poly], n: int, own: int | None) -> Callable[[int], _Family]:
         """The maker of the family of a segment; `own` is the one with the foot of B."""
@@ -182,19 +176,6 @@ class Conditions:
         return is_nonnegative(member if at(e) > 0 else -member, self.degree)
 
 
-def _on_parts(
-    intervals: list[tuple[Parameter, Parameter]], parts: list[Interval], segment: tuple[mpq, mpq]
-) -> list[tuple[Parameter, Parameter]]:
-    """The intervals that are not in a part that was set aside; none is in both."""
-    a, b = segment
-    kept = []
-    for low, high in intervals:
-        middle = (between(low, high) - a) / (b - a)
-        if any(first <= middle <= last for first, last in parts):
-            kept.append((low, high))
-    return kept
-
-
 def _of_one_sign(e: fmpz_poly, family: fmpz_poly) -> bool:
     """Whether the coefficients alone show that the family is non-negative over e everywhere, and e without an inner
     zero.
@@ -213,41 +194,22 @@ def _candidates(family: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
     candidates: list[Root] = []
     for p, multiplicity in factors:
         if p.degrees()[1] == 0:
-            candidates += _roots(_in_z(p), segment)
+            candidates += _roots(in_one(p, 0), segment)
         elif multiplicity % 2:
             candidates += _boundary_parameters(p, segment)
     odd = [p for p, multiplicity in factors if multiplicity % 2 and p.degrees()[1] > 0]
     for i, p in enumerate(odd):
         for other in odd[:i]:
-            candidates += _roots(resultant(_rows(p), _rows(other)), segment)
+            candidates += _roots(resultant(rows_of(p), rows_of(other)), segment)
     return candidates
 
 
 def _boundary_parameters(p: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
     """Where a square-free factor has a double zero, or one at an end: discriminant, first and last coefficient."""
-    rows = _rows(p)
+    rows = rows_of(p)
     ends = [next(row for row in rows if row), rows[-1]]
     conditions = [*ends, discriminant(rows)] if len(rows) > 2 else ends
     return [root for q in conditions for root in _roots(q, segment)]
-
-
-def _rows(p: fmpz_mpoly) -> list[fmpz_poly]:
-    """The coefficients of the powers of the second variable."""
-    by_power: dict[int, dict[int, fmpz]] = {}
-    for (i, j), x in p.terms():
-        by_power.setdefault(int(j), {})[int(i)] = x
-    return [_polynomial(by_power.get(j, {})) for j in range(max(by_power) + 1)]
-
-
-def _polynomial(terms: dict[int, fmpz]) -> fmpz_poly:
-    return fmpz_poly([terms.get(i, fmpz(0)) for i in range(max(terms, default=-1) + 1)])
-
-
-def _in_z(p: fmpz_mpoly) -> fmpz_poly:
-    coefficients = [fmpz(0)] * (int(p.degrees()[0]) + 1) if p else []
-    for (i, _), x in p.terms():
-        coefficients[int(i)] = x
-    return fmpz_poly(coefficients)
 
 
 def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
@@ -273,7 +235,7 @@ def cells_between(
     """
     a, b = segment
     intervals: list[tuple[Parameter, Parameter]] = []
-    ends: list[Parameter] = [a, *_distinct([*candidates, *poles]), b]
+    ends: list[Parameter] = [a, *distinct([*candidates, *poles]), b]
     for low, high in pairwise(ends):
         if holds(between(low, high)):
             if intervals and intervals[-1][1] == low and not any(low == pole for pole in poles):
@@ -281,14 +243,6 @@ def cells_between(
             else:
                 intervals.append((low, high))
     return intervals
-
-
-def _distinct(roots: list[Parameter]) -> list[Parameter]:
-    distinct: list[Parameter] = []
-    for root in sorted(roots):
-        if not distinct or distinct[-1] != root:
-            distinct.append(root)
-    return distinct
 
 
 def _intersection(

@@ -5,6 +5,7 @@ branches between the parameters at which their number can change.
 from __future__ import annotations
 
 from itertools import pairwise
+from operator import itemgetter
 
 from flint import ctx, fmpz_mpoly, fmpz_poly
 
@@ -16,7 +17,7 @@ from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.two_parameters import at, enclosed, rows_of
 from exactspline.reals.real import between
 from exactspline.roots.common_zeros import common_zeros
-from exactspline.roots.of_polynomials import Parameter, Place, ball, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, Place, ball, distinct, exactly, roots_in
 
 
 def graph_intervals(
@@ -29,8 +30,8 @@ def graph_intervals(
     """
     low, high = own
     borders = [_less(top, bottom, y) for y in range_]
-    hits = sorted({exactly(root) for border in borders for root in roots_in(border, low, high)}, key=_Ordered)
-    cuts = _distinct([low, *roots_in(bottom, low, high), *hits, high])
+    hits = distinct(root for border in borders for root in roots_in(border, low, high))
+    cuts = distinct([low, *roots_in(bottom, low, high), *hits, high])
     intervals: list[tuple[Parameter, Parameter]] = []
     for a, b in pairwise(cuts):
         x = between(a, b)
@@ -41,25 +42,7 @@ def graph_intervals(
             else:
                 intervals.append((a, b))
     single = [t for t in hits if not any(a <= t <= b for a, b in intervals)]
-    return sorted([*intervals, *((t, t) for t in single)], key=lambda pair: _Ordered(pair[0]))
-
-
-class _Ordered:
-    """Rational numbers and roots in one order."""
-
-    def __init__(self, value: Parameter) -> None:
-        self.value = value
-
-    def __lt__(self, other: _Ordered) -> bool:
-        return bool(self.value < other.value)
-
-
-def _distinct(values: list[Parameter]) -> list[Parameter]:
-    distinct: list[Parameter] = []
-    for value in sorted(map(exactly, values), key=_Ordered):
-        if not distinct or distinct[-1] != value:
-            distinct.append(value)
-    return distinct
+    return sorted([*intervals, *((t, t) for t in single)], key=itemgetter(0))
 
 
 def _less(top: fmpz_poly, bottom: fmpz_poly, y: mpq) -> fmpz_poly:
@@ -86,7 +69,7 @@ def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
     """
     own, other = sides
     critical = [discriminant(rows_of(g)), rows_of(g)[-1], *(at(g, 1, y) for y in other)]
-    cuts = _distinct([*own, *(root for p in critical for root in roots_in(p, *own))])
+    cuts = distinct([*own, *(root for p in critical for root in roots_in(p, *own))])
     branches_of_equation = []
     for low, high in pairwise(cuts):
         s = between(low, high)
@@ -102,14 +85,9 @@ def border_pairs(g: fmpz_mpoly, sides: Box) -> list[Place]:
         for value in sides[variable]:
             for root in roots_in(at(g, variable, value), *sides[1 - variable]):
                 place = (value, exactly(root)) if variable == 0 else (exactly(root), value)
-                if not any(same_place(place, x) for x in pairs):
+                if place not in pairs:
                     pairs.append(place)
     return pairs
-
-
-def same_place(one: Place, other: Place) -> bool:
-    """Whether two pairs of parameters are equal."""
-    return bool(one[0] == other[0] and one[1] == other[1])
 
 
 def nodes(g: fmpz_mpoly, sides: Box) -> list[Place]:

@@ -8,7 +8,6 @@ from flint import fmpz_mpoly
 
 from exactspline.errors import ReachError
 from exactspline.geometry.bisector.components import Cause, SinglePair, Solutions, SpecialPairs
-from exactspline.geometry.bisector.correspondence import same_place
 from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.system import System
 from exactspline.numbers.exact import short_text
@@ -77,17 +76,13 @@ def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) ->
     lines = [(x, Cause.DEPENDENT) for x in others]
     # where the curves meet all minors vanish, and with them their common factor if that is one of them
     if not any(p and (p / system.factor).total_degree() == 0 for p in (system.determinant, *system.numerators)):
-        lines += [(x, Cause.CROSSING) for x in meetings if not _among(x, planes)]
+        lines += [(x, Cause.CROSSING) for x in meetings if x not in planes]
     pairs = [
         SinglePair(*place, Solutions.LINE, cause, system)
         for place, cause in lines
         if not at_cusp(system, place) and not any(_lies_on(g, place) for g in factors)
     ]
     return tangencies + SpecialPairs(pairs=tuple(pairs), left_out=left_out)
-
-
-def _among(place: Place, places: list[Place]) -> bool:
-    return any(same_place(place, x) for x in places)
 
 
 def at_cusp(system: System, place: Place) -> bool:
@@ -120,7 +115,7 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
     places, left_out = [], list(open_parts)
     for place in singular:
         # a pair on an equation has its line already
-        if _among(place, meetings) or any(_lies_on(g, place) for g in factors):
+        if place in meetings or any(_lies_on(g, place) for g in factors):
             continue
         rank = _has_rank_2(system, place)
         if rank:

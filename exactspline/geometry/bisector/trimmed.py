@@ -19,7 +19,7 @@ from flint import fmpz_poly
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.common import Bisector
-from exactspline.geometry.bisector.conditions import Conditions, Parameter
+from exactspline.geometry.bisector.conditions import Conditions
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
 from exactspline.geometry.kinds import FeatureKind, JointKind
@@ -31,6 +31,7 @@ from exactspline.numbers.sides import Side
 from exactspline.papers import find
 from exactspline.polynomials.bernstein import ONE
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
+from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline

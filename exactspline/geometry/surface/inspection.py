@@ -20,6 +20,7 @@ from exactspline.geometry.surface.recognized import RecognizedPart, recognized_s
 from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
+from exactspline.geometry.surface.umbilics_nearby import NearbyUmbilic, umbilics_nearby
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
 from exactspline.geometry.surface.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
 from exactspline.hooks import Displayed
@@ -316,6 +317,21 @@ class SurfaceInspection(Inspected, Displayed):
         Raises `ShapeError` for a distance that is not positive.
         """
         return recognized_surface(self.surface, epsilon)
+
+    @question_with("1/1000000", Of.SURFACE, answered=Answered.PATCHES)
+    def umbilics_within(self, epsilon: Number) -> tuple[NearbyUmbilic, ...]:
+        """The umbilics that all surfaces have whose control points and weights differ by at most this, and those that
+        some of them may have.
+
+        See `exactspline.geometry.surface.umbilics_nearby.umbilics_nearby`.
+
+        >>> from exactspline import analyse, example
+        >>> [found.certain for found in analyse(example("biquadratic")).umbilics_within("1/1000000")]
+        [True]
+
+        Raises `ShapeError` for a distance that is not positive.
+        """
+        return umbilics_nearby(self.surface, epsilon)
 
     @Fact
     def closed(self) -> tuple[Along, ...]:

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 
 from exactspline.geometry.surface.forms import Patch
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.intervals import Box
 from exactspline.roots.common_zeros import CommonZero
 from exactspline.roots.of_polynomials import Parameter
-from exactspline.roots.root import Root
 
 
 @dataclass(frozen=True)
@@ -45,9 +44,4 @@ class Place:
         return Place(tuple(sorted({*self.patches, *patches})), self.zero)
 
 
-def enclosing(t: Parameter, digits: int) -> Interval:
-    """An interval that contains a parameter, at most ``10^−digits`` long."""
-    return t.refine(digits) if isinstance(t, Root) else Interval.point(t)
-
-
-__all__ = ["Parameter", "Place", "enclosing"]
+__all__ = ["Parameter", "Place"]

@@ -26,7 +26,7 @@ from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_polynomial, at, rows_of
 from exactspline.roots.common_zeros import Column, CommonZero, zeros_of
-from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, enclosing, exactly, roots_in
 from exactspline.roots.root import Root
 
 #: Bits of the cells that are tried where the Hessian is regular.
@@ -200,7 +200,7 @@ def _around(t: Parameter, others: Sequence[Parameter], bits: int) -> Interval | 
     interval only where that is the number itself.
     """
     width = mpq(1, 1 << bits)
-    near, far = t.refine(bits // 3 + 1) if isinstance(t, Root) else Interval.point(t)
+    near, far = enclosing(t, bits // 3 + 1)
     # sides with few digits: those of the interval of a root may have thousands
     low, high = (width * floor(near / width), width * ceil(far / width))
     wide = Interval(low - 3 * width, high + 3 * width)

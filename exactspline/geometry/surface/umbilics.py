@@ -18,6 +18,7 @@ from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_
 from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.singular import FAR, SingularPoints, curve_of, singular_points, without_known
 from exactspline.geometry.surface.zero_curve import ZeroCurve
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_form, as_polynomial
@@ -176,7 +177,8 @@ class _Search:
         lengths = self.first[0], self.first[2]
         pairs = [(f.whole, g.whole, e) for (f, g), e in zip(pairwise(self.own), lengths, strict=True) if f and g]
         for bits, (f, g, length) in product(KIND_BITS, pairs):
-            box = zero.refine(bits)
+            first, second = (side.grown(mpq(1, 1 << bits)) for side in zero.refine(bits))
+            box = Box(first, second)
             if length.part(box).sign == 1 and (sign := jacobian_sign(f, g, box)):
                 return UmbilicKind.POSITIVE if sign > 0 else UmbilicKind.NEGATIVE
         try:
@@ -193,8 +195,8 @@ def jacobian(f: PatchForm, g: PatchForm) -> PatchForm:
 
 
 def jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
-    """The sign of the Jacobian determinant on a box where its range excludes 0, otherwise 0."""
-    (a, b), (c, d) = ([h.derivative(i).part(box).range for i in (0, 1)] for h in (f, g))
+    """The sign of the Jacobian determinant on a box, not a point, where its range excludes 0, otherwise 0."""
+    (a, b), (c, d) = ([h.derivative(i).range for i in (0, 1)] for h in (f.part(box), g.part(box)))
     first = [x * y for x in a for y in d]
     second = [x * y for x in b for y in c]
     if min(first) > max(second):

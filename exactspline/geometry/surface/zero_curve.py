@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 from itertools import pairwise, starmap
+from operator import itemgetter
 from typing import NamedTuple
 
 from flint import fmpz
@@ -180,8 +181,7 @@ class ZeroCurve:
             if own.sign is not None:
                 continue
             boxes += 1
-            slopes = [own.derivative(k).sign for k in (0, 1)]
-            direction = next((k for k in (0, 1) if slopes[k]), None)
+            direction = next((k for k in (0, 1) if own.derivative(k).sign), None)
             on_a_line = direction is not None and self._vanishes_around(part.box)
             if direction is not None and not on_a_line:
                 self._graph(part.box, direction)
@@ -223,7 +223,7 @@ class ZeroCurve:
         for value in (c, d):
             events.update({vertex: value for vertex, _ in self._zeros_on(1 - direction, value, box[direction])})
         self._vertices.update(dict.fromkeys(events))
-        places = sorted(events.items(), key=lambda pair: _Key(pair[1]))
+        places = sorted(events.items(), key=itemgetter(1))
         for (first, low), (last, high) in pairwise(places):
             middle = between(low, high)
             ends = [self._value(direction, x, middle) for x in (a, b)]
@@ -235,8 +235,7 @@ class ZeroCurve:
 
     def _along(self, direction: int, value: mpq) -> list[fmpz]:
         """The Bernstein coefficients on a line across the whole square."""
-        line = UNIT.with_side(direction, Interval.point(value))
-        return self.form.part(line).edge(direction, 0)
+        return self.form.on_line(direction, value)
 
     def _line(self, direction: int, value: mpq) -> list[Root]:
         """The zeros on a line across the whole square, in order."""
@@ -352,16 +351,6 @@ class ZeroCurve:
             x = mpq((a + b) / 2)
             points.append((x, y) if arc.direction == 0 else (y, x))
         return points
-
-
-class _Key:
-    """Rational numbers and roots in one order."""
-
-    def __init__(self, value: mpq | Root) -> None:
-        self.value = value
-
-    def __lt__(self, other: _Key) -> bool:
-        return bool(self.value < other.value)
 
 
 @dataclass

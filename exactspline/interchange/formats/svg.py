@@ -6,7 +6,8 @@ allowed, is replaced by a near one. Transforms are applied exactly,
 about their origin; elements under a transform with an irrational sine, cosine or tangent are skipped. Path data with an
 error are read up to the error, as the standard requires. Copies (`use`) are placed; of a `switch` the first child is
 drawn that requires no extension and no language. Elements that style sheets may move or reshape are skipped; a note
-names those that style sheets may hide. Definitions (`defs`, `marker`, …) are not drawn. svgelements and svgpathtools
+names those that style sheets may hide. Elements of other namespaces inside the drawing, and what is in them, are not
+drawn. Definitions (`defs`, `marker`, …) are not drawn. svgelements and svgpathtools
 store floats, so the text is parsed here.
 """
 
@@ -44,6 +45,8 @@ CONTAINERS = ("svg", "g", "a", "switch", "use", "symbol")
 SILENT = ("style", "script", "title", "desc", "metadata", "view")
 ANIMATIONS = ("animate", "animateTransform", "animateMotion", "set", "discard")
 IDENTITY = Affine.identity(2)
+SVG = "http://www.w3.org/2000/svg"
+FOREIGN = "not drawn: it is, or is inside, an element of another namespace than SVG"
 
 #: What is said of an arc that stands for another.
 REPLACED = "an arc without rational control points is replaced by one with the same ends, nowhere further from it than"
@@ -66,6 +69,8 @@ class _Place:
     copies: frozenset[str] = frozenset()
     #: Whether the element is the one that a `use` copies.
     copied: bool = False
+    #: Whether an `svg` is around it.
+    inside: bool = False
 
 
 def looks_like(head: bytes) -> bool:
@@ -87,6 +92,8 @@ class _Drawing:
 
     def __init__(self, collector: Collector, root: Element) -> None:
         self.collector, self.root, self.sheet = collector, root, Sheet()
+        # a drawing that declares no namespace is read as SVG
+        self.namespaces = {SVG, next((each.namespace for each in root.walk() if each.tag == "svg"), SVG)}
         self.by_id: dict[str, Element] = {}
         for element in root.walk():
             self.by_id.setdefault(element.attributes.get("id", ""), element)
@@ -120,6 +127,9 @@ class _Drawing:
     def _entered(self, element: Element, where: str, place: _Place) -> list[tuple[Element, _Place]]:
         """Collect the curves of an element; return the elements drawn inside it, each with its place."""
         tag = element.tag
+        if place.inside and element.namespace not in self.namespaces:
+            self._not_drawn(element, where, FOREIGN)
+            return []
         if tag in SILENT or tag in ANIMATIONS:
             return []
         if tag in DEFINITIONS and not (tag == "symbol" and place.copied):
@@ -130,7 +140,7 @@ class _Drawing:
             return []
         if why := _condition(element):
             raise NotDrawnError(why)
-        place = self._placed(element, place)
+        place = replace(self._placed(element, place), inside=place.inside or tag == "svg")
         if tag in SHAPES:
             _shape(self.collector, element, where, place)
             return []
@@ -149,9 +159,12 @@ class _Drawing:
 
     def _chosen(self, switch: Element) -> list[Element]:
         """The first child of a `switch` that can be drawn, in a list; empty if there is none."""
-        chosen = next((child for child in switch.children if child.tag not in SILENT and not _condition(child)), None)
-        for child in switch.children:
-            if child is not chosen and child.tag not in SILENT:
+        children = [
+            child for child in switch.children if child.tag not in SILENT and child.namespace in self.namespaces
+        ]
+        chosen = next((child for child in children if not _condition(child)), None)
+        for child in children:
+            if child is not chosen:
                 why = _condition(child) or "not drawn: an earlier child of the switch is drawn"
                 self._not_drawn(child, f"{child.tag} at line {child.line}", why)
         return [] if chosen is None else [chosen]

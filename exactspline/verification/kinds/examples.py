@@ -188,23 +188,29 @@ class Condition(ExampleClaim):
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """Undecided where enclosures do not separate two condition numbers."""
         f, g = (self.only_component(n, split(self.find(n)(argument))[0]) for n in (self.left, self.right))
-        theirs = list(zeros(g, periodic=own.curve.closed))
+        ours, theirs = (zeros(form, periodic=own.curve.closed) for form in (f, g))
         pairs = [
-            (root, _condition(f, root), _condition(g, other))
-            for root in zeros(f, periodic=own.curve.closed)
-            for other in theirs
-            if root == other
+            (root, _condition(f, root), _condition(g, other)) for root in ours for other in theirs if root == other
         ]
+        whole = _share_segments(ours, theirs)
         if not pairs:
-            return vacuous(Fact.NO_COMMON_ZERO)
+            return Finding(UNDECIDED, witness=Fact.NOT_ISOLATED) if whole else vacuous(Fact.NO_COMMON_ZERO)
         conditions = Conditions(tuple((a, b) for _, a, b in pairs))
         if all(a[1] < b[0] for _, a, b in pairs):
-            return Finding(VERIFIED, conditions)
+            return Finding(UNDECIDED, conditions, witness=Fact.NOT_ISOLATED) if whole else Finding(VERIFIED, conditions)
         for root, a, b in pairs:
             if a[0] >= b[1]:
                 witness = OnExample(Name(self.example), NotBetter(between(Interval(root.low, root.high))))
                 return Finding(REFUTED, conditions, witness=witness)
         return Finding(UNDECIDED, conditions)
+
+
+def _share_segments(one: ZeroSet, other: ZeroSet) -> bool:
+    """Whether two splines have a common zero that is on a segment on which one of them vanishes."""
+    ours, theirs = ([part for piece in each.intervals for part in piece.parts] for each in (one, other))
+    return any(max(a, c) <= min(b, d) for a, b in ours for c, d in theirs) or any(
+        a <= root <= b for roots, parts in ((one, theirs), (other, ours)) for root in roots for a, b in parts
+    )
 
 
 def _condition(f: BSpline, root: Root) -> Enclosure:
