@@ -221,14 +221,16 @@ def common_points_sheet(meetings: object, title: str) -> Sheet:
 def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """How far a curve may be changed until its features vanish."""
     title = f"{c.name} with all numbers changed by at most this"
-    columns = ("what", "at", "certain up to", "gone within", "prominence")
+    columns = ("what", "at", "certain up to", "gone within", "ratio", "prominence")
     made = Sheet(*columns, title=title, heads=1, numbers=["certain up to"])
     for found in _in_order(data["stability"]):
         ((low, high),) = found["intervals"]
-        radius, *gone = (decimal(rational(x), 4) for (x,) in found["numbers"].values())
+        numbers = [rational(x) for (x,) in found["numbers"].values()]
+        radius, *gone = (decimal(x, 4) for x in numbers)
+        times = f"{round(float(numbers[-1] / numbers[0]))} ×" if gone and numbers[0] else ""
         at, certain = decimal((rational(low) + rational(high)) / 2, DIGITS), radius if radius != "0" else "not proved"
         made.add_row(
-            kind_name(FeatureKind(found["kind"])), at, certain, *gone or ["not known"], found["prominence"] or ""
+            kind_name(FeatureKind(found["kind"])), at, certain, *gone or ["not known"], times, found["prominence"] or ""
         )
     return made
 

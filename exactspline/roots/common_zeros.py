@@ -147,7 +147,7 @@ class CommonZero:
         """A box that contains it, its sides at most ``10^−digits`` long."""
         if self._place is not None:
             return _around(self._place, digits)
-        return self.sides.part(self.refine(int(self.sides.longest * mpq(10) ** digits + 1).bit_length()))
+        return self.sides.part(self.refine(int(self.sides.longest * mpq(10) ** digits).bit_length()))
 
     def is_zero_of(self, form: PatchForm) -> bool:
         """Whether a form vanishes here too, decided exactly. Raises `ReachError` where this would take too long."""

@@ -111,6 +111,10 @@ def test_a_grid_of_zeros_is_found_whole(xs, ys):
     assert {zero.exact for zero in found.zeros if zero.is_inside} == {p for p in closed if all(0 < t < 1 for t in p)}
 
 
+def test_the_simplest_number_of_an_interval_may_be_its_end():
+    assert [simplest(*map(mpq, ends)) for ends in ((3, 3), ("5/2", 3), ("2/7", "2/7"))] == [3, 3, mpq(2, 7)]
+
+
 def test_boxes_shrink_around_the_zero_and_keep_it():
     circle, line = S * S + T * T - 1, S - T
     (zero,) = zeros_of(pair(circle, line)).zeros

@@ -75,6 +75,16 @@ def test_zeros_that_differ_in_the_hundredth_digit_are_two():
     assert all(zero.s == zero.t for zero in zeros)
 
 
+def test_zeros_at_nearly_one_parameter_have_their_own_numbers():
+    """Both numbers s are roots of one eliminant, in the box of either zero: found by a mutant that ended in a loop."""
+    f, g = 10**9 * (2 * S * S - 1) - (3 * T - 1), (3 * T - 1) * (3 * T - 2)
+    one, other = common_zeros([f, g], UNIT)
+    assert one.s.minimal_polynomial() == [-1, 0, 2]
+    assert other.s.minimal_polynomial() == [-(10**9 + 1), 0, 2 * 10**9]
+    assert not one.is_at(other)
+    assert one.is_at(one)
+
+
 def test_more_than_two_polynomials_share_only_their_zeros():
     f, g, h = (2 * S * S - 1) * T, (2 * S * S - 1) * (T - 1), (3 * T - 1) * (S + T)
     (zero,) = common_zeros([f, g, h], UNIT)

@@ -2,6 +2,9 @@
 
 import copy
 import json
+import os
+import select
+import sys
 from collections import Counter
 from pathlib import Path
 
@@ -21,7 +24,7 @@ from workshop.grade.judge import CRASHED, DECLINED, INVENTED, MISSED, OFF, RIGHT
 from workshop.grade.questions import QUESTIONS
 from workshop.grade.recheck import recheck
 from workshop.grade.report import PICTURE, draw, page, rows
-from workshop.grade.runner import Judged, Report, Truths, curve_data, failures, request_data
+from workshop.grade.runner import Judged, Report, Truths, Worker, curve_data, failures, request_data
 from workshop.grade.shrink import Defect, _size, _smaller
 from workshop.grade.tolerance import DOCUMENTED, tolerated
 from workshop.grade.truth import truth
@@ -339,3 +342,21 @@ def test_the_scoreboard_says_what_is_asked_today():
     assert all(f"| {q.name} | {q.meaning} | {q.allowed} |" in text for q in QUESTIONS.values())
     assert all(named.link in text for named in REPORTED)
     assert all(f"### {library} " in text for library in LIBRARIES)
+
+
+def test_what_a_process_started_ends_with_it(tmp_path):
+    """Was left for good after a question that hung: thirty processes of node kept two cores busy."""
+    place = tmp_path / "open while it runs"
+    os.mkfifo(place)
+    reading = os.open(place, os.O_RDONLY | os.O_NONBLOCK)
+    code = (
+        "import subprocess, sys, time; subprocess.Popen(['sleep', '600'], stdout=open(sys.argv[1], 'wb', 0));"
+        'print(\'{"version": "1"}\', flush=True); time.sleep(600)'
+    )
+    worker = Worker("any", (sys.executable, "-c", code, str(place)))
+    with pytest.raises(BlockingIOError):
+        os.read(reading, 1)  # somebody could still write
+    worker.close()
+    assert select.select([reading], [], [], 20)[0]
+    assert os.read(reading, 1) == b""
+    os.close(reading)

@@ -5,10 +5,13 @@ from __future__ import annotations
 import gzip
 import hashlib
 import json
+import os
 import select
+import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from math import isfinite
 from pathlib import Path
@@ -141,8 +144,14 @@ class Worker:
         self._start()
 
     def _start(self) -> None:
+        # a group of its own: a library may run in a process that this one starts
         self.process = subprocess.Popen(
-            self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+            self.command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+            start_new_session=True,
         )
         first = self._line(60)
         if first is None:
@@ -183,8 +192,9 @@ class Worker:
         return {q: reply for one in questions for q, reply in self.ask(given, [one]).items()}
 
     def close(self) -> None:
-        """End the process."""
-        self.process.kill()
+        """End the process, and those that it started."""
+        with suppress(ProcessLookupError):
+            os.killpg(self.process.pid, signal.SIGKILL)
         self.process.communicate()
 
 

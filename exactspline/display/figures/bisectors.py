@@ -76,12 +76,13 @@ def _frame(figure: Figure, i: int, shown: Shown, mesh: SurfaceMesh, title: str, 
 
 def _alike(frames: Sequence[Any]) -> None:
     """Give all frames one camera, one scale and the same few ticks, so that each contains its whole scene."""
-    for axis in "xyz":
-        bounds = [getattr(ax, f"get_{axis}lim")() for ax in frames]
-        low, high = min(a for a, _ in bounds), max(b for _, b in bounds)
+    bounds = {axis: list(zip(*[getattr(ax, f"get_{axis}lim")() for ax in frames], strict=True)) for axis in "xyz"}
+    longest = max(max(high) - min(low) for low, high in bounds.values())
+    for axis, (lows, highs) in bounds.items():
+        low, high = min(lows), max(highs)
         for ax in frames:
             getattr(ax, f"set_{axis}lim")(low, high)
-            getattr(ax, f"{axis}axis").set_ticks([float(x) for x in three_ticks(low, high)])
+            getattr(ax, f"{axis}axis").set_ticks([float(x) for x in three_ticks(low, high, longest)])
             getattr(ax, f"set_{axis}label")(axis)
     for ax in frames:
         sides = [high - low for low, high in (getattr(ax, f"get_{axis}lim")() for axis in "xyz")]

@@ -131,19 +131,19 @@ def inspect_figure(
 
 
 def plot_stability(curve: Nurbs, ax: Axes | None = None) -> Axes:
-    """Inflections, extrema of the curvature and corners of a plane curve as marks whose area grows with the proved
-    distance up to which the feature stays, by its logarithm: full size where that is a 16th of the curve's size or
-    more, the smallest at 10⁻⁶ and less; hollow where nothing is proved.
+    """Inflections (in space: zeros of the torsion), extrema of the curvature and corners of a curve as marks whose area
+    grows with the proved distance up to which the feature stays, by its logarithm: full size where that is a 16th of
+    the curve's size or more, the smallest at 10⁻⁶ and less; hollow where nothing is proved.
 
     >>> from exactspline.interchange.examples import example
     >>> ax = plot_stability(example("cubic_s"), plot_curve(example("cubic_s")))
     >>> [text.get_text() for text in ax.get_legend().get_texts()][-1]
     'maximum of κ (certain up to 0.031)'
 
-    Raises `ShapeError` for a curve that is not in the plane, otherwise as `plot_curve`.
+    Raises `ShapeError` for a curve that is neither in the plane nor in space, otherwise as `plot_curve`.
     """
     curve = curve_of(curve)
-    ax = axes_for(ax)
+    ax = axes_for(ax, curve.dimension)
     columns = list(zip(*curve.control_points, strict=True))
     whole = float(max(max(column) - min(column) for column in columns)) or 1.0
     for found in analyse(curve).stability:
@@ -155,6 +155,7 @@ def plot_stability(curve: Nurbs, ax: Axes | None = None) -> Axes:
         plot_features(
             curve, [cast(Root, found.place)], ax, marker=marker, color=color, label=label, size=size, hollow=not share
         )
+    legend_below(ax, 2)  # three of these labels are wider than a picture
     return ax
 
 

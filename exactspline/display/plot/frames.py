@@ -14,6 +14,8 @@ from exactspline.splines.lowest_terms import SplineVector
 
 #: The visible part: the fraction of points omitted on either side, and the margin (in multiples of its longest side).
 OUTLIERS, AROUND = 10, mpq(1)
+#: A side of a box is short below this fraction of the longest one.
+SHORT = 0.55
 
 Box = tuple[Point, Point]
 
@@ -57,8 +59,9 @@ def usual_box(points: Sequence[Point], poles: bool = True) -> Box:
     return tuple(x - margin for x in low), tuple(x + margin for x in high)
 
 
-def three_ticks(low: mpq | float, high: mpq | float) -> list[mpq]:
-    """Two or three round numbers between two bounds, by steps of 1, 2 or 5 times a power of ten.
+def three_ticks(low: mpq | float, high: mpq | float, longest: float = 0) -> list[mpq]:
+    """Two or three round numbers between two bounds, by steps of 1, 2 or 5 times a power of ten; no three on a side
+    that is short compared with the longest one, where they would stand over each other.
 
     >>> [[float(x) for x in three_ticks(*ends)] for ends in ((-1.2, 4.1), (-0.5, 2.5), (0.12, 0.31), (3, 3))]
     [[0.0, 2.0, 4.0], [0.0, 1.0, 2.0], [0.2, 0.3], [3.0]]
@@ -67,11 +70,12 @@ def three_ticks(low: mpq | float, high: mpq | float) -> list[mpq]:
     if low >= high:
         return [low]
     power = floor(log10(high - low)) - 1
+    at_most = 2 if float(high - low) < SHORT * longest else 3
     steps = (mpq(k) * mpq(10) ** (power + up) for up in range(3) for k in (1, 2, 5))
     return next(
         [k * step for k in range(first, last + 1)]
         for step in steps
-        if (last := floor(high / step)) - (first := ceil(low / step)) < 3
+        if (last := floor(high / step)) - (first := ceil(low / step)) < at_most
     )
 
 

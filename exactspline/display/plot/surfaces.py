@@ -41,8 +41,6 @@ if TYPE_CHECKING:
 
 #: The direction of the light (a unit vector), and the brightness of a face turned away from it.
 LIGHT, SHADOW = (0.48, -0.6, 0.64), 0.45
-#: A side is short below this fraction of the longest one.
-SHORT = 0.4
 
 
 def plot_mesh(
@@ -134,10 +132,7 @@ def _tick(space: Any) -> None:
     sides = {axis: getattr(space, f"get_{axis}lim")() for axis in "xyz"}
     longest = max(high - low for low, high in sides.values())
     for axis, (low, high) in sides.items():
-        ticks = three_ticks(low, high)
-        # on a short side three numbers would stand over each other
-        shown = ticks[:: len(ticks) - 1] if len(ticks) > 2 and high - low < SHORT * longest else ticks
-        getattr(space, f"{axis}axis").set_ticks([float(x) for x in shown])
+        getattr(space, f"{axis}axis").set_ticks([float(x) for x in three_ticks(low, high, longest)])
 
 
 def plot_ruled_surface(
