@@ -66,6 +66,8 @@ html_css_files = ["pages.css"]
 html_js_files = ["pages.js"]
 html_extra_path = ["_extra"]
 html_show_sphinx = False
+html_copy_source = False  # with the outputs of notebooks it would be a tenth of the site
+html_show_sourcelink = False
 exclude_patterns = ["_extra"]
 suppress_warnings = ["mystnb.unknown_mime_type"]
 

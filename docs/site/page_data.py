@@ -58,7 +58,8 @@ def write(folder: Path, ledger: list[dict[str, Any]]) -> None:
     }
     told |= {f"surfaces/{one['name']}": one["scenes"] for one in shown}
     for name, made in told.items():
-        (folder / f"{name}.json").write_text(json.dumps(made, ensure_ascii=False), encoding="utf-8")
+        text = json.dumps(made, ensure_ascii=False, separators=(",", ":"))
+        (folder / f"{name}.json").write_text(text, encoding="utf-8")
 
 
 def curves() -> list[dict[str, Any]]:

@@ -298,7 +298,17 @@ def _of_two_curves(entry: Entry, curve: Nurbs, question: Question) -> Found:
     """The answer to a question of the registry about this curve and another one."""
     if not question.argument:
         raise QuestionError(f"{question.text!r} names no other curve", remedy=f"{entry.name}:circle")
-    return _items(curve, entry.answer(CurvePair(curve, read(question.argument).curve))), ()
+    return pair_items(CurvePair(curve, read(question.argument).curve), entry.name), ()
+
+
+def pair_items(pair: CurvePair, name: str) -> list[Item]:
+    """The answer to a question of the registry about two curves, as items of an answer.
+
+    >>> from exactspline import example
+    >>> pair_items(CurvePair(example("circle"), example("ellipse")), "distance")[0].values["distance"].exact
+    mpq(0,1)
+    """
+    return list(_items(pair.curves[0], questions_of(CurvePair)[name].answer(pair)))
 
 
 def _check_decided(left_out: Iterable[str]) -> None:

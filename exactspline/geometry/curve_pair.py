@@ -59,4 +59,4 @@ class CurvePair(Inspected, Displayed):
         >>> CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(2, 0), (3, 0)])).distance.value
         <Real 1>
         """
-        return distance(*self.curves)
+        return distance(*self.curves, meeting=self.intersections)

@@ -17,7 +17,7 @@ from flint import arb, fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.box_tree import IntegerBox, box_of, shift_for
-from exactspline.geometry.intersections import Overlap, intersections
+from exactspline.geometry.intersections import Intersections, Overlap, intersections
 from exactspline.geometry.nearest import nearest
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq, to_fmpz
@@ -85,8 +85,9 @@ class Distance(Displayed):
         return f"<Distance {self.value.shortly()} between {list(self.pairs)}{arcs}{doubt}>"
 
 
-def distance(first: Nurbs, second: Nurbs) -> Distance:
-    """The distance of two curves in the plane or in space, and the pairs of parameters at which they are nearest.
+def distance(first: Nurbs, second: Nurbs, *, meeting: Intersections | None = None) -> Distance:
+    """The distance of two curves in the plane or in space, and the pairs of parameters at which they are nearest; their
+    common points where these are known are `meeting`.
 
     >>> from exactspline import Nurbs
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1), (0, -1), (1, 1)])  # y = x²
@@ -101,7 +102,8 @@ def distance(first: Nurbs, second: Nurbs) -> Distance:
         raise ShapeError(
             f"a curve in R{first.dimension} and one in R{second.dimension}", remedy="give curves of one dimension"
         )
-    meeting = intersections(first, second)
+    if meeting is None:
+        meeting = intersections(first, second)
     zero = Real(0)
     if meeting.points or meeting.everywhere:
         pairs = [ClosestPair(p.first, p.second, zero) for p in meeting]

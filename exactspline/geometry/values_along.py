@@ -33,6 +33,7 @@ def point_at(curve: Nurbs, place: mpq | Real, order: int = 0, side: Side | str =
     >>> [x.double() for x in point_at(circle, zeros(circle.p[0] - circle.p[1]).roots[0], 1)]
     [-1.2071067811865475, 1.2071067811865475]
     """
+    place = exact_place(place)
     if not isinstance(place, Real):
         return tuple(map(Real, curve.derivative(order, place, side) if order else curve(place, side)))
     within(curve.domain, place)

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import product
+from math import frexp
 
 from exactspline.errors import ExactSplineError
 from exactspline.numbers.exact import double, from_float, mpq
@@ -29,7 +32,41 @@ class Case:
     link: str = ""
     note: str = ""
 
+    @property
+    def dial(self) -> int:
+        """The signed exponent of ε = ±2⁻ᵏ where the curve is near a degenerate one, else 0."""
+        found = _NEAR.match(self.note)
+        return 0 if found is None else -int(found[2]) if found[1] else int(found[2])
 
+    @cached_property
+    def partner(self) -> Nurbs:
+        """Another curve, for questions about two; all its numbers are doubles.
+
+        A curve near a degenerate one is moved in x, by about 2⁻ᵏ of its size; the partner of any other has the same
+        control points in another order: the second, the fourth, …, then the first, the third, ….
+
+        >>> case = next(all_cases(1))
+        >>> case.partner.control_points[0] == case.curve.control_points[1]
+        True
+        """
+        curve = self.curve
+        if self.dial:
+            largest = double(max(abs(x) for point in curve.control_points for x in point))
+            step = from_float(2.0 ** (frexp(largest)[1] - 1 - min(abs(self.dial), MOST_MOVED)))
+            points = [(x + step, *rest) for x, *rest in curve.control_points]
+            return Nurbs(curve.degree, curve.knots, points, curve.weights, name=f"{self.key}, moved")
+        order = [*range(1, len(curve.weights), 2), *range(0, len(curve.weights), 2)]
+        others, weights = [curve.control_points[i] for i in order], [curve.weights[i] for i in order]
+        return Nurbs(curve.degree, curve.knots, others, weights, name=f"{self.key}, in another order")
+
+    @property
+    def point(self) -> tuple[mpq, ...]:
+        """A point, for questions about a curve and a point: the first control point of the partner."""
+        return tuple(self.partner.control_points[0])
+
+
+#: How the note of a case says ε; and the largest k of a move, so that no coordinate is rounded.
+_NEAR, MOST_MOVED = re.compile(r"^ε = (−?)2⁻ᵏ, k = (\d+)$"), 48
 Row = tuple[float, ...]
 
 

@@ -387,7 +387,12 @@ def test_self_intersections_are_pairs_of_parameters_and_what_is_not_decided_is_a
 
 
 def test_two_curves_a_curve_and_a_point():
-    """Entries about two curves are asked with the name or the file of the other one."""
+    """Entries about two curves are asked with the name or the file of the other one.
+
+    Of an open curve whose end is the nearest point the oracle said that "the root is outside the domain".
+    """
+    line = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 0)])
+    assert [value(line, f"nearest:{x},0", "parameter") for x in (-2, 3)] == [0, 1]
     circle = xs.example("circle")
     assert [item.what for item in items(circle, "intersections:ellipse")] == ["touching", "touching"]
     assert value(circle, "distance:ellipse", "distance") == 0

@@ -14,7 +14,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from workshop.grade.adapters.bezier_js import installed
+from workshop.npm import folder_of
 
 
 def needs(package, graded):
@@ -71,7 +71,7 @@ def test_splipy_the_torsion_of_a_rational_curve():
 
 
 def node(script):
-    folder, program = installed(), shutil.which("node")
+    folder, program = folder_of("bezier-js"), shutil.which("node")
     if folder is None or program is None:
         pytest.skip("bezier-js is not installed")
     if json.loads((folder / "package.json").read_text(encoding="utf-8"))["version"] != "6.1.4":

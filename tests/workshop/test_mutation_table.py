@@ -13,14 +13,20 @@ def test_rows_whose_verdicts_are_elsewhere_are_kept():
         "gone": ("2026-01-03", Counter(killed=9)),
     }
     here = {"papers/a": Counter(), "roots": Counter(killed=10, survived=1), "reals": Counter(killed=1)}
-    rows, kept = merged(here, on_page, "2026-02-02")
+    rows, kept = merged(here, on_page, Counter(roots=2), "2026-02-02")
     assert kept == ["papers/a"]
     assert rows == {
         "papers/a": on_page["papers/a"],
         "roots": ("2026-02-02", Counter(killed=10, survived=1)),
         "reals": ("2026-02-02", Counter(killed=1)),
     }
-    assert merged({**here, "roots": Counter(killed=10)}, on_page, "2026-02-02")[0]["roots"] == on_page["roots"]
+    assert (
+        merged({**here, "roots": Counter(killed=10)}, on_page, Counter(), "2026-02-02")[0]["roots"] == on_page["roots"]
+    )
+    # open mutants whose names are not known are not gone because others were noticed
+    noticed = {**here, "roots": Counter(killed=20)}
+    assert merged(noticed, on_page, Counter(), "2026-02-02")[0]["roots"] == on_page["roots"]
+    assert merged(noticed, on_page, Counter(roots=2), "2026-02-02")[0]["roots"] == ("2026-02-02", Counter(killed=20))
     assert read_rows("\n".join(lines(rows))) == rows
 
 

@@ -36,19 +36,26 @@ def test_every_case_is_checked_again(pack):
     assert {family: entry["cases"] for family, entry in index["families"].items()} == dict.fromkeys(SIZES, 3)
 
 
-@pytest.mark.parametrize("what", ["value", "inflection"])
+WRONG = {
+    "value": ("random", "value", lambda items: items[0].update(x=items[0]["x"][::-1])),
+    "inflection": ("near", "inflections", list.pop),
+    "intersection": ("near", "intersections", list.pop),
+    "nearest": ("random", "nearest", lambda items: items[0].update(distance=items[0]["distance"][:1] * 3)),
+    "distance": ("random", "distance", lambda items: items[0].update(parameter=["0x0p+0"] * 3)),
+}
+
+
+@pytest.mark.parametrize("what", WRONG)
 def test_a_wrong_answer_is_found(pack, what, tmp_path):
-    """One double moved, or one inflection taken away, under a digest that fits."""
-    family, number = ("random", 0) if what == "value" else ("near", 2)
+    """Doubles changed, or an inflection or a common point taken away, under a digest that fits."""
+    family, question, spoil = WRONG[what]
     data = json.loads((pack / f"{family}.json").read_text(encoding="utf-8"))
-    case = data["cases"][number]["case"]
-    if what == "value":
-        below, _, above = case["answers"]["value"]["items"][0]["x"]
-        assert below != above
-        case["answers"]["value"]["items"][0]["x"] = [above, above, above]
-    else:
-        assert len(case["answers"]["inflections"]["items"]) == 1
-        case["answers"]["inflections"]["items"].pop()
+    number, case = next(
+        (number, line["case"])
+        for number, line in enumerate(data["cases"])
+        if line["case"]["answers"][question]["answer"] == "these"
+    )
+    spoil(case["answers"][question]["items"])
     body = json.dumps(case, ensure_ascii=True, separators=(",", ":"))
     data["cases"][number]["digest"] = f"{crc32(body.encode()):08x}"
     place = tmp_path / "changed.json"
@@ -77,6 +84,8 @@ def test_a_reader_counts_what_python_counts(program, pack, tmp_path):
         answers = [answer["answer"] for case in cases for answer in case["answers"].values()]
         expected = {word: answers.count(word) for word in ("none", "these", "all", "undefined")}
         assert f"cases {len(cases)} damaged {bad} " + " ".join(f"{k} {n}" for k, n in expected.items()) in counted
+        pairs = [item for case in cases for item in case["answers"]["intersections"].get("items", ())]
+        assert f" meetings {sum('parameter' in item for item in pairs)} apart 0" in counted
 
 
 def test_more_curves_of_a_family(tmp_path):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import sys
 from collections.abc import Iterable, Iterator
@@ -10,7 +9,6 @@ from dataclasses import dataclass
 from enum import StrEnum
 from importlib import resources
 from importlib.util import find_spec
-from pathlib import Path
 
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.winding import FillRule
@@ -21,8 +19,9 @@ from workshop.boolean.pairs import Pair
 from workshop.boolean.pieces import Region
 from workshop.boolean.python_engines import ENGINES as IN_PYTHON
 from workshop.grade.runner import Worker
+from workshop.npm import folder_of
 
-#: Engines of npm, in the folder that EXACTSPLINE_NODE_MODULES names, or in node_modules here.
+#: Engines of npm.
 OF_NPM = ("paper", "pathkit-wasm", "path-bool")
 ENGINES = (*IN_PYTHON, *OF_NPM)
 
@@ -81,12 +80,11 @@ def started(engine: str) -> Worker:
         here = engine != "FontForge" or find_spec("fontforge") is not None
         script = resources.files(__package__).joinpath("python_engines.py")
         return Worker(engine, (sys.executable if here else "/usr/bin/python3", str(script), engine))
-    folder = Path(os.environ.get("EXACTSPLINE_NODE_MODULES") or "node_modules").resolve()
-    node = shutil.which("node")
-    if node is None or not (folder / engine).is_dir():
+    folder, node = folder_of(engine), shutil.which("node")
+    if node is None or folder is None:
         raise ImportError(engine)
     script = resources.files(__package__).joinpath("engines.mjs")
-    return Worker(engine, (node, str(script), engine, str(folder)))
+    return Worker(engine, (node, str(script), engine, str(folder.parent)))
 
 
 def graded(

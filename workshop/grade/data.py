@@ -9,7 +9,9 @@ Rows = list[list[float]]
 
 
 class GivenData(TypedDict):
-    """A curve as it is passed to a library; `finer` is the curve from which a knot is to be removed."""
+    """A curve as it is passed to a library; `finer` is the curve from which a knot is to be removed, `partner` and
+    `point` are for questions about two curves, or a curve and a point.
+    """
 
     degree: int
     knots: list[float]
@@ -17,6 +19,8 @@ class GivenData(TypedDict):
     weights: list[float] | None
     t: float
     finer: NotRequired[GivenData | None]
+    partner: NotRequired[GivenData]
+    point: NotRequired[list[float]]
 
 
 class Request(TypedDict):
@@ -50,9 +54,12 @@ class ExactCurve(TypedDict):
 
 
 class CurveData(ExactCurve):
-    """A curve as it is passed to the independent checker: exact text, homogeneous control points."""
+    """A curve as it is passed to the independent checker: exact text, homogeneous control points; those of
+    the partner, which has the same knots.
+    """
 
     rational: bool
+    partner: list[list[str]]
 
 
 class Answer(TypedDict, total=False):

@@ -34,6 +34,8 @@ PLACE, ZERO = mpq(1, 1 << 16), mpq(1, 1 << 32)
 NEAR = mpq(1, 1 << 8)
 #: A curve counts as straight when γ′ × γ″ is below this fraction of ‖γ′‖² divided by the length of the domain.
 STRAIGHT = mpq(1, 1 << 20)
+#: The error of a distance, as a fraction of the largest coordinate; and the least sine of two directions that cross.
+APART = mpq(1, 1 << 20)
 #: The factor of the tolerance for control points that require divisions.
 DIVIDED = 1 << 16
 #: The relative error allowed for a length.
@@ -229,6 +231,16 @@ def _area(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     return Verdict(RIGHT if errors[0] <= allowed else OFF, size.ulps(errors[0] / size.coordinate))
 
 
+def _distance(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
+    [exact], size = _middles(truth), _Size.of(case.curve)
+    errors = _errors([exact], answer[:1])
+    if errors is None:
+        return _NAN
+    slack = from_float(float(answer[1])) if len(answer) > 1 else mpq(0)
+    allowed = APART * size.coordinate + slack
+    return Verdict(RIGHT if errors[0] <= allowed else OFF, size.ulps(errors[0]))
+
+
 # ---- places
 
 
@@ -341,6 +353,61 @@ def _compared(truth: Answer, answer: Any, soft: list[mpq]) -> Verdict:
     return Verdict(outcome, note=note_of(outcome, first), missed=tuple(missed), invented=tuple(invented))
 
 
+# ---- pairs
+
+
+def _pairs(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
+    return pairs_compared(case, truth, answer, ZERO * _Size.of(case.curve).coordinate)
+
+
+def pairs_compared(case: Case, truth: Answer, answer: Any, gap: mpq) -> Verdict:
+    """Pairs of parameters against the exact ones: named where they are near one, or the points at most `gap` apart."""
+    curves, middles = (case.curve, case.partner), _middles(truth)
+    exact = [(middles[i], middles[i + 1]) for i in range(0, len(middles), 2)]
+    values = [[float(t) for t in pair] for pair in answer]
+    if not all(isfinite(t) for pair in values for t in pair):
+        return _NAN
+    (a, b), named = case.curve.domain, [tuple(map(from_float, pair)) for pair in values]
+
+    def near(one: Sequence[mpq], other: Sequence[mpq], reach: mpq = PLACE) -> bool:
+        return all(abs(s - t) <= reach * (b - a) for s, t in zip(one, other, strict=True))
+
+    def within(p: Sequence[mpq], q: Sequence[mpq]) -> bool:
+        return bool(sum(((x - y) ** 2 for x, y in zip(p, q, strict=True)), start=mpq(0)) <= gap * gap)
+
+    def points(pair: Sequence[mpq]) -> list[Sequence[mpq]]:
+        return [curve(t, "left") for curve, t in zip(curves, pair, strict=True)]
+
+    def meets(pair: Sequence[mpq]) -> bool:
+        return all(a <= t <= b for t in pair) and within(*points(pair))
+
+    def names(each: Sequence[mpq], pair: Sequence[mpq]) -> bool:
+        if near(pair, each):
+            return True
+        return meets(each) and (near(pair, each, NEAR) or all(map(within, points(pair), points(each))))
+
+    missed = [
+        pair
+        for pair in exact
+        if _must_be_named(curves, pair, PLACE * (b - a))
+        and sum(near(pair, other) for other in exact) == 1
+        and not any(names(each, pair) for each in named)
+    ]
+    invented = [each for each in named if not meets(each) and not any(near(pair, each) for pair in exact)]
+    outcome, found = (MISSED, missed) if missed else (INVENTED, invented)
+    if not found:
+        return Verdict(RIGHT)
+    return Verdict(outcome, note=note_of(outcome, [t for pair in found[:1] for t in pair]))
+
+
+def _must_be_named(curves: tuple[Nurbs, Nurbs], pair: Sequence[mpq], reach: mpq) -> bool:
+    """Whether two curves cross at an angle, away from their ends."""
+    if not all(c.domain[0] + reach < t < c.domain[1] - reach for c, t in zip(curves, pair, strict=True)):
+        return False
+    (x, y), (u, v) = (c.derivative(1, t, "left") for c, t in zip(curves, pair, strict=True))
+    return bool((x * v - y * u) ** 2 > APART**2 * (x * x + y * y) * (u * u + v * v))
+
+
 def note_of(outcome: str, places: Sequence[mpq]) -> str:
     """An outcome with the first places that it is about."""
     return f"{outcome} {', '.join(f'{double(t):.6g}' for t in places[:3])}"
@@ -354,6 +421,8 @@ _JUDGES: dict[Judged, Callable[[Case, str, Answer, Any], Verdict]] = {
     Judged.BOX: _box,
     Judged.NUMBER: _length,
     Judged.AREA: _area,
+    Judged.DISTANCE: _distance,
+    Judged.PAIRS: _pairs,
     Judged.PLACES: _places,
     Judged.REGULAR_PLACES: _regular_places,
 }

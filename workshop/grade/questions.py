@@ -17,6 +17,9 @@ class Judged(StrEnum):
     BOX = "box"
     NUMBER = "number"
     AREA = "area"
+    DISTANCE = "distance"
+    #: Pairs of parameters of two curves.
+    PAIRS = "pairs"
     PLACES = "places"
     #: Places at regular points: knots and singular points may be named or not, and any point of a straight curve.
     REGULAR_PLACES = "regular places"
@@ -49,6 +52,11 @@ PLACES = (
     "largest Bézier point and no place is near; zeros nearer than 2⁻¹⁶ are one place"
 )
 STRAIGHT = "anything where γ′ × γ″, times the length of the domain, is nowhere above 2⁻²⁰ of ‖γ′‖²"
+MEETINGS = (
+    "every pair with directions whose sine is above 2⁻²⁰ that is neither within 2⁻¹⁶ of the domain of another one nor "
+    "of an end is named at least once: within 2⁻¹⁶ of both domains, or within 2⁻⁸ where the points named are at most "
+    "2⁻³² of the largest coordinate apart; a pair is invented where they are further apart and no pair is near"
+)
 QUESTIONS: dict[str, Asked] = {
     asked.name: asked
     for asked in (
@@ -101,5 +109,12 @@ QUESTIONS: dict[str, Asked] = {
         _at_places("extrema", "curvature_extrema", f"{PLACES}; {STRAIGHT}", Judged.REGULAR_PLACES),
         Asked("length", "the arc length", "10⁻⁶ of it, or the tolerance that the library documents", Judged.NUMBER),
         Asked("area", "the signed area inside a closed curve", f"2¹⁰ times {ULPS}, times that coordinate", Judged.AREA),
+        Asked(
+            "nearest",
+            "the distance of the curve from the first control point of its partner",
+            "2⁻²⁰ of the largest coordinate, and the error that the library documents",
+            Judged.DISTANCE,
+        ),
+        Asked("meetings", "the pairs of parameters at which the curve meets its partner", MEETINGS, Judged.PAIRS),
     )
 }

@@ -1,5 +1,5 @@
-"""Checks exact answers with an independent computation of every number; of exactspline only the checker of zero sets is
-used (and GMP's fractions).
+"""Checks exact answers with an independent computation of every number by the standard library; of exactspline only
+the checker of certificates is used.
 
 The curve is evaluated by the recursion of Cox and de Boor on truncated Taylor series. Curves with other control points
 are compared with the given one at as many parameters as determine a rational function of their degree; likewise the
@@ -9,12 +9,12 @@ form behind a zero set is compared with the function of which it must be a posit
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from itertools import pairwise
 from math import factorial, isqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.certificates import check_certificate
-from exactspline.numbers.exact import mpq
 
 if TYPE_CHECKING:
     from workshop.grade.data import Answer, CurveData, ExactCurve
@@ -25,33 +25,36 @@ TERMS = 4
 STURM = 6
 #: The number of chords whose sum is compared with a length.
 CHORDS = 24
-Jet = list[list[mpq]]
+Jet = list[list[Fraction]]
 
 
 class Curve(NamedTuple):
     """A curve as numbers, with homogeneous control points."""
 
     degree: int
-    knots: list[mpq]
-    rows: list[list[mpq]]
+    knots: list[Fraction]
+    rows: list[list[Fraction]]
     rational: bool
+    partner: list[list[Fraction]]
 
 
 #: A function for the value of a form of a curve at a parameter.
-Form = Callable[[Curve, mpq], mpq]
+Form = Callable[[Curve, Fraction], Fraction]
 
 
 def recheck(curve: CurveData, parameter: str, question: str, answer: Answer) -> None:
     """Raise ValueError unless the answer to a question about a curve is proved right.
 
-    `curve` has degree, knots, rows of homogeneous control points, and whether it is rational; all numbers as text.
+    `curve` has degree, knots, rows of homogeneous control points, whether it is rational, and the rows of its partner;
+    all numbers as text.
     """
-    numbers = Curve(curve["degree"], list(map(mpq, curve["knots"])), _numbers(curve["rows"]), curve["rational"])
-    _CHECKS[question](numbers, mpq(parameter), question, answer)
+    rows, partner = _numbers(curve["rows"]), _numbers(curve["partner"])
+    numbers = Curve(curve["degree"], list(map(Fraction, curve["knots"])), rows, curve["rational"], partner)
+    _CHECKS[question](numbers, Fraction(parameter), question, answer)
 
 
-def _numbers(rows: list[list[str]]) -> list[list[mpq]]:
-    return [list(map(mpq, row)) for row in rows]
+def _numbers(rows: list[list[str]]) -> list[list[Fraction]]:
+    return [list(map(Fraction, row)) for row in rows]
 
 
 def _require(condition: bool, flaw: str) -> None:
@@ -62,13 +65,13 @@ def _require(condition: bool, flaw: str) -> None:
 # ---- evaluation
 
 
-def jets(curve: Curve, t: mpq, left: bool = False, terms: int = TERMS) -> Jet:
+def jets(curve: Curve, t: Fraction, left: bool = False, terms: int = TERMS) -> Jet:
     """The Taylor coefficients of the homogeneous coordinates at a parameter."""
     degree, knots, rows = curve.degree, curve.knots, curve.rows
     spans = [j for j in range(degree, len(knots) - degree - 1) if knots[j] < knots[j + 1]]
     inside = [j for j in spans if (knots[j] < t <= knots[j + 1] if left else knots[j] <= t < knots[j + 1])]
     j = inside[0] if inside else spans[-1] if t >= knots[spans[-1] + 1] else spans[0]
-    points = [[[x, *[mpq(0)] * (terms - 1)] for x in rows[j - degree + i]] for i in range(degree + 1)]
+    points = [[[x, *[Fraction(0)] * (terms - 1)] for x in rows[j - degree + i]] for i in range(degree + 1)]
     for r in range(1, degree + 1):
         for i in range(degree, r - 1, -1):
             a, b = knots[j - degree + i], knots[j + 1 + i - r]
@@ -80,20 +83,20 @@ def jets(curve: Curve, t: mpq, left: bool = False, terms: int = TERMS) -> Jet:
     return points[degree]
 
 
-def _minus(p: list[mpq], q: list[mpq]) -> list[mpq]:
+def _minus(p: list[Fraction], q: list[Fraction]) -> list[Fraction]:
     return [x - y for x, y in zip(p, q, strict=True)]
 
 
-def _times_linear(share: list[mpq], p: list[mpq]) -> list[mpq]:
+def _times_linear(share: list[Fraction], p: list[Fraction]) -> list[Fraction]:
     return [share[0] * p[k] + (share[1] * p[k - 1] if k else 0) for k in range(len(p))]
 
 
-def cartesian(curve: Curve, t: mpq, left: bool = False, terms: int = TERMS) -> Jet:
+def cartesian(curve: Curve, t: Fraction, left: bool = False, terms: int = TERMS) -> Jet:
     """Value and derivatives of every coordinate."""
     *tops, w = jets(curve, t, left, terms)
     coordinates = []
     for p in tops:
-        series: list[mpq] = []
+        series: list[Fraction] = []
         for k in range(terms):
             series.append((p[k] - sum(w[i] * series[k - i] for i in range(1, k + 1))) / w[0])
         coordinates.append([c * factorial(k) for k, c in enumerate(series)])
@@ -103,49 +106,49 @@ def cartesian(curve: Curve, t: mpq, left: bool = False, terms: int = TERMS) -> J
 # ---- numbers
 
 
-def _is(interval: list[str], value: mpq) -> bool:
-    return mpq(interval[0]) <= value <= mpq(interval[1])
+def _is(interval: list[str], value: Fraction) -> bool:
+    return Fraction(interval[0]) <= value <= Fraction(interval[1])
 
 
-def _is_root(interval: list[str], square: mpq, sign: int = 1) -> bool:
+def _is_root(interval: list[str], square: Fraction, sign: int = 1) -> bool:
     """Whether ``± √square`` is in an interval that is narrow enough to identify it."""
-    low, high = sorted(sign * mpq(x) for x in interval)
-    narrow = high - low <= mpq(1, 10**30) + abs(high) / 10**15
-    return narrow and max(low, mpq(0)) ** 2 <= square <= high**2 and high >= 0
+    low, high = sorted(sign * Fraction(x) for x in interval)
+    narrow = high - low <= Fraction(1, 10**30) + abs(high) / 10**15
+    return narrow and max(low, Fraction(0)) ** 2 <= square <= high**2 and high >= 0
 
 
-def _derivatives(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+def _derivatives(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     order = ("value", "first", "second").index(question)
     values = [x[order] for x in cartesian(curve, t)]
     _require(len(values) == len(answer["numbers"]), "another dimension")
     _require(all(map(_is, answer["numbers"], values)), "another derivative")
 
 
-def _tangent(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+def _tangent(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     velocity = [x[1] for x in cartesian(curve, t)]
-    length = sum((x * x for x in velocity), start=mpq(0))
+    length = sum((x * x for x in velocity), start=Fraction(0))
     signs = [(x > 0) - (x < 0) for x in velocity]
     for interval, x, sign in zip(answer["numbers"], velocity, signs, strict=True):
         _require(_is_root(interval, x * x / length, sign or 1), "another tangent")
 
 
-def _bend(x: Jet) -> list[mpq]:
+def _bend(x: Jet) -> list[Fraction]:
     v, a = ([c[k] for c in x] for k in (1, 2))
     if len(x) == 2:
         return [v[0] * a[1] - v[1] * a[0]]
     return [v[1] * a[2] - v[2] * a[1], v[2] * a[0] - v[0] * a[2], v[0] * a[1] - v[1] * a[0]]
 
 
-def _curvature(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+def _curvature(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     x = cartesian(curve, t)
-    square = sum((b * b for b in _bend(x)), start=mpq(0)) / sum(c[1] * c[1] for c in x) ** 3
+    square = sum((b * b for b in _bend(x)), start=Fraction(0)) / sum(c[1] * c[1] for c in x) ** 3
     _require(_is_root(answer["numbers"][0], square), "another curvature")
 
 
-def _torsion(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+def _torsion(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     x = cartesian(curve, t)
     bend = _bend(x)
-    value = sum((b * c[3] for b, c in zip(bend, x, strict=True)), start=mpq(0)) / sum(b * b for b in bend)
+    value = sum((b * c[3] for b, c in zip(bend, x, strict=True)), start=Fraction(0)) / sum(b * b for b in bend)
     _require(_is(answer["numbers"][0], value), "another torsion")
 
 
@@ -154,16 +157,16 @@ def _torsion(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
 
 def _parsed(part: ExactCurve, rational: bool) -> Curve:
     rows = _numbers(part["rows"])
-    lifted = [[*(x * row[-1] for x in row[:-1]), row[-1]] if rational else [*row, mpq(1)] for row in rows]
-    return Curve(part["degree"], list(map(mpq, part["knots"])), lifted, rational)
+    lifted = [[*(x * row[-1] for x in row[:-1]), row[-1]] if rational else [*row, Fraction(1)] for row in rows]
+    return Curve(part["degree"], list(map(Fraction, part["knots"])), lifted, rational, [])
 
 
-def _domain(curve: Curve) -> list[mpq]:
+def _domain(curve: Curve) -> list[Fraction]:
     n, knots = curve.degree, curve.knots
     return sorted({t for t in knots if knots[n] <= t <= knots[-n - 1]})
 
 
-def _same_curve(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+def _same_curve(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     parts = [_parsed(part, curve.rational) for part in answer["curves"]]
     domain = _domain(curve)
     ends = [_domain(part) for part in parts]
@@ -176,11 +179,11 @@ def _same_curve(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
         for a, b in pairwise(_domain(part)):
             # two quotients of degree n agree where their cross products of degree 2n do at 2n + 1 parameters
             n = part.degree + curve.degree + 1
-            for s in (a + (b - a) * mpq(2 * k + 1, 2 * n) for k in range(n)):
+            for s in (a + (b - a) * Fraction(2 * k + 1, 2 * n) for k in range(n)):
                 _require(_point(part, s) == _point(curve, s), "another curve")
 
 
-def _point(curve: Curve, t: mpq) -> list[mpq]:
+def _point(curve: Curve, t: Fraction) -> list[Fraction]:
     *tops, w = (x[0] for x in jets(curve, t, terms=1))
     return [p / w for p in tops]
 
@@ -194,13 +197,13 @@ def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int)
     """
     certificate: dict[str, Any] = certified  # its contents are what is checked
     check_certificate(certified, sturm=certificate["degree"] <= STURM)
-    breaks = list(map(mpq, certificate["breakpoints"]))
+    breaks = list(map(Fraction, certificate["breakpoints"]))
     _require(breaks == _domain(curve), "other breakpoints")
     for segment, (a, b) in zip(certificate["segments"], pairwise(breaks), strict=True):
-        c = list(map(mpq, segment["coefficients"]))
+        c = list(map(Fraction, segment["coefficients"]))
         n, ratios = max(degree, len(c) - 1) + 1, set()
         for k in range(n):
-            u = mpq(2 * k + 1, 2 * n)
+            u = Fraction(2 * k + 1, 2 * n)
             value, claimed = form(curve, a + (b - a) * u), at(c, u)
             _require((value == 0) == (claimed == 0), "another form")
             if value:
@@ -208,36 +211,36 @@ def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int)
         _require(len(ratios) <= 1 and all(r > 0 for r in ratios), "another form")
 
 
-def at(c: Sequence[mpq | int], u: mpq) -> mpq:
+def at(c: Sequence[Fraction | int], u: Any) -> Any:
     """``Σ c_i (1 − u)ⁿ⁻ⁱ uⁱ``."""
     n = len(c) - 1
-    return sum((x * (1 - u) ** (n - i) * u**i for i, x in enumerate(c)), start=mpq(0))
+    return sum((x * (1 - u) ** (n - i) * u**i for i, x in enumerate(c)), start=Fraction(0))
 
 
 def _slope(axis: int) -> Form:
-    def form(curve: Curve, t: mpq) -> mpq:
+    def form(curve: Curve, t: Fraction) -> Fraction:
         *tops, w = jets(curve, t, terms=2)
         return tops[axis][1] * w[0] - tops[axis][0] * w[1]
 
     return form
 
 
-def _height(curve: Curve, t: mpq) -> mpq:
+def _height(curve: Curve, t: Fraction) -> Fraction:
     return jets(curve, t, terms=1)[1][0]
 
 
-def _turning(curve: Curve, t: mpq) -> mpq:
+def _turning(curve: Curve, t: Fraction) -> Fraction:
     w = jets(curve, t, terms=1)[-1][0]
     return _bend(cartesian(curve, t, terms=3))[0] * w**3
 
 
-def _change(curve: Curve, t: mpq) -> mpq:
+def _change(curve: Curve, t: Fraction) -> Fraction:
     x, y = cartesian(curve, t)
     speed, along = x[1] * x[1] + y[1] * y[1], x[1] * x[2] + y[1] * y[2]
     return (x[1] * y[3] - y[1] * x[3]) * speed - 3 * (x[1] * y[2] - y[1] * x[2]) * along
 
 
-def _places(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+def _places(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     dimension, n = len(curve.rows[0]) - 1, curve.degree
     forms: dict[str, list[tuple[Form, int]]] = {
         "turns": [(_slope(axis), 2 * n) for axis in range(dimension)],
@@ -249,18 +252,18 @@ def _places(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
         _proved(certificate, curve, form, degree)
 
 
-def _box(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+def _box(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     n = curve.degree
     for axis, certificate in enumerate(answer["certificates"]):
         _proved(certificate, curve, _slope(axis), 2 * n)
         values = [cartesian(curve, s, left, 1)[axis][0] for s in _domain(curve) for left in (False, True)]
         roots: Any = certificate["roots"]  # proved just now
         for root in roots:
-            low, high = mpq(root["low"]), mpq(root["high"])
+            low, high = Fraction(root["low"]), Fraction(root["high"])
             values += [cartesian(curve, s, terms=1)[axis][0] for s in (low, high)]
-        slack = mpq(1, 10**9) * (1 + max(map(abs, values)))
+        slack = Fraction(1, 10**9) * (1 + max(map(abs, values)))
         for interval, value in zip(answer["numbers"][2 * axis : 2 * axis + 2], (min(values), max(values)), strict=True):
-            low, high = map(mpq, interval)
+            low, high = map(Fraction, interval)
             # the slope vanishes there: the uncertainty from the root's interval is of second order
             _require(low - slack <= value <= high + slack and high - low <= slack, "another box")
 
@@ -268,30 +271,30 @@ def _box(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
 # ---- measures
 
 
-def _length(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+def _length(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     """Chords are shorter than the arc; with twice as many the deficit falls to a quarter, or more slowly."""
-    low, high = map(mpq, answer["numbers"][0])
+    low, high = map(Fraction, answer["numbers"][0])
     sums = []
     for chords in (CHORDS, 2 * CHORDS):
-        total = mpq(0)
+        total = Fraction(0)
         for a, b in pairwise(_domain(curve)):
-            points = [_point(curve, a + (b - a) * mpq(k, chords)) for k in range(chords + 1)]
-            total += sum((_distance(p, q) for p, q in pairwise(points)), start=mpq(0))
+            points = [_point(curve, a + (b - a) * Fraction(k, chords)) for k in range(chords + 1)]
+            total += sum((_distance(p, q) for p, q in pairwise(points)), start=Fraction(0))
         sums.append(total)
-    _require(sums[1] <= high + mpq(1, 10**9), "shorter than its chords")
-    _require(low <= sums[1] + 4 * (sums[1] - sums[0]) + mpq(1, 10**9), "much longer than its chords")
+    _require(sums[1] <= high + Fraction(1, 10**9), "shorter than its chords")
+    _require(low <= sums[1] + 4 * (sums[1] - sums[0]) + Fraction(1, 10**9), "much longer than its chords")
 
 
-def _distance(p: list[mpq], q: list[mpq]) -> mpq:
+def _distance(p: list[Fraction], q: list[Fraction]) -> Fraction:
     """The distance, rounded down to a multiple of 10⁻¹²."""
-    square = sum(((x - y) ** 2 for x, y in zip(p, q, strict=True)), start=mpq(0))
-    return mpq(isqrt(int(square * 10**24)), 10**12)
+    square = sum(((x - y) ** 2 for x, y in zip(p, q, strict=True)), start=Fraction(0))
+    return Fraction(isqrt(int(square * 10**24)), 10**12)
 
 
-def _area(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+def _area(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     """``∮ x dy``, the integrand interpolated at as many parameters as determine it."""
-    n, total = 2 * curve.degree, mpq(0)
-    nodes = [mpq(2 * k + 1, 2 * n) for k in range(n)]
+    n, total = 2 * curve.degree, Fraction(0)
+    nodes = [Fraction(2 * k + 1, 2 * n) for k in range(n)]
     weights = [_integral_of_lagrange(nodes, k) for k in range(n)]
     for a, b in pairwise(_domain(curve)):
         for u, share in zip(nodes, weights, strict=True):
@@ -300,8 +303,8 @@ def _area(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
     _require(_is(answer["numbers"][0], total), "another area")
 
 
-def _integral_of_lagrange(nodes: list[mpq], k: int) -> mpq:
-    powers = [mpq(1)]
+def _integral_of_lagrange(nodes: list[Fraction], k: int) -> Fraction:
+    powers = [Fraction(1)]
     for i, node in enumerate(nodes):
         if i != k:
             d = nodes[k] - node
@@ -309,10 +312,90 @@ def _integral_of_lagrange(nodes: list[mpq], k: int) -> mpq:
                 (powers[j - 1] if j else 0) / d - (powers[j] * node if j < len(powers) else 0) / d
                 for j in range(len(powers) + 1)
             ]
-    return sum((c / (j + 1) for j, c in enumerate(powers)), start=mpq(0))
+    return sum((c / (j + 1) for j, c in enumerate(powers)), start=Fraction(0))
 
 
-_CHECKS: dict[str, Callable[[Curve, mpq, str, Answer], None]] = {
+# ---- a curve and a point, two curves
+
+
+def _nearest(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
+    *tops, w = curve.partner[0]
+    point = [x / w for x in tops]
+
+    def slope(curve: Curve, t: Fraction) -> Fraction:
+        *tops, w = jets(curve, t, terms=2)
+        chords = [[p[k] - x * w[k] for k in (0, 1)] for p, x in zip(tops, point, strict=True)]
+        # (top/w²)′ w³ with the top Σ chord²
+        return sum((2 * e[0] * (e[1] * w[0] - e[0] * w[1]) for e in chords), start=Fraction(0))
+
+    [certificate] = answer["certificates"]
+    _proved(certificate, curve, slope, 3 * curve.degree)
+    roots: Any = certificate["roots"]  # proved just now
+    places = [*_domain(curve), *(Fraction(root["low"]) for root in roots)]
+    least = min(
+        _distance([x[0] for x in cartesian(curve, s, left, 1)], point) for s in places for left in (False, True)
+    )
+    low, high = map(Fraction, answer["numbers"][0])
+    # the certificate's intervals are narrower than 2⁻⁵⁰
+    slack = Fraction(1, 10**9) * (1 + max(abs(x) for row in (*curve.rows, *curve.partner) for x in row))
+    _require(low - slack <= least <= high + slack and high - low <= slack, "another distance")
+
+
+def _meetings(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
+    """The pairs of parameters are those that the certificate proves, and each is of one point."""
+    [certified] = answer["certificates"]
+    certificate: dict[str, Any] = certified  # its contents are what is checked
+    check_certificate(certified)
+    curves, ends = (curve, curve._replace(rows=curve.partner)), _domain(curve)
+    for name, each in zip(("first", "second"), curves, strict=True):
+        _require(len(certificate[name]) == len(ends) - 1, "another number of segments")
+        for segment, (a, b) in zip(certificate[name], pairwise(ends), strict=True):
+            _same_forms([list(map(int, segment[axis])) for axis in "xyw"], each, a, b)
+    pairs = [answer["numbers"][i : i + 2] for i in range(0, len(answer["numbers"]), 2)]
+    named = [[(Fraction(low), Fraction(high)) for low, high in pair] for pair in pairs]
+    for first, second in named:
+        gap = _distance(*(_point(c, (low + high) / 2) for c, (low, high) in zip(curves, (first, second), strict=True)))
+        _require(gap <= Fraction(1, 10**9) * max(abs(x) for row in curve.rows for x in row), "points that are apart")
+    proved = [place for pair in certificate["pairs"] for place in _places_of(pair, ends)]
+    for index, low, high in proved:
+        _require(any(_overlap(both[index], (low, high), ends) for both in named), "a common point is missing")
+    for both in named:
+        found = any(_overlap(both[index], (low, high), ends) for index, low, high in proved)
+        _require(found, "a common point is invented")
+    # a single pair of segments has each of its common points once
+    _require(len(ends) > 2 or len(named) == len(proved), "another number of common points")
+
+
+def _same_forms(forms: list[list[int]], curve: Curve, a: Fraction, b: Fraction) -> None:
+    ratios = set()
+    for k in range(curve.degree + 1):
+        u = Fraction(2 * k + 1, 2 * curve.degree + 2)
+        homogeneous = jets(curve, a + (b - a) * u, terms=1)
+        for form, (x,) in zip(forms, homogeneous, strict=True):
+            claimed = at(form, u)
+            _require((x == 0) == (claimed == 0), "another curve")
+            ratios |= {claimed / x} if x else set()
+    _require(len(ratios) == 1 and min(ratios) > 0, "another curve")
+
+
+def _places_of(pair: dict[str, Any], ends: list[Fraction]) -> list[tuple[int, Fraction, Fraction]]:
+    """The common points of two segments: of which curve the parameter is known, and the interval around it."""
+    if "apart" in pair:
+        return []
+    index = 0 if pair["exchanged"] else 1
+    a, b = ends[pair["segments"][index] : pair["segments"][index] + 2]
+    found = [zero for zero in pair["zeros"] if zero["s"] != "outside"]
+    return [(index, a + (b - a) * Fraction(zero["low"]), a + (b - a) * Fraction(zero["high"])) for zero in found]
+
+
+def _overlap(one: tuple[Fraction, Fraction], other: tuple[Fraction, Fraction], ends: list[Fraction]) -> bool:
+    """Whether two intervals have a point in common, the seam of a closed curve being one point."""
+    if one[0] <= other[1] and other[0] <= one[1]:
+        return True
+    return {one[0], one[1]} <= {ends[0], ends[-1]} and bool({ends[0], ends[-1]} & set(other))
+
+
+_CHECKS: dict[str, Callable[[Curve, Fraction, str, Answer], None]] = {
     **dict.fromkeys(("value", "first", "second"), _derivatives),
     "tangent": _tangent,
     "curvature": _curvature,
@@ -322,4 +405,6 @@ _CHECKS: dict[str, Callable[[Curve, mpq, str, Answer], None]] = {
     **dict.fromkeys(("turns", "roots", "inflections", "extrema"), _places),
     "length": _length,
     "area": _area,
+    "nearest": _nearest,
+    "meetings": _meetings,
 }

@@ -5,10 +5,13 @@ from __future__ import annotations
 import gzip
 import hashlib
 import json
+import os
 import select
+import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from math import isfinite
 from pathlib import Path
@@ -28,8 +31,8 @@ from workshop.grade.truth import inserted, truth
 
 #: The time limit, in seconds, for all questions to a library about a case.
 PATIENCE = 20
-#: The arc length is asked for only in every n-th case: it takes longer than all other questions.
-LENGTH_EVERY = 4
+#: What takes longer than all other questions is asked for only in every n-th case.
+EVERY = {"length": 4, "nearest": 8, "meetings": 8}
 
 
 @dataclass(frozen=True)
@@ -57,7 +60,7 @@ class Report:
 
 def questions_for(case: Case, number: int) -> list[str]:
     """The questions about a case."""
-    return [q for q in QUESTIONS if q != "length" or number % LENGTH_EVERY == 0 or case.family == "named"]
+    return [q for q in QUESTIONS if number % EVERY.get(q, 1) == 0 or case.family == "named"]
 
 
 def given_data(curve: Nurbs, case: Case) -> GivenData:
@@ -74,18 +77,29 @@ def given_data(curve: Nurbs, case: Case) -> GivenData:
 def request_data(case: Case) -> GivenData:
     """A case as it is passed to a library."""
     finer = inserted(case)
-    return {**given_data(case.curve, case), "finer": None if finer is None else given_data(finer, case)}
+    return {
+        **given_data(case.curve, case),
+        "finer": None if finer is None else given_data(finer, case),
+        "partner": given_data(case.partner, case),
+        "point": [double(x) for x in case.point],
+    }
 
 
-def curve_data(curve: Nurbs) -> CurveData:
+def curve_data(case: Case) -> CurveData:
     """A curve as it is passed to the independent checker."""
-    rows = [[*lifted(p, w), w] for p, w in zip(curve.control_points, curve.weights, strict=True)]
+    curve, partner = case.curve, case.partner
     return {
         "degree": curve.degree,
         "knots": [text(t) for t in curve.knots],
-        "rows": [[text(x) for x in row] for row in rows],
+        "rows": _homogeneous(curve),
         "rational": not curve.polynomial,
+        "partner": _homogeneous(partner),
     }
+
+
+def _homogeneous(curve: Nurbs) -> list[list[str]]:
+    points = zip(curve.control_points, curve.weights, strict=True)
+    return [[text(x) for x in (*lifted(p, w), w)] for p, w in points]
 
 
 class Truths:
@@ -105,7 +119,7 @@ class Truths:
 
     def of(self, case: Case, questions: Iterable[str]) -> dict[str, Answer]:
         """The certified answers to the questions that apply to a case."""
-        curve = curve_data(case.curve)
+        curve = curve_data(case)
         key = hashlib.sha256(json.dumps([VERSION, curve, text(case.parameter)]).encode()).hexdigest()
         answers = self.known.setdefault(key, {})
         certified = {}
@@ -141,8 +155,14 @@ class Worker:
         self._start()
 
     def _start(self) -> None:
+        # a group of its own: a library may run in a process that this one starts
         self.process = subprocess.Popen(
-            self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+            self.command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+            start_new_session=True,
         )
         first = self._line(60)
         if first is None:
@@ -183,8 +203,9 @@ class Worker:
         return {q: reply for one in questions for q, reply in self.ask(given, [one]).items()}
 
     def close(self) -> None:
-        """End the process."""
-        self.process.kill()
+        """End the process, and those that it started."""
+        with suppress(ProcessLookupError):
+            os.killpg(self.process.pid, signal.SIGKILL)
         self.process.communicate()
 
 
@@ -229,7 +250,7 @@ def grade(
             for worker, report in zip(workers, reports, strict=True):
                 for question, reply in worker.ask(given, asked).items():
                     verdict = judged(case, question, answers[question], reply)
-                    verdict = tolerated(worker.library, case, question, verdict, answers[question])
+                    verdict = tolerated(worker.library, case, question, verdict, answers[question], reply.get("answer"))
                     kept = (reply, answers[question]) if verdict.outcome in WRONG else ()
                     report.judged.append(Judged(case, question, verdict, *kept))
             tick()

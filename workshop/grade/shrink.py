@@ -80,9 +80,10 @@ def _judged(worker: Worker, truths: Truths, example: Judged, curve: Nurbs, param
     replies = worker.ask(request_data(case), [example.question])
     if example.question not in replies:
         return None
-    answer = answers[example.question]
-    verdict = judged(case, example.question, answer, replies[example.question])
-    return Judged(case, example.question, tolerated(worker.library, case, example.question, verdict, answer))
+    answer, reply = answers[example.question], replies[example.question]
+    verdict = judged(case, example.question, answer, reply)
+    verdict = tolerated(worker.library, case, example.question, verdict, answer, reply.get("answer"))
+    return Judged(case, example.question, verdict)
 
 
 def _smaller(case: Case) -> Iterator[tuple[Nurbs, mpq]]:

@@ -7,16 +7,20 @@ be stored in a file and checked again by `workshop.grade.recheck`, which shares 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import reduce
+from operator import add
 
 from exactspline.errors import ExactSplineError
 from exactspline.geometry import balls
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.extent import coordinate_range, slope
+from exactspline.geometry.intersections import intersections
+from exactspline.geometry.nearest import nearest
 from exactspline.geometry.values_along import curvature, point_at, torsion, unit
 from exactspline.language.vector import Vector, triple
 from exactspline.numbers.exact import double, from_float, mpq, text
-from exactspline.reals.real import Real
+from exactspline.reals.real import Real, square_root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -109,11 +113,11 @@ def _box(case: Case) -> Answer:
     return numbers | {"certificates": [_certificate(slope(case.curve, i)) for i in range(case.curve.dimension)]}
 
 
-def _certificate(form: BSpline) -> dict[str, object]:
+def _certificate(form: BSpline, bits: int = 20) -> dict[str, object]:
     """The certificate of a form's zeros, each isolated in a narrow interval."""
     zero_set = zeros(form)
     for root in zero_set:
-        root.refine(20)
+        root.refine(bits)
     return zero_set.certificate()
 
 
@@ -168,6 +172,30 @@ def _area(case: Case) -> Answer | None:
     return _numbers([oracle(c, "area").items[0].values["area"]])
 
 
+def _nearest(case: Case) -> Answer:
+    """The least distance, and the zeros of the derivative of its square."""
+    c, found = case.curve, nearest(case.curve, case.point)
+    chords = [x - c.w.scaled(d) for x, d in zip(c.p, case.point, strict=True)]
+    top = reduce(add, [x * x for x in chords])
+    slope = top.d() if c.polynomial else top.d() * c.w - (top * c.w.d()).scaled(2)
+    distance = _interval(found[0].distance) if found.points else _interval(square_root(_squared(c, case.point)))
+    return {"numbers": [distance], "certificates": [_certificate(slope, 50)]}
+
+
+def _squared(curve: Nurbs, point: Sequence[mpq]) -> Real:
+    """The squared distance of the start of a curve: of one all of whose points are equally near."""
+    start = curve(curve.domain.low)
+    return Real(sum(((x - y) ** 2 for x, y in zip(start, point, strict=True)), start=mpq(0)))
+
+
+def _meetings(case: Case) -> Answer | None:
+    found = intersections(case.curve, case.partner)
+    if found.left_out or found.everywhere:
+        return None
+    numbers = _numbers([t for pair in found for t in (pair.first, pair.second)])
+    return numbers | {"certificates": [found.certificate()]}
+
+
 _ANSWERS: dict[str, Callable[[Case], Answer | None]] = {
     "value": _derivative(0),
     "first": _derivative(1),
@@ -186,4 +214,6 @@ _ANSWERS: dict[str, Callable[[Case], Answer | None]] = {
     "extrema": _extrema,
     "length": _length,
     "area": _area,
+    "nearest": _nearest,
+    "meetings": _meetings,
 }

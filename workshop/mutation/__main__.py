@@ -27,6 +27,8 @@ RESULTS = MAP.parent / "results.jsonl"
 PAGE = ROOT / "docs" / "mutation.md"
 #: The lines of the page between which the table is written.
 BEGIN, END = "<!-- written by ./run mutate --record -->\n", "<!-- end -->\n"
+#: The mutants that are open, by their keys, with their names: known on every machine.
+OPEN = ROOT / "workshop" / "mutation" / "open.json"
 SURVIVORS = ROOT / "workshop" / "mutation" / "survivors.toml"
 #: Verdicts that are not failures: refuted, or no change at all. A run that did not end, or failed, proves neither.
 HARMLESS = ("killed", "equivalent")
@@ -189,11 +191,35 @@ def record(known: Known) -> int:
     print(f"{len(witnesses)} mutants, each with a test that detects it, in {engines.WITNESSES.relative_to(ROOT)}")
     before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
     written, after = rest.split(END)
-    rows, kept = merged(counted(known), read_rows(written), date.today().isoformat())
+    named = Counter(room_of(key) for key in still_open())
+    rows, kept = merged(counted(known), read_rows(written), named, date.today().isoformat())
+    OPEN.write_text(json.dumps(open_here(known), ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
     PAGE.write_text(before + BEGIN + "\n".join(lines(rows)) + "\n" + END + after, encoding="utf-8")
     for room in kept:
-        print(f"kept as of {rows[room][0]}: {room}, of which fewer verdicts are on this machine")
+        print(f"kept as of {rows[room][0]}: {room}, of which verdicts are missing on this machine")
     return 0
+
+
+def still_open() -> dict[str, str]:
+    """The open mutants of the last record, by their keys."""
+    return dict(json.loads(OPEN.read_text(encoding="utf-8"))) if OPEN.is_file() else {}
+
+
+def open_here(known: Known) -> dict[str, str]:
+    """The mutants that nothing noticed and nothing explains, as they are known now."""
+    from workshop.mutation import engines, formulas
+
+    why, before, found = explained(), still_open(), {}
+    for mutant in (*formulas.all_mutants(), *engines.all_mutants()):
+        verdict = known[mutant.key]["verdict"] if mutant.key in known else "survived" if mutant.key in before else ""
+        if verdict and verdict not in HARMLESS and mutant.stable not in why:
+            found[mutant.key] = mutant.name
+    return found
+
+
+def room_of(file: str) -> str:
+    """The room of a file, or of the key of a mutant: for a paper with its folder."""
+    return "/".join(Path(file.partition(":")[0]).parts[1 : 3 if "/papers/" in file else 2])
 
 
 def table(known: Known) -> int:
@@ -206,7 +232,7 @@ def counted(known: Known) -> Rooms:
     """The verdicts by room. They include mutants recorded as detected by earlier runs, and those that are explained."""
     from workshop.mutation import engines, formulas
 
-    why, witnesses = explained(), engines.Witnesses().recorded
+    why, witnesses, left = explained(), engines.Witnesses().recorded, still_open()
     rooms: Rooms = {}
     # the judged mutants first: an explanation that applies to none of them is counted once, though it may apply to
     # several
@@ -214,22 +240,28 @@ def counted(known: Known) -> Rooms:
     seen = set()
     for mutant in everything:
         verdict = known.get(mutant.key, {}).get("verdict") or ("killed" if mutant.key in witnesses else "")
+        verdict = verdict or ("survived" if mutant.key in left else "")
         if mutant.stable in why and verdict != "killed" and (verdict or mutant.stable not in seen):
             verdict = "explained"
             seen.add(mutant.stable)
-        depth = 3 if "/papers/" in mutant.file else 2
-        room = rooms.setdefault("/".join(Path(mutant.file).parts[1:depth]), Counter())
+        room = rooms.setdefault(room_of(mutant.file), Counter())
         if verdict:
             room[verdict] += 1
     return rooms
 
 
-def merged(here: Rooms, on_page: Rows, today: str) -> tuple[Rows, list[str]]:
+def merged(here: Rooms, on_page: Rows, named: Counter[str], today: str) -> tuple[Rows, list[str]]:
     """The rows to be written, and the rooms whose row on the page is kept: those of which fewer mutants were judged
-    here. A room that does not exist any more is left out.
+    here, or open ones are not known by `named`, which counts the open mutants of the last record by room. A room that
+    does not exist any more is left out.
     """
     rows = {room: (today, counts) for room, counts in here.items() if counts}
-    kept = [room for room, (_, counts) in on_page.items() if room in here and here[room].total() < counts.total()]
+
+    def loses(room: str, counts: Counter[str]) -> bool:
+        unknown = counts["survived"] - named[room]
+        return here[room].total() < counts.total() or (unknown > 0 and here[room]["survived"] < unknown)
+
+    kept = [room for room, (_, counts) in on_page.items() if room in here and loses(room, counts)]
     return rows | {room: on_page[room] for room in kept}, kept
 
 

@@ -1,26 +1,34 @@
-"""Checks packs of vectors again. Numbers of a seeded sample of cases are recomputed with fractions of the standard
-library by the recursion of de Boor; that there are no further inflections is shown by a certificate, whose checker uses
-nothing but the standard library either.
+"""Checks packs of vectors again: a seeded sample of the cases, with fractions of the standard library.
+
+The exact answers to `ASKED` are proved right by `workshop.grade.recheck`, and the doubles of the pack must be those
+around them. That there are no further inflections is shown by a certificate. Not checked are the other questions, and
+of a distance that is not 0 only that its pair is at it, not that no other pair is nearer.
 """
 
 from __future__ import annotations
 
 import json
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
-from math import inf, nextafter
+from itertools import pairwise
+from math import atan2, hypot, inf, nextafter, pi
 from pathlib import Path
 from typing import Any
 from zlib import crc32
 
-from exactspline.batch.oracle import oracle
 from exactspline.certificates import check_certificate
+from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
+from exactspline.testing import Case
+from workshop.grade.recheck import Curve, cartesian, recheck
+from workshop.grade.runner import curve_data
+from workshop.grade.truth import truth
 
-Series = list[Fraction]
-#: Terms of a Taylor series: the value and two derivatives.
-TERMS = 3
+#: Questions of a pack, and what they are called in grading.
+ASKED = {"value": "value", "derivative": "first", "nearest": "nearest", "intersections": "meetings"}
+#: Points per segment at which the angle around a point is taken.
+ANGLES = 64
 
 
 def checked(place: Path, share: float = 0.1, seed: int = 1) -> tuple[int, int]:
@@ -46,36 +54,114 @@ def _answers_checked(line: dict[str, Any]) -> int:
     case = line["case"]
     body = json.dumps(case, ensure_ascii=True, separators=(",", ":"))
     _require(f"{crc32(body.encode()):08x}" == line["digest"], case, "another digest")
-    curve = Curve(case["degree"], case["exact"], Fraction)
-    _require(curve == Curve(case["degree"], case["doubles"], _of_hex), case, "text and doubles differ")
-    truth, count = curve.jets(Fraction(case["parameter"]["exact"])), 0
-    for question, order in (("value", 0), ("derivative", 1)):
-        if case["answers"][question]["answer"] == "these":
-            [item] = case["answers"][question]["items"]
-            for axis, series in zip("xyz", truth, strict=False):
-                _require(_rounds(item[axis], series[order]), case, f"{question}: {axis}")
+    made, knots = [], case["exact"]["knots"]
+    for given in (case, case["partner"]):
+        curve = _curve(case["degree"], {"knots": knots} | given["exact"], Fraction)
+        doubles = _curve(case["degree"], {"knots": case["doubles"]["knots"]} | given["doubles"], _of_hex)
+        _require(curve == doubles, case, "text and doubles differ")
+        made.append(curve)
+    [curve, partner] = made
+    given = case["exact"]
+    exact = Case(
+        case["key"], "", Nurbs(case["degree"], knots, given["points"], given["weights"]),
+        mpq(case["parameter"]["exact"]), note=case["note"],
+    )  # fmt: skip
+    data = curve_data(exact)
+    _require([list(map(Fraction, row)) for row in data["partner"]] == partner.rows, case, "another partner")
+    count = 0
+    for question, asked in (
+        ("value", "value"),
+        ("derivative", "first"),
+        ("nearest", "nearest"),
+        ("intersections", "meetings"),
+    ):
+        claimed = case["answers"][question]
+        if claimed["answer"] in ("undefined", "all"):
+            continue
+        answer = truth(exact, asked)
+        if answer is not None:
+            recheck(data, case["parameter"]["exact"], asked, answer)
+            numbers = list(_NUMBERS[question](claimed["items"]))
+            _require(len(numbers) == len(answer["numbers"]), case, f"{question}: another number of numbers")
+            fits = all(
+                _rounds(each, *map(Fraction, ends)) for each, ends in zip(numbers, answer["numbers"], strict=True)
+            )
+            _require(fits, case, f"{question}: another number")
             count += 1
-    return count + (_inflections(case, curve) if len(truth) == 2 else 0)
+    count += _distance(case, curve, partner)
+    return count + (
+        _inflections(case, exact, curve) + _winding(case, curve, partner) if exact.curve.dimension == 2 else 0
+    )
 
 
-def _rounds(given: list[str] | None, x: Fraction) -> bool:
-    """Whether three doubles are those below, nearest to and above a number."""
+def _coordinates(items: list[dict[str, Any]]) -> Iterator[list[str] | None]:
+    [item] = items
+    return (item[axis] for axis in "xyz" if axis in item)
+
+
+#: The numbers of an answer in the order of those of the exact one.
+_NUMBERS: dict[str, Callable[[list[dict[str, Any]]], Iterator[list[str] | None]]] = {
+    "value": _coordinates,
+    "derivative": _coordinates,
+    # all of them are at the least distance
+    "nearest": lambda items: (item["distance"] for item in items[:1]),
+    "intersections": lambda items: (item[name] for item in items for name in ("parameter", "other parameter")),
+}
+
+
+def _rounds(given: list[str] | None, low: Fraction, high: Fraction) -> bool:
+    """Whether three doubles are those below, nearest to and above a number in an interval."""
     if given is None:
         return True
     below, nearest, above = (float.fromhex(each) for each in given)
     neighbours = below == above or above == nextafter(below, inf)
-    return Fraction(below) <= x <= Fraction(above) and neighbours and nearest == float(x)
+    return Fraction(below) <= low and high <= Fraction(above) and neighbours and nearest in (float(low), float(high))
 
 
-def _inflections(case: dict[str, Any], curve: Curve) -> int:
+def _distance(case: dict[str, Any], curve: Curve, partner: Curve) -> int:
+    """Each pair is as far apart as is claimed, which is 0 where the curves meet."""
+    answer, meet = case["answers"]["distance"], case["answers"]["intersections"]["answer"]
+    for item in answer.get("items", ()):
+        if item["what"] != "pair":
+            continue
+        places = [_of_hex(item[name][1]) for name in ("parameter", "other parameter")]
+        points = [[x[0] for x in cartesian(c, t, terms=1)] for c, t in zip((curve, partner), places, strict=True)]
+        apart, claimed = (
+            hypot(*(float(x - y) for x, y in zip(*points, strict=True))),
+            float.fromhex(item["distance"][1]),
+        )
+        size = max(abs(float(x)) for row in (*curve.rows, *partner.rows) for x in row)
+        _require(abs(apart - claimed) <= 2.0**-40 * size, case, "a pair that is not at the distance")
+        _require(meet == "undefined" or (claimed == 0) == (meet != "none"), case, "another distance")
+    return int("items" in answer)
+
+
+def _winding(case: dict[str, Any], curve: Curve, partner: Curve) -> int:
+    """The winding number as a sum of angles in doubles."""
+    answer = case["answers"]["winding_number"]
+    if answer["answer"] != "these":
+        return 0
+    x, y = (float(c / partner.rows[0][-1]) for c in partner.rows[0][:-1])
+    breaks = sorted({t for t in curve.knots if curve.knots[curve.degree] <= t <= curve.knots[-curve.degree - 1]})
+    places = [a + (b - a) * Fraction(k, ANGLES) for a, b in pairwise(breaks) for k in range(ANGLES)]
+    rays = [[float(c[0]) - d for c, d in zip(cartesian(curve, t, terms=1), (x, y), strict=True)] for t in places]
+    turns = [atan2(a * d - b * c, a * c + b * d) for (a, b), (c, d) in pairwise([*rays, rays[0]])]
+    if max(map(abs, turns)) > 2:
+        return 0  # too near the curve for these points
+    claimed = float.fromhex(answer["items"][0]["value"][1])
+    _require(abs(sum(turns) / (2 * pi) - claimed) < 2.0**-20, case, "another winding number")
+    return 1
+
+
+def _inflections(case: dict[str, Any], exact: Case, curve: Curve) -> int:
     """Each answer is a certified zero, and each certified zero with a change of sign at a regular point an answer."""
     answer = case["answers"]["inflections"]
     if answer["answer"] in ("undefined", "all"):
         return 0
-    given = case["exact"]
-    [certificate, *_] = oracle(
-        Nurbs(case["degree"], given["knots"], given["points"], given["weights"]), "inflections"
-    ).certificates
+    certified = truth(exact, "inflections")
+    if certified is None:
+        return 0
+    [certificate] = certified["certificates"]
     check_certificate(certificate)
     roots: Any = certificate["roots"]
     ends = [
@@ -86,7 +172,7 @@ def _inflections(case: dict[str, Any], curve: Curve) -> int:
         if before is None or behind is None:
             continue  # at an end of the domain
         if low < high:
-            _require((_sign(curve.bend(low)), _sign(curve.bend(high))) == (before, behind), case, "another sign")
+            _require((_sign(curve, low), _sign(curve, high, left=True)) == (before, behind), case, "another sign")
         if before * behind < 0 and not _may_be_missing(curve, low, high):
             _require(any(a <= high and low <= b for a, b in ends), case, f"an inflection in [{low}, {high}] is missing")
     for a, b in ends:
@@ -99,61 +185,20 @@ def _may_be_missing(curve: Curve, low: Fraction, high: Fraction) -> bool:
     """Whether a zero is at a knot or where γ′ = 0: there is no inflection then, or one by other rules."""
     if any(low <= t <= high for t in curve.knots):
         return True
-    return low == high and not any(series[1] for series in curve.jets(low))
+    return low == high and not any(x[1] for x in cartesian(curve, low))
 
 
-def _sign(x: Fraction) -> int:
-    return (x > 0) - (x < 0)
+def _sign(curve: Curve, t: Fraction, left: bool = False) -> int:
+    """The sign of ``[γ′ γ″]``."""
+    (_, x1, x2, _), (_, y1, y2, _) = cartesian(curve, t, left)
+    bend = x1 * y2 - y1 * x2
+    return (bend > 0) - (bend < 0)
 
 
-class Curve:
+def _curve(degree: int, given: dict[str, Any], number: Callable[[str], Fraction]) -> Curve:
     """A curve by numbers of the standard library."""
-
-    def __init__(self, degree: int, given: dict[str, Any], number: Callable[[str], Fraction]) -> None:
-        self.degree, self.knots = degree, [number(t) for t in given["knots"]]
-        weights = [number(w) for w in given["weights"]]
-        points = [[number(x) for x in point] for point in given["points"]]
-        # a control point of weight zero is a direction
-        self.rows = [[*(x * (w or 1) for x in point), w] for point, w in zip(points, weights, strict=True)]
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Curve) and (self.knots, self.rows) == (other.knots, other.rows)
-
-    __hash__ = None  # type: ignore[assignment]  # curves are compared by value
-
-    def jets(self, t: Fraction) -> list[Series]:
-        """Value and derivatives of the coordinates."""
-        *tops, w = self._homogeneous(t)
-        found = []
-        for p in tops:
-            series = Series()
-            for k in range(TERMS):
-                series.append((p[k] - sum(w[i] * series[k - i] for i in range(1, k + 1))) / w[0])
-            found.append([series[0], series[1], 2 * series[2]])
-        return found
-
-    def bend(self, t: Fraction) -> Fraction:
-        """``[γ′ γ″]``."""
-        (_, x1, x2), (_, y1, y2) = self.jets(t)
-        return x1 * y2 - y1 * x2
-
-    def _homogeneous(self, t: Fraction) -> list[Series]:
-        """Taylor series of the homogeneous coordinates, by de Boor's recursion on series."""
-        n, knots = self.degree, self.knots
-        spans = [j for j in range(n, len(knots) - n - 1) if knots[j] < knots[j + 1]]
-        j = next((j for j in spans if knots[j] <= t < knots[j + 1]), spans[-1])
-        points = [[[x] + [Fraction(0)] * (TERMS - 1) for x in self.rows[j - n + i]] for i in range(n + 1)]
-        for r in range(1, n + 1):
-            for i in range(n, r - 1, -1):
-                a, b = knots[j - n + i], knots[j + 1 + i - r]
-                points[i] = [
-                    _mixed(old, new, (t - a) / (b - a), 1 / (b - a))
-                    for old, new in zip(points[i - 1], points[i], strict=True)
-                ]
-        return points[n]
-
-
-def _mixed(old: Series, new: Series, share: Fraction, slope: Fraction) -> Series:
-    """``old + (share + slope h) (new − old)`` as a series in h."""
-    step = [q - p for p, q in zip(old, new, strict=True)]
-    return [p + share * step[k] + (slope * step[k - 1] if k else 0) for k, p in enumerate(old)]
+    weights = [number(w) for w in given["weights"]]
+    points = [[number(x) for x in point] for point in given["points"]]
+    # a control point of weight zero is a direction
+    rows = [[*(x * (w or 1) for x in point), w] for point, w in zip(points, weights, strict=True)]
+    return Curve(degree, [number(t) for t in given["knots"]], rows, True, [])

@@ -16,7 +16,7 @@ EXPONENTS = range(2, 53)
 #: Exponents of the powers of two by which near-degenerate curves are scaled.
 SCALES = (0, -20, 20, -3, 3)
 #: How many curves a pack has of each family; of `named` there are as many as have been reported.
-SIZES = {"random": 3500, "integers": 8000, "fonts": 3500, "cad": 1500, "near": 4000, "named": 100}
+SIZES = {"random": 2500, "integers": 9500, "fonts": 3500, "cad": 900, "near": 4000, "named": 100}
 
 
 def corpus(family: str, number: int, seed: int = VERSION) -> Iterator[Case]:

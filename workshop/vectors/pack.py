@@ -5,26 +5,28 @@ and above it.
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 from zlib import crc32
 
 from exactspline.atomic_write import write_text
-from exactspline.batch.oracle import oracle
+from exactspline.batch.oracle import oracle, pair_items
 from exactspline.batch.oracle_answers import Item
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.analysis import QUESTIONS, questions_about
-from exactspline.numbers.exact import double, mpq, text
-from exactspline.questions.entry import Answered
+from exactspline.geometry.curve_pair import CurvePair
+from exactspline.numbers.exact import double, text
+from exactspline.questions.entry import Answered, questions_of
 from exactspline.reals.real import Real
 from exactspline.splines.nurbs import Nurbs
 from exactspline.testing import Case
-from workshop.grade.questions import PLACES, STRAIGHT, ULPS
+from workshop.grade.questions import MEETINGS, PLACES, STRAIGHT, ULPS
+from workshop.grade.questions import QUESTIONS as ASKED
 
 #: Increased whenever a field changes its meaning.
-VERSION = 1
+VERSION = 2
 #: Questions at the parameter of the case.
 AT = {
     "value": f"the point; off by at most {ULPS}",
@@ -34,7 +36,9 @@ AT = {
 }
 #: Questions of the registry: those about places, joints, pieces and pairs.
 LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES, Answered.PAIRS)
-_DIAL = re.compile(r"^ε = (−?)2⁻ᵏ, k = (\d+)$")
+#: Questions about the curve and its partner, and about the curve and the first control point of the partner.
+PAIRS = tuple(questions_of(CurvePair))
+ABOUT_POINT = ("nearest", "winding_number")
 
 
 def questions() -> dict[str, dict[str, str]]:
@@ -43,6 +47,13 @@ def questions() -> dict[str, dict[str, str]]:
     found["bounding_box"] = {"meaning": "the smallest and largest coordinates", "right": f"2¹⁶ times {ULPS}"}
     for name in _of_registry():
         found[name] = {"meaning": QUESTIONS[name].meaning, "right": f"{PLACES}; {STRAIGHT}"}
+    rights = {"intersections": MEETINGS, "winding_number": "the integer"}
+    for name, entry in {**questions_of(CurvePair), **{name: QUESTIONS[name] for name in ABOUT_POINT}}.items():
+        of = "its partner" if name in PAIRS else "the point"
+        found[name] = {
+            "meaning": f"{entry.meaning}: of the curve and {of}",
+            "right": rights.get(name, ASKED["nearest"].allowed),
+        }
     return found
 
 
@@ -58,32 +69,47 @@ def case_data(case: Case) -> dict[str, Any]:
     >>> data["dial"], data["answers"]["cusps"]["answer"], data["answers"]["inflections"]["answer"]
     ({'sign': 1, 'k': 2}, 'none', 'these')
     """
-    curve, dial = case.curve, _DIAL.match(case.note)
-    points = [list(map(text, point)) for point in curve.control_points]
-    exact = {"knots": list(map(text, curve.knots)), "points": points, "weights": list(map(text, curve.weights))}
+    curve, dial = case.curve, case.dial
     return {
         "key": case.key,
         "link": case.link,
         "note": case.note,
-        "dial": {"sign": -1 if dial[1] else 1, "k": int(dial[2])} if dial else None,
+        "dial": {"sign": -1 if dial < 0 else 1, "k": abs(dial)} if dial else None,
         "degree": curve.degree,
-        "exact": exact,
-        "doubles": {
-            "knots": [double(t).hex() for t in curve.knots],
-            "points": [[double(x).hex() for x in point] for point in curve.control_points],
-            "weights": [double(w).hex() for w in curve.weights],
-        },
+        **_numbers(curve),
+        # over the same knots
+        "partner": _numbers(case.partner, with_knots=False),
         "parameter": {"exact": text(case.parameter), "double": double(case.parameter).hex()},
-        "answers": dict(_answers(curve, case.parameter)),
+        "answers": dict(_answers(case)),
     }
 
 
-def _answers(curve: Nurbs, parameter: mpq) -> Iterator[tuple[str, object]]:
-    asked = {name: f"{name}@{text(parameter)}" for name in AT} | {"bounding_box": "bounding_box"}
+def _numbers(curve: Nurbs, with_knots: bool = True) -> dict[str, dict[str, object]]:
+    """The numbers of a curve as exact text and as hexadecimal doubles."""
+    return {
+        name: {
+            **({"knots": list(map(write, curve.knots))} if with_knots else {}),
+            "points": [list(map(write, point)) for point in curve.control_points],
+            "weights": list(map(write, curve.weights)),
+        }
+        for name, write in (("exact", text), ("doubles", lambda x: double(x).hex()))
+    }
+
+
+def _answers(case: Case) -> Iterator[tuple[str, object]]:
+    curve = case.curve
+    asked = {name: f"{name}@{text(case.parameter)}" for name in AT} | {"bounding_box": "bounding_box"}
     asked |= {name: name for name in _of_registry() if name in questions_about(curve)}
-    for name, question in asked.items():
+    point = ",".join(map(text, case.point))
+    asked |= {name: f"{name}:{point}" for name in ABOUT_POINT if name in questions_about(curve)}
+    pair = CurvePair(curve, case.partner)
+    ways: dict[str, Callable[[], Iterable[Item]]] = {
+        name: lambda question=question: oracle(curve, question).items for name, question in asked.items()
+    }
+    ways |= {name: partial(pair_items, pair, name) for name in PAIRS}
+    for name, way in ways.items():
         try:
-            yield name, answer_data(oracle(curve, question).items)
+            yield name, answer_data(way())
         except ExactSplineError as error:
             yield name, {"answer": "undefined", "why": str(error).split(";")[0]}
 

@@ -61,7 +61,7 @@ def usual_box(points: Sequence[Point], poles: bool = True) -> Box:
 
 def three_ticks(low: mpq | float, high: mpq | float, longest: float = 0) -> list[mpq]:
     """Two or three round numbers between two bounds, by steps of 1, 2 or 5 times a power of ten; no three on a side
-    that is short beside the longest one, where they would stand over each other.
+    that is short compared with the longest one, where they would stand over each other.
 
     >>> [[float(x) for x in three_ticks(*ends)] for ends in ((-1.2, 4.1), (-0.5, 2.5), (0.12, 0.31), (3, 3))]
     [[0.0, 2.0, 4.0], [0.0, 1.0, 2.0], [0.2, 0.3], [3.0]]

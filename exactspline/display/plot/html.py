@@ -171,7 +171,7 @@ def page_of(scenes: Sequence[SceneData], title: str) -> str:
     """The page of scenes given as data."""
     here = files("exactspline.display.plot")
     script, style = (here.joinpath(f"turning.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
-    data = json.dumps(scenes, ensure_ascii=False).replace("<", "\\u003c")
+    data = json.dumps(scenes, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
     body = f"""<p>{escape(title)}</p>
 <div id="scenes"></div>
 <script type="module">

@@ -15,7 +15,7 @@ class Bezier(Adapter):
 
     def can(self, question: str, given: Given) -> bool:
         """One polynomial segment; curvature and intersection in the plane."""
-        flat = given.dimension == 2 or question not in ("curvature", "roots")
+        flat = given.dimension == 2 or question not in ("curvature", "roots", "meetings")
         return super().can(question, given) and given.is_bezier and given.weights is None and flat
 
     def _nodes(self, given: Given) -> Any:
@@ -64,6 +64,11 @@ class Bezier(Adapter):
         xs = [p[0] for p in given.points]
         line = bezier.Curve(np.asfortranarray([[min(xs) - 1.0, max(xs) + 1.0], [0.0, 0.0]]), degree=1)
         return [floats(self._curve(given).intersect(line)[0])]
+
+    def meetings(self, given: Given) -> Rows:
+        """``curve.intersect(other)``."""
+        curve, other = self.pair(given, self._curve)
+        return rows(curve.intersect(other).T)
 
 
 ADAPTER = Bezier

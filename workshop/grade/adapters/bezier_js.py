@@ -1,32 +1,22 @@
 """bezier-js: quadratic and cubic segments, by node; the answers come from `bezier_js.mjs`.
 
-The library is found where ``npm install bezier-js`` puts it: in a folder above the current one, or in the one that
-EXACTSPLINE_NODE_MODULES names.
+The library is found by `workshop.npm`.
 """
 
 from __future__ import annotations
 
 import json
-import os
 import shutil
 import subprocess
 from importlib import resources
-from pathlib import Path
 
 from workshop.grade.adapters.common import Adapter, Given
+from workshop.npm import folder_of
 
 QUESTIONS = (
     "value", "first", "second", "curvature", "tangent", "box", "turns", "roots", "inflections", "length", "split",
-    "elevate",
+    "elevate", "nearest", "meetings",
 )  # fmt: skip
-
-
-def installed() -> Path | None:
-    """The folder of the library."""
-    named = os.environ.get("EXACTSPLINE_NODE_MODULES")
-    here = Path.cwd()
-    places = [Path(named)] if named else [folder / "node_modules" for folder in (here, *here.parents)]
-    return next((place / "bezier-js" for place in places if (place / "bezier-js").is_dir()), None)
 
 
 class BezierJs(Adapter):
@@ -35,14 +25,16 @@ class BezierJs(Adapter):
     name = "bezier-js"
 
     def __init__(self) -> None:
-        folder, node = installed(), shutil.which("node")
+        folder, node = folder_of(self.name), shutil.which("node")
         if folder is None or node is None:
             raise ImportError("bezier-js and node")
         self.folder = folder
         script = resources.files(__package__).joinpath("bezier_js.mjs")
-        self.process = subprocess.Popen(
-            [node, str(script), str(folder.resolve())], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-        )
+        self.command = [node, str(script), str(folder)]
+        self._start()
+
+    def _start(self) -> None:
+        self.process = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def version(self) -> str:
         """The version in its package.json."""
@@ -56,9 +48,13 @@ class BezierJs(Adapter):
 
     def ask(self, question: str, given: Given) -> object:
         """The answer of the node process."""
+        if self.process.poll() is not None:
+            self._start()  # it ended in the question before
         assert self.process.stdin is not None
         assert self.process.stdout is not None
-        self.process.stdin.write(json.dumps({"question": question, "points": given.points, "t": given.t}) + "\n")
+        other = given.partner.points if given.partner else []
+        asked = {"question": question, "points": given.points, "t": given.t, "other": other, "point": given.point}
+        self.process.stdin.write(json.dumps(asked) + "\n")
         self.process.stdin.flush()
         answer = json.loads(self.process.stdout.readline())
         if "raised" in answer:

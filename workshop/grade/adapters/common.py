@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, SupportsFloat
 
 from workshop.grade.data import GivenData, Rows, WithKnots
@@ -13,7 +13,8 @@ from workshop.grade.data import GivenData, Rows, WithKnots
 class Given:
     """A curve of doubles, Cartesian control points, and the parameter that a question is about.
 
-    `finer` is the same curve with that parameter as an additional knot, for the question that removes it.
+    `finer` is the same curve with that parameter as an additional knot, for the question that removes it; `partner` and
+    `point` are for questions about two curves, and about a curve and a point.
     """
 
     degree: int
@@ -22,13 +23,16 @@ class Given:
     weights: list[float] | None
     t: float
     finer: Given | None = None
+    partner: Given | None = None
+    point: list[float] = field(default_factory=list)
 
     @classmethod
     def of(cls, data: GivenData) -> Given:
         """From JSON data."""
-        finer = data.get("finer")
+        finer, partner = data.get("finer"), data.get("partner")
         fields = data["degree"], data["knots"], data["points"], data["weights"], data["t"]
-        return cls(*fields, finer=cls.of(finer) if finer else None)
+        made = {name: cls.of(each) if each else None for name, each in (("finer", finer), ("partner", partner))}
+        return cls(*fields, finer=made["finer"], partner=made["partner"], point=data.get("point", []))
 
     @property
     def dimension(self) -> int:
@@ -66,6 +70,11 @@ class Adapter:
     name = ""
     #: The installed package, where it has another name.
     package = ""
+
+    def pair(self, given: Given, make: Callable[[Given], Any]) -> tuple[Any, Any]:
+        """The curve and its partner as objects of the library."""
+        assert given.partner is not None
+        return make(given), make(given.partner)
 
     def can(self, question: str, given: Given) -> bool:
         """Whether the library claims to answer this."""

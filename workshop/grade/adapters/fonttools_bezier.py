@@ -68,6 +68,13 @@ class FontTools(Adapter):
             return [arc_length, TOLERANCE * arc_length]
         return [float(bezierTools.calcQuadraticArcLength(*self._points(given)))]
 
+    def meetings(self, given: Given) -> Rows:
+        """``curveCurveIntersections``."""
+        from fontTools.misc import bezierTools
+
+        found = bezierTools.curveCurveIntersections(*self.pair(given, self._points))
+        return [[float(each.t1), float(each.t2)] for each in found]
+
     def area(self, given: Given) -> list[float]:
         """``AreaPen`` along the contour."""
         from fontTools.pens.areaPen import AreaPen

@@ -46,5 +46,13 @@ class Nurbspy(Adapter):
         """``curve.get_torsion(t)``."""
         return [float(self._curve(given).get_torsion(given.t)[0])]
 
+    def nearest(self, given: Given) -> list[float]:
+        """``curve.project_point_to_curve(point)``."""
+        import numpy as np
+
+        curve, point = self._curve(given), np.array(given.point, dtype=float)
+        u = curve.project_point_to_curve(point)
+        return [float(np.linalg.norm(curve.get_value(u)[:, 0] - point))]
+
 
 ADAPTER = Nurbspy

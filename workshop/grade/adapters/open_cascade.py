@@ -36,8 +36,10 @@ class OpenCascade(IncreasingDegree):
     package = "cadquery-ocp-novtk"
 
     def can(self, question: str, given: Given) -> bool:
-        """Clamped curves; inflections and extrema of the curvature in the plane."""
-        return super().can(question, given) and (given.dimension == 2 or question not in ("inflections", "extrema"))
+        """Clamped curves; inflections, extrema of the curvature and intersections in the plane."""
+        return super().can(question, given) and (
+            given.dimension == 2 or question not in ("inflections", "extrema", "meetings")
+        )
 
     def _curve(self, given: Given) -> Any:
         from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_int
@@ -160,6 +162,35 @@ class OpenCascade(IncreasingDegree):
     def extrema(self, given: Given) -> list[list[float]]:
         """``CurAndInf2d``, the extrema of the curvature."""
         return [[t for kind, t in self._analysed(given) if "Inflection" not in kind]]
+
+    def nearest(self, given: Given) -> list[float]:
+        """``BRepExtrema_DistShapeShape(vertex, edge).Value()``."""
+        from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeVertex
+        from OCP.BRepExtrema import BRepExtrema_DistShapeShape
+        from OCP.gp import gp_Pnt
+
+        vertex = BRepBuilderAPI_MakeVertex(gp_Pnt(*map(float, (*given.point, 0)[:3]))).Vertex()
+        found = BRepExtrema_DistShapeShape(vertex, BRepBuilderAPI_MakeEdge(self._curve(given)).Edge())
+        if not found.IsDone():
+            raise DeclinedError("IsDone() is false")
+        return [float(found.Value())]
+
+    def meetings(self, given: Given) -> Rows:
+        """``Geom2dInt_GInter(curve, other, 1e-7, 1e-7)``, its points and the ends of its segments: what
+        ``Geom2dAPI_InterCurveCurve`` calls, which in this wheel is not done even for two lines.
+        """
+        from OCP.Geom2dAdaptor import Geom2dAdaptor_Curve
+        from OCP.Geom2dInt import Geom2dInt_GInter
+
+        curves = self.pair(given, lambda each: Geom2dAdaptor_Curve(self._flat(each)))
+        found = Geom2dInt_GInter(*curves, CONFUSION, CONFUSION)
+        if not found.IsDone():
+            raise DeclinedError("IsDone() is false")
+        points = [found.Point(i) for i in range(1, found.NbPoints() + 1)]
+        for segment in (found.Segment(i) for i in range(1, found.NbSegments() + 1)):
+            points += [segment.FirstPoint()] if segment.HasFirstPoint() else []
+            points += [segment.LastPoint()] if segment.HasLastPoint() else []
+        return [[float(p.ParamOnFirst()), float(p.ParamOnSecond())] for p in points]
 
 
 ADAPTER = OpenCascade

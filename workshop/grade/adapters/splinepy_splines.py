@@ -60,5 +60,9 @@ class Splinepy(Adapter):
         curve.elevate_degrees([0])
         return with_knots(self._rows(curve), curve.knot_vectors[0])
 
+    def nearest(self, given: Given) -> list[float]:
+        """``curve.proximities([point], return_verbose=True)``, the distance."""
+        return [float(self._curve(given).proximities([given.point], return_verbose=True)[3][0, 0])]
+
 
 ADAPTER = Splinepy

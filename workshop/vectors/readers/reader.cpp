@@ -1,4 +1,6 @@
 // Reads a pack of vectors: g++ -O2 -std=c++17 -ffp-contract=off reader.cpp -o reader && ./reader near.json
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +16,9 @@ struct Value {
     std::vector<Value> list;
     std::map<std::string, Value> fields;
     const Value& operator[](const char* name) const { return fields.at(name); }
+    std::vector<Value> list_of(const char* name) const {
+        return fields.count(name) ? fields.at(name).list : std::vector<Value>();
+    }
     double number() const { return std::strtod(text.c_str(), nullptr); }  // hexadecimal doubles too
 };
 
@@ -83,6 +88,19 @@ Row numbers(const Value& list) {
     return found;
 }
 
+// the control points times their weights, and the weights
+std::vector<Row> homogeneous(const Value& given) {
+    const Row weights = numbers(given["weights"]);
+    std::vector<Row> rows;
+    for (const Value& point : given["points"].list) {
+        Row row = numbers(point);
+        for (double& x : row) x *= weights[rows.size()];
+        row.push_back(weights[rows.size()]);
+        rows.push_back(row);
+    }
+    return rows;
+}
+
 int main(int, char** given) {
     std::ifstream stream(given[1]);
     std::map<std::string, long> counts;
@@ -98,24 +116,31 @@ int main(int, char** given) {
         ++counts["cases"];
         counts["damaged"] += digest != computed;
         for (const auto& [name, answer] : data["answers"].fields) ++counts[answer["answer"].text];
-        const Row weights = numbers(data["doubles"]["weights"]);
-        std::vector<Row> rows;
-        for (const Value& point : data["doubles"]["points"].list) {
-            Row row = numbers(point);
-            for (double& x : row) x *= weights[rows.size()];
-            row.push_back(weights[rows.size()]);
-            rows.push_back(row);
-        }
+        const std::vector<Row> rows = homogeneous(data["doubles"]), partner = homogeneous(data["partner"]["doubles"]);
+        const Row knots = numbers(data["doubles"]["knots"]);
         const int degree = int(data["degree"].number());
-        const Row point = de_boor(degree, numbers(data["doubles"]["knots"]), rows, data["parameter"]["double"].number());
+        const Row point = de_boor(degree, knots, rows, data["parameter"]["double"].number());
         const Value& truth = data["answers"]["value"]["items"].list[0];
         const char* axes[] = {"x", "y", "z"};
         bool right = true;
         for (std::size_t k = 0; k + 1 < point.size(); ++k)
             right = right && point[k] / point.back() == truth[axes[k]].list[1].number();
         counts["inexact"] += !right;
+        double size = 0;
+        for (const Row& row : rows) for (double x : row) size = std::max(size, std::abs(x));
+        // the points that a curve and its partner have in common; apart: that differ by more than 2^-40 of the size
+        for (const Value& item : data["answers"]["intersections"].list_of("items")) {
+            if (!item.fields.count("parameter")) continue;
+            ++counts["meetings"];
+            const Row p = de_boor(degree, knots, rows, item["parameter"].list[1].number());
+            const Row q = de_boor(degree, knots, partner, item["other parameter"].list[1].number());
+            bool apart = false;
+            for (std::size_t k = 0; k + 1 < p.size(); ++k)
+                apart = apart || std::abs(p[k] / p.back() - q[k] / q.back()) > std::ldexp(size, -40);
+            counts["apart"] += apart;
+        }
     }
-    const char* names[] = {"cases", "damaged", "none", "these", "all", "undefined", "inexact"};
+    const char* names[] = {"cases", "damaged", "none", "these", "all", "undefined", "inexact", "meetings", "apart"};
     for (const char* name : names) std::cout << (name == names[0] ? "" : " ") << name << " " << counts[name];
     std::cout << "\n";
 }

@@ -37,7 +37,10 @@ function deBoor(degree, knots, rows, t) {
   return d[degree];
 }
 
-const counts = { cases: 0, damaged: 0, none: 0, these: 0, all: 0, undefined: 0, inexact: 0 };
+const homogeneous = ({ points, weights }) =>
+  points.map((p, i) => [...p.map((x) => number(x) * number(weights[i])), number(weights[i])]);
+
+const counts = { cases: 0, damaged: 0, none: 0, these: 0, all: 0, undefined: 0, inexact: 0, meetings: 0, apart: 0 };
 const text = readFileSync(process.argv[2], "latin1");
 for (const line of text.split("\n")) {
   // one case per line, as written: its digest is of the text between "case": and the last brace
@@ -47,11 +50,21 @@ for (const line of text.split("\n")) {
   counts.cases++;
   if (crc32(match[2]) !== match[1]) counts.damaged++;
   for (const answer of Object.values(data.answers)) counts[answer.answer]++;
-  const { knots, points, weights } = data.doubles;
-  const rows = points.map((p, i) => [...p.map((x) => number(x) * number(weights[i])), number(weights[i])]);
-  const point = deBoor(data.degree, knots.map(number), rows, number(data.parameter.double));
+  const [rows, partner] = [data.doubles, data.partner.doubles].map(homogeneous);
+  const knots = data.doubles.knots.map(number);
+  const point = deBoor(data.degree, knots, rows, number(data.parameter.double));
   const truth = data.answers.value.items[0];
   const w = point.pop();
   if (point.some((x, i) => x / w !== number(truth["xyz"[i]][1]))) counts.inexact++;
+  const size = Math.max(...rows.flat().map(Math.abs));
+  // the points that a curve and its partner have in common; apart: that differ by more than 2⁻⁴⁰ of the size
+  for (const item of data.answers.intersections.items ?? []) {
+    if (!item.parameter) continue;
+    counts.meetings++;
+    const p = deBoor(data.degree, knots, rows, number(item.parameter[1]));
+    const q = deBoor(data.degree, knots, partner, number(item["other parameter"][1]));
+    const [v, w] = [p.pop(), q.pop()];
+    if (p.some((x, i) => Math.abs(x / v - q[i] / w) > 2 ** -40 * size)) counts.apart++;
+  }
 }
 console.log(Object.entries(counts).map(([name, count]) => `${name} ${count}`).join(" "));

@@ -18,9 +18,18 @@ def de_boor(degree: int, knots: list[float], rows: list[list[float]], t: float) 
     return d[degree]
 
 
+def homogeneous(given: dict) -> list[list[float]]:
+    """The control points times their weights, and the weights."""
+    weights = [float.fromhex(w) for w in given["weights"]]
+    return [[*(float.fromhex(x) * w for x in p), w] for p, w in zip(given["points"], weights)]
+
+
 def main(path: str) -> None:
-    """Count cases, answers by kind, and points that de Boor's recursion in doubles rounds otherwise."""
-    counts = {"cases": 0, "damaged": 0, "none": 0, "these": 0, "all": 0, "undefined": 0, "inexact": 0}
+    """Count cases, answers by kind, points that de Boor's recursion in doubles rounds otherwise, and the points that a
+    curve and its partner have in common; `apart` those at which they differ by more than 2⁻⁴⁰ of the size.
+    """
+    counts = {"cases": 0, "damaged": 0, "none": 0, "these": 0, "all": 0, "undefined": 0}
+    counts |= {"inexact": 0, "meetings": 0, "apart": 0}
     with open(path, encoding="utf-8") as stream:
         lines = json.load(stream)["cases"]
     for line in lines:
@@ -31,13 +40,18 @@ def main(path: str) -> None:
         for answer in case["answers"].values():
             counts[answer["answer"]] += 1
         number = float.fromhex
-        given = case["doubles"]
-        weights = [number(w) for w in given["weights"]]
-        rows = [[*(number(x) * w for x in p), w] for p, w in zip(given["points"], weights)]
-        knots, t = [number(k) for k in given["knots"]], number(case["parameter"]["double"])
+        rows, partner = homogeneous(case["doubles"]), homogeneous(case["partner"]["doubles"])
+        knots, t = [number(k) for k in case["doubles"]["knots"]], number(case["parameter"]["double"])
         *point, w = de_boor(case["degree"], knots, rows, t)
         truth = case["answers"]["value"]["items"][0]
         counts["inexact"] += any(x / w != number(truth[axis][1]) for axis, x in zip("xyz", point))
+        size = max(abs(x) for row in rows for x in row)
+        for item in case["answers"]["intersections"].get("items", []):
+            if "parameter" in item:
+                counts["meetings"] += 1
+                *p, v = de_boor(case["degree"], knots, rows, number(item["parameter"][1]))
+                *q, w = de_boor(case["degree"], knots, partner, number(item["other parameter"][1]))
+                counts["apart"] += any(abs(x / v - y / w) > 2**-40 * size for x, y in zip(p, q))
     print(" ".join(f"{name} {count}" for name, count in counts.items()))
 
 

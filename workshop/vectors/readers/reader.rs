@@ -103,9 +103,16 @@ fn numbers(list: &Value) -> Vec<f64> {
     list.list.iter().map(|each| number(&each.text)).collect()
 }
 
+// the control points times their weights, and the weights
+fn homogeneous(given: &Value) -> Vec<Vec<f64>> {
+    let weights = numbers(&given.fields["weights"]);
+    let with_weight = |(p, w): (&Value, &f64)| numbers(p).iter().map(|x| x * w).chain([*w]).collect();
+    given.fields["points"].list.iter().zip(&weights).map(with_weight).collect()
+}
+
 fn main() {
     let text = std::fs::read_to_string(std::env::args().nth(1).expect("name a file")).expect("a readable file");
-    let names = ["cases", "damaged", "none", "these", "all", "undefined", "inexact"];
+    let names = ["cases", "damaged", "none", "these", "all", "undefined", "inexact", "meetings", "apart"];
     let mut counts: BTreeMap<String, u64> = names.iter().map(|name| (name.to_string(), 0)).collect();
     for line in text.lines() {
         let Some(rest) = line.strip_prefix("{\"digest\":\"") else { continue };
@@ -116,16 +123,24 @@ fn main() {
         for answer in data["answers"].fields.values() {
             *counts.get_mut(&answer.fields["answer"].text).unwrap() += 1;
         }
-        let given = &data["doubles"].fields;
-        let weights = numbers(&given["weights"]);
-        let with_weight = |(p, w): (&Value, &f64)| numbers(p).iter().map(|x| x * w).chain([*w]).collect();
-        let rows: Vec<Vec<f64>> = given["points"].list.iter().zip(&weights).map(with_weight).collect();
-        let t = number(&data["parameter"].fields["double"].text);
-        let point = de_boor(data["degree"].text.parse().unwrap(), &numbers(&given["knots"]), &rows, t);
+        let (rows, partner) = (homogeneous(&data["doubles"]), homogeneous(&data["partner"].fields["doubles"]));
+        let (degree, knots) = (data["degree"].text.parse().unwrap(), numbers(&data["doubles"].fields["knots"]));
+        let point = de_boor(degree, &knots, &rows, number(&data["parameter"].fields["double"].text));
         let (w, truth) = (point[point.len() - 1], &data["answers"].fields["value"].fields["items"].list[0].fields);
         let axes = ["x", "y", "z"];
         let right = (0..point.len() - 1).all(|k| point[k] / w == number(&truth[axes[k]].list[1].text));
         *counts.get_mut("inexact").unwrap() += u64::from(!right);
+        let size = rows.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+        // the points that a curve and its partner have in common; apart: that differ by more than 2^-40 of the size
+        let Some(items) = data["answers"].fields["intersections"].fields.get("items") else { continue };
+        for item in items.list.iter().filter(|item| item.fields.contains_key("parameter")) {
+            let at = |name: &str, rows| de_boor(degree, &knots, rows, number(&item.fields[name].list[1].text));
+            let (p, q) = (at("parameter", &rows), at("other parameter", &partner));
+            let (v, w) = (p[p.len() - 1], q[q.len() - 1]);
+            let apart = p.iter().zip(&q).any(|(x, y)| (x / v - y / w).abs() > 2f64.powi(-40) * size);
+            *counts.get_mut("meetings").unwrap() += 1;
+            *counts.get_mut("apart").unwrap() += u64::from(apart);
+        }
     }
     println!("{}", names.map(|name| format!("{name} {}", counts[name])).join(" "));
 }
