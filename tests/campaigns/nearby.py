@@ -271,7 +271,7 @@ def forms(curve: Nurbs) -> tuple[Poly, Poly]:
         weights.append(p[2])
     bend, speed, w = map(interpolated, (bends, speeds, weights))
     slope = (bend.diff(t) * w + 2 * bend * w.diff(t)) * speed * 2 - 3 * bend * w * speed.diff(t)
-    return bend, slope
+    return bend, slope * w  # all weights may be negative
 
 
 def _as_it_is(x: mpq) -> mpq:
@@ -281,8 +281,11 @@ def _as_it_is(x: mpq) -> mpq:
 def sign_changes(form: Poly) -> Counter[int]:
     """How often a polynomial changes its sign on ]0, 1[, by the sign before: by SymPy's isolation of real roots."""
     tally, before = Counter[int](), 0
-    ends = sorted((high, times) for (_, high), times in form.intervals(inf=0, sup=1) if times % 2)
-    for place in [Rational(0), *[high for high, _ in ends], Rational(1)]:
+    # also where an end is a root, which is not among these, and where roots are rational, the sign between is asked
+    isolated = [interval for interval, _ in form.intervals(inf=0, sup=1, eps=Rational(1, 10**9))]
+    ends = [(Rational(0), Rational(0)), *isolated, (Rational(1), Rational(1))]
+    between = [(high + low) / 2 for (_, high), (low, _) in pairwise(ends)]
+    for place in (Rational(0), *between, Rational(1)):
         now = 1 if (value := form.eval(place)) > 0 else -1 if value < 0 else 0
         if before and now == -before:
             tally[before] += 1
