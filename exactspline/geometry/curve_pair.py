@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from exactspline.geometry.distance import Distance, distance
+from exactspline.geometry.distance import Distance, nearest_pairs
 from exactspline.geometry.intersections import Intersections, intersections
 from exactspline.geometry.meetings_nearby import NearbyMeeting, intersections_nearby
 from exactspline.hooks import Displayed
@@ -59,4 +59,4 @@ class CurvePair(Inspected, Displayed):
         >>> CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(2, 0), (3, 0)])).distance.value
         <Real 1>
         """
-        return distance(*self.curves, meeting=self.intersections)
+        return nearest_pairs(*self.curves, self.intersections)

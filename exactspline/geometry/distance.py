@@ -85,9 +85,8 @@ class Distance(Displayed):
         return f"<Distance {self.value.shortly()} between {list(self.pairs)}{arcs}{doubt}>"
 
 
-def distance(first: Nurbs, second: Nurbs, *, meeting: Intersections | None = None) -> Distance:
-    """The distance of two curves in the plane or in space, and the pairs of parameters at which they are nearest; their
-    common points where these are known are `meeting`.
+def distance(first: Nurbs, second: Nurbs) -> Distance:
+    """The distance of two curves in the plane or in space, and the pairs of parameters at which they are nearest.
 
     >>> from exactspline import Nurbs
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1), (0, -1), (1, 1)])  # y = x²
@@ -102,8 +101,11 @@ def distance(first: Nurbs, second: Nurbs, *, meeting: Intersections | None = Non
         raise ShapeError(
             f"a curve in R{first.dimension} and one in R{second.dimension}", remedy="give curves of one dimension"
         )
-    if meeting is None:
-        meeting = intersections(first, second)
+    return nearest_pairs(first, second, intersections(first, second))
+
+
+def nearest_pairs(first: Nurbs, second: Nurbs, meeting: Intersections) -> Distance:
+    """The same of curves whose common points are known."""
     zero = Real(0)
     if meeting.points or meeting.everywhere:
         pairs = [ClosestPair(p.first, p.second, zero) for p in meeting]

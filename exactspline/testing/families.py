@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -31,12 +30,8 @@ class Case:
     parameter: mpq
     link: str = ""
     note: str = ""
-
-    @property
-    def dial(self) -> int:
-        """The signed exponent of ε = ±2⁻ᵏ where the curve is near a degenerate one, else 0."""
-        found = _NEAR.match(self.note)
-        return 0 if found is None else -int(found[2]) if found[1] else int(found[2])
+    #: ± k for ε = ± 2⁻ᵏ where the curve is near a degenerate one, else 0.
+    dial: int = 0
 
     @cached_property
     def partner(self) -> Nurbs:
@@ -65,8 +60,8 @@ class Case:
         return tuple(self.partner.control_points[0])
 
 
-#: How the note of a case says ε; and the largest k of a move, so that no coordinate is rounded.
-_NEAR, MOST_MOVED = re.compile(r"^ε = (−?)2⁻ᵏ, k = (\d+)$"), 48
+#: The largest k of a move, so that no coordinate is rounded.
+MOST_MOVED = 48
 Row = tuple[float, ...]
 
 
@@ -93,15 +88,17 @@ def made(
     parameter: float | None = None,
     link: str = "",
     note: str = "",
+    dial: int = 0,
 ) -> Case | None:
-    """A case of these doubles, None where they are not a curve."""
+    """A case of these doubles, None where they are not a curve; its note says its dial."""
     try:
         curve = Nurbs.from_floats(degree, knots, points, weights, name=key)
     except ExactSplineError:
         return None
     a, b = curve.domain
     t = from_float(float(parameter)) if parameter is not None else from_float(double(a + (b - a) * mpq(19, 64)))
-    return Case(key, family, curve, t, link, note)
+    note = f"ε = {'−' * (dial < 0)}2⁻ᵏ, k = {abs(dial)}" if dial else note
+    return Case(key, family, curve, t, link, note, dial)
 
 
 def bezier_knots(degree: int) -> list[float]:
@@ -221,7 +218,7 @@ def _near(chance: random.Random) -> Iterator[Case | None]:
         points = [tuple(float(c) for c in point) for point in shape(sign / (1 << k))]
         degree = len(points) - 1
         key = f"near {k} {name}" + ("" if sign > 0 else " −")
-        yield made(key, "near", degree, bezier_knots(degree), points, note=f"ε = {'−' * (sign < 0)}2⁻ᵏ, k = {k}")
+        yield made(key, "near", degree, bezier_knots(degree), points, dial=sign * k)
 
 
 def _named(chance: random.Random) -> Iterator[Case | None]:

@@ -70,9 +70,9 @@ def test_any_number_of_digits(digits):
 @pytest.mark.parametrize("seed", range(2))
 def test_troubled_curves_and_everything_that_can_be_looked_for(seed):
     chance = random.Random(seed)
-    ways = same_lines([troubled(chance) for _ in range(120)], find=["all"])
-    assert ways[Way.DECIDED] > 15
-    assert ways[Way.EXACT] > 20
+    ways = same_lines([troubled(chance) for _ in range(40)], find=["all"])
+    assert ways[Way.DECIDED] > 3
+    assert ways[Way.EXACT] > 4
 
 
 #: Curves with rational zeros (at 1/2, 1/3, at a knot by a jump), cusps, zeros that nearly coincide, straight pieces,

@@ -64,7 +64,7 @@ def _answers_checked(line: dict[str, Any]) -> int:
     given = case["exact"]
     exact = Case(
         case["key"], "", Nurbs(case["degree"], knots, given["points"], given["weights"]),
-        mpq(case["parameter"]["exact"]), note=case["note"],
+        mpq(case["parameter"]["exact"]), dial=case["dial"]["sign"] * case["dial"]["k"] if case["dial"] else 0,
     )  # fmt: skip
     data = curve_data(exact)
     _require([list(map(Fraction, row)) for row in data["partner"]] == partner.rows, case, "another partner")

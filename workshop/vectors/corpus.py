@@ -57,7 +57,7 @@ def _near() -> Iterator[Case]:
             key = (
                 f"near {k} {name}{' −' * (sign < 0)}{how if (scale, swapped, reversed_, side) != (0, 0, 0, 1) else ''}"
             )
-            degree, note = len(points) - 1, f"ε = {'−' * (sign < 0)}2⁻ᵏ, k = {k}"
-            case = made(key, "near", degree, bezier_knots(degree), points, note=note)
+            degree = len(points) - 1
+            case = made(key, "near", degree, bezier_knots(degree), points, dial=sign * k)
             if case is not None:
                 yield case
