@@ -20,7 +20,7 @@ from flint import arb, ctx
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.intersections import IntersectionKind
-from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, dot, sign_of
+from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Settled, dot, sign_of
 from exactspline.numbers.exact import Number, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval, ball_ends
 from exactspline.polynomials.patch_forms import clusters
@@ -208,12 +208,12 @@ class _Meetings:
     def __init__(self, first: _Tangled, second: _Tangled, pairs: list[tuple[_Part, _Part]]) -> None:
         self.first, self.second, self.pairs = first, second, pairs
         self.domain = Box(Interval(*first.curve.domain), Interval(*second.curve.domain))
-        self.certain, self.settled = list[Box](), list[Box]()
+        self.settled = Settled()
 
     def found(self) -> tuple[NearbyMeeting, ...]:
         """All of them."""
         open_boxes = [box for box, _ in clusters(list(self._possible()))]
-        both = [(box, True) for box in self.certain] + [(box, False) for box in open_boxes]
+        both = [(box, True) for box in self.settled.places] + [(box, False) for box in open_boxes]
         return tuple(NearbyMeeting(*box, certain) for box, certain in sorted(both))
 
     def _possible(self) -> Iterator[Box]:
@@ -227,7 +227,7 @@ class _Meetings:
                 box = Box(a.ends, b.ends)
                 if not _may_meet(a, b) or self._is_one_arc(a, b):
                     continue
-                if any(known.contains(box) for known in self.settled) or self._settles(a, b, box):
+                if self.settled.contains(box) or self._settles(a, b, box):
                     continue
                 too_many = done > MOST + first or len(after) > MOST_OF_A_LEVEL + first
                 if too_many or (a.is_small and b.is_small):
@@ -264,14 +264,8 @@ class _Meetings:
             return False
         if (place := self._crossing(a, b, around)) is None:
             return False
-        # a box next to it may have led to the same points; it is another one only where it is outside of all around
-        overlapping = [k for k, known in enumerate(self.certain) if known.meets(place)]
-        if any(not self.settled[k].contains(place) for k in overlapping):
-            return False
-        if not overlapping:
-            self.certain.append(place)
-            self.settled.append(around)
-        return True
+        # a box next to it may have led to the same points
+        return self.settled.add(place, around)
 
     def _crossing(self, a: _Part, b: _Part, around: Box) -> Box | None:
         """A small box in which each pair of curves has a common point."""

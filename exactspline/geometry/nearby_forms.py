@@ -21,6 +21,7 @@ from flint import arb, arb_mat, arb_poly, fmpz
 from exactspline.errors import ShapeError
 from exactspline.geometry.plane_programs import plane_program, space_program
 from exactspline.numbers.exact import mpq, to_fmpq
+from exactspline.numbers.intervals import Box
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
@@ -262,6 +263,27 @@ class CurvesNear:
                 _Affine(value, {k + last: moved for k, _, _, moved in local}, NOTHING if self.within else None)
             )
         return found
+
+
+class Settled:
+    """Boxes in which each of many objects has exactly one point, each in a larger one in which it has no other."""
+
+    def __init__(self) -> None:
+        self.places, self.around = list[Box](), list[Box]()
+
+    def contains(self, box: Box) -> bool:
+        """Whether all points in a box are known."""
+        return any(known.contains(box) for known in self.around)
+
+    def add(self, place: Box, around: Box) -> bool:
+        """Add a box, unless its points are known already; whether either is certain."""
+        overlapping = [k for k, known in enumerate(self.places) if known.meets(place)]
+        if any(not self.around[k].contains(place) for k in overlapping):
+            return False
+        if not overlapping:
+            self.places.append(place)
+            self.around.append(around)
+        return True
 
 
 def dot(a: Sequence[arb], b: Sequence[arb]) -> arb:

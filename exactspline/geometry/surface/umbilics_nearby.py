@@ -21,7 +21,7 @@ from flint import arb, arb_mat, ctx
 from exactspline.errors import ShapeError
 from exactspline.formulas.surfaces.by_forms import line_uu_of_forms, line_uv_of_forms
 from exactspline.formulas.surfaces.lifted import area_squared_lifted, lifted_forms
-from exactspline.geometry.nearby_forms import PRECISION, basis_ordinates, dot
+from exactspline.geometry.nearby_forms import PRECISION, Settled, basis_ordinates, dot
 from exactspline.numbers.exact import Number, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval, ball_around, ball_ends
 from exactspline.polynomials.patch_forms import clusters
@@ -172,12 +172,12 @@ class _Search:
         self.surface = near.surface
         self.sides, self.nets = near.patch(*patch)
         self.most = MOST // prod(near.surface.patches) + MOST_OF_A_PATCH
-        self.settled, self.certain = list[Box](), list[Box]()
+        self.settled = Settled()
 
     def found(self) -> Iterator[NearbyUmbilic]:
         """All of them, in the parameters of the surface."""
         open_boxes = list(self._possible())
-        for boxes, certain in ((self.certain, True), (open_boxes, False)):
+        for boxes, certain in ((self.settled.places, True), (open_boxes, False)):
             yield from (NearbyUmbilic(self.sides.part(box), certain) for box in boxes)
 
     def _possible(self) -> Iterator[Box]:
@@ -188,7 +188,7 @@ class _Search:
             after: list[tuple[Box, int]] = []
             for box, depth in level:
                 done += 1
-                if any(known.contains(box) for known in self.settled):
+                if self.settled.contains(box):
                     continue
                 is_left = done > self.most or depth > NARROWEST or self._is_left(box)
                 if is_left:
@@ -234,13 +234,7 @@ class _Search:
             if image is None or not image.is_inside(place):
                 break
             place = image
-        overlapping = [k for k, known in enumerate(self.certain) if known.meets(place)]
-        if any(not self.settled[k].contains(place) for k in overlapping):
-            return False
-        if not overlapping:
-            self.certain.append(place)
-            self.settled.append(around)
-        return True
+        return self.settled.add(place, around)
 
     def _krawczyk(self, box: Box, inverse: list[list[arb]]) -> Box | None:
         """The image of a rectangle: it contains the zeros in the rectangle of all surfaces, and each has exactly one
