@@ -12,6 +12,7 @@ from exactspline.display.numbers import Numbers
 from exactspline.display.sheet import Sheet
 from exactspline.display.wrapping import code_lines
 from exactspline.errors import command_name, counted
+from exactspline.papers import option_of
 from exactspline.verification.errata import Erratum, Holds, Refuted
 
 
@@ -78,7 +79,8 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
             console.unbroken(shown, part)
     first = entry.statements[0].key
     also = " (or another of these keys)" if len(entry.statements) + len(entry.truth) > 1 else ""
-    console.lines(shown, f"a theorem to cite: {command_name()} show {first} --latex{also}", indent=5, first=3)
+    shows = f"show {first}{option_of(entry.paper)} --latex"
+    console.lines(shown, f"a theorem to cite: {command_name()} {shows}{also}", indent=5, first=3)
     shown.print()
 
 

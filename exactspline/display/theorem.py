@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from exactspline.display.evidence import worded
 from exactspline.display.latex_prose import in_mathematics, literal, prose
+from exactspline.papers import option_of
 from exactspline.splines.control_points import Point
 from exactspline.verification.claims import claims_of
 from exactspline.verification.divisors import divisors
@@ -119,7 +120,7 @@ def _proof(s: Statement) -> Iterator[str]:
     if f.verdict == REFUTED:
         yield from _instead(s)
     judge = r" (\texttt{--judge sympy} and \texttt{--judge coq} ask others)" if c.equality is not None else ""
-    again = rf"\texttt{{exactspline prove --claim {literal(c.key)}}}"
+    again = rf"\texttt{{exactspline prove --claim {literal(c.key + option_of(c.paper))}}}"
     yield rf"Judge: exactspline, reading \emph{{{s.reading}}}; {again}{judge}."
 
 

@@ -14,6 +14,7 @@ from functools import cache
 from importlib import resources
 from importlib.resources.abc import Traversable
 from pathlib import Path
+from shlex import quote
 
 from exactspline.errors import FormulaError, as_text, counted, nearest
 from exactspline.language.formula import Formula, expect_formula
@@ -32,6 +33,7 @@ __all__ = [
     "known_as",
     "load_paper",
     "named_papers",
+    "option_of",
     "owner",
     "paper",
     "paper_named",
@@ -148,6 +150,17 @@ def named_papers(names: Iterable[str], *, trust: bool = False) -> tuple[Paper, .
     """
     named = [each for name in names for each in (papers() if name == "all" else [paper(name, trust=trust)])]
     return tuple(dict.fromkeys(named)) or default_papers()
+
+
+def option_of(name: str) -> str:
+    """What a command needs to find a paper that is loaded: nothing for a default one, else its name or folder.
+
+    >>> option_of("chen_riesenfeld_cohen_2007"), option_of("primer_on_bezier_curves")
+    ('', ' --paper primer_on_bezier_curves')
+    """
+    if any(each.name == name for each in default_papers()):
+        return ""
+    return f" --paper {quote(str(_loaded[name].folder) if name in _loaded else name)}"
 
 
 @cache

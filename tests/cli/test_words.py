@@ -33,7 +33,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.verification.claims import select
 from exactspline.verification.evidence import Between
 from exactspline.verification.ledger import audit
-from tests.support.command import invoke
+from tests.support.command import invoke, run
 
 
 @cache
@@ -308,3 +308,12 @@ def test_prove_and_errata_count_alike():
     head, end = whole_ledger().splitlines()[0], invoke("errata", "-q").stdout.splitlines()[-1]
     statements, errors = re.match(r"(\d+) statements of the paper refuted \((\d+) errors", head).groups()
     assert end == f"{errors} errors of the paper, {statements} statements refuted"
+
+
+def test_the_theorem_that_errata_names_can_be_printed():
+    """Before, "no claim has the id …" for every paper but the default one."""
+    words = run("errata", "--paper", "primer_on_bezier_curves").stdout.split("a theorem to cite: ", 1)[1]
+    arguments = " ".join(words.split("(", 1)[0].split("\n\n")[0].split()).split()[1:]
+    shown = run(*arguments)
+    assert (arguments[0], shown.returncode) == ("show", 0)
+    assert r"--paper primer\_on\_bezier\_curves" in shown.stdout
