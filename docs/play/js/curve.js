@@ -131,7 +131,7 @@ function showForms(answer) {
 
 function showPoint(keep = false) {
   const i = editor.selected;
-  element("which").textContent = `${i}: the first is 0, the last ${editor.curve.points.length - 1}`;
+  element("which").textContent = `${i} of ${editor.curve.points.length - 1}`;
   if (keep) return;
   const field = (label, value, set) => {
     const input = html("input", { type: "text", value, "aria-label": label, inputmode: "text" });
