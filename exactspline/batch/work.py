@@ -24,8 +24,6 @@ if TYPE_CHECKING:
 
 #: Answers to questions that take a time in proportion to the segments of a curve.
 QUICK = (Answered.PLACES, Answered.PIECES, Answered.JOINTS)
-
-
 #: The default and the largest number of digits of irrational parameters.
 DIGITS, MOST_DIGITS = 10, 10_000
 

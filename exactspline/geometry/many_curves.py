@@ -34,6 +34,8 @@ WHOLE = 2**53
 #: The bits of a double without its sign, and those of the smallest normal double, read as integers.
 SIZE, LEAST = 2**63 - 1, 2**52
 TINY = mpq(1, 2**1022)
+#: The width of an interval that is not refined, and the digits to which any other is.
+NARROW, DIGITS = mpq(1, 10**9), 15
 #: The rows of one curve or many: the index of the curve, kinds, both bounds, and which form vanishes.
 Found = tuple[Integers, NDArray[np.str_], Floats, Floats, Integers]
 
@@ -313,8 +315,9 @@ def _found(i: int, analysis: Analysis) -> Found:
     """The features of one curve."""
     lists = analysis.inflections, analysis.curvature_extrema
     features = [(which, feature) for which, own in enumerate(lists) for feature in own]
-    # the filter narrows as far as doubles allow
-    near = [f.root if analysis.decided_in_doubles else f.root.refine(15) for _, f in features]
+    roots = [feature.root for _, feature in features]
+    # the filter narrows as far as doubles allow, which is enough where few digits are lost
+    near = [root if root.high - root.low <= NARROW else root.refine(DIGITS) for root in roots]
     bounds = [outside(place.low, place.high) for place in near]
     return (
         np.full(len(features), i),

@@ -30,6 +30,8 @@ def same_as_exact(curves):
         assert found.kind[own].tolist() == [str(feature.kind) for feature in true]
         for low, high, feature in zip(found.low[own].tolist(), found.high[own].tolist(), true, strict=True):
             assert Fraction(low) <= feature.root <= Fraction(high)
+            # before: half a segment for curves of which single segments were decided exactly
+            assert high - low <= max(1.1e-9, 4 * np.spacing(abs(high)))
         if i not in found.exact:
             decided += 1
             jumps += sum(feature.by_jump for feature in true)
