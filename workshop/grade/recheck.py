@@ -146,7 +146,8 @@ def _tangent(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
         _require(_is_root(interval, x * x / length, sign or 1), "another tangent")
 
 
-def _bend(x: Jet) -> list[Fraction]:
+def crossed(x: Jet) -> list[Fraction]:
+    """``γ′ × γ″``: one number in the plane."""
     v, a = ([c[k] for c in x] for k in (1, 2))
     if len(x) == 2:
         return [v[0] * a[1] - v[1] * a[0]]
@@ -155,13 +156,13 @@ def _bend(x: Jet) -> list[Fraction]:
 
 def _curvature(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     x = cartesian(curve, t)
-    square = sum((b * b for b in _bend(x)), start=Fraction(0)) / sum(c[1] * c[1] for c in x) ** 3
+    square = sum((b * b for b in crossed(x)), start=Fraction(0)) / sum(c[1] * c[1] for c in x) ** 3
     _require(_is_root(answer["numbers"][0], square), "another curvature")
 
 
 def _torsion(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     x = cartesian(curve, t)
-    bend = _bend(x)
+    bend = crossed(x)
     value = sum((b * c[3] for b, c in zip(bend, x, strict=True)), start=Fraction(0)) / sum(b * b for b in bend)
     _require(_is(answer["numbers"][0], value), "another torsion")
 
@@ -205,7 +206,7 @@ def _point(curve: Curve, t: Fraction) -> list[Fraction]:
 # ---- zeros
 
 
-def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int) -> None:
+def proved(certified: dict[str, object], curve: Curve, form: Form, degree: int) -> None:
     """Check that the certificate is right, and that its form is a positive multiple of the given form on every
     segment.
     """
@@ -250,7 +251,7 @@ def _height(curve: Curve, t: Fraction) -> Fraction:
 
 def _turning(curve: Curve, t: Fraction) -> Fraction:
     w = jets(curve, t, terms=1)[-1][0]
-    return _bend(cartesian(curve, t, terms=3))[0] * w**3
+    return crossed(cartesian(curve, t, terms=3))[0] * w**3
 
 
 def _change(curve: Curve, t: Fraction) -> Fraction:
@@ -268,13 +269,13 @@ def _places(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
         "extrema": [(_change, 4 * n)],
     }
     for certificate, (form, degree) in zip(answer["certificates"], forms[question], strict=True):
-        _proved(certificate, curve, form, degree)
+        proved(certificate, curve, form, degree)
 
 
 def _box(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     n = curve.degree
     for axis, certificate in enumerate(answer["certificates"]):
-        _proved(certificate, curve, _slope(axis), 2 * n)
+        proved(certificate, curve, _slope(axis), 2 * n)
         values = [cartesian(curve, s, left, 1)[axis][0] for s in _domain(curve) for left in (False, True)]
         roots: Any = certificate["roots"]  # proved just now
         for root in roots:
@@ -348,7 +349,7 @@ def _nearest(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
         return sum((2 * e[0] * (e[1] * w[0] - e[0] * w[1]) for e in chords), start=Fraction(0))
 
     [certificate] = answer["certificates"]
-    _proved(certificate, curve, slope, 3 * curve.degree)
+    proved(certificate, curve, slope, 3 * curve.degree)
     roots: Any = certificate["roots"]  # proved just now
     places = [*_domain(curve), *(Fraction(root["low"]) for root in roots)]
     least = min(
