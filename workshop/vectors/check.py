@@ -5,7 +5,8 @@ curvature is compared exactly. All places inside segments (singular points, zero
 points) are those of a certificate of the zeros of their form, with the kind that follows from its signs. The order of
 joints and the pieces are decided segment by segment. A winding number is compared with a sum of angles. Not checked are
 places at knots and ends, answers that hold everywhere on a piece between points, angles and gaps of joints, of a
-distance or a box more than is proved (10⁻⁸ and 10⁻⁹ of the size), and that a curve does not meet itself elsewhere.
+distance or a box more than is proved (10⁻⁸ and 10⁻⁹ of the size), and whether a curve that turns by more than half
+meets itself elsewhere.
 """
 
 from __future__ import annotations
@@ -54,7 +55,8 @@ APART = 2.0**-40
 BITS = 50
 #: Kinds of places by half the change of the sign of the form.
 EXTREMA = {0: "stationary", 1: "minimum", -1: "maximum"}
-TORSION = {0: "torsion touch", 1: "torsion zero", -1: "torsion zero"}
+TURNS = {0: "undulation", 1: "inflection", -1: "inflection"}
+TWISTS = {0: "torsion touch", 1: "torsion zero", -1: "torsion zero"}
 
 
 def checked(place: Path, share: float = 0.1, seed: int = 1) -> tuple[int, Counter[str], Counter[str]]:
@@ -128,7 +130,7 @@ def _names_checked(line: dict[str, Any]) -> Iterator[str]:
     )  # fmt: skip
     own = _Checked(case, exact, *made)
     yield from _numbers_checked(own)
-    checks = (_curvature, _pieces, _joints, _meetings_with_itself, _nearest_points, _winding)
+    checks = (_curvature, _pieces, _joints, _pairs, _nearest_points, _winding)
     for check in checks:
         yield from check(own)
     yield from _places_checked(own)
@@ -210,35 +212,41 @@ def _change(x: Jet) -> Fraction:
 
 def _places_checked(own: _Checked) -> Iterator[str]:
     """Inside segments the places are those of certificates, and their kinds follow from the signs of the forms."""
-    curve, n, flat = own.exact.curve, own.curve.degree, own.exact.curve.dimension == 2
-    of_speed = _form(lambda x: _dot([c[1] for c in x], [c[1] for c in x]), 4)
-    of_bent = _form(lambda x: _dot(crossed(x), crossed(x)), 6)
-    still = _certified(own, zeros(_speed(curve)), of_speed, 4 * n)
+    curve, flat = own.exact.curve, own.exact.curve.dimension == 2
+    speeds, bends = _form(lambda x: _dot([c[1] for c in x], [c[1] for c in x]), 4), _form(_squared_bend, 6)
+    still = _certified(own, zeros(_speed(curve)), speeds, (2, 4))
     if still is None:
         return
-    for question in ("singular_points", "cusps"):
-        # γ′ vanishes half as often, and turns round where that is odd
-        wanted = lambda root: ("stop", "cusp")[root["multiplicities"][0] // 2 % 2]  # noqa: E731
-        yield from _compared(own, question, still, wanted, (), only=("cusp",) if question == "cusps" else ())
-    bends = still if flat else _certified(own, zeros(_bent(curve)), of_bent, 6 * n)
-    if bends is None:
+    for question, only in (("singular_points", ()), ("cusps", ("cusp",))):
+        yield from _compared(own, question, still, _stop, (), only=only)
+    bent = still if flat else _certified(own, zeros(_bent(curve)), bends, (4, 6))
+    if bent is None:
         return
     if not flat:
-        yield from _compared(own, "inflections", bends, lambda _: "", still["roots"])
-    facts, apart = analyse(curve), [*still["roots"], *(() if flat else bends["roots"])]
-    for question, form, degree, kinds in (
-        ("inflections", _form(lambda x: crossed(x)[0], 3), 3 * n, {0: "undulation", 1: "inflection", -1: "inflection"}),
-        ("critical_points", _form(_change, 8 if flat else 11), (8 if flat else 11) * n, EXTREMA),
-        ("curvature_extrema", _form(_change, 8 if flat else 11), (8 if flat else 11) * n, EXTREMA),
-        ("torsion_zeros", _form(lambda x: _dot(crossed(x), [c[3] for c in x]), 6), 6 * n, TORSION),
+        yield from _compared(own, "inflections", bent, lambda _: "", still["roots"])
+    facts, apart = analyse(curve), [*still["roots"], *(() if flat else bent["roots"])]
+    changes = (_form(_change, 8), (4, 8)) if flat else (_form(_change, 11), (6, 11))
+    turns = (_form(lambda x: crossed(x)[0], 3), (2, 3))
+    twists = (_form(lambda x: _dot(crossed(x), [c[3] for c in x]), 6), (3, 6))
+    for questions, (form, degrees), kinds in (
+        (("inflections",) if flat else (), turns, TURNS),
+        (("critical_points", "curvature_extrema"), changes, EXTREMA),
+        (("torsion_zeros",), twists, TWISTS),
     ):
-        if own.items(question) is None or (question == "inflections") > flat:
-            continue
-        certificate = _certified(own, QUESTIONS[question].about.proof(facts), form, degree)
-        if certificate is not None:
+        proof = QUESTIONS[questions[0]].about.proof if questions and own.items(questions[0]) is not None else None
+        certificate = None if proof is None else _certified(own, proof(facts), form, degrees)
+        for question in questions if certificate else ():
             only = ("maximum", "minimum") if question == "curvature_extrema" else ()
-            wanted = partial(_kind, kinds)
-            yield from _compared(own, question, certificate, wanted, apart, only=only)
+            yield from _compared(own, question, certificate, partial(_kind, kinds), apart, only=only)
+
+
+def _squared_bend(x: Jet) -> Fraction:
+    return _dot(crossed(x), crossed(x))
+
+
+def _stop(root: dict[str, Any]) -> str:
+    """γ′ vanishes half as often as its square, and turns round where that is odd."""
+    return ("stop", "cusp")[root["multiplicities"][0] // 2 % 2]
 
 
 def _kind(kinds: dict[int, str], root: dict[str, Any]) -> str:
@@ -247,15 +255,17 @@ def _kind(kinds: dict[int, str], root: dict[str, Any]) -> str:
 
 
 def _certified(
-    own: _Checked, found: ZeroSet, form: Callable[[Curve, Fraction], Fraction], degree: int
+    own: _Checked, found: ZeroSet, form: Callable[[Curve, Fraction], Fraction], degrees: tuple[int, int]
 ) -> dict[str, Any] | None:
-    """The certificate of all zeros of a form, proved; None where it vanishes on a segment."""
+    """The certificate of all zeros of a form, proved; None where it vanishes on a segment. The degree of the form is at
+    most so many times that of the curve, a polynomial or a rational one.
+    """
     for root in found:
         root.refine(BITS)
     certificate: dict[str, Any] = found.certificate()
     if certificate["intervals"]:
         return None
-    recheck.proved(certificate, own.curve, form, degree)
+    recheck.proved(certificate, own.curve, form, degrees[not own.exact.curve.polynomial] * own.curve.degree)
     return certificate
 
 
@@ -360,15 +370,38 @@ def _order(curve: Curve, t: Fraction) -> int | None:
 # ---- pairs and points
 
 
-def _meetings_with_itself(own: _Checked) -> Iterator[str]:
-    """Both parameters of a pair are of one point."""
+def _pairs(own: _Checked) -> Iterator[str]:
+    """The points of a pair are one, or at the distance; a curve along which a coordinate only grows does not meet
+    itself.
+    """
+    for question, other in (("self_intersections", own.curve), ("distance", own.partner)):
+        for item in own.items(question) or ():
+            places = [_of_hex(item[name][1]) for name in ("parameter", "other parameter")]
+            points = [cartesian(c, t, terms=1) for c, t in zip((own.curve, other), places, strict=True)]
+            apart = hypot(*(float(x[0] - y[0]) for x, y in zip(*points, strict=True)))
+            claimed = float.fromhex(item["distance"][1]) if "distance" in item else 0
+            own.require(abs(apart - claimed) <= APART * own.size, f"{question}: a pair at another distance")
     items = own.items("self_intersections")
-    for item in items or ():
-        points = [cartesian(own.curve, _of_hex(item[name][1]), terms=1) for name in ("parameter", "other parameter")]
-        apart = hypot(*(float(x[0] - y[0]) for x, y in zip(*points, strict=True)))
-        own.require(apart <= APART * own.size, "a pair of points that are apart")
-    if items:
+    if items is not None and (runs_on := _runs_on(own.curve)):
+        own.require(not items, "a curve that only runs on meets itself")
+    if items or (items is not None and runs_on):
         yield "self_intersections"
+
+
+def _runs_on(curve: Curve) -> bool:
+    """Whether the legs of the control polygon are in an open half-plane: then every line across meets it, and the
+    curve, at most once.
+    """
+    if min(row[-1] for row in curve.rows) <= 0:
+        return False
+    points = [[x / row[-1] for x in row[:-1]] for row in curve.rows]
+    legs = [leg for leg in ([y - x for x, y in zip(p, q, strict=True)] for p, q in pairwise(points)) if any(leg)]
+
+    def is_first(one: list[Fraction]) -> bool:
+        turns = [(one[0] * leg[1] - one[1] * leg[0], _dot(one, leg)) for leg in legs]
+        return all(turn > 0 or (turn == 0 and along > 0) for turn, along in turns)
+
+    return bool(legs) and len(legs) == len(points) - 1 and any(map(is_first, legs))
 
 
 def _nearest_points(own: _Checked) -> Iterator[str]:
