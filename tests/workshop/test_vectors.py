@@ -63,7 +63,7 @@ WRONG = {
     "extremum": ("near", "curvature_extrema", list.pop),
     "invented": ("random", "critical_points", _up("parameter")),
     "joint": ("cad", "joints", _fact(geometric_continuity=0)),
-    "corner": ("fonts", "corners", list.clear),
+    "corner": ("named", "corners", list.clear),
     "piece": ("integers", "straight_pieces", list.clear),
     "cusp": ("integers", "cusps", lambda items: items[-1].update(what="stop")),
     "loop": ("integers", "self_intersections", _up("parameter")),

@@ -187,7 +187,8 @@ def _bent(curve: Nurbs) -> BSpline:
     """``w⁶ ‖γ′ × γ″‖²`` of a space curve."""
     rows = [[f.d(k) for k in range(3)] for f in (*curve.p, curve.w)]
     minors = [triple(Vector(*rows[i]), Vector(*rows[j]), Vector(*rows[3])) for i, j in ((1, 2), (2, 0), (0, 1))]
-    return reduce(add, [f * f for f in minors])
+    squared: BSpline = reduce(add, [f * f for f in minors])
+    return squared
 
 
 def _dot(p: list[Fraction], q: list[Fraction]) -> Fraction:
@@ -205,7 +206,7 @@ def _change(x: Jet) -> Fraction:
     across = crossed(x)
     # the sign is part of κ in the plane
     way = across if len(x) == 3 else [Fraction(1)]
-    return _dot(way, crossed([[0, p, q] for p, q in zip(v, j, strict=True)])) * _dot(v, v) - 3 * _dot(
+    return _dot(way, crossed([[p, p, q] for p, q in zip(v, j, strict=True)])) * _dot(v, v) - 3 * _dot(
         way, across
     ) * _dot(v, a)
 
@@ -217,8 +218,8 @@ def _places_checked(own: _Checked) -> Iterator[str]:
     still = _certified(own, zeros(_speed(curve)), speeds, (2, 4))
     if still is None:
         return
-    for question, only in (("singular_points", ()), ("cusps", ("cusp",))):
-        yield from _compared(own, question, still, _stop, (), only=only)
+    yield from _compared(own, "singular_points", still, _stop, ())
+    yield from _compared(own, "cusps", still, _stop, (), only=("cusp",))
     bent = still if flat else _certified(own, zeros(_bent(curve)), bends, (4, 6))
     if bent is None:
         return
@@ -235,7 +236,9 @@ def _places_checked(own: _Checked) -> Iterator[str]:
     ):
         proof = QUESTIONS[questions[0]].about.proof if questions and own.items(questions[0]) is not None else None
         certificate = None if proof is None else _certified(own, proof(facts), form, degrees)
-        for question in questions if certificate else ():
+        if certificate is None:
+            continue
+        for question in questions:
             only = ("maximum", "minimum") if question == "curvature_extrema" else ()
             yield from _compared(own, question, certificate, partial(_kind, kinds), apart, only=only)
 
@@ -359,7 +362,7 @@ def _order(curve: Curve, t: Fraction) -> int | None:
         return -1
     if not any(v) or not any(u):
         return None
-    if any(crossed([[0, x, y] for x, y in zip(v, u, strict=True)])) or _dot(v, u) < 0:
+    if any(crossed([[x, x, y] for x, y in zip(v, u, strict=True)])) or _dot(v, u) < 0:
         return 0
     # u is a multiple of v: the vectors of curvature, times ‖v‖²
     share = _dot(u, u) / _dot(v, v)
