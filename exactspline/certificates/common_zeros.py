@@ -42,7 +42,7 @@ def _on_patch(patch: Mapping[str, Any]) -> int:
     require(len(patch["functions"]) == 2, "another number of functions than two")
     f, g = ([[integer(x) for x in row] for row in net] for net in patch["functions"])
     sizes = {len(row) for row in (*f, *g)}
-    require(len(f) == len(g) > 0 and len(sizes) == 1 and 0 not in sizes, "functions of different degrees")
+    require(len(f) == len(g) and len(sizes) == 1 and 0 not in sizes, "functions of different degrees")
     regions = [_region(f, g, zero) for zero in patch["zeros"]]
     for one, other in combinations(regions, 2):
         apart = any(a[1] < b[0] or b[1] < a[0] for a, b in zip(one, other, strict=True))

@@ -101,12 +101,14 @@ AFTER, BEFORE = [["0", "1/2", 0], ["1/2", "1", 1]], [["0", "3/4", 1], ["3/4", "1
 
 
 def test_a_zero_at_the_end_of_a_leaf_is_not_the_one_inside():
-    """A mutant passed: both points proved at the parameter 1/2, or both at 3/4."""
+    """Mutants passed: both points proved at the parameter 1/2, or both at 3/4, or one at 5/8, where there is none."""
     assert check_certificate(of_two_zeros("1/2", AFTER, ("1/2", "1/2"), ("5/8", "7/8"))) == {"points": 2}
     assert check_certificate(of_two_zeros("3/4", BEFORE, ("1/4", "5/8"), ("3/4", "3/4"))) == {"points": 2}
     for leaves, point in ((AFTER, "1/2"), (BEFORE, "3/4")):
         with pytest.raises(ValueError, match="a place that is not the zero"):
             check_certificate(of_two_zeros(point, leaves, (point, point), (point, point)))
+    with pytest.raises(ValueError, match="a place that is not the zero"):
+        check_certificate(of_two_zeros("1/2", AFTER, ("1/2", "1/2"), ("5/8", "5/8")))
 
 
 @pytest.mark.parametrize("place", [("5/8", "3/4"), ("3/4", "7/8"), ("1/2", "7/8")])
