@@ -175,7 +175,8 @@ def _determinant(matrix: Sequence[Rows]) -> fmpq_poly:
     entries = [x for row in matrix for x in row]
     bottom = lcm(*[int(x.denom()) for x in entries])
     whole = [[(x * bottom).numer() for x in row] for row in matrix]
-    return fmpq_poly(determinant(whole, max((x.degree() for x in entries), default=0))) / bottom ** len(matrix)
+    numerator = fmpq_poly(determinant(whole, max((x.degree() for x in entries), default=0)))
+    return numerator * to_fmpq(mpq(1, bottom ** len(matrix)))
 
 
 def _by_line(p: Rows, line: Rows, resultant: fmpq_poly, exponent: int) -> tuple[Rows, Rows]:
