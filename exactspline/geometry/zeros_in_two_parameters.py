@@ -208,9 +208,9 @@ class ZeroCurves:
             return ()
         with drawing_on(_budget(self.function)):
             return tuple(
-                ZeroArc(curve, *((None, None) if ends is None else map(_reals, ends)), closed=ends is None)
+                ZeroArc(curve, _reals(start), _reals(end), closed)
                 for curve in self.curves
-                for ends in curve.arcs(self.function.domain)
+                for start, end, closed in curve.arcs(self.function.domain)
             )
 
     def __bool__(self) -> bool:

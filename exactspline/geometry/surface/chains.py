@@ -75,9 +75,9 @@ class ZeroComponent:
         """The patches that it meets."""
         return tuple(dict.fromkeys(piece.patch for piece in self.pieces))
 
-    def arcs(self, domain: Box, closed: Sequence[Along] = ()) -> list[tuple[Spot | None, Spot | None] | None]:
-        """The arcs between singular points and points on the border, by the parameters of both ends: None for a closed
-        curve that has none, and for an end in an undecided box. Raises `ReachError` where it would take too long to
+    def arcs(self, domain: Box, closed: Sequence[Along] = ()) -> list[tuple[Spot | None, Spot | None, bool]]:
+        """The arcs between singular points and points on the border, by the parameters of both ends, None for an end in
+        an undecided box; and whether it is closed and has no such points. Raises `ReachError` where it would take too long to
         compute those of a singular point.
         """
         graph, special = _graph(self.pieces, domain, closed), dict[Hashable, Spot]()
@@ -85,7 +85,7 @@ class ZeroComponent:
             special |= {(k, joint.box): joint.zero.on(piece.sides).place for joint in piece.part.joints}
         inner = {node for node, near in graph.items() if len(near) == 2 and node not in special}
         ends = [(node, way) for node, near in graph.items() if node not in inner for way in near]
-        found: list[tuple[Spot | None, Spot | None] | None] = []
+        found = list[tuple[Spot | None, Spot | None, bool]]()
         while ends:
             start, way = ends.pop(0)
             node = _other(way, start)
@@ -94,7 +94,7 @@ class ZeroComponent:
                 way = next(other for other in graph[node] if other is not way)
                 node = _other(way, node)
             ends.remove((node, way))
-            found.append((_place(start, special), _place(node, special)))
+            found.append((_place(start, special), _place(node, special), False))
         while inner:
             start = node = next(node for node in graph if node in inner)
             way = graph[start][0]
@@ -102,7 +102,7 @@ class ZeroComponent:
                 inner.remove(node)
                 way = next(other for other in graph[node] if other is not way)
                 node = _other(way, node)
-            found.append(None)
+            found.append((None, None, True))
         return found
 
 
