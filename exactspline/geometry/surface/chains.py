@@ -77,8 +77,8 @@ class ZeroComponent:
 
     def arcs(self, domain: Box, closed: Sequence[Along] = ()) -> list[tuple[Spot | None, Spot | None, bool]]:
         """The arcs between singular points and points on the border, by the parameters of both ends, None for an end in
-        an undecided box; and whether it is closed and has no such points. Raises `ReachError` where it would take too long to
-        compute those of a singular point.
+        an undecided box; and whether it is closed and has no such points. Raises `ReachError` where it would take too
+        long to compute those of a singular point.
         """
         graph, special = _graph(self.pieces, domain, closed), dict[Hashable, Spot]()
         for k, piece in enumerate(self.pieces):
