@@ -110,23 +110,26 @@ class CommonZeros(SurfacePlaces[CommonZero]):
     functions: tuple[TensorSpline, ...] = field(default=(), compare=False)
 
     def certificate(self) -> dict[str, object]:
-        """A proof, as JSON data with exact strings, that these are all (see `exactspline.certificates`): of two
-        functions whose common zeros are simple.
+        """A proof, as JSON data with exact strings, that these are all, and of two functions also of their
+        multiplicities (see `exactspline.certificates`).
 
         >>> from exactspline import TensorSpline, check_certificate
         >>> flat, knots = [0, 0, 1, 1], [0, 0, 0, 1, 1, 1]
         >>> line = TensorSpline((1, 1), flat, flat, [[0, -1], [1, 0]])  # s − t
         >>> circle = TensorSpline((2, 2), knots, knots, [[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # s² + t² − 1
         >>> check_certificate(common_zeros(circle, line).certificate())
-        {'zeros': 1}
+        {'zeros': 1, 'multiplicity': 1}
+        >>> check_certificate(common_zeros(circle, line * line).certificate())
+        {'zeros': 1, 'multiplicity': 2}
 
-        Raises `ReachError` for other answers.
+        Raises `ReachError` where something is `undecided` or `everywhere`, and where the proof is too long.
         """
-        if len(self.functions) != 2 or self.everywhere or self.undecided:
+        if not self.functions or self.everywhere or self.undecided:
             raise ReachError(
-                "a certificate of other zeros than single ones of two functions", remedy="ask for the points"
+                "a certificate where functions vanish together along a curve, or something is undecided",
+                remedy="divide by the common factor; ask for the points",
             )
-        return common_zeros_certificate(*self.functions, [((x.first, x.second), x.patches) for x in self.points])
+        return common_zeros_certificate(self.functions, [(x.place, x.patches) for x in self.points])
 
 
 @dataclass(frozen=True)

@@ -16,11 +16,13 @@ from random import Random
 
 from exactspline import TensorSpline, check_certificate, common_zeros, intersections
 from exactspline.errors import ReachError, ShapeError
+from exactspline.polynomials.two_parameters import as_form
+from tests.campaigns.common_zeros import irrational, tangent, through
 from tests.campaigns.intersections import FAMILIES, curve
 from tests.support.elimination_oracle import S, T, common_points, solutions
 
 #: Texts in certificates that are not numbers.
-WORDS = ("inside", "outside", "start", "end"), ("crossed", "point", "edge"), ("first", "second")
+WORDS = ("inside", "outside", "start", "end"), ("crossed", "point", "edge", "eliminated"), ("first", "second")
 
 
 # ---- certificates
@@ -57,6 +59,27 @@ def of_common_zeros(random):
             return functions, common_zeros(*functions).certificate()
         except ReachError:
             continue
+
+
+def of_multiple_zeros(random):
+    """Two functions or three with zeros of any multiplicity, of the campaign of common zeros, and their certificate."""
+    while True:
+        pair = random.choice([through, irrational, tangent])(random)
+        functions = [spline(p) for p in (*pair, *[pair[0] + pair[1] * (S - T)] * (random.random() < 0.2))]
+        try:
+            found = common_zeros(*functions)
+            if any(zero.multiplicity != 1 for zero in found):
+                return functions, found.certificate()
+        except ReachError:
+            continue
+
+
+def spline(p):
+    """A polynomial in s and t as a function on the unit square."""
+    net = as_form(p).matrix.tolist()
+    m, n = len(net) - 1, len(net[0]) - 1
+    knots = ([0] * (k + 1) + [1] * (k + 1) for k in (m, n))
+    return TensorSpline((m, n), *knots, [[int(x) for x in row] for row in net])
 
 
 # ---- changes
@@ -137,7 +160,11 @@ def polynomial(net):
     return sum(terms, S * 0)
 
 
-SORTS = {"intersections": (of_intersections, points_of, "points"), "common zeros": (of_common_zeros, zeros_of, "zeros")}
+SORTS = {
+    "intersections": (of_intersections, points_of, "points"),
+    "common zeros": (of_common_zeros, zeros_of, "zeros"),
+    "multiple zeros": (of_multiple_zeros, zeros_of, "zeros"),
+}
 
 
 def campaign(sort, count, seed, every=8):
