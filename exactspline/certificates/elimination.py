@@ -63,9 +63,9 @@ def strict_sign(p: Sequence[Any], low: Fraction, high: Fraction) -> int:
 
 
 def has_one_root(p: Sequence[int], low: Fraction, high: Fraction) -> bool:
-    """Whether a polynomial has opposite signs at the ends of an interval and a derivative of one sign on it."""
-    slope = [i * c for i, c in enumerate(p)][1:]
-    return value(p, low) * value(p, high) < 0 and strict_sign(slope or [0], low, high) != 0
+    """Whether a polynomial certainly has one root in an interval, a simple one, by Descartes' rule."""
+    values = on_interval(p, low, high)
+    return values[0] * values[-1] < 0 and sum(a * b < 0 for a, b in pairwise(x for x in values if x)) == 1
 
 
 def quotient_by(p: Polynomial, divisor: Polynomial) -> Polynomial | None:
@@ -205,8 +205,7 @@ def check_single_zero(
     require(whole[0] <= low <= high <= whole[1], "a root outside the box")
     is_exact = low == high and value(minimal, low) == 0 and len(minimal) == 2
     require(is_exact or (low < high and value(minimal, low) * value(minimal, high) < 0), "a place without a root")
-    slope_of = [i * c for i, c in enumerate(minimal)][1:]
-    require(len(minimal) == 2 or strict_sign(slope_of, *whole) != 0, "a factor that may have several roots")
+    require(len(minimal) == 2 or has_one_root(minimal, *whole), "a factor that may have several roots")
     rest, times = subresultant(first, second, 0), 0
     require(bool(rest), "a resultant that vanishes")
     while (divided := quotient_by(rest, minimal)) is not None:

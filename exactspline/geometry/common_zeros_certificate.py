@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations, product
+from itertools import combinations, pairwise, product
 from typing import Any
 
 from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
@@ -57,7 +57,7 @@ def common_zeros_certificate(functions: Sequence[TensorSpline], found: Sequence[
 def _patch(given: Sequence[PatchForm], sides: Box, places: Sequence[Place]) -> dict[str, Any]:
     degree = max(f.degree[0] for f in given), max(f.degree[1] for f in given)
     forms = [form.elevated(degree) for form in given]
-    zeros = [_ZeroOnPatch(forms, sides, place) for place in places]
+    zeros = [ZeroOnPatch(forms, sides, place) for place in places]
     regions = [zero.region(bits) for zero, bits in zip(zeros, _sizes(zeros), strict=True)]
     return {
         "functions": [[[str(x) for x in row] for row in form.matrix.tolist()] for form in forms],
@@ -66,7 +66,7 @@ def _patch(given: Sequence[PatchForm], sides: Box, places: Sequence[Place]) -> d
     }
 
 
-def _sizes(zeros: Sequence[_ZeroOnPatch]) -> list[int]:
+def _sizes(zeros: Sequence[ZeroOnPatch]) -> list[int]:
     """For each zero the size of the largest region that serves, apart from the others."""
     sizes = [zero.serving(0) for zero in zeros]
     for i, j in combinations(range(len(zeros)), 2):
@@ -77,7 +77,7 @@ def _sizes(zeros: Sequence[_ZeroOnPatch]) -> list[int]:
 
 
 @dataclass
-class _ZeroOnPatch:
+class ZeroOnPatch:
     """A zero on a patch, in the parameters of its unit square."""
 
     forms: Sequence[PatchForm]
@@ -176,7 +176,7 @@ class _ZeroOnPatch:
         """Whether a region has one zero at most, and this one's existence can be proved in it."""
         region = self.region(bits)
         if self.simple is None:
-            return self._is_alone(region)
+            return self.is_alone(region)
         pair = self._pair(region)
         (a, b), (c, d) = ([form.derivative(k).range for k in (0, 1)] for form in pair)
         straight, across = [x * y for x in a for y in d], [x * y for x in b for y in c]
@@ -184,13 +184,11 @@ class _ZeroOnPatch:
             return False
         return self.exact is not None or self.edge is not None or self._is_crossed(pair)
 
-    def _is_alone(self, region: Box) -> bool:
+    def is_alone(self, region: Box) -> bool:
         """Whether the resultant has no other root in the projection of a region."""
         found, _, rest = self.eliminated
         side = _projected_side(region, found.slope)
-        return bool(_on(rest, side).sign) and (
-            found.minimal.degree() == 1 or bool(_on(found.minimal.derivative(), side).sign)
-        )
+        return bool(on_interval(rest, side).sign) and (found.minimal.degree() == 1 or has_one_root(found.minimal, side))
 
     def _is_crossed(self, pair: Sequence[PatchForm]) -> bool:
         signs = [[_sign(form.edge(k, end)) for end in (0, 1)] for k, form in enumerate(pair)]
@@ -199,14 +197,15 @@ class _ZeroOnPatch:
     def data(self, region: Box) -> dict[str, object]:
         """The region, the combinations, and the proof of existence."""
         if self.simple is None:
-            return {"region": [[text(x) for x in side] for side in region]} | self._by_elimination(region)
+            return {"region": [[text(x) for x in side] for side in region]} | self.by_elimination(region)
         combined = [[str(x) for x in row] for row in self.combinations(region)]
         data: dict[str, object] = {"region": [[text(x) for x in side] for side in region], "combinations": combined}
         if self.exact is not None:
             return data | {"by": POINT, "point": [text(x) for x in self.exact]}
         return data | ({"by": CROSSED} if self.edge is None else {"by": EDGE, "edge": list(self.edge)})
 
-    def _by_elimination(self, region: Box) -> dict[str, object]:
+    def by_elimination(self, region: Box) -> dict[str, object]:
+        """The proof in a region in which it `is_alone`."""
         found, pair, _ = self.eliminated
         above, bottom = found.s.numer(), found.s.denom()
         return {
@@ -240,15 +239,23 @@ def _projected_side(region: Box, slope: int) -> Interval:
     return Interval(low, high)
 
 
-def _on(p: fmpz_poly, side: Interval) -> PatchForm:
+def on_interval(p: fmpz_poly, side: Interval) -> PatchForm:
     """A polynomial in one variable on an interval."""
     return as_form(lifted(p, 0)).part(Box(side, UNIT.second))
+
+
+def has_one_root(p: fmpz_poly, side: Interval) -> bool:
+    """Whether a polynomial certainly has one root in an interval, by Descartes' rule."""
+    values = [x for x in on_interval(p, side).entries if x]
+    return (
+        sum((a > 0) != (b > 0) for a, b in pairwise(values)) == 1 and p(to_fmpq(side.low)) * p(to_fmpq(side.high)) < 0
+    )
 
 
 def _is_between(p: fmpq_poly, bounds: Interval, side: Interval) -> bool:
     """Whether a polynomial is certainly between two numbers on an interval."""
     below, above = ((p - to_fmpq(bounds.low)).numer(), (p - to_fmpq(bounds.high)).numer())
-    return bool(_on(below, side).range[0] >= 0 and _on(above, side).range[1] <= 0)
+    return bool(on_interval(below, side).range[0] >= 0 and on_interval(above, side).range[1] <= 0)
 
 
 def _of_two(row: Sequence[int], i: int, j: int, count: int) -> list[int]:
