@@ -18,6 +18,7 @@ from exactspline.geometry.surface.borders import EDGES
 from exactspline.numbers.exact import mpq, text, to_fmpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.elimination import resultant
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, lifted, rows_of
 from exactspline.roots.common_zeros import CommonZero, Projection, projected
@@ -117,7 +118,7 @@ class ZeroOnPatch:
         while True:
             pair = [[1] + [0] * (len(polynomials) - 1), [0] + [k**i for i in range(len(polynomials) - 1)]]
             first, second = (sum((c * p for c, p in zip(row, polynomials, strict=True)), S * 0) for row in pair)
-            if second and first.gcd(second).total_degree() == 0:
+            if second and greatest_common_divisor([first, second]).total_degree() == 0:
                 break
             k += 1
         if first.total_degree() * second.total_degree() > DEGREES:
