@@ -24,6 +24,7 @@ from exactspline.geometry.surface.common_factor import square_free
 from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.geometry.surface.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
+from exactspline.geometry.zero_curve_certificate import zero_curve_certificate
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
@@ -110,23 +111,26 @@ class CommonZeros(SurfacePlaces[CommonZero]):
     functions: tuple[TensorSpline, ...] = field(default=(), compare=False)
 
     def certificate(self) -> dict[str, object]:
-        """A proof, as JSON data with exact strings, that these are all (see `exactspline.certificates`): of two
-        functions whose common zeros are simple.
+        """A proof, as JSON data with exact strings, that these are all, and of two functions also of their
+        multiplicities (see `exactspline.certificates`).
 
         >>> from exactspline import TensorSpline, check_certificate
         >>> flat, knots = [0, 0, 1, 1], [0, 0, 0, 1, 1, 1]
         >>> line = TensorSpline((1, 1), flat, flat, [[0, -1], [1, 0]])  # s − t
         >>> circle = TensorSpline((2, 2), knots, knots, [[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # s² + t² − 1
         >>> check_certificate(common_zeros(circle, line).certificate())
-        {'zeros': 1}
+        {'zeros': 1, 'multiplicity': 1}
+        >>> check_certificate(common_zeros(circle, line * line).certificate())
+        {'zeros': 1, 'multiplicity': 2}
 
-        Raises `ReachError` for other answers.
+        Raises `ReachError` where something is `undecided` or `everywhere`, and where the proof is too long.
         """
-        if len(self.functions) != 2 or self.everywhere or self.undecided:
+        if not self.functions or self.everywhere or self.undecided:
             raise ReachError(
-                "a certificate of other zeros than single ones of two functions", remedy="ask for the points"
+                "a certificate where functions vanish together along a curve, or something is undecided",
+                remedy="divide by the common factor; ask for the points",
             )
-        return common_zeros_certificate(*self.functions, [((x.first, x.second), x.patches) for x in self.points])
+        return common_zeros_certificate(self.functions, [(x.place, x.patches) for x in self.points])
 
 
 @dataclass(frozen=True)
@@ -212,6 +216,22 @@ class ZeroCurves:
                 for curve in self.curves
                 for start, end, closed in curve.arcs(self.function.domain)
             )
+
+    def certificate(self) -> dict[str, object]:
+        """A proof, as JSON data with exact strings, of the numbers of lines, loops, arcs, curves with crossings and
+        single points, each counted on every patch that has it (see `exactspline.certificates`).
+
+        >>> from exactspline import TensorSpline, check_certificate
+        >>> knots = [0, 0, 0, 1, 1, 1]
+        >>> cross = TensorSpline((2, 2), knots, knots, [[0, -1, 0], [1, 0, 1], [0, -1, 0]])  # (s − t)(1 − s − t)
+        >>> check_certificate(zero_curve(cross).certificate())
+        {'lines': 0, 'loops': 0, 'arcs': 0, 'crossed': 1, 'points': 0}
+
+        Raises `ReachError` where something is `undecided`, the function vanishes on a patch, or the proof is too long.
+        """
+        if self.function is None or self.undecided:
+            raise ReachError("a certificate where something is undecided", remedy="ask for the curves")
+        return zero_curve_certificate(self.function)
 
     def __bool__(self) -> bool:
         return any((self.lines, self.curves, self.points, self.everywhere, self.undecided))

@@ -174,7 +174,7 @@ class ZeroCurve:
                 self._crossings.append(Joint(cell.box, cell.zero, ends))
             else:
                 self.undecided.append(cell.box)
-        todo = deque(Sized(box, [self.form.part(box)], 0) for box in _grid(self.form, done) if box not in done)
+        todo = deque(Sized(box, [self.form.part(box)], 0) for box in grid(self.form, done) if box not in done)
         boxes = 0
         while todo:
             part = todo.popleft()
@@ -373,8 +373,8 @@ class _Joined:
         self.parents[self.root(one)] = self.root(other)
 
 
-def _grid(form: PatchForm, cells: Sequence[Box]) -> Iterator[Box]:
-    """The square cut along the borders of cells, and once more."""
+def grid(form: PatchForm, cells: Sequence[Box]) -> Iterator[Box]:
+    """The boxes of the square cut along the borders of cells, and once more."""
     cuts = []
     for k in (0, 1):
         ends = {mpq(0), mpq(1), *(end for cell in cells for end in cell[k])}
