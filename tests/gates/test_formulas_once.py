@@ -148,7 +148,8 @@ def at_a_point(f: Formula, dimension: int) -> tuple[object, ...] | None:
 
     unit = DoubleSeries({(0, 0): mpq(1)}, DOUBLE_TERMS) if double else Series(map(mpq, [1, *[0] * (TERMS - 1)]))
     components, _ = split(f(kind.argument(dimension, operand, unit)))
-    return tuple(part.coefficients.get((0, 0), mpq(0)) if double else part.coefficients[0] for part in _parts(components))
+    parts = _parts(components)
+    return tuple(x.coefficients.get((0, 0), mpq(0)) if double else x.coefficients[0] for x in parts)
 
 
 def _parts(components: Iterable[object]) -> Iterator[object]:
