@@ -159,9 +159,8 @@ def _place_data(place: Place, digits: int) -> Data:
 
 @_element_data.register
 def _shape_data(part: RecognizedPart, digits: int) -> Data:
-    return {"kind": str(part.kind), "patches": [list(patch) for patch in part.patches], "whole": part.whole} | {
-        "numbers": {name: [str(x) for x in values] for name, values in part.values.items()}
-    }
+    numbers = {name: [str(x) for x in values] for name, values in part.values.items()}
+    return {"kind": str(part.kind), **picked(part, "patches", "whole", "once"), "numbers": numbers}
 
 
 @_element_data.register
@@ -286,6 +285,10 @@ def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
     return made
 
 
+#: What a table says of whether a shape is covered once.
+COVERED = {True: "covered once", False: "perhaps covered twice"}
+
+
 def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[RecognizedPart] | None = None) -> Sheet:
     """The features of a surface, one per row; its shapes are those within 10⁻⁹ of its size if others are not given."""
     surface = inspection.surface
@@ -297,7 +300,8 @@ def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[R
     for part in inspection.shapes if shapes is None else shapes:
         sides = [surface.w.patch(*patch) for patch in part.patches]
         for box in _together(_together(sorted(sides), 0), 1):
-            made.add_row(str(part.kind), *(str(side) for side in box), shape_text(part.shape.numbers, part.within))
+            remark = f"{shape_text(part.shape.numbers, part.within)}, {COVERED[part.once]}"
+            made.add_row(str(part.kind), *(str(side) for side in box), remark)
     for line in inspection.parabolic_lines:
         note = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
         made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), note)

@@ -238,10 +238,10 @@ def _runs_once(run: _Run, shape: CurveShape) -> bool:
     """Whether the curve goes on along the shape without turning back, and over no part of it twice."""
     if signs(shape.advance(run.curve)) not in ({1}, {-1}):
         return False
-    return not shape.closes or not _passes_its_start(run.curve, shape)
+    return not shape.closes or not passes_its_start(run.curve, shape)
 
 
-def _passes_its_start(curve: Nurbs, shape: CurveShape) -> bool:
+def passes_its_start(curve: Nurbs, shape: CurveShape) -> bool:
     """Whether a curve around a centre meets the ray from there to its start again, before its end."""
     a, b = curve.domain
     centre = shape.centre  # type: ignore[attr-defined]  # a shape that closes has a centre
