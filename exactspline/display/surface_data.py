@@ -11,7 +11,7 @@ from typing import Any, cast
 from exactspline.display.bisector_data import control_net
 from exactspline.display.data import Data, picked, plain
 from exactspline.display.described import described_surface, shape_text
-from exactspline.display.numbers import decimal
+from exactspline.display.features import ends_text
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, counted
@@ -280,7 +280,7 @@ def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
     """The umbilics of all surfaces near a surface, and those that some of them may have."""
     made = Sheet("umbilics", "u between", "and", "v between", "and", title=title, heads=1)
     for umbilic in found:
-        ends = [decimal(x, DIGITS_OF_ENDS) for side in umbilic.sides for x in side]
+        ends = [x for side in umbilic.sides for x in ends_text(*map(text, side))]
         made.add_row("exactly one" if umbilic.certain else "perhaps some", *ends)
     return made
 
