@@ -91,9 +91,9 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
     >>> from exactspline import example
     >>> for found in stability(example("cubic_s")):
     ...     print(found.kind, f"{float(found.radius):.3f} {float(found.gone):.3f}")
-    minimum 0.031 1.000
-    inflection 0.250 0.756
-    maximum 0.031 1.000
+    minimum 0.031 1.110
+    inflection 0.250 0.639
+    maximum 0.031 1.110
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """

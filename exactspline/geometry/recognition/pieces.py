@@ -77,6 +77,8 @@ class _Run:
     def curve(self) -> Nurbs:
         """The segments alone."""
         breaks = self._of.breakpoints
+        if self.last - self.first == len(breaks) - 2:
+            return self._of
         return self._of.restrict(breaks[self.first], breaks[self.last + 1])
 
     @property
