@@ -6,11 +6,9 @@ import json
 
 import pytest
 
-from exactspline.batch.oracle import oracle
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach
 from exactspline.geometry.kinds import JointKind
-from exactspline.interchange.examples import example
 from exactspline.interchange.files import read
 from exactspline.numbers.exact import rational
 from tests.geometry.test_shared_curves import FILES
@@ -171,8 +169,6 @@ def test_what_holds_of_all_curves_near_one_by_the_oracle_and_in_sweeps():
     assert all(0 < (x - y) * (-1) ** k < unit for k, (x, y) in enumerate(zip(own, shown, strict=True)))
     refused = str(invoke("inspect", "cubic_s", "--ask", "inflections", "--epsilon", "1e-3").exception)
     assert "features_within" in refused
-    (meeting,) = oracle(example("ellipse"), "intersections_within:cubic_s,1/1000").items
-    assert meeting.facts["certain"]
     asked = invoke("sweep", "ellipse", "--epsilon", "1e-3", "--backend", "serial", "-o", "-").output
     found = json.loads(asked.splitlines()[0])["found"]
     assert {one["kind"] for one in found["features_within:1e-3"]} == {
