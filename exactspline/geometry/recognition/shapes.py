@@ -463,15 +463,15 @@ class Conic(CurveShape):
 
     def _value(self, of: Homogeneous) -> tuple[Any, Vector[Any]]:
         """q times w², and half its gradient times w."""
-        asked, known = vars(self).get("_asked", (None, None))  # often of one curve several times
-        if asked is of:
-            return known
-        coordinates = (*of.p, of.w)
-        images = [scalar(coordinates, row) for row in self.matrix]
-        found = scalar(images, coordinates), Vector(*images[:-1])
-        if not isinstance(of, Place):
-            vars(self)["_asked"] = of, found
-        return found
+        # often asked of one curve several times
+        asked, value, gradient = vars(self).get("_asked", (None, None, None))
+        if asked is not of:
+            coordinates = (*of.p, of.w)
+            images = [scalar(coordinates, row) for row in self.matrix]
+            value, gradient = scalar(images, coordinates), Vector(*images[:-1])
+            if not isinstance(of, Place):
+                vars(self)["_asked"] = of, value, gradient
+        return value, gradient
 
     def parts(self, of: Homogeneous) -> Parts:
         """What vanishes on it."""
