@@ -11,12 +11,12 @@ weight.
 
 from collections.abc import Mapping
 from fractions import Fraction
-from functools import cache
-from math import gcd
+from itertools import pairwise
+from math import factorial, gcd
 from typing import Any
 
 from exactspline.certificates.numbers import count, fraction, integer, require
-from exactspline.certificates.zeros import isolated_zeros, product_of, restricted
+from exactspline.certificates.zeros import isolated_zeros, restricted
 
 Polynomial = list[int]
 INSIDE, OUTSIDE, START, END = "inside", "outside", "start", "end"
@@ -99,20 +99,44 @@ def _along(line: tuple[int, ...], curve: list[Polynomial]) -> Polynomial:
 
 
 def _determinant(matrix: list[list[Polynomial]]) -> Polynomial:
-    """By the first rows and subsets of the columns."""
+    """From its values at as many integers as it has coefficients, by Newton's interpolation."""
+    size, degree = len(matrix), len(matrix[0][0]) - 1
+    nodes = [k - size * degree // 2 for k in range(size * degree + 1)]
+    values = [_determinant_of_numbers([[_value(p, x) for p in row] for row in matrix]) for x in nodes]
+    differences = []
+    for k in range(len(nodes)):
+        differences.append(Fraction(values[0], factorial(k)))
+        values = [b - a for a, b in pairwise(values)]
+    total = [Fraction(0)]
+    for x, difference in zip(reversed(nodes), reversed(differences), strict=True):
+        total = [a - x * b for a, b in zip([Fraction(0), *total], [*total, Fraction(0)], strict=True)]
+        total[0] += difference
+    return [int(c) for c in total[: len(nodes)]]
 
-    @cache
-    def minor(columns: tuple[int, ...]) -> tuple[int, ...]:
-        if not columns:
-            return (1,)
-        total: Polynomial = []
-        for k, column in enumerate(columns):
-            term = product_of(matrix[len(columns) - 1][column], list(minor(columns[:k] + columns[k + 1 :])))
-            sign = -1 if (len(columns) - 1 - k) % 2 else 1
-            total = [a + sign * b for a, b in zip(_padded(total, len(term) - 1), term, strict=True)]
-        return tuple(total)
 
-    return list(minor(tuple(range(len(matrix)))))
+def _value(p: Polynomial, x: int) -> int:
+    value = 0
+    for c in reversed(p):
+        value = value * x + c
+    return value
+
+
+def _determinant_of_numbers(rows: list[list[int]]) -> int:
+    """By elimination without fractions (Bareiss): every entry is a minor, so that the divisions are exact."""
+    before = 1
+    for k in range(len(rows) - 1):
+        pivot = next((i for i in range(k, len(rows)) if rows[i][k]), None)
+        if pivot is None:
+            return 0
+        if pivot > k:
+            rows[k], rows[pivot] = rows[pivot], [-x for x in rows[k]]
+        top = rows[k]
+        for row in rows[k + 1 :]:
+            row[k + 1 :] = [
+                (x * top[k] - row[k] * y) // before for x, y in zip(row[k + 1 :], top[k + 1 :], strict=True)
+            ]
+        before = top[k]
+    return rows[-1][-1]
 
 
 def _padded(p: Polynomial, degree: int) -> Polynomial:

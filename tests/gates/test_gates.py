@@ -312,6 +312,7 @@ def test_what_rounds_is_found(code):
 UNBOUNDED = {
     "geometry/balls.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
     "geometry/bisector/polynomials.py: common_divisor": "over the field of a root: Euclid's algorithm, bounded",
+    "geometry/zero_curve_certificate.py: _part_at": "over the field of a root: a door with an estimated cost",
     "numbers/exact.py: common_divisor": "integers",
     "polynomials/bernstein.py: add": "integers",
     "polynomials/bernstein.py: common_denominators": "integers",

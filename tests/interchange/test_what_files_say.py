@@ -366,6 +366,20 @@ def test_step_says_units_placements_and_parameter_planes():
     assert ("CURVE_REPLICA", True) in [(skipped.what, skipped.curve) for skipped in reading.skipped]
 
 
+def test_step_names_what_it_does_not_read_of_complex_instances():
+    """Passed before: a file is complete whose trimmed curve is a complex instance, known by its first keyword alone."""
+    rest = "CURVE()GEOMETRIC_REPRESENTATION_ITEM()"
+    more = (
+        f"#40=(BOUNDED_CURVE(){rest}REPRESENTATION_ITEM('')TRIMMED_CURVE(#4,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(0.5)),"
+        f".T.,.PARAMETER.));#41=(BOUNDED_CURVE()COMPOSITE_CURVE((#42),.F.){rest}REPRESENTATION_ITEM(''));"
+        "#43=(MAPPED_ITEM(#1,#2)REPRESENTATION_ITEM(''));ENDSEC;\nEND-ISO"
+    )
+    reading = read(STEP.replace(b"ENDSEC;\nEND-ISO", more.encode()))
+    assert ("TRIMMED_CURVE", True) in [(skipped.what, skipped.curve) for skipped in reading.skipped]
+    assert ("COMPOSITE_CURVE", False) in [(skipped.what, skipped.curve) for skipped in reading.skipped]
+    assert "the file places parts: curves are read where they are defined" in reading.notes
+
+
 def test_notes_in_our_own_json_are_kept():
     """False before: the note of a curve in {"curves": […]} was lost."""
     entry = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], "note": "from a paper"}'
