@@ -22,6 +22,7 @@ from exactspline.cli.common import (
     reading_of,
     see_that_coq_can_name,
     tell_written,
+    with_distance,
 )
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
@@ -134,6 +135,12 @@ def inspect(
     from exactspline.cli.surfaces import surfaces_among
 
     check_approximate(approximate)
+    if ask:
+        near = with_distance(ask, epsilon, ())
+        if epsilon and near == ask:
+            remedy = "it is for those that end in _within, such as features_within"
+            raise OptionsError(f"--epsilon and --ask {ask[0]}", remedy=remedy)
+        ask = near
     read, good = each_read(curve, lambda name: (name, reading_of(name, approximate)))
     if with_surfaces := surfaces_among(read, requested=surfaces):
         if len(with_surfaces) < len(read):
