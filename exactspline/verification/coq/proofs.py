@@ -110,15 +110,15 @@ class Proof(Nonzero):
                 self.recognize(parts)
                 continue
             base, power = _base(node)
-            value = self.setting.flat(self.evaluation(base))
-            self.existing.append(Premise(f"D{len(self.existing) + 1}", base, value))
-            if value.bottom.is_one() and len(value.top) > LARGE:
+            assumed = Premise(f"D{len(self.existing) + 1}", base, self.setting.flat(self.evaluation(base)))
+            self.existing.append(assumed)
+            if assumed.value.bottom.is_one() and len(assumed.value.top) > LARGE:
                 self.known.append(((*[0] * len(self.atoms), power), ()))
-                self._add(value.top, f"vm_cast_no_check {self.existing[-1].name}", self.writer(base))
+                self._add(assumed.value.top, f"vm_cast_no_check {assumed.name}", self.writer(base))
             else:
                 for polynomial, _ in parts.powers:
                     if not self.follows(polynomial):
-                        self._divides(polynomial, self.existing[-1])
+                        self._divides(polynomial, assumed)
                 self.recognize(parts)
 
     def meet(self, atom: Atom) -> None:
