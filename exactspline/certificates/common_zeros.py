@@ -1,19 +1,23 @@
-"""Checks a certificate of the common zeros of two functions of two parameters, with only the standard library.
+"""Checks a certificate of the common zeros of functions of two parameters, with only the standard library.
 
 On each patch the functions are given by integers: Bernstein coefficients on the unit square, up to a positive constant
 for each of them. The square is halved again and again, as the certificate says; on every box that remains a
-combination of both functions has Bernstein coefficients of one strict sign, or the box is inside the region of a zero.
-In a region the Jacobian of two combinations is regular, even if its rows are taken at different points: at most one
-point is a common zero there. That there is one is proved by opposite signs on opposite sides (Miranda), by its rational
-parameters, or by a common divisor on an edge of the patch.
+combination of the functions has Bernstein coefficients of one strict sign, or the box is inside the region of a zero.
+
+In the region of a simple zero the Jacobian of two combinations is regular, even if its rows are taken at different
+points: at most one point is a common zero there. That there is one is proved by opposite signs on opposite sides
+(Miranda), by its rational parameters, or by a common divisor on an edge of the patch. In the region of any other zero
+all of this is proved by elimination (`exactspline.certificates.elimination`).
 """
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
 from itertools import combinations, pairwise, product
 from math import comb
 from typing import Any
 
+from exactspline.certificates.elimination import check_single_zero, powers_of_net
 from exactspline.certificates.intersections import changes_sign, common_divisor
 from exactspline.certificates.numbers import count, fraction, integer, require
 from exactspline.certificates.zeros import halves_at, values_on
@@ -25,61 +29,67 @@ Box = tuple[Side, Side]
 #: The cuts of a box: at the middle of its first side, and of its second.
 FIRST, SECOND = "first", "second"
 #: How the existence of a zero is proved.
-CROSSED, POINT, EDGE = "crossed", "point", "edge"
+CROSSED, POINT, EDGE, ELIMINATED = "crossed", "point", "edge", "eliminated"
 HALF = Fraction(1, 2)
 
 
 def check_common_zeros(certificate: Mapping[str, object]) -> dict[str, int]:
-    """The number of common zeros that a certificate proves, all of them simple, one for each patch that has it."""
+    """The number of common zeros that a certificate proves, one for each patch that has it; of two functions also the
+    sum of the intersection multiplicities.
+    """
     return _of_all_patches(certificate)
 
 
 def _of_all_patches(certificate: Mapping[str, Any]) -> dict[str, int]:
-    return {"zeros": sum(map(_on_patch, certificate["patches"]))}
+    found = [_on_patch(patch) for patch in certificate["patches"]]
+    zeros = {"zeros": sum(map(len, found))}
+    is_pair = all(len(patch["functions"]) == 2 for patch in certificate["patches"])
+    return zeros | ({"multiplicity": sum(map(sum, found))} if is_pair else {})
 
 
-def _on_patch(patch: Mapping[str, Any]) -> int:
-    require(len(patch["functions"]) == 2, "another number of functions than two")
-    f, g = ([[integer(x) for x in row] for row in net] for net in patch["functions"])
-    sizes = {len(row) for row in (*f, *g)}
-    require(len(f) == len(g) > 0 and len(sizes) == 1 and 0 not in sizes, "functions of different degrees")
-    regions = [_region(f, g, zero) for zero in patch["zeros"]]
+def _on_patch(patch: Mapping[str, Any]) -> list[int]:
+    """The multiplicities of the zeros on a patch."""
+    require(len(patch["functions"]) >= 2, "fewer functions than two")
+    functions = [[[integer(x) for x in row] for row in net] for net in patch["functions"]]
+    sizes = {(len(net), len(row)) for net in functions for row in net}
+    require(len(sizes) == 1 and all(map(all, sizes)) and all(functions), "functions of different degrees")
+    proved = [_region(functions, zero) for zero in patch["zeros"]]
+    regions = [region for region, _ in proved]
     for one, other in combinations(regions, 2):
         apart = any(a[1] < b[0] or b[1] < a[0] for a, b in zip(one, other, strict=True))
         require(apart, "regions of two zeros that meet")
-    _check_boxes(f, g, patch["boxes"], regions)
-    return len(regions)
+    _check_boxes(functions, patch["boxes"], regions)
+    return [times for _, times in proved]
 
 
 # ---- boxes
 
 
-def _check_boxes(f: Net, g: Net, tokens: Sequence[Any], regions: Sequence[Box]) -> None:
+def _check_boxes(functions: Sequence[Net], tokens: Sequence[Any], regions: Sequence[Box]) -> None:
     """The boxes in the order in which they are reached, the lower half of a box first: its cut, the number of a region,
     or the coefficients of a combination.
     """
     unit = (Fraction(0), Fraction(1))
-    todo = [((unit, unit), f, g)]
+    todo = [((unit, unit), list(functions))]
     for token in tokens:
         require(bool(todo), "more boxes than the cuts leave")
-        box, p, q = todo.pop()
+        box, nets = todo.pop()
         if token in (FIRST, SECOND):
             k = int(token == SECOND)
             low, high = box[k]
             middle = (low + high) / 2
-            pairs = [_halves(net, k) for net in (p, q)]
+            pairs = [_halves(net, k) for net in nets]
             for end in (1, 0):
                 side = (low, middle) if end == 0 else (middle, high)
                 half = (box[0], side) if k else (side, box[1])
-                todo.append((half, pairs[0][end], pairs[1][end]))
+                todo.append((half, [pair[end] for pair in pairs]))
         elif type(token) is int:
             require(0 <= token < len(regions), "the number of a region that does not exist")
             inside = all(a <= low <= high <= b for (low, high), (a, b) in zip(box, regions[token], strict=True))
             require(inside, "a box that is not inside the region of a zero")
         else:
             require(type(token) is list, "neither a cut, a region nor a combination")
-            a, b = map(integer, token)
-            require(_sign(_combined(p, a, q, b)) != 0, "a box on which the combination has not one sign")
+            require(_sign(_combined(nets, token)) != 0, "a box on which the combination has not one sign")
     require(not todo, "boxes that are missing")
 
 
@@ -99,8 +109,14 @@ def _part(net: Net, box: Box) -> Net:
     return _turned([values_on(column, *box[0]) for column in _turned(rows)])
 
 
-def _combined(f: Net, a: int, g: Net, b: int) -> Net:
-    return [[a * x + b * y for x, y in zip(p, q, strict=True)] for p, q in zip(f, g, strict=True)]
+def _combined(nets: Sequence[Net], coefficients: Sequence[Any]) -> Net:
+    """The combination of functions with these coefficients."""
+    require(len(coefficients) == len(nets), "a combination of another number of functions")
+    scales = [integer(x) for x in coefficients]
+    return [
+        [sum(c * x for c, x in zip(scales, values, strict=True)) for values in zip(*rows, strict=True)]
+        for rows in zip(*nets, strict=True)
+    ]
 
 
 def _sign(net: Net) -> int:
@@ -112,16 +128,19 @@ def _sign(net: Net) -> int:
 # ---- the region of a zero
 
 
-def _region(f: Net, g: Net, zero: Mapping[str, Any]) -> Box:
+def _region(functions: Sequence[Net], zero: Mapping[str, Any]) -> tuple[Box, int]:
+    """The region of a zero, and its multiplicity."""
     first, second = ((fraction(low), fraction(high)) for low, high in zero["region"])
     require(0 <= first[0] < first[1] <= 1 and 0 <= second[0] < second[1] <= 1, "a region that is not in the square")
     box = first, second
-    parts = _part(f, box), _part(g, box)
-    one, other = (_combined(parts[0], integer(a), parts[1], integer(b)) for a, b in zero["combinations"])
+    if zero["by"] == ELIMINATED:
+        return box, check_single_zero([powers_of_net(net) for net in functions], box, zero)
+    parts = [_part(net, box) for net in functions]
+    one, other = (_combined(parts, row) for row in zero["combinations"])
     require(_is_regular(one, other), "a region in which the Jacobian may be singular")
     require(zero["by"] in PROOFS, "a zero without a proof")
-    PROOFS[zero["by"]](f, g, box, (one, other), zero)
-    return box
+    PROOFS[zero["by"]](functions, box, (one, other), zero)
+    return box, 1
 
 
 def _is_regular(one: Net, other: Net) -> bool:
@@ -148,16 +167,17 @@ def _product(one: tuple[int, int], other: tuple[int, int]) -> tuple[int, int]:
     return _range([x * y for x, y in product(one, other)])
 
 
-def _is_crossed(f: Net, g: Net, box: Box, pair: tuple[Net, Net], zero: Mapping[str, Any]) -> None:
+def _is_crossed(functions: Sequence[Net], box: Box, pair: tuple[Net, Net], zero: Mapping[str, Any]) -> None:
+    require(len(functions) == 2, "signs of two combinations for more functions")
     one, other = pair[0], _turned(pair[1])
     signs = [_sign([net[0]]) * _sign([net[-1]]) for net in (one, other)]
     require(signs == [-1, -1], "sides without opposite signs")
 
 
-def _is_at_point(f: Net, g: Net, box: Box, pair: tuple[Net, Net], zero: Mapping[str, Any]) -> None:
+def _is_at_point(functions: Sequence[Net], box: Box, pair: tuple[Net, Net], zero: Mapping[str, Any]) -> None:
     point = [fraction(x) for x in zero["point"]]
     require(all(low <= x <= high for x, (low, high) in zip(point, box, strict=True)), "a point outside its region")
-    require(all(_value(net, point) == 0 for net in (f, g)), "a point at which a function is not zero")
+    require(all(_value(net, point) == 0 for net in functions), "a point at which a function is not zero")
 
 
 def _value(net: Net, point: Sequence[Fraction]) -> Fraction:
@@ -169,13 +189,13 @@ def _blended(values: Sequence[Any], t: Fraction) -> Fraction:
     return sum((comb(n, i) * (1 - t) ** (n - i) * t**i * x for i, x in enumerate(values)), Fraction(0))
 
 
-def _is_on_edge(f: Net, g: Net, box: Box, pair: tuple[Net, Net], zero: Mapping[str, Any]) -> None:
+def _is_on_edge(functions: Sequence[Net], box: Box, pair: tuple[Net, Net], zero: Mapping[str, Any]) -> None:
     direction, end = (count(x) for x in zero["edge"])
     require(direction in (0, 1) and end in (0, 1) and box[direction][end] == end, "an edge that is not in the region")
-    edges = [(_turned(net) if direction else net)[-end] for net in (f, g)]
-    common = common_divisor(*([comb(len(b) - 1, i) * x for i, x in enumerate(b)] for b in edges))
+    edges = [(_turned(net) if direction else net)[-end] for net in functions]
+    common = reduce(common_divisor, ([comb(len(b) - 1, i) * x for i, x in enumerate(b)] for b in edges))
     require(len(common) > 1 and changes_sign(common, *box[1 - direction]), "an edge without a zero")
 
 
-Proof = Callable[[Net, Net, Box, tuple[Net, Net], Mapping[str, Any]], None]
+Proof = Callable[[Sequence[Net], Box, tuple[Net, Net], Mapping[str, Any]], None]
 PROOFS: dict[str, Proof] = {CROSSED: _is_crossed, POINT: _is_at_point, EDGE: _is_on_edge}

@@ -2,7 +2,7 @@
 every leaf, by de Casteljau's algorithm on integers, and the number of zeros of every segment by a Sturm sequence.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import comb, gcd, lcm
@@ -133,7 +133,7 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
     return (start, _end_signs(inner)[0]), (end, _end_signs(inner)[1]), zeros
 
 
-def product_of(p: list[int], q: list[int]) -> list[int]:
+def product_of(p: Sequence[Any], q: Sequence[Any]) -> list[Any]:
     """The product of two polynomials."""
     return [
         sum(p[j] * q[i - j] for j in range(max(0, i - len(q) + 1), min(i + 1, len(p))))

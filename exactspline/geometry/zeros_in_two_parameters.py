@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from enum import StrEnum
 from functools import cached_property
-from itertools import product
+from itertools import combinations, product
 from typing import NamedTuple, cast
 
 from flint import fmpz_mpoly
@@ -23,6 +24,7 @@ from exactspline.geometry.surface.common_factor import square_free
 from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.geometry.surface.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
+from exactspline.geometry.zero_curve_certificate import zero_curve_certificate
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
@@ -39,19 +41,53 @@ from exactspline.splines.expected import function_of_two
 from exactspline.splines.tensor import TensorSpline, aligned
 
 
+class ZeroKind(StrEnum):
+    """How functions vanish together at a point."""
+
+    #: The gradients of two of them are linearly independent.
+    TRANSVERSAL = "transversal"
+    #: The curves on which they vanish have one tangent.
+    TOUCHING = "touching"
+    #: One of them vanishes there with both its derivatives.
+    MULTIPLE = "multiple"
+    #: A function, or a factor that all of them share, vanishes at this point and at no other one around it.
+    ISOLATED = "isolated"
+    #: On a knot line; of different kinds on the patches that meet, or not a zero on all of them.
+    KNOT = "different on patches that meet"
+
+
+class ZeroPlace(StrEnum):
+    """Where a point is in the rectangle of both parameters."""
+
+    INSIDE = "inside a patch"
+    KNOT = "on a knot line"
+    BORDER = "on the border"
+    CORNER = "at a corner"
+
+
 @dataclass(frozen=True)
 class CommonZero:
-    """A point at which functions vanish together: its two parameters, and the patches on which it was found.
+    """A point at which functions vanish together: its two parameters, of which `kind` it is and `where`, and the
+    patches on which it was found.
 
-    `multiplicity` is the intersection multiplicity of two functions: 1 where their gradients are linearly independent,
-    at knots the least of those of the patches. It is None for more functions, and where a common factor vanishes at
-    this point alone or it would take too long.
+    `multiplicity` is the intersection multiplicity: 1 where it is transversal, at knots the least of those of the
+    patches. It is None for more than two functions at other points, and where a common factor vanishes at this point
+    alone. Both `kind` and `multiplicity` are None where it would take too long to compute them.
     """
 
     first: Real
     second: Real
     multiplicity: int | None = None
     patches: tuple[Patch, ...] = field(default=(), compare=False)
+    kind: ZeroKind | None = None
+    where: ZeroPlace = ZeroPlace.INSIDE
+
+    @property
+    def contact(self) -> int | None:
+        """The order of contact of two curves that meet transversally (0) or touch: the multiplicity less one."""
+        if self.kind not in (ZeroKind.TRANSVERSAL, ZeroKind.TOUCHING) or self.multiplicity is None:
+            return None
+        return self.multiplicity - 1
 
     @property
     def place(self) -> Place:
@@ -63,8 +99,9 @@ class CommonZero:
         return Box(self.first.enclosure(digits), self.second.enclosure(digits))
 
     def __repr__(self) -> str:
+        kind = "" if self.kind in (None, ZeroKind.TRANSVERSAL, ZeroKind.ISOLATED) else f", {self.kind}"
         times = "" if self.multiplicity in (None, 1) else f", multiplicity {self.multiplicity}"
-        return f"<zero at {self.first.shortly()} and {self.second.shortly()}{times}>"
+        return f"<zero at {self.first.shortly()} and {self.second.shortly()}{kind}{times}>"
 
 
 @dataclass(frozen=True, repr=False)
@@ -74,23 +111,44 @@ class CommonZeros(SurfacePlaces[CommonZero]):
     functions: tuple[TensorSpline, ...] = field(default=(), compare=False)
 
     def certificate(self) -> dict[str, object]:
-        """A proof, as JSON data with exact strings, that these are all (see `exactspline.certificates`): of two
-        functions whose common zeros are simple.
+        """A proof, as JSON data with exact strings, that these are all, and of two functions also of their
+        multiplicities (see `exactspline.certificates`).
 
         >>> from exactspline import TensorSpline, check_certificate
         >>> flat, knots = [0, 0, 1, 1], [0, 0, 0, 1, 1, 1]
         >>> line = TensorSpline((1, 1), flat, flat, [[0, -1], [1, 0]])  # s − t
         >>> circle = TensorSpline((2, 2), knots, knots, [[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # s² + t² − 1
         >>> check_certificate(common_zeros(circle, line).certificate())
-        {'zeros': 1}
+        {'zeros': 1, 'multiplicity': 1}
+        >>> check_certificate(common_zeros(circle, line * line).certificate())
+        {'zeros': 1, 'multiplicity': 2}
 
-        Raises `ReachError` for other answers.
+        Raises `ReachError` where something is `undecided` or `everywhere`, and where the proof is too long.
         """
-        if len(self.functions) != 2 or self.everywhere or self.undecided:
+        if not self.functions or self.everywhere or self.undecided:
             raise ReachError(
-                "a certificate of other zeros than single ones of two functions", remedy="ask for the points"
+                "a certificate where functions vanish together along a curve, or something is undecided",
+                remedy="divide by the common factor; ask for the points",
             )
-        return common_zeros_certificate(*self.functions, [((x.first, x.second), x.patches) for x in self.points])
+        return common_zeros_certificate(self.functions, [(x.place, x.patches) for x in self.points])
+
+
+@dataclass(frozen=True)
+class ZeroArc:
+    """An arc of a curve of zeros, between two singular points or points on the border, by the parameters of both. An
+    end is None in an undecided box; both are of a `closed` curve without such points.
+    """
+
+    curve: ZeroComponent = field(compare=False)
+    start: tuple[Real, Real] | None
+    end: tuple[Real, Real] | None
+    closed: bool = False
+
+    def __repr__(self) -> str:
+        if self.closed:
+            return "<closed loop>"
+        start, end = ("?" if x is None else " and ".join(t.shortly() for t in x) for x in (self.start, self.end))
+        return f"<arc from {start} to {end}>"
 
 
 @dataclass(frozen=True, repr=False)
@@ -136,6 +194,44 @@ class ZeroCurves:
                     found.setdefault(place, []).append(SingularPoint(s, t, kind, order, milnor, (patch,)))
         points = [_of_all_patches(own) for own in found.values()]
         return tuple(sorted(points, key=lambda point: (point.first, point.second)))
+
+    @cached_property
+    def arcs(self) -> tuple[ZeroArc, ...]:
+        """The arcs of all `curves` between singular points and points on the border; a closed curve without any of them
+        is one arc without ends. They run on through points at which a curve crosses one of the `lines`.
+
+        >>> from exactspline import TensorSpline
+        >>> knots = [0, 0, 0, 1, 1, 1]
+        >>> cross = TensorSpline((2, 2), knots, knots, [[0, -1, 0], [1, 0, 1], [0, -1, 0]])  # (s − t)(1 − s − t)
+        >>> len(zero_curve(cross).arcs), zero_curve(cross).arcs[0]
+        (4, <arc from 0 and 0 to 1/2 and 1/2>)
+
+        Raises `ReachError` where that would take too long.
+        """
+        if self.function is None:
+            return ()
+        with drawing_on(_budget(self.function)):
+            return tuple(
+                ZeroArc(curve, _reals(start), _reals(end), closed)
+                for curve in self.curves
+                for start, end, closed in curve.arcs(self.function.domain)
+            )
+
+    def certificate(self) -> dict[str, object]:
+        """A proof, as JSON data with exact strings, of the numbers of lines, loops, arcs, curves with crossings and
+        single points, each counted on every patch that has it (see `exactspline.certificates`).
+
+        >>> from exactspline import TensorSpline, check_certificate
+        >>> knots = [0, 0, 0, 1, 1, 1]
+        >>> cross = TensorSpline((2, 2), knots, knots, [[0, -1, 0], [1, 0, 1], [0, -1, 0]])  # (s − t)(1 − s − t)
+        >>> check_certificate(zero_curve(cross).certificate())
+        {'lines': 0, 'loops': 0, 'arcs': 0, 'crossed': 1, 'points': 0}
+
+        Raises `ReachError` where something is `undecided`, the function vanishes on a patch, or the proof is too long.
+        """
+        if self.function is None or self.undecided:
+            raise ReachError("a certificate where something is undecided", remedy="ask for the curves")
+        return zero_curve_certificate(self.function)
 
     def __bool__(self) -> bool:
         return any((self.lines, self.curves, self.points, self.everywhere, self.undecided))
@@ -241,6 +337,10 @@ def _real(x: Parameter) -> Real:
     return x if isinstance(x, Root) else Real(x)
 
 
+def _reals(place: Place | None) -> tuple[Real, Real] | None:
+    return None if place is None else (_real(place[0]), _real(place[1]))
+
+
 def _plain(x: Real) -> Parameter:
     return x if isinstance(x, Root) else cast(mpq, x.exact)
 
@@ -249,6 +349,7 @@ class _Zero(NamedTuple):
     """A zero on one patch."""
 
     place: Place
+    kind: ZeroKind | None
     multiplicity: int | None
     patch: Patch
 
@@ -276,16 +377,22 @@ def _common_on_patch(
     rest = [p / shared for p in polynomials]
     for zero in elimination.common_zeros(rest, sides):
         if shared.total_degree() == 0 or not vanish_at([shared], *zero.place):
-            times = _multiplicity(zero, rest) if len(rest) == len(forms) == 2 else None
-            found.append(_Zero(zero.place, times, patch))
+            found.append(_Zero(zero.place, *_nature(zero, rest), patch))
     return found, whole, undecided
 
 
-def _multiplicity(zero: elimination.CommonZero, pair: Sequence[fmpz_mpoly]) -> int | None:
+def _nature(zero: elimination.CommonZero, polynomials: Sequence[fmpz_mpoly]) -> tuple[ZeroKind | None, int | None]:
+    """The kind and the multiplicity of a common zero of polynomials without a common factor."""
+    slopes = [(p.derivative(0), p.derivative(1)) for p in polynomials]
     try:
-        return elimination.multiplicity(zero, *pair)
+        for (a, b), (c, d) in combinations(slopes, 2):
+            if (jacobian := a * d - b * c) and not vanish_at([jacobian], *zero.place):
+                return ZeroKind.TRANSVERSAL, 1
+        is_multiple = any(vanish_at([f for f in pair if f], *zero.place) for pair in slopes)
+        kind = ZeroKind.MULTIPLE if is_multiple else ZeroKind.TOUCHING
+        return kind, elimination.multiplicity(zero, *polynomials) if len(polynomials) == 2 else None
     except ReachError:
-        return None
+        return None, None
 
 
 def _of_factor(p: fmpz_mpoly, patch: Patch, sides: Box) -> tuple[list[_Zero], list[SurfacePart], list[Box]]:
@@ -314,7 +421,7 @@ def _single(components: Iterable[ZeroComponent]) -> tuple[list[_Zero], list[Box]
     for component in components:
         for piece in component.pieces:
             try:
-                points.append(_Zero(place_of(piece).spot, None, piece.patch))
+                points.append(_Zero(place_of(piece).spot, ZeroKind.ISOLATED, None, piece.patch))
             except ReachError:
                 undecided += [piece.sides.part(cell) for cell in piece.part.cells]
     return points, undecided
@@ -341,8 +448,23 @@ def _each_once(found: Sequence[_Zero], f: TensorSpline) -> tuple[CommonZero, ...
     for group in (*inner, *at_knots.values()):
         first, second = map(_real, group[0].place)
         times = min((zero.multiplicity for zero in group if zero.multiplicity is not None), default=None)
-        points.append(CommonZero(first, second, times, tuple(zero.patch for zero in group)))
+        patches, kinds = tuple(zero.patch for zero in group), {zero.kind for zero in group}
+        where, around = _where(group[0].place, f)
+        kind = kinds.pop() if len(kinds) == 1 and len(patches) == around else ZeroKind.KNOT
+        points.append(CommonZero(first, second, times, patches, kind, where))
     return tuple(sorted(points, key=lambda point: (point.first, point.second)))
 
 
-__all__ = ["CommonZero", "CommonZeros", "ZeroCurves", "common_zeros", "zero_curve"]
+def _where(place: Place, f: TensorSpline) -> tuple[ZeroPlace, int]:
+    """Where a point is, and the number of patches that meet there."""
+    ends = knots = 0
+    for x, mesh in zip(place, f.meshes, strict=True):
+        if not isinstance(x, Root):
+            is_end = x in (mesh.breaks[0], mesh.breaks[-1])
+            ends, knots = ends + is_end, knots + (not is_end and x in mesh.breaks)
+    if ends:
+        return (ZeroPlace.CORNER if ends == 2 else ZeroPlace.BORDER), 1 << knots
+    return (ZeroPlace.KNOT if knots else ZeroPlace.INSIDE), 1 << knots
+
+
+__all__ = ["CommonZero", "CommonZeros", "ZeroArc", "ZeroCurves", "ZeroKind", "ZeroPlace", "common_zeros", "zero_curve"]

@@ -381,6 +381,31 @@ def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:
     jacobian = f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)
     if not vanish_at([jacobian], *zero.place):
         return 1
+    return projected(zero, f, g).multiplicity
+
+
+class Projection(NamedTuple):
+    """A common zero of two polynomials as a root of their resultant in ``z = t + slope s``: the irreducible factor of
+    which z is a root, and its multiplicity; s as a polynomial in z over the field of z, and the power of ``s − s(z)``
+    that is the greatest common divisor there.
+    """
+
+    slope: int
+    minimal: fmpz_poly
+    multiplicity: int
+    s: fmpq_poly
+    power: int
+
+
+def projected(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> Projection:
+    """The projection of a common zero of polynomials without a common factor along which no other one has the same z.
+
+    >>> f, g = 2 * S * S - 1, (S - T) ** 2
+    >>> projected(common_zeros([f, g], UNIT)[0], f, g)
+    Projection(slope=1, minimal=x^2 + (-2), multiplicity=2, s=1/2*x, power=1)
+
+    Raises `ReachError` where that would take too long.
+    """
     slope = 0
     while True:
         slope += 1
@@ -389,8 +414,9 @@ def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:
         if all(own[-1].degree() > 0 for own in rows):
             continue  # zeros at infinity would be counted
         factor, times = _factor_at(resultant(*rows), zero, slope)
-        if Column.of(sheared, factor).zeros.degree == 1:
-            return times
+        column = Column.of(sheared, factor)
+        if column.zeros.degree == 1:
+            return Projection(slope, factor, times, -column.zeros.coefficients[0], column.degree)
 
 
 def _factor_at(eliminant: fmpz_poly, zero: CommonZero, slope: int) -> tuple[fmpz_poly, int]:
@@ -422,6 +448,8 @@ class Column:
 
     minimal: fmpz_poly
     zeros: OverRoot
+    #: The degree of their greatest common divisor, of which the zeros may be multiple ones.
+    degree: int
 
     @classmethod
     def of(cls, polynomials: Sequence[fmpz_mpoly], minimal: fmpz_poly) -> Column:
@@ -431,7 +459,7 @@ class Column:
         modulus = fmpq_poly(minimal)
         common = reduce(lambda p, q: p.gcd(q), [OverRoot.of(p, modulus) for p in polynomials])
         slope = OverRoot([c * k for k, c in enumerate(common.coefficients)][1:], modulus)
-        return cls(minimal, common // common.gcd(slope) if slope else common)
+        return cls(minimal, common // common.gcd(slope) if slope else common, common.degree)
 
     @cached_property
     def candidates(self) -> list[Parameter]:
@@ -562,4 +590,14 @@ def _sign_over(x: fmpq_poly, s: Parameter) -> int:
         digits *= 2
 
 
-__all__ = ["Column", "CommonZero", "Found", "common_along", "common_zeros", "multiplicity", "zeros_of"]
+__all__ = [
+    "Column",
+    "CommonZero",
+    "Found",
+    "Projection",
+    "common_along",
+    "common_zeros",
+    "multiplicity",
+    "projected",
+    "zeros_of",
+]

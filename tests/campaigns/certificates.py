@@ -1,5 +1,6 @@
-"""Certificates of intersections and of common zeros, changed at random: what the checker accepts must be true of the
-changed data, by elimination (`tests.support.elimination_oracle`), which shares no code with the checker.
+"""Certificates of intersections, common zeros and curves of zeros, changed at random: what the checker accepts must be
+true of the changed data, by elimination (`tests.support.elimination_oracle`) or, of curves, by the library; neither
+shares code with the checker.
 
 python -m tests.campaigns.certificates --count 1000 --seed 1 --record campaign.json
 """
@@ -11,16 +12,26 @@ import sys
 from collections import Counter
 from fractions import Fraction
 from math import comb
+from operator import itemgetter
 from pathlib import Path
 from random import Random
 
-from exactspline import TensorSpline, check_certificate, common_zeros, intersections
+from exactspline import TensorSpline, check_certificate, common_zeros, intersections, zero_curve
 from exactspline.errors import ReachError, ShapeError
+from exactspline.geometry.surface.zero_curve import Shape
+from exactspline.polynomials.two_parameters import as_form
+from tests.campaigns.common_zeros import any_polynomial, irrational, tangent, through
 from tests.campaigns.intersections import FAMILIES, curve
 from tests.support.elimination_oracle import S, T, common_points, solutions
 
 #: Texts in certificates that are not numbers.
-WORDS = ("inside", "outside", "start", "end"), ("crossed", "point", "edge"), ("first", "second")
+WORDS = (
+    ("inside", "outside", "start", "end"),
+    ("crossed", "point", "edge", "eliminated"),
+    ("first", "second"),
+    ("sign", "first monotone", "second monotone"),
+    ("node", "point", "branches"),
+)
 
 
 # ---- certificates
@@ -57,6 +68,50 @@ def of_common_zeros(random):
             return functions, common_zeros(*functions).certificate()
         except ReachError:
             continue
+
+
+def of_multiple_zeros(random):
+    """Two functions or three with zeros of any multiplicity, of the campaign of common zeros, and their certificate."""
+    while True:
+        pair = random.choice([through, irrational, tangent])(random)
+        functions = [spline(p) for p in (*pair, *[pair[0] + pair[1] * (S - T)] * (random.random() < 0.2))]
+        try:
+            found = common_zeros(*functions)
+            if any(zero.multiplicity != 1 for zero in found):
+                return functions, found.certificate()
+        except ReachError:
+            continue
+
+
+def spline(p):
+    """A polynomial in s and t as a function on the unit square."""
+    net = as_form(p).matrix.tolist()
+    m, n = len(net) - 1, len(net[0]) - 1
+    knots = ([0] * (k + 1) + [1] * (k + 1) for k in (m, n))
+    return TensorSpline((m, n), *knots, [[int(x) for x in row] for row in net])
+
+
+def of_zero_curves(random):
+    """A function with loops, arcs, crossings, singular points, lines or multiple factors, and the certificate of its
+    zeros.
+    """
+    while True:
+        x, y = random.randint(1, 4) * S - random.randint(0, 2), random.randint(1, 4) * T - random.randint(0, 2)
+        p = random.choice(
+            [
+                any_polynomial(random, random.randint(1, 4), random.randint(1, 3)),
+                any_polynomial(random, 2, 1) * any_polynomial(random, 1, 2),
+                sum((f * any_polynomial(random, 1, 1, 4) for f in (x * x, x * y, y * y)), S * 0),
+                any_polynomial(random, 1, 0) * any_polynomial(random, 1, 1) ** 2,
+                y**2 - random.randint(1, 3) * x ** random.randint(3, 5),
+            ]
+        )
+        if p.total_degree() > 0:
+            found = zero_curve(spline(p))
+            try:
+                return found, found.certificate()
+            except ReachError:
+                continue
 
 
 # ---- changes
@@ -137,7 +192,37 @@ def polynomial(net):
     return sum(terms, S * 0)
 
 
-SORTS = {"intersections": (of_intersections, points_of, "points"), "common zeros": (of_common_zeros, zeros_of, "zeros")}
+def topology_of(certificate):
+    """The numbers of lines and of curves of each shape on all patches, and of single points where there are no lines,
+    which may run through some; None where something is undecided.
+    """
+    total = Counter()
+    for patch in certificate["patches"]:
+        net = [[int(x) for x in row] for row in patch["function"]]
+        knots = ([0] * len(own) + [1] * len(own) for own in (net, net[0]))
+        found = zero_curve(TensorSpline((len(net) - 1, len(net[0]) - 1), *knots, net))
+        if found.undecided or found.everywhere:
+            return None
+        total += Counter(SHAPES[curve.shape] for curve in found.curves)
+        total += {"lines": len(found.lines), "points": len(found.points)}
+    return counts_of(total)
+
+
+SHAPES = {Shape.LOOP: "loops", Shape.ARC: "arcs", Shape.CROSSED: "crossed"}
+
+
+def counts_of(found):
+    lines = found["lines"]
+    return lines, found["loops"], found["arcs"], found["crossed"], None if lines else found["points"]
+
+
+#: A certificate of each sort; what is true of its data; and the same in what the checker returns.
+SORTS = {
+    "intersections": (of_intersections, points_of, itemgetter("points")),
+    "common zeros": (of_common_zeros, zeros_of, itemgetter("zeros")),
+    "multiple zeros": (of_multiple_zeros, zeros_of, itemgetter("zeros")),
+    "zero curves": (of_zero_curves, topology_of, counts_of),
+}
 
 
 def campaign(sort, count, seed, every=8):
@@ -147,12 +232,12 @@ def campaign(sort, count, seed, every=8):
     while counts["rejected"] < count:
         if counts["changed"] % every == 0:
             certificate = json.loads(json.dumps(write(random)[1]))
-            if check_certificate(certificate)[what] != true_of(certificate):
+            if what(check_certificate(certificate)) != true_of(certificate):
                 wrong.append(certificate)
         counts["changed"] += 1
         forged = changed(certificate, random)
         try:
-            claimed = check_certificate(forged)[what]
+            claimed = what(check_certificate(forged))
         except ValueError:
             counts["rejected"] += 1
             continue

@@ -258,6 +258,10 @@ ROUNDED = {
     "geometry/floats.py: place_of": "rounds to a double, on request",
     "numbers/exact.py: double_root": "rounds to a double, on request",
     "geometry/nearby_forms.py: Family.crossing": "a guess: a number that any may be, certified afterwards",
+    "geometry/stability.py: _Lifting._moved": "a guess: a curve, whose features are counted exactly afterwards",
+    "geometry/stability.py: _Lifting._rows": "the same",
+    "geometry/stability.py: _Lifting.curves": "the same",
+    "geometry/stability.py: _best": "the same",
     "geometry/many_curves.py: _double": "the certified filter",
     "geometry/many_curves.py: _doubles": "the certified filter",
     "geometry/many_curves.py: _found": "the certified filter, which counts what has no double",
@@ -308,6 +312,7 @@ def test_what_rounds_is_found(code):
 UNBOUNDED = {
     "geometry/balls.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
     "geometry/bisector/polynomials.py: common_divisor": "over the field of a root: Euclid's algorithm, bounded",
+    "geometry/zero_curve_certificate.py: _part_at": "over the field of a root: a door with an estimated cost",
     "numbers/exact.py: common_divisor": "integers",
     "polynomials/bernstein.py: add": "integers",
     "polynomials/bernstein.py: common_denominators": "integers",

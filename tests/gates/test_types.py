@@ -69,10 +69,7 @@ def loose_signatures() -> set[str]:
 #: body (a scalar, a vector, a ruled surface) and on the reading of its argument.
 UNTYPED = {"language/formula.py: Formula.__call__"}
 #: Likewise what is written once for numbers, points, curves and surfaces, and for doubles and rational numbers.
-OF_SEVERAL = re.compile(
-    r"geometry/recognition/shapes\.py: (\w+\.(margins|parts|p|w)|cross_product|scalar)"
-    r"|geometry/nearby_forms\.py: best_factor"
-)
+OF_SEVERAL = re.compile(r"geometry/recognition/shapes\.py: (\w+\.(margins|parts|p|w)|cross_product|scalar)")
 
 
 def test_no_public_signature_has_any_but_the_call_of_a_formula():

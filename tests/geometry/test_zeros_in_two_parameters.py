@@ -194,6 +194,88 @@ def test_a_singular_point_at_a_knot():
     assert [str(x.kind) for x in zero_curve(turned + q).singular_points] == ["at a knot"]
 
 
+#: The size of the numbers of a place: small fractions, and the doubles next to them.
+DIALS = {"small": lambda x: x, "doubles": lambda x: mpq(float(x) * 1.0000000000000002)}
+
+
+@pytest.mark.parametrize("dial", DIALS)
+@pytest.mark.parametrize(
+    ("f", "g", "kind", "times", "contact"),
+    [
+        (lambda x, y: x + y * y, lambda x, y: y - x * x, "transversal", 1, 0),
+        (lambda x, y: y - x * x, lambda x, y: y, "touching", 2, 1),
+        (lambda x, y: y - x**3, lambda x, y: y + y * x, "touching", 3, 2),
+        (lambda x, y: y - x * x, lambda x, y: y - x * x - x**4 + y**3, "touching", 4, 3),
+        (lambda x, y: x * x - y * y, lambda x, y: x + 2 * y, "multiple", 2, None),  # a node and a line
+        (lambda x, y: x * x - y * y, lambda x, y: x - y + x * x, "multiple", 3, None),  # touching one of its branches
+        (lambda x, y: y * y - x**3, lambda x, y: x * x - y**3, "multiple", 4, None),  # two cusps
+        (lambda x, y: x * x + y * y, lambda x, y: x, "multiple", 2, None),
+    ],
+)
+def test_kinds_of_common_zeros(f, g, kind, times, contact, dial):
+    """Said before: only the multiplicity, so that a node on a line and two curves that touch were alike."""
+    a, b = (DIALS[dial](x) for x in (mpq(1, 3), mpq(2, 5)))
+    zeros = common_zeros(*(function(lambda s, t, p=p: p(s - a, t - b)) for p in (f, g)))
+    (point,) = [x for x in zeros if (x.first, x.second) == (a, b)]
+    assert (point.kind, point.multiplicity, point.contact, point.where) == (kind, times, contact, "inside a patch")
+    more = common_zeros(*(function(lambda s, t, p=p: p(s - a, t - b)) for p in (f, g, f)))
+    (point,) = [x for x in more if (x.first, x.second) == (a, b)]
+    assert (point.kind, point.multiplicity) == (kind, 1 if times == 1 else None)
+
+
+def test_where_common_zeros_are():
+    f, g = function(lambda s, t: s * (s - 1) * t), function(lambda s, t: (s - t) * (2 * t - 1))
+    assert [(x.place, str(x.where), str(x.kind), x.multiplicity) for x in common_zeros(f, g)] == [
+        ((0, 0), "at a corner", "multiple", 2),
+        ((0, mpq(1, 2)), "on the border", "transversal", 1),
+        ((1, mpq(1, 2)), "on the border", "transversal", 1),
+        ((1, 1), "at a corner", "transversal", 1),
+    ]
+    knots = [0, 0, 0, 1, 1, 2, 2, 2]
+    bent = TensorSpline((2, 0), knots, [0, 2], [[1], [0], [0], [0], [4]])  # (s − 1)² and 4 (s − 1)²
+    line = TensorSpline((0, 1), [0, 2], [0, 0, 2, 2], [[-1, 1]])
+    (point,) = common_zeros(bent, line)
+    assert (str(point.where), str(point.kind), point.multiplicity) == ("on a knot line", "multiple", 2)
+    turned = TensorSpline((2, 0), knots, [0, 2], [[1], [0], [0], [1], [2]])
+    (point,) = common_zeros(turned, line)
+    assert (str(point.kind), point.multiplicity) == ("different on patches that meet", 1)
+
+
+@pytest.mark.parametrize(
+    ("p", "ends"),
+    [
+        (lambda x, y: x * x + y * y - 1, [None]),
+        (lambda x, y: x**2 * (x + 1) - y**2, [("border", "node"), ("border", "node"), ("node", "node")]),
+        (lambda x, y: (x * x + y * y) ** 2 - 2 * (x * x - y * y), [("node", "node")] * 2),
+        (lambda x, y: x**3 - y**2, [("border", "cusp")] * 2),
+        (lambda x, y: x**4 - y**2, [("border", "tacnode")] * 4),
+        (lambda x, y: (x * x + y * y) ** 2 - x * (x * x - 3 * y * y), [("multiple point", "multiple point")] * 3),
+        (lambda x, y: x**2 * (x - 1) - y**2, [("border", "border")]),
+        (lambda x, y: (x * x - 2 * y * y) * (y - 3 * x - 1), [("border", "node")] * 6 + [("node", "node")] * 3),
+    ],
+)
+def test_arcs_between_singular_points(p, ends):
+    found = zero_curve(around(p))
+    kinds = {(x.first, x.second): str(x.kind) for x in found.singular_points}
+
+    def end(place):
+        return kinds.get(place, "border")
+
+    arcs = [None if arc.closed else tuple(sorted(map(end, (arc.start, arc.end)))) for arc in found.arcs]
+    assert sorted(arcs, key=str) == sorted(ends, key=str)
+
+
+def test_arcs_run_on_over_knots():
+    """A circle around a crossing of knot lines is one loop; a node on a knot line has four arcs."""
+    knots = [0, 0, 0, 1, 1, 2, 2, 2]
+    circle = TensorSpline((2, 0), knots, [0, 2], [[2], [0], [0], [0], [2]])
+    circle = circle + TensorSpline((0, 2), [0, 2], knots, [[2, 0, 0, 0, 2]])
+    (arc,) = zero_curve(circle - TensorSpline((0, 0), [0, 2], [0, 2], [[1]])).arcs
+    assert arc.closed
+    cross = TensorSpline((1, 1), [0, 0, 1, 2, 2], [0, 0, 2, 2], [[1, -1], [-1, -1], [-3, -1]])
+    assert [(arc.start[0], arc.end[0]) for arc in zero_curve(cross).arcs] == [(mpq(0), mpq(1, 2))]
+
+
 def test_what_is_refused():
     f = function(lambda s, t: s - t)
     with pytest.raises(ShapeError, match="where a function of two parameters is expected"):
@@ -208,3 +290,9 @@ def test_what_is_out_of_reach_is_undecided(monkeypatch):
     monkeypatch.setattr(zeros_in_two_parameters, "QUESTION", 0)
     found = common_zeros(f, g)
     assert (len(found), bool(found), len(found.undecided)) == (0, True, 1)
+
+
+def test_a_zero_of_what_remains_on_a_common_line_is_no_single_one():
+    """A mutant passed: (1/2, 1/2) as a point beside the line s = 1/2, on which it is."""
+    found = common_zeros(function(lambda s, t: (2 * s - 1) * (t - s)), function(lambda s, t: (2 * s - 1) * (t + s - 1)))
+    assert (found.points, len(found.everywhere)) == ((), 1)

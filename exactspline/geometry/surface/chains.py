@@ -8,7 +8,7 @@ polynomials; whether two of these roots are equal is decided exactly. The two en
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence, Set
+from collections.abc import Hashable, Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -38,10 +38,11 @@ class Piece(NamedTuple):
         """Its points on the border of the patch, in the parameters of the surface, and how many arcs end at each."""
         ends = self.part.ends
         for vertex in self.part.vertices:
-            if (spot := self._spot(vertex)) is not None:
+            if (spot := self.spot(vertex)) is not None:
                 yield spot, ends[vertex]
 
-    def _spot(self, vertex: Vertex) -> Spot | None:
+    def spot(self, vertex: Vertex) -> Spot | None:
+        """The parameters of a point on the border of the patch, in those of the surface; None for one inside."""
         if vertex.other is not None:
             if not {vertex.value, vertex.other} & {0, 1}:
                 return None
@@ -73,6 +74,75 @@ class ZeroComponent:
     def patches(self) -> tuple[Patch, ...]:
         """The patches that it meets."""
         return tuple(dict.fromkeys(piece.patch for piece in self.pieces))
+
+    def arcs(self, domain: Box, closed: Sequence[Along] = ()) -> list[tuple[Spot | None, Spot | None, bool]]:
+        """The arcs between singular points and points on the border, by the parameters of both ends, None for an end in
+        an undecided box; and whether it is closed and has no such points. Raises `ReachError` where it would take too
+        long to compute those of a singular point.
+        """
+        graph, special = _graph(self.pieces, domain, closed), dict[Hashable, Spot]()
+        for k, piece in enumerate(self.pieces):
+            special |= {(k, joint.box): joint.zero.on(piece.sides).place for joint in piece.part.joints}
+        inner = {node for node, near in graph.items() if len(near) == 2 and node not in special}
+        ends = [(node, way) for node, near in graph.items() if node not in inner for way in near]
+        found = list[tuple[Spot | None, Spot | None, bool]]()
+        while ends:
+            start, way = ends.pop(0)
+            node = _other(way, start)
+            while node in inner:
+                inner.remove(node)
+                way = next(other for other in graph[node] if other is not way)
+                node = _other(way, node)
+            ends.remove((node, way))
+            found.append((_place(start, special), _place(node, special), False))
+        while inner:
+            start = node = next(node for node in graph if node in inner)
+            way = graph[start][0]
+            while node in inner:
+                inner.remove(node)
+                way = next(other for other in graph[node] if other is not way)
+                node = _other(way, node)
+            found.append((None, None, True))
+        return found
+
+
+#: A piece of a curve between two of its points.
+_Way = list[Hashable]
+
+
+def _other(way: _Way, node: Hashable) -> Hashable:
+    return way[1] if way[0] == node else way[0]
+
+
+def _place(node: Hashable, special: dict[Hashable, Spot]) -> Spot | None:
+    """The parameters of a point; None for one on the border of an undecided box."""
+    if isinstance(node, _OnBorder):
+        return node.spot
+    return special.get(node)
+
+
+class _OnBorder(NamedTuple):
+    """A point on the border of a patch."""
+
+    spot: Spot
+
+
+def _graph(pieces: Sequence[Piece], domain: Box, closed: Sequence[Along]) -> dict[Hashable, list[_Way]]:
+    """The points of pieces of one curve, and the ways from each to the next ones."""
+    graph: dict[Hashable, list[_Way]] = {}
+    for k, piece in enumerate(pieces):
+        keys: dict[Vertex, Hashable] = {}
+        for vertex in piece.part.vertices:
+            spot = piece.spot(vertex)
+            keys[vertex] = (k, vertex) if spot is None else _OnBorder(_once(spot, domain, closed))
+        ways: list[_Way] = [[keys[arc.first], keys[arc.last]] for arc in piece.part.arcs]
+        for joint in piece.part.joints:
+            node = (k, joint.box) if joint.corner is None else keys[joint.corner]
+            ways += [[node, keys[end]] for end in joint.ends]
+        for way in ways:
+            for node in way:
+                graph.setdefault(node, []).append(way)
+    return graph
 
 
 def chained(

@@ -93,21 +93,22 @@ class Part:
     vertices: tuple[Vertex, ...] = field(default=(), repr=False)
     #: The certified point, if the part is a single point inside.
     zero: CommonZero | None = field(default=None, repr=False, compare=False)
-    #: Points that are joined through a singular point.
-    links: tuple[tuple[Vertex, Vertex], ...] = field(default=(), repr=False)
+    #: The singular points at which branches meet.
+    joints: tuple[Joint, ...] = field(default=(), repr=False, compare=False)
 
     @property
     def ends(self) -> Counter[Vertex]:
         """How many pieces of the curve end at each point."""
-        return _ends(self.arcs, self.links)
+        return _ends(self.arcs, self.joints)
 
 
-class _Joint(NamedTuple):
+class Joint(NamedTuple):
     """A singular point in a box, and where its branches leave; `corner` is the point itself on the border of the
     square.
     """
 
     box: Box
+    zero: CommonZero
     ends: list[Vertex]
     corner: Vertex | None = None
 
@@ -145,7 +146,7 @@ class ZeroCurve:
         #: In the order in which they are found, so that answers do not depend on hashes.
         self._vertices: dict[Vertex, None] = {}
         self._arcs: list[Arc] = []
-        self._crossings: list[_Joint] = []
+        self._crossings: list[Joint] = []
         self._points: list[Cell] = []
         self._subdivide(singular_cells(form, known))
 
@@ -170,10 +171,10 @@ class ZeroCurve:
             if cell.crossing is Crossing.POINT:
                 self._points.append(cell)
             elif len(ends) == BRANCHES and not self._vanishes_around(cell.box):
-                self._crossings.append(_Joint(cell.box, ends))
+                self._crossings.append(Joint(cell.box, cell.zero, ends))
             else:
                 self.undecided.append(cell.box)
-        todo = deque(Sized(box, [self.form.part(box)], 0) for box in _grid(self.form, done) if box not in done)
+        todo = deque(Sized(box, [self.form.part(box)], 0) for box in grid(self.form, done) if box not in done)
         boxes = 0
         while todo:
             part = todo.popleft()
@@ -195,7 +196,7 @@ class ZeroCurve:
         ends = [vertex for x in cell.ends for vertex, _ in self._zeros_on(0, x, cell.box.second)]
         corner = self._on_edge(cell.zero.place)
         if ends:
-            self._crossings.append(_Joint(cell.box, ends, corner))
+            self._crossings.append(Joint(cell.box, cell.zero, ends, corner))
         elif corner is None:
             self._points.append(cell)
         else:
@@ -289,7 +290,6 @@ class ZeroCurve:
         joined = _Joined(self._vertices)
         for arc in self._arcs:
             joined.join(arc.first, arc.last)
-        links: dict[Vertex, list[tuple[Vertex, Vertex]]] = {}
         for joint in self._crossings:
             for vertex in joint.vertices[1:]:
                 joined.join(joint.vertices[0], vertex)
@@ -300,21 +300,19 @@ class ZeroCurve:
             members.setdefault(joined.root(vertex), []).append(vertex)
         for arc in self._arcs:
             groups[joined.root(arc.first)].append(arc)
-        crossings: dict[Vertex, list[_Joint]] = {}
+        crossings: dict[Vertex, list[Joint]] = {}
         for joint in self._crossings:
             crossings.setdefault(joined.root(joint.ends[0]), []).append(joint)
-            links.setdefault(joined.root(joint.ends[0]), []).extend(joint.links)
         parts = []
         for group, arcs in groups.items():
             crossed = crossings.get(group, [])
-            joins = links.get(group, [])
-            shape = _shape(arcs, joins, any(joint.crossed for joint in crossed))
+            shape = _shape(arcs, crossed)
             if self.undecided and any(self._is_open_at(vertex) for vertex in members[group]):
                 if not arcs and not crossed:
                     continue  # the undecided box accounts for it
                 shape = Shape.OPEN
             boxes = tuple(joint.box for joint in crossed)
-            parts.append(Part(shape, tuple(_in_order(arcs)), boxes, tuple(members[group]), links=tuple(joins)))
+            parts.append(Part(shape, tuple(_in_order(arcs)), boxes, tuple(members[group]), joints=tuple(crossed)))
         return (*parts, *(Part(Shape.POINT, (), (cell.box,), (), cell.zero) for cell in self._points))
 
     def _is_open_at(self, vertex: Vertex) -> bool:
@@ -375,8 +373,8 @@ class _Joined:
         self.parents[self.root(one)] = self.root(other)
 
 
-def _grid(form: PatchForm, cells: Sequence[Box]) -> Iterator[Box]:
-    """The square cut along the borders of cells, and once more."""
+def grid(form: PatchForm, cells: Sequence[Box]) -> Iterator[Box]:
+    """The boxes of the square cut along the borders of cells, and once more."""
     cuts = []
     for k in (0, 1):
         ends = {mpq(0), mpq(1), *(end for cell in cells for end in cell[k])}
@@ -397,16 +395,16 @@ def _first_cut(lines: Sequence[mpq]) -> mpq:
     return next((cut for cut in FIRST_CUTS if not any(met(cut, line) for line in lines)), FIRST_CUTS[0])
 
 
-def _ends(arcs: Sequence[Arc], links: Sequence[tuple[Vertex, Vertex]]) -> Counter[Vertex]:
+def _ends(arcs: Sequence[Arc], joints: Sequence[Joint]) -> Counter[Vertex]:
     ends = Counter(vertex for arc in arcs for vertex in (arc.first, arc.last))
-    ends.update(vertex for pair in links for vertex in pair)
+    ends.update(vertex for joint in joints for pair in joint.links for vertex in pair)
     return ends
 
 
-def _shape(arcs: Sequence[Arc], links: Sequence[tuple[Vertex, Vertex]], crossed: bool) -> Shape:
-    if crossed:
+def _shape(arcs: Sequence[Arc], joints: Sequence[Joint]) -> Shape:
+    if any(joint.crossed for joint in joints):
         return Shape.CROSSED
-    ends = _ends(arcs, links)
+    ends = _ends(arcs, joints)
     if not ends:
         return Shape.POINT
     return Shape.LOOP if all(count == 2 for count in ends.values()) else Shape.ARC

@@ -1,0 +1,264 @@
+"""Polynomials in two variables for the checkers of certificates, with only the standard library: subresultants, the
+zeros of two polynomials over one root of their resultant, and enclosures of polynomials on intervals.
+
+A polynomial in s and z is a list over the powers of s of polynomials in z, lists of coefficients, constant term first.
+"""
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from math import comb, gcd
+from typing import Any
+
+from exactspline.certificates.numbers import count, fraction, integer, require
+from exactspline.certificates.zeros import product_of
+
+Polynomial = list[int]
+Rows = list[Polynomial]
+Side = tuple[Fraction, Fraction]
+
+
+# ---- polynomials in one variable
+
+
+def trimmed(p: Sequence[Any]) -> list[Any]:
+    """Without leading zeros."""
+    n = len(p)
+    while n and not p[n - 1]:
+        n -= 1
+    return list(p[:n])
+
+
+def total(p: Sequence[Any], q: Sequence[Any]) -> list[Any]:
+    """The sum of two polynomials."""
+    longer, other = (p, q) if len(p) >= len(q) else (q, p)
+    return [x + other[i] if i < len(other) else x for i, x in enumerate(longer)]
+
+
+def value(p: Sequence[Any], x: Any) -> Any:
+    """The value at a number."""
+    found = 0
+    for c in reversed(p):
+        found = found * x + c
+    return found
+
+
+def on_interval(p: Sequence[Any], low: Fraction, high: Fraction) -> list[Fraction]:
+    """The Bernstein coefficients of a polynomial on an interval, anywhere on the line."""
+    powers, width = [Fraction(c) for c in p], high - low
+    n = len(powers) - 1
+    for i in range(n):
+        for j in range(n - 1, i - 1, -1):
+            powers[j] += low * powers[j + 1]
+    powers = [c * width**k for k, c in enumerate(powers)]
+    return [
+        sum((Fraction(comb(i, k), comb(n, k)) * powers[k] for k in range(i + 1)), Fraction(0)) for i in range(n + 1)
+    ]
+
+
+def strict_sign(p: Sequence[Any], low: Fraction, high: Fraction) -> int:
+    """The sign on an interval where all Bernstein coefficients have it, else 0."""
+    values = on_interval(p, low, high)
+    return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
+
+
+def has_one_root(p: Sequence[int], low: Fraction, high: Fraction) -> bool:
+    """Whether a polynomial certainly has one root in an interval, a simple one, by Descartes' rule."""
+    values = on_interval(p, low, high)
+    return values[0] * values[-1] < 0 and sum(a * b < 0 for a, b in pairwise(x for x in values if x)) == 1
+
+
+def quotient_by(p: Polynomial, divisor: Polynomial) -> Polynomial | None:
+    """The quotient by a divisor with integer coefficients; None where there is none."""
+    rest, found = list(p), list[int]()
+    while len(rest) >= len(divisor):
+        top, remainder = divmod(rest[-1], divisor[-1])
+        if remainder:
+            return None
+        found.append(top)
+        shift = len(rest) - len(divisor)
+        for i, x in enumerate(divisor):
+            rest[shift + i] -= top * x
+        rest.pop()
+    return None if any(rest) else found[::-1]
+
+
+def remainder_of(p: Sequence[Fraction | int], divisor: Sequence[int]) -> list[Fraction]:
+    """The remainder of a division of polynomials."""
+    rest, top = [Fraction(c) for c in p], Fraction(divisor[-1])
+    while len(rest) >= len(divisor):
+        factor, shift = rest[-1] / top, len(rest) - len(divisor)
+        for i, x in enumerate(divisor[:-1]):
+            rest[shift + i] -= factor * x
+        rest.pop()
+    return trimmed(rest)
+
+
+# ---- polynomials in two variables
+
+
+def powers_of_net(net: Sequence[Sequence[int]]) -> list[list[int]]:
+    """The coefficients of ``sⁱ tʲ`` from the Bernstein coefficients on the unit square."""
+    columns = [_powers(row) for row in net]
+    return [list(row) for row in zip(*[_powers(column) for column in zip(*columns, strict=True)], strict=True)]
+
+
+def _powers(values: Sequence[int]) -> list[int]:
+    differences, found = list(values), list[int]()
+    n = len(values) - 1
+    for k in range(n + 1):
+        found.append(comb(n, k) * differences[0])
+        differences = [y - x for x, y in pairwise(differences)]
+    return found
+
+
+def sheared(powers: Sequence[Sequence[int]], slope: int) -> Rows:
+    """A polynomial in s and t as one in s and ``z = t + slope s``."""
+    rows: Rows = []
+    for i, row in enumerate(powers):
+        for j, x in enumerate(row):
+            for k in range(j + 1 if x else 0):
+                # t^j = Σ C(j, k) z^(j − k) (−slope s)^k
+                while len(rows) <= i + k:
+                    rows.append([])
+                term = [0] * (j - k) + [x * comb(j, k) * (-slope) ** k]
+                rows[i + k] = total(rows[i + k], term)
+    return trimmed([trimmed(row) for row in rows])
+
+
+def subresultant(first: Rows, second: Rows, k: int) -> Polynomial:
+    """The k-th principal subresultant coefficient in s, a polynomial in z, for k = 0 the resultant: with those before
+    it, it vanishes where the common divisor has a higher degree than k. By interpolation at integers.
+    """
+    m, n = len(first) - 1, len(second) - 1
+    require(k <= min(m, n) and max(m, n) > 0, "a subresultant that does not exist")
+    degrees = [max((len(row) - 1 for row in rows), default=0) for rows in (first, second)]
+    points = (n - k) * degrees[0] + (m - k) * degrees[1] + 1
+    values = []
+    for x in range(points):
+        f, g = ([value(row, x) for row in rows[::-1]] for rows in (first, second))
+        size = m + n - 2 * k
+        matrix = [[0] * i + f + [0] * (n - k - 1 - i) for i in range(n - k)]
+        matrix += [[0] * i + g + [0] * (m - k - 1 - i) for i in range(m - k)]
+        values.append(determinant([row[:size] for row in matrix]))
+    return trimmed(through(values))
+
+
+def determinant(matrix: list[list[int]]) -> int:
+    """By Bareiss's algorithm: every entry is a minor, so that the divisions are exact."""
+    rows, last = [list(row) for row in matrix], 1
+    for k in range(len(rows)):
+        pivot = next((i for i in range(k, len(rows)) if rows[i][k]), None)
+        if pivot is None:
+            return 0
+        if pivot != k:
+            rows[k], rows[pivot] = rows[pivot], [-x for x in rows[k]]
+        top = rows[k]
+        for row in rows[k + 1 :]:
+            pairs = zip(row[k + 1 :], top[k + 1 :], strict=True)
+            row[k + 1 :] = [(top[k] * x - row[k] * y) // last for x, y in pairs]
+        last = top[k]
+    return last
+
+
+def through(values: list[int]) -> Polynomial:
+    """The polynomial with these values at 0, 1, 2, …, which has integer coefficients."""
+    differences = []
+    while values:
+        differences.append(values[0])
+        values = [y - x for x, y in pairwise(values)]
+    found: list[Fraction] = []
+    for k in range(len(differences) - 1, -1, -1):
+        # Newton: Δₖ + (x − k)/(k + 1) · what follows
+        shifted = total([Fraction(0), *found], [-k * c for c in found])
+        found = total([c / (k + 1) for c in shifted], [Fraction(differences[k])])
+    return [int(c) for c in found]
+
+
+# ---- the zeros over a root of the resultant
+
+
+def check_single_zero(
+    functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, Any]
+) -> int:
+    """Check that functions, given by their coefficients of ``sⁱ tʲ``, have exactly one common zero in a box, and return
+    the intersection multiplicity of the `pair` of combinations there.
+
+    In z = t + λ s the resultant of the pair has one root in all of the box, that of its factor `minimal`, with this
+    multiplicity; over it the greatest common divisor is a power of s − b(z), and b solves all functions modulo that
+    factor. As one of the pair has a constant leading coefficient in s, no common zero over the root is at infinity.
+    """
+    slope = integer(zero["slope"])
+    require(slope > 0, "a slope that is not positive")
+    minimal = trimmed([integer(x) for x in zero["minimal"]])
+    require(len(minimal) > 1 and gcd(*minimal) == 1, "a factor that is constant or has a content")
+    below = integer(zero["below"])
+    above = [Fraction(integer(x), below) for x in zero["above"]] if below > 0 else []
+    require(below > 0 and len(above) < len(minimal), "a parametrization that is not reduced")
+    rows = [sheared(powers, slope) for powers in functions]
+    combined = [_combination(rows, [integer(x) for x in row]) for row in zero["pair"]]
+    require(len(combined) == 2 and all(len(p) > 1 for p in combined), "a pair without s")
+    first, second = combined
+    require(any(len(p[-1]) == 1 for p in combined), "zeros at infinity")
+    # the root
+    whole = (box[1][0] + slope * box[0][0], box[1][1] + slope * box[0][1])
+    low, high = (fraction(x) for x in zero["at"])
+    require(whole[0] <= low <= high <= whole[1], "a root outside the box")
+    is_exact = low == high and value(minimal, low) == 0 and len(minimal) == 2
+    require(is_exact or (low < high and value(minimal, low) * value(minimal, high) < 0), "a place without a root")
+    require(len(minimal) == 2 or has_one_root(minimal, *whole), "a factor that may have several roots")
+    rest, times = subresultant(first, second, 0), 0
+    require(bool(rest), "a resultant that vanishes")
+    while (divided := quotient_by(rest, minimal)) is not None:
+        rest, times = divided, times + 1
+    require(times > 0 and strict_sign(rest, *whole) != 0, "another root of the resultant")
+    # the zero over it
+    for p in rows:
+        require(not remainder_of(_composed(p, above, minimal), minimal), "a function that is not zero there")
+    for x, (least, most) in ((above, box[0]), (total([0, 1], [-slope * c for c in above]), box[1])):
+        own = remainder_of(x, minimal) or [Fraction(0)]
+        values = on_interval(own, low, high)
+        require(least <= min(values) and max(values) <= most, "a zero that may be outside its region")
+    power = count(zero["power"])
+    require(power > 0, "a power that is not positive")
+    for p in combined:
+        require(_is_divisible(p, above, power, minimal), "a power that does not divide")
+    if power < min(len(p) - 1 for p in combined):
+        leading = subresultant(first, second, power)
+        require(bool(leading) and strict_sign(leading, low, high) != 0, "another zero over the root")
+    return times
+
+
+def _combination(functions: Sequence[Rows], coefficients: Sequence[int]) -> Rows:
+    require(len(coefficients) == len(functions), "a combination of another number of functions")
+    found: Rows = []
+    for c, rows in zip(coefficients, functions, strict=True):
+        scaled = [[c * x for x in row] for row in rows]
+        found = [
+            total(found[i] if i < len(found) else [], scaled[i] if i < len(scaled) else [])
+            for i in range(max(len(found), len(scaled)))
+        ]
+    return trimmed([trimmed(row) for row in found])
+
+
+def _composed(rows: Rows, above: list[Fraction], minimal: Polynomial) -> list[Fraction]:
+    """The value at s = b(z), modulo the factor."""
+    found: list[Fraction] = []
+    for row in reversed(rows):
+        found = remainder_of(total(product_of(found, above) if found and above else [], row), minimal)
+    return found
+
+
+def _is_divisible(rows: Rows, above: list[Fraction], power: int, minimal: Polynomial) -> bool:
+    """Whether s − b(z) divides as often as that, modulo the factor."""
+    given: list[list[Fraction]] = [[Fraction(x) for x in row] for row in rows]
+    for _ in range(power):
+        carried: list[Fraction] = []
+        quotient = []
+        for row in reversed(given):
+            carried = remainder_of(total(product_of(carried, above) if carried and above else [], row), minimal)
+            quotient.append(carried)
+        if carried or len(quotient) < 2:
+            return False
+        given = quotient[-2::-1]
+    return True

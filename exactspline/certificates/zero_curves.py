@@ -1,0 +1,443 @@
+"""Checks a certificate of the zeros of a function of two parameters and of their topology, with only the standard
+library.
+
+On each patch the function is given by integers, its Bernstein coefficients on the unit square up to a positive
+constant, and by factors whose powers multiply to it up to a constant. Factors in one parameter have lines as zeros. The
+product of the others, each taken once, is examined: the square is cut along some lines, and its parts are halved, as
+the certificate says, until in each box the product has Bernstein coefficients of one strict sign, or one of its
+derivatives has. In the second case the zeros are a graph over the other direction, and signs at rational points between
+the zeros on the sides tell which of these are joined. Singular points are in boxes of their own, where it is proved how
+many branches leave them.
+"""
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from math import comb, gcd, lcm
+from typing import Any
+
+from exactspline.certificates.common_zeros import FIRST, SECOND
+from exactspline.certificates.elimination import (
+    Polynomial,
+    check_single_zero,
+    has_one_root,
+    on_interval,
+    powers_of_net,
+    quotient_by,
+    remainder_of,
+    strict_sign,
+    subresultant,
+    total,
+    trimmed,
+    value,
+)
+from exactspline.certificates.numbers import count, fraction, integer, require
+from exactspline.certificates.zeros import halves_at, isolated_zeros, product_of, restricted, values_on
+
+Net = list[list[int]]
+Side = tuple[Fraction, Fraction]
+Box = tuple[Side, Side]
+#: A zero on a line: its direction (0: x is constant), the value, and the index there; or both coordinates.
+Vertex = tuple[Any, ...]
+UNIT = Fraction(0), Fraction(1)
+HALF = Fraction(1, 2)
+#: A box on which the product has one sign; those in which its zeros are graphs, by the constant sign of a derivative.
+SIGN, ACROSS = "sign", ("first monotone", "second monotone")
+#: What is in the box of a singular point.
+NODE, POINT, BRANCHES = "node", "point", "branches"
+
+
+def check_zero_curves(certificate: Mapping[str, object]) -> dict[str, int]:
+    """The numbers of lines, closed loops, arcs, curves with crossings and single points that a certificate proves, each
+    counted on every patch that has it.
+    """
+    return _of_all_patches(certificate)
+
+
+def _of_all_patches(certificate: Mapping[str, Any]) -> dict[str, int]:
+    found = [_OnPatch(patch).counts for patch in certificate["patches"]]
+    return {key: sum(one[key] for one in found) for key in ("lines", "loops", "arcs", "crossed", "points")}
+
+
+class _OnPatch:
+    """The zeros on one patch."""
+
+    def __init__(self, patch: Mapping[str, Any]) -> None:
+        given = _net(patch["function"])
+        factors = [(_net(each["net"]), count(each["power"])) for each in patch["factors"]]
+        _check_product(given, factors)
+        curves = [net for net, _ in factors if len(net) > 1 and len(net[0]) > 1]
+        lines = [each for each in patch["factors"] if len(each["net"]) == 1 or len(each["net"][0]) == 1]
+        self.counts = {"lines": sum(map(_lines, lines)), "loops": 0, "arcs": 0, "crossed": 0, "points": 0}
+        self.net: Net = [[1]]
+        for net in curves:
+            self.net = _net_product(self.net, net)
+        self._ways: list[tuple[Vertex, Vertex]] = []
+        self._vertices: dict[Vertex, None] = {}
+        self._crossed: list[Vertex] = []
+        self.zeros = {(count(k), fraction(x)): self._line(count(k), fraction(x), own) for k, x, own in patch["zeros"]}
+        self.cells = [((_side(cell["box"][0]), _side(cell["box"][1])), cell) for cell in patch["cells"]]
+        self._subdivide([[fraction(x) for x in cuts] for cuts in patch["cuts"]], patch["boxes"])
+        self._join()
+
+    def _line(self, direction: int, at: Fraction, own: Mapping[str, Any]) -> list[Side]:
+        """The places of all zeros of the product on a line, in order."""
+        require(direction in (0, 1) and 0 <= at <= 1, "a line that does not cross the square")
+        form = _along(self.net, direction, at)
+        zeros = isolated_zeros([comb(len(form) - 1, i) * x for i, x in enumerate(form)], own["isolation"])
+        places = [(fraction(low), fraction(high)) for low, high in own["places"]]
+        require(len(places) == len(zeros), "another number of zeros on a line")
+        for (a, b), (low, high, factor, *_) in zip(places, zeros, strict=True):
+            if low == high:
+                require(a == b == low, "another place than that of the zero")
+            elif a == b:
+                require(low < a < high and restricted(factor, a, a)[0] == 0, "a place that is not the zero")
+            else:
+                require(low <= a < b <= high, "a place outside the leaf of the zero")
+                values = restricted(factor, a, b)
+                require(values[0] * values[-1] < 0, "a place without the zero")
+        return places
+
+    def _on_side(self, direction: int, at: Fraction, side: Side) -> list[tuple[Vertex, Side]]:
+        """The zeros on a part of a line, with their places on it."""
+        require((direction, at) in self.zeros, "a line whose zeros are not given")
+        found = list[tuple[Vertex, Side]]()
+        for k, (a, b) in enumerate(self.zeros[direction, at]):
+            if a == b:
+                if side[0] <= a <= side[1]:
+                    found.append((("point", *((at, a) if direction == 0 else (a, at))), (a, b)))
+                continue
+            require(not any(a <= end <= b for end in side), "a place that is not apart from an end of the box")
+            if side[0] < a and b < side[1]:
+                found.append((("line", direction, at, k), (a, b)))
+        return found
+
+    # ---- boxes
+
+    def _subdivide(self, cuts: Sequence[Sequence[Fraction]], tokens: Sequence[Any]) -> None:
+        require(all(ends[0] == 0 and ends[-1] == 1 and len(ends) > 1 for ends in cuts), "cuts that miss the border")
+        require(all(a < b for ends in cuts for a, b in pairwise(ends)) and len(cuts) == 2, "cuts that do not ascend")
+        boxes = [(first, second) for first in pairwise(cuts[0]) for second in pairwise(cuts[1])]
+        todo = [(box, _part(self.net, box)) for box in boxes[::-1]]
+        seen = set[int]()
+        for token in tokens:
+            require(bool(todo), "more boxes than the cuts leave")
+            box, net = todo.pop()
+            if token in (FIRST, SECOND):
+                k = int(token == SECOND)
+                low, high = box[k]
+                middle = (low + high) / 2
+                for net_of_half, side in zip(_halves(net, k)[::-1], ((middle, high), (low, middle)), strict=True):
+                    todo.append(((box[0], side) if k else (side, box[1]), net_of_half))
+            elif token == SIGN:
+                require(_sign(net) != 0, "a box on which the function has not one sign")
+            elif token in ACROSS:
+                k = ACROSS.index(token)
+                require(_sign(_differences(net, k)) != 0, "a box on which the derivative has not one sign")
+                self._graph(box, k)
+            else:
+                k = count(token)
+                require(0 <= k < len(self.cells) and self.cells[k][0] == box, "a box that is not that of its cell")
+                self._cell(*self.cells[k])
+                seen.add(k)
+        require(not todo, "boxes that are missing")
+        require(len(seen) == len(self.cells), "a cell that is not a box")
+
+    def _graph(self, box: Box, direction: int) -> None:
+        """The zeros in a box in which there is at most one on every line of this direction."""
+        (a, b), (c, d) = box[direction], box[1 - direction]
+        events: dict[Vertex, Side] = {}
+        for at in (a, b):
+            events.update(self._on_side(direction, at, (c, d)))
+        for at in (c, d):
+            events.update({vertex: (at, at) for vertex, _ in self._on_side(1 - direction, at, (a, b))})
+        self._vertices.update(dict.fromkeys(events))
+        places = sorted(events.items(), key=lambda event: event[1])
+        for (first, (_, low)), (last, (high, _)) in pairwise(places):
+            require(low < high, "zeros whose order is not proved")
+            middle = (low + high) / 2
+            ends = [self._value((at, middle) if direction == 0 else (middle, at)) for at in (a, b)]
+            if ends[0] * ends[1] < 0:
+                self._ways.append((first, last))
+
+    def _value(self, point: tuple[Fraction, Fraction]) -> int:
+        return _along(_turned([_along(self.net, 0, point[0])]), 0, point[1])[0]
+
+    # ---- singular points
+
+    def _cell(self, box: Box, cell: Mapping[str, Any]) -> None:
+        require(cell["kind"] in (NODE, POINT, BRANCHES), "an unknown kind of a singular point")
+        powers = powers_of_net(self.net)
+        if cell["kind"] == BRANCHES:
+            self._branches(box, cell, powers)
+            return
+        require(all(low > 0 and high < 1 for low, high in box), "a box on the border")
+        slopes = [_slope(powers, k) for k in (0, 1)]
+        region = _side(cell["region"][0]), _side(cell["region"][1])
+        inside = all(a <= low <= high <= b for (low, high), (a, b) in zip(region, box, strict=True))
+        require(inside, "a region that is not in its box")
+        check_single_zero([powers, *slopes], region, cell["zero"])
+        net = _part(self.net, box)
+        second = [_differences(_differences(net, i), j) for i, j in ((0, 0), (0, 1), (1, 1))]
+        # the differences are derivatives up to these factors
+        m, n = len(net) - 1, len(net[0]) - 1
+        scales = m * (m - 1), m * n, n * (n - 1)
+        (a, b), (c, d), (e, f) = (
+            (k * low, k * high) for k, (low, high) in zip(scales, map(_range, second), strict=True)
+        )
+        products, squares = [x * y for x in (a, b) for y in (e, f)], [c * c, d * d] + [0] * (c <= 0 <= d)
+        if cell["kind"] == POINT:
+            require(min(products) > max(squares) and (a > 0 or b < 0), "a Hessian that may not be definite")
+            self.counts["points"] += 1
+            return
+        require(max(products) < min(squares), "a Hessian that may not be indefinite")
+        ends = {v for k in (0, 1) for at in box[k] for v, _ in self._on_side(k, at, box[1 - k])}
+        require(len(ends) == 4, "a node without four branches")
+        self._meet(sorted(ends, key=repr), ("cell", box))
+
+    def _meet(self, ends: Sequence[Vertex], at: Vertex) -> None:
+        self._vertices.update(dict.fromkeys((*ends, at)))
+        self._ways += [(at, end) for end in ends]
+        if len(ends) > 2:
+            self._crossed.append(at)
+
+    def _branches(self, box: Box, cell: Mapping[str, Any], powers: Sequence[Sequence[int]]) -> None:
+        """In the box no other line x = constant than that of the point has a multiple zero, and there is only one zero
+        on it; no zero is on the sides below and above: all zeros on the sides left and right are ends of branches from
+        that point.
+        """
+        (first, second), rows = box, [trimmed(column) for column in zip(*powers, strict=True)]
+        slopes = trimmed([[j * x for x in row] for j, row in enumerate(rows)][1:])
+        minimal = trimmed([integer(x) for x in cell["minimal"]])
+        require(len(minimal) > 1 and gcd(*minimal) == 1, "a factor that is constant or has a content")
+        low, high = _side(cell["at"])
+        require(first[0] <= low <= high <= first[1], "a root outside the box")
+        is_exact = low == high and value(minimal, low) == 0 and len(minimal) == 2
+        require(is_exact or (low < high and value(minimal, low) * value(minimal, high) < 0), "a place without a root")
+        require(len(minimal) == 2 or has_one_root(minimal, *first), "a factor that may have several roots")
+        # the discriminant: the resultant without the leading coefficient
+        rest = quotient_by(subresultant(trimmed(rows), slopes, 0), trimmed(rows)[-1])
+        require(bool(rest) and _is_free(rest or [], minimal, first), "another multiple zero in the box")
+        # over the root: the function is a power of the factor in y, whose only zero is the point, times another one
+        factor = [[Fraction(integer(x), integer(cell["below"])) for x in row] for row in cell["factor"]]
+        require(len(factor) > 1 and trimmed(factor[-1]) == [1], "a factor that is not monic")
+        require(all(len(row) < len(minimal) for row in factor), "a factor that is not reduced")
+        require(count(cell["power"]) > 0, "a power that is not positive")
+        other: list[list[Fraction]] = [[Fraction(x) for x in row] for row in rows]
+        for _ in range(cell["power"]):
+            other = _divided(other, factor, minimal)
+        require(_sign_over(other, (low, high), second) != 0, "another zero over the root")
+        slope = [[j * x for x in row] for j, row in enumerate(factor)][1:]
+        require(_sign_over(slope, (low, high), second) != 0, "several zeros over the root")
+        ends = [_value_over(factor, at, (low, high), minimal) for at in second]
+        require(ends[0] * ends[1] <= 0, "no zero over the root")
+        for at, sign in zip(second, ends, strict=True):
+            along = _whole(_at_height(rows, at))
+            require(bool(along) and (sign != 0 or at in UNIT), "a point on a side of its box")
+            require(_is_free(along, [] if sign else minimal, first), "another zero on the side below or above")
+        here = {low} if is_exact and low in UNIT else set()
+        require(all(x in here or not low <= x <= high for x in first), "a side that may be at the point")
+        found = [v for x in first if x not in here for v, _ in self._on_side(0, x, second)]
+        corner = self._corner(box, bool(here) and low in first, low, ends)
+        if found or corner:
+            self._meet(found, corner or ("cell", box))
+        else:
+            self.counts["points"] += 1
+
+    def _corner(self, box: Box, on_side: bool, x: Fraction, ends: Sequence[int]) -> Vertex | None:
+        """The point itself, where it is on the border of the square."""
+        lines = [(0, x)] if on_side else [(1, at) for at, sign in zip(box[1], ends, strict=True) if sign == 0]
+        for k, at in lines:
+            own = self._on_side(k, at, box[1 - k])
+            require(len(own) == 1, "a point that is not found on its border")
+            return own[0][0]
+        return None
+
+    # ---- the topology
+
+    def _join(self) -> None:
+        parents = {vertex: vertex for vertex in self._vertices}
+
+        def root(vertex: Vertex) -> Vertex:
+            while parents[vertex] != vertex:
+                vertex = parents[vertex]
+            return vertex
+
+        for one, other in self._ways:
+            parents[root(one)] = root(other)
+        degrees: dict[Vertex, int] = dict.fromkeys(self._vertices, 0)
+        for vertex in (v for way in self._ways for v in way):
+            degrees[vertex] += 1
+        groups: dict[Vertex, list[int]] = {}
+        for vertex, degree in degrees.items():
+            groups.setdefault(root(vertex), []).append(degree)
+        crossed = {root(vertex) for vertex in self._crossed}
+        for group, own in groups.items():
+            shape = "crossed" if group in crossed else "points" if not any(own) else "arcs" if 1 in own else "loops"
+            self.counts[shape] += 1
+
+
+# ---- nets
+
+
+def _net(given: Sequence[Sequence[Any]]) -> Net:
+    net = [[integer(x) for x in row] for row in given]
+    require(len(net) > 0 and len({len(row) for row in net}) == 1 and len(net[0]) > 0, "rows of different lengths")
+    return net
+
+
+def _side(given: Sequence[Any]) -> Side:
+    low, high = (fraction(x) for x in given)
+    return low, high
+
+
+def _net_product(one: Net, other: Net) -> Net:
+    """The product, up to a positive constant."""
+    m, n = len(one) + len(other) - 2, len(one[0]) + len(other[0]) - 2
+    scaled = [
+        [[comb(len(net) - 1, i) * comb(len(row) - 1, j) * x for j, x in enumerate(row)] for i, row in enumerate(net)]
+        for net in (one, other)
+    ]
+    rows: list[list[int]] = [[0] * (n + 1) for _ in range(m + 1)]
+    for i, first in enumerate(scaled[0]):
+        for j, second in enumerate(scaled[1]):
+            rows[i + j] = total(rows[i + j], product_of(first, second))
+    weights = [[comb(m, i) * comb(n, j) for j in range(n + 1)] for i in range(m + 1)]
+    common = lcm(*(x for row in weights for x in row))
+    found = [[x * (common // c) for x, c in zip(*pair, strict=True)] for pair in zip(rows, weights, strict=True)]
+    size = gcd(*(x for row in found for x in row)) or 1
+    return [[x // size for x in row] for row in found]
+
+
+def _check_product(function: Net, factors: Sequence[tuple[Net, int]]) -> None:
+    """Check that powers of factors multiply to a function, up to a constant that is not zero."""
+    product: Net = [[1]]
+    for net, power in factors:
+        require(power > 0, "a factor whose power is not positive")
+        for _ in range(power):
+            product = _net_product(product, net)
+    one, other = (_trimmed_powers(powers_of_net(net)) for net in (function, product))
+    require(one != {} and one.keys() == other.keys(), "factors that do not multiply to the function")
+    key = next(iter(one))
+    require(
+        all(one[k] * other[key] == other[k] * one[key] for k in one), "factors that do not multiply to the function"
+    )
+
+
+def _trimmed_powers(powers: Sequence[Sequence[int]]) -> dict[tuple[int, int], int]:
+    return {(i, j): x for i, row in enumerate(powers) for j, x in enumerate(row) if x}
+
+
+def _lines(factor: Mapping[str, Any]) -> int:
+    """The number of lines on which a factor in one parameter vanishes."""
+    net = _net(factor["net"])
+    form = net[0] if len(net) == 1 else [x for (x,) in net]
+    return len(isolated_zeros([comb(len(form) - 1, i) * x for i, x in enumerate(form)], factor["isolation"]))
+
+
+def _along(net: Net, direction: int, at: Fraction) -> list[int]:
+    """The Bernstein coefficients on a line, up to a positive constant."""
+    rows = net if direction else _turned(net)
+    return [values_on(row, at, at)[0] for row in rows] if 0 < at < 1 else [row[-int(at)] for row in rows]
+
+
+def _turned(net: Net) -> Net:
+    return [list(column) for column in zip(*net, strict=True)]
+
+
+def _part(net: Net, box: Box) -> Net:
+    rows = [values_on(row, *box[1]) for row in net]
+    return _turned([values_on(column, *box[0]) for column in _turned(rows)])
+
+
+def _halves(net: Net, direction: int) -> tuple[Net, Net]:
+    rows = [halves_at(row, HALF) for row in (net if direction else _turned(net))]
+    low, high = ([pair[k] for pair in rows] for k in (0, 1))
+    return (low, high) if direction else (_turned(low), _turned(high))
+
+
+def _sign(net: Net) -> int:
+    low, high = _range(net)
+    return 1 if low > 0 else -1 if high < 0 else 0
+
+
+def _range(net: Net) -> tuple[int, int]:
+    values = [x for row in net for x in row] or [0]
+    return min(values), max(values)
+
+
+def _differences(net: Net, direction: int) -> Net:
+    if direction:
+        return [[y - x for x, y in pairwise(row)] for row in net]
+    return [[y - x for x, y in zip(p, q, strict=True)] for p, q in pairwise(net)]
+
+
+def _slope(powers: Sequence[Sequence[int]], k: int) -> list[list[int]]:
+    if k == 0:
+        return [[i * x for x in row] for i, row in enumerate(powers)][1:]
+    return [[j * x for j, x in enumerate(row)][1:] for row in powers]
+
+
+# ---- over a root
+
+
+def _is_free(p: Polynomial, minimal: Polynomial, side: Side, depth: int = 32) -> bool:
+    """Whether a polynomial has no other zero on an interval than one of a factor."""
+    while minimal and (divided := quotient_by(p, minimal)) is not None:
+        p = divided
+    if strict_sign(p, *side) or depth == 0:
+        return strict_sign(p, *side) != 0
+    middle = (side[0] + side[1]) / 2
+    return all(_is_free(p, [], half, depth - 1) for half in ((side[0], middle), (middle, side[1])))
+
+
+def _divided(
+    rows: Sequence[Sequence[Fraction]], factor: Sequence[Sequence[Fraction]], minimal: Polynomial
+) -> list[list[Fraction]]:
+    """The quotient of polynomials in y by a monic one, modulo the factor in x."""
+    rest, found = [list(row) for row in rows], list[list[Fraction]]()
+    while len(rest) >= len(factor):
+        top = remainder_of(rest.pop(), minimal)
+        found.append(top)
+        shift = len(rest) + 1 - len(factor)
+        for i, row in enumerate(factor[:-1]):
+            product = product_of(top, row) if top and row else []
+            rest[shift + i] = remainder_of(total(rest[shift + i], [-x for x in product]), minimal)
+    require(not any(remainder_of(row, minimal) for row in rest), "a factor that does not divide")
+    return found[::-1]
+
+
+def _sign_over(rows: Sequence[Sequence[Any]], root: Side, side: Side) -> int:
+    """The sign of a polynomial in x and y on a box, else 0."""
+    columns = [on_interval(row or [0], *root) for row in rows]
+    degree = max(map(len, columns), default=0)
+    if degree == 0:
+        return 0
+    columns = [on_interval([*row, *[0] * (degree - len(row))], *root) for row in rows]
+    values = [x for row in zip(*columns, strict=True) for x in on_interval(row, *side)]
+    return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
+
+
+def _value_over(factor: Sequence[Sequence[Fraction]], at: Fraction, root: Side, minimal: Polynomial) -> int:
+    """The sign of a factor at a height over the root, 0 where it vanishes."""
+    rest = remainder_of(_at_height(factor, at), minimal)
+    if not rest:
+        return 0
+    sign = strict_sign(rest, *root)
+    require(sign != 0, "a sign over the root that is not proved")
+    return sign
+
+
+def _at_height(rows: Sequence[Sequence[Any]], at: Fraction) -> list[Any]:
+    """A polynomial in x and y, a list over the powers of y, at a rational y."""
+    found: list[Any] = []
+    for row in reversed(rows):
+        found = total([c * at for c in found], row)
+    return found
+
+
+def _whole(p: Sequence[Any]) -> Polynomial:
+    """A multiple with integer coefficients."""
+    numbers = [Fraction(c) for c in p]
+    bottom = lcm(*(c.denominator for c in numbers))
+    return trimmed([int(c * bottom) for c in numbers])
