@@ -261,7 +261,7 @@ def _certified(
     own: _Checked, found: ZeroSet, form: Callable[[Curve, Fraction], Fraction], degrees: tuple[int, int]
 ) -> dict[str, Any] | None:
     """The certificate of all zeros of a form, proved; None where it vanishes on a segment. The degree of the form is at
-    most so many times that of the curve, a polynomial or a rational one.
+    most one of these times that of the curve: the first of a polynomial one, the second of a rational one.
     """
     for root in found:
         root.refine(BITS)
@@ -276,7 +276,7 @@ def _compared(
     own: _Checked,
     question: str,
     certificate: dict[str, Any],
-    wanted: Callable[[dict[str, Any]], str],
+    expected: Callable[[dict[str, Any]], str],
     apart: Sequence[dict[str, Any]],
     *,
     only: tuple[str, ...] = (),
@@ -295,7 +295,7 @@ def _compared(
             continue
         if any(meets(root, Fraction(other["low"]), Fraction(other["high"])) for other in apart):
             continue
-        kind = wanted(root)
+        kind = expected(root)
         if not only or kind in only:
             kinds = [item["what"] for (low, high), item in named if meets(root, low, high)]
             own.require(kind in kinds if kind else bool(kinds), f"{question}: {kind} at {root['low']} is missing")
