@@ -16,6 +16,8 @@ from exactspline.certificates.zeros import product_of
 Polynomial = list[int]
 Rows = list[Polynomial]
 Side = tuple[Fraction, Fraction]
+#: The bisections of an interval around a root after which a sign is given up.
+STEPS = 512
 
 
 # ---- polynomials in one variable
@@ -60,6 +62,22 @@ def strict_sign(p: Sequence[Any], low: Fraction, high: Fraction) -> int:
     """The sign on an interval where all Bernstein coefficients have it, else 0."""
     values = on_interval(p, low, high)
     return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
+
+
+def sign_at_root(p: Sequence[Any], minimal: Sequence[int], low: Fraction, high: Fraction) -> int:
+    """The sign at the root that another polynomial has between two numbers at which its signs are opposite, or at a
+    number given by both; 0 where the polynomial vanishes there or nearly does.
+    """
+    for _ in range(STEPS):
+        sign = strict_sign(p, low, high)
+        if sign or low == high:
+            return sign
+        middle = (low + high) / 2
+        if value(minimal, low) * value(minimal, middle) <= 0:
+            high = middle
+        if value(minimal, middle) * value(minimal, high) <= 0:
+            low = middle
+    return 0
 
 
 def has_one_root(p: Sequence[int], low: Fraction, high: Fraction) -> bool:
@@ -224,7 +242,7 @@ def check_single_zero(
         require(_is_divisible(p, above, power, minimal), "a power that does not divide")
     if power < min(len(p) - 1 for p in combined):
         leading = subresultant(first, second, power)
-        require(bool(leading) and strict_sign(leading, low, high) != 0, "another zero over the root")
+        require(bool(leading) and sign_at_root(leading, minimal, low, high) != 0, "another zero over the root")
     return times
 
 

@@ -25,6 +25,7 @@ from exactspline.certificates.elimination import (
     powers_of_net,
     quotient_by,
     remainder_of,
+    sign_at_root,
     strict_sign,
     subresultant,
     total,
@@ -423,7 +424,7 @@ def _value_over(factor: Sequence[Sequence[Fraction]], at: Fraction, root: Side, 
     rest = remainder_of(_at_height(factor, at), minimal)
     if not rest:
         return 0
-    sign = strict_sign(rest, *root)
+    sign = sign_at_root(rest, minimal, *root)
     require(sign != 0, "a sign over the root that is not proved")
     return sign
 
