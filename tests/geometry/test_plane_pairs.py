@@ -125,7 +125,7 @@ def _side(a, b, c):
 
 
 @pytest.mark.parametrize("dial", DIALS)
-@pytest.mark.parametrize("seed", (102, 103, 104, 105, 107))
+@pytest.mark.parametrize("seed", [102, 103, 104, 105, 107])
 def test_offsets_meet_themselves_as_polygons_do(seed, dial):
     """There was no door for the self-intersections of an offset."""
     random = Random(seed)

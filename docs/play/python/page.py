@@ -109,6 +109,60 @@ def bisector(data: dict[str, Any]) -> dict[str, Any]:
     return {"pieces": [_piece(curve, piece) for piece in found.pieces], "missing": list(found.missing)}
 
 
+def pair(data: dict[str, Any]) -> dict[str, Any]:
+    """The common points of two plane curves; the pairs of one abscissa, of one ordinate, and of the bisector if it is
+    asked for, drawn in doubles.
+    """
+    from exactspline.geometry.bisector.plane_curves import PlanePair
+
+    first, second = _curve(data["first"]), _curve(data["second"])
+    found = xs.intersections(first, second)
+    runs = [_runs(xs.zero_curve(f)) for f in PlanePair.of_curves(first, second).chord]
+    middle = xs.bisector(first, second) if data["bisector"] else None
+    pairs = [] if middle is None else _runs(middle.pairs)
+    return {
+        "points": [_common_point(point) for point in found],
+        "arcs": [str(arc) for arc in found.everywhere],
+        "left_out": list(found.left_out),
+        "across": _drawn(runs[0]),
+        "up": _drawn(runs[1]),
+        "bisector": _drawn(pairs),
+        "middle": _drawn([_middle(middle, run) for run in pairs]),
+    }
+
+
+def _common_point(point: Any) -> dict[str, Any]:
+    place = point.first, point.second
+    s, t = (str(x.exact) if x.exact is not None else x.decimal(DIGITS) for x in place)
+    drawn = [float(x) for x in point.point]
+    told = {"kind": str(point.kind), "multiplicity": point.multiplicity, "point": drawn, "place": [*map(float, place)]}
+    return told | {"s": s, "t": t}
+
+
+def _runs(found: Any) -> list[list[Any]]:
+    """Curves of zeros as runs of rational points near them, and lines."""
+    lines = [[line.box[0], line.box[1]] for line in found.lines]
+    runs = [[(a, c), (b, d)] for (a, b), (c, d) in lines]
+    arcs = [(piece, arc) for curve in found.curves for piece in curve.pieces for arc in piece.part.arcs]
+    steps = max(1, 60 // max(len(arcs), 1))
+    return runs + [[piece.sides.at(*place) for place in piece.curve.points(arc, steps)] for piece, arc in arcs]
+
+
+def _middle(found: Any, run: list[Any]) -> list[Any]:
+    """The points of a bisector for a run of pairs, without those whose normals are parallel."""
+    points = []
+    for place in run:
+        try:
+            points.append(found.point(*place))
+        except xs.ExactSplineError:
+            continue
+    return points
+
+
+def _drawn(runs: list[list[Any]]) -> list[list[list[float]]]:
+    return [[[float(x) for x in place] for place in run] for run in runs]
+
+
 def triangle(data: dict[str, Any]) -> dict[str, Any]:
     """De Boor's triangle at a share of the domain: every entry exactly, and in doubles to draw it."""
     curve = _curve(data["curve"])
@@ -218,6 +272,7 @@ QUESTIONS: dict[str, Callable[[Any], Any]] = {
     "forms": forms,
     "reduce": reduce,
     "bisector": bisector,
+    "pair": pair,
     "triangle": triangle,
     "refined": refined,
     "product": product,

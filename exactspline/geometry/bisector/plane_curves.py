@@ -124,12 +124,17 @@ class PlaneBisector(Bisector):
         """The rectangles in which pairs are not decided."""
         return self.pairs.undecided
 
+    @cached_property
+    def _tangents(self) -> list[tuple[BSpline, ...]]:
+        return [tangent(curve) for curve in self.curves]
+
     def point(self, s: Number | Real, t: Number | Real) -> tuple[mpq | Real, ...]:
         """The point of a pair at which the function vanishes, exactly; on a common normal the one in the middle.
 
         Raises `ReachError` where the normals are parallel and apart.
         """
-        (p, a), (q, b) = (_at(curve, x) for curve, x in zip(self.curves, (s, t), strict=True))
+        p, q = (at(curve, x) for curve, x in zip(self.curves, (s, t), strict=True))
+        a, b = ([at(f, x) for f in own] for own, x in zip(self._tangents, (s, t), strict=True))
         chord = [y - x for x, y in zip(p, q, strict=True)]
         across = a[0] * b[1] - a[1] * b[0]
         if across == 0:
@@ -138,11 +143,6 @@ class PlaneBisector(Bisector):
             return (p[0] + q[0]) / 2, (p[1] + q[1]) / 2
         along = (b[0] * chord[0] + b[1] * chord[1]) / across
         return p[0] - along * a[1], p[1] + along * a[0]
-
-
-def _at(curve: Nurbs, t: Number | Real) -> tuple[Sequence[mpq | Real], Sequence[mpq | Real]]:
-    """A point and a tangent there."""
-    return at(curve, t), [at(f, t) for f in tangent(curve)]
 
 
 __all__ = ["PlaneBisector", "PlanePair", "tangent"]
