@@ -196,7 +196,7 @@ def _through(values: list[int]) -> Polynomial:
 
 
 def check_single_zero(
-    functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, Any]
+    functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, object]
 ) -> int:
     """Check that functions, given by their coefficients of ``sⁱ tʲ``, have exactly one common zero in a box, and return
     the intersection multiplicity of the `pair` of combinations there.
@@ -205,6 +205,10 @@ def check_single_zero(
     multiplicity; over it the greatest common divisor is a power of s − b(z), and b solves all functions modulo that
     factor. As one of the pair has a constant leading coefficient in s, no common zero over the root is at infinity.
     """
+    return _checked(functions, box, zero)
+
+
+def _checked(functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, Any]) -> int:
     slope = integer(zero["slope"])
     require(slope > 0, "a slope that is not positive")
     minimal = trimmed([integer(x) for x in zero["minimal"]])

@@ -65,7 +65,7 @@ def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
     [<crossing at 0.0669873… and 0.933013…>]
 
     With `offset`, a signed distance (positive to the left), those of the offset curve at it, by the parameters of the
-    curve itself. Its cusps are no points of self-intersection (`analyse(curve).offset_cusps` has them).
+    curve itself. Its cusps are not among them (`analyse(curve).offset_cusps` has them).
 
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-2, 4), (0, -4), (2, 4)])  # y = x²
     >>> (found,) = self_intersections(parabola, offset=1)

@@ -58,7 +58,7 @@ function show({ answer, milliseconds }) {
   plane.clear("marks", "bisector");
   rectangle.clear("marks", "across", "up", "bisector");
   for (const name of ["across", "up", "bisector"]) for (const run of answer[name]) rectangle.line(name, run);
-  for (const run of answer.middle) plane.line("bisector", run);
+  for (const run of answer.bisector) plane.line("bisector", run.map(middle));
   const rows = answer.points.map((p) => {
     const title = `${p.kind} at s = ${p.s}, t = ${p.t}`;
     for (const [where, place] of [[plane, p.point], [rectangle, p.place]]) where.mark("marks", place, MARKS[p.kind] ?? "disc", title, { class: "mark inflection" });
@@ -71,6 +71,14 @@ function show({ answer, milliseconds }) {
   if (milliseconds === undefined) return;
   say([`${answer.points.length} common points, certified in ${milliseconds.toFixed(0)} ms`, ...answer.left_out].join(" · "));
   document.body.dataset.points = JSON.stringify(answer.points.map((p) => [p.kind, p.s, p.t]));
+}
+
+// Where the normals of a pair meet; not finite where they are parallel.
+function middle(place) {
+  const [p, q] = curves().map((curve, k) => preview(curve)(Math.min(place[k], domains[k][1] - 1e-9)));
+  const [a, b] = [p.first, q.first];
+  const along = (b[0] * (q.point[0] - p.point[0]) + b[1] * (q.point[1] - p.point[1])) / (a[0] * b[1] - a[1] * b[0]);
+  return [p.point[0] - along * a[1], p.point[1] + along * a[0]];
 }
 
 function walk() {

@@ -118,8 +118,7 @@ def pair(data: dict[str, Any]) -> dict[str, Any]:
     first, second = _curve(data["first"]), _curve(data["second"])
     found = xs.intersections(first, second)
     runs = [_runs(xs.zero_curve(f)) for f in PlanePair.of_curves(first, second).chord]
-    middle = xs.bisector(first, second) if data["bisector"] else None
-    pairs = [] if middle is None else _runs(middle.pairs)
+    pairs = _runs(xs.bisector(first, second).pairs) if data["bisector"] else []
     return {
         "points": [_common_point(point) for point in found],
         "arcs": [str(arc) for arc in found.everywhere],
@@ -127,7 +126,6 @@ def pair(data: dict[str, Any]) -> dict[str, Any]:
         "across": _drawn(runs[0]),
         "up": _drawn(runs[1]),
         "bisector": _drawn(pairs),
-        "middle": _drawn([_middle(middle, run) for run in pairs]),
     }
 
 
@@ -144,19 +142,13 @@ def _runs(found: Any) -> list[list[Any]]:
     lines = [[line.box[0], line.box[1]] for line in found.lines]
     runs = [[(a, c), (b, d)] for (a, b), (c, d) in lines]
     arcs = [(piece, arc) for curve in found.curves for piece in curve.pieces for arc in piece.part.arcs]
-    steps = max(1, 60 // max(len(arcs), 1))
-    return runs + [[piece.sides.at(*place) for place in piece.curve.points(arc, steps)] for piece, arc in arcs]
-
-
-def _middle(found: Any, run: list[Any]) -> list[Any]:
-    """The points of a bisector for a run of pairs, without those whose normals are parallel."""
-    points = []
-    for place in run:
-        try:
-            points.append(found.point(*place))
-        except xs.ExactSplineError:
-            continue
-    return points
+    steps = 60 // max(len(arcs), 1)
+    for piece, arc in arcs:
+        # of many arcs the ends suffice
+        ends = [piece.curve.place(vertex) for vertex in (arc.first, arc.last)]
+        own = piece.curve.points(arc, steps) if steps > 1 else [[xs.from_floats(float(x)) for x in end] for end in ends]
+        runs.append([piece.sides.at(*place) for place in own])
+    return runs
 
 
 def _drawn(runs: list[list[Any]]) -> list[list[list[float]]]:

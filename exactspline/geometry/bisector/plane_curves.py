@@ -115,12 +115,12 @@ class PlaneBisector(Bisector):
         return zero_curve(self.function)
 
     @property
-    def pieces(self) -> tuple[ZeroArc, ...]:  # type: ignore[override]
+    def pieces(self) -> tuple[ZeroArc, ...]:  # type: ignore[override]  # computed when it is asked for
         """The arcs of pairs between singular points and borders."""
         return self.pairs.arcs
 
     @property
-    def missing(self) -> tuple[Box, ...]:  # type: ignore[override]
+    def missing(self) -> tuple[Box, ...]:  # type: ignore[override]  # computed when it is asked for
         """The rectangles in which pairs are not decided."""
         return self.pairs.undecided
 
