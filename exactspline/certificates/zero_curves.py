@@ -220,7 +220,9 @@ class _OnPatch:
         rest = quotient_by(subresultant(trimmed(rows), slopes, 0), trimmed(rows)[-1])
         require(bool(rest) and _is_free(rest or [], minimal, first), "another multiple zero in the box")
         # over the root: the function is a power of the factor in y, whose only zero is the point, times another one
-        factor = [[Fraction(integer(x), integer(cell["below"])) for x in row] for row in cell["factor"]]
+        below = integer(cell["below"])
+        require(below > 0, "a denominator that is not positive")
+        factor = [[Fraction(integer(x), below) for x in row] for row in cell["factor"]]
         require(len(factor) > 1 and trimmed(factor[-1]) == [1], "a factor that is not monic")
         require(all(len(row) < len(minimal) for row in factor), "a factor that is not reduced")
         require(count(cell["power"]) > 0, "a power that is not positive")
