@@ -58,7 +58,8 @@ function show({ answer, milliseconds }) {
   plane.clear("marks", "bisector");
   rectangle.clear("marks", "across", "up", "bisector");
   for (const name of ["across", "up", "bisector"]) for (const run of answer[name]) rectangle.line(name, run);
-  for (const run of answer.bisector) plane.line("bisector", run.map(middle));
+  const joined = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]) * plane.view.unit < 160;
+  for (const run of answer.bisector) plane.line("bisector", run.map(middle), {}, joined);
   const rows = answer.points.map((p) => {
     const title = `${p.kind} at s = ${p.s}, t = ${p.t}`;
     for (const [where, place] of [[plane, p.point], [rectangle, p.place]]) where.mark("marks", place, MARKS[p.kind] ?? "disc", title, { class: "mark inflection" });
@@ -69,7 +70,7 @@ function show({ answer, milliseconds }) {
   const head = ["kind", "s", "t", "multiplicity"].map((name) => html("th", { scope: "col" }, name));
   element("points").replaceChildren(html("thead", {}, html("tr", {}, ...head)), html("tbody", {}, ...rows));
   if (milliseconds === undefined) return;
-  say([`${answer.points.length} common points, certified in ${milliseconds.toFixed(0)} ms`, ...answer.left_out].join(" · "));
+  say([`${answer.points.length} common point${answer.points.length === 1 ? "" : "s"}, certified in ${milliseconds.toFixed(0)} ms`, ...answer.left_out].join(" · "));
   document.body.dataset.points = JSON.stringify(answer.points.map((p) => [p.kind, p.s, p.t]));
 }
 

@@ -141,11 +141,10 @@ def _runs(found: Any) -> list[list[Any]]:
     """Curves of zeros as runs of rational points near them, and lines."""
     lines = [[line.box[0], line.box[1]] for line in found.lines]
     runs = [[(a, c), (b, d)] for (a, b), (c, d) in lines]
-    arcs = [(piece, arc) for curve in found.curves for piece in curve.pieces for arc in piece.part.arcs]
-    steps = 60 // max(len(arcs), 1)
-    for piece, arc in arcs:
-        # of many arcs the ends suffice
+    for piece, arc in ((piece, arc) for curve in found.curves for piece in curve.pieces for arc in piece.part.arcs):
+        # of short arcs the ends suffice
         ends = [piece.curve.place(vertex) for vertex in (arc.first, arc.last)]
+        steps = int(40 * max(abs(float(a) - float(b)) for a, b in zip(*ends, strict=True)))
         own = piece.curve.points(arc, steps) if steps > 1 else [[xs.from_floats(float(x)) for x in end] for end in ends]
         runs.append([piece.sides.at(*place) for place in own])
     return runs
