@@ -142,7 +142,7 @@ def _runs(found: Any) -> list[list[Any]]:
     lines = [[line.box[0], line.box[1]] for line in found.lines]
     runs = [[(a, c), (b, d)] for (a, b), (c, d) in lines]
     pieces = [piece for curve in found.curves for piece in curve.pieces]
-    for piece, arc in [(piece, arc) for piece in pieces for arc in piece.part.arcs]:
+    for piece, arc in [(own, arc) for own in pieces for arc in own.part.arcs]:
         # of short arcs the ends suffice
         ends = [piece.curve.place(vertex) for vertex in (arc.first, arc.last)]
         steps = int(40 * max(abs(float(a) - float(b)) for a, b in zip(*ends, strict=True)))
