@@ -156,7 +156,10 @@ def _pairs(answer: Intersections, digits: int, curve: Nurbs | None) -> Iterator[
 
 def _found(each: Feature | Joint | CurvePiece | Described, digits: int) -> Found:
     if isinstance(each, Described):
-        return _piece(each.piece, str(each.kind))
+        possible = each.facts.get("certain") is False
+        found = _piece(each.piece, f"possible {each.kind}" if possible else str(each.kind))
+        other = [str(x) for x in each.values.get("second", ())]
+        return replace(found, other_low=other[0], other_high=other[1]) if other else found
     if isinstance(each, CurvePiece):
         return _piece(each, "piece across the seam" if each.across_seam else "piece")
     if isinstance(each, Joint):

@@ -12,7 +12,7 @@ from exactspline.batch.corpus import Problem
 from exactspline.interchange.digests import short_digest
 
 #: The version of a line's schema; it is raised when a field changes its meaning or is removed.
-VERSION = 5
+VERSION = 6
 
 
 #: The kind of a piece all of whose points answer a question about points.
@@ -176,7 +176,7 @@ def line_schema() -> dict[str, object]:
     """The JSON Schema of a line.
 
     >>> line_schema()["title"]
-    'exactspline/sweep_line, version 5'
+    'exactspline/sweep_line, version 6'
     """
     from exactspline.display.answer_forms import surface_answer_forms, values_form
 

@@ -301,6 +301,14 @@ def _of_two_curves(entry: Entry, curve: Nurbs, question: Question) -> Found:
     return pair_items(CurvePair(curve, read(question.argument).curve), entry.name), ()
 
 
+def _near_two_curves(curve: Nurbs, question: Question) -> Found:
+    """What all curves near this curve and another one have in common; the distance stands behind the last comma."""
+    other, comma, epsilon = question.argument.rpartition(",")
+    if not comma:
+        raise QuestionError(f"{question.text!r} needs a curve and a distance", remedy=f"{question.name}:circle,1/1000")
+    return list(_items(curve, CurvePair(curve, read(other).curve).intersections_within(epsilon))), ()
+
+
 def pair_items(pair: CurvePair, name: str) -> list[Item]:
     """The answer to a question of the registry about two curves, as items of an answer.
 
@@ -399,6 +407,8 @@ def _kinds() -> Iterator[Kind]:
         yield Kind(asked, entry.meaning, partial(_of_registry, entry))
     for name, entry in questions_of(CurvePair).items():
         yield Kind(f"{name}:CURVE", entry.meaning, partial(_of_two_curves, entry))
+    meaning = "the points that all curves within a distance of both have in common, and those that some may have"
+    yield Kind("intersections_within:CURVE,E", meaning, _near_two_curves)
     yield Kind("bounding_box", "the smallest and largest value of every coordinate", _bounding_box)
     yield Kind("area", "the signed area inside a closed polynomial plane curve", _area)
     yield Kind("moments:K", "its moments ∬ xⁱ yʲ with i + j ≤ K (by default 2)", _moments)

@@ -64,7 +64,8 @@ class Results(ABC):
             raise ResultsError(
                 "exists, and was not written by a sweep", where=str(self.place), remedy="write to another file"
             ) from None
-        if differing := [name for name in self.settings if known.get(name) != self.settings[name]]:
+        own = known if isinstance(known, dict) else {}
+        if differing := [name for name in self.settings if own.get(name) != self.settings[name]]:
             raise ResultsError(
                 f"was begun with other settings ({', '.join(differing)})",
                 where=str(self.place),

@@ -52,7 +52,7 @@ def _on_patch(patch: Mapping[str, Any]) -> list[int]:
     require(len(patch["functions"]) >= 2, "fewer functions than two")
     functions = [[[integer(x) for x in row] for row in net] for net in patch["functions"]]
     sizes = {(len(net), len(row)) for net in functions for row in net}
-    require(len(sizes) == 1 and (0, 0) not in sizes and all(functions), "functions of different degrees")
+    require(len(sizes) == 1 and all(map(all, sizes)) and all(functions), "functions of different degrees")
     proved = [_region(functions, zero) for zero in patch["zeros"]]
     regions = [region for region, _ in proved]
     for one, other in combinations(regions, 2):

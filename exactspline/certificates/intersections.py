@@ -11,12 +11,12 @@ weight.
 
 from collections.abc import Mapping
 from fractions import Fraction
-from functools import cache
 from math import gcd
 from typing import Any
 
+from exactspline.certificates.elimination import determinant, through, value
 from exactspline.certificates.numbers import count, fraction, integer, require
-from exactspline.certificates.zeros import isolated_zeros, product_of, restricted
+from exactspline.certificates.zeros import isolated_zeros, restricted
 
 Polynomial = list[int]
 INSIDE, OUTSIDE, START, END = "inside", "outside", "start", "end"
@@ -99,20 +99,10 @@ def _along(line: tuple[int, ...], curve: list[Polynomial]) -> Polynomial:
 
 
 def _determinant(matrix: list[list[Polynomial]]) -> Polynomial:
-    """By the first rows and subsets of the columns."""
-
-    @cache
-    def minor(columns: tuple[int, ...]) -> tuple[int, ...]:
-        if not columns:
-            return (1,)
-        total: Polynomial = []
-        for k, column in enumerate(columns):
-            term = product_of(matrix[len(columns) - 1][column], list(minor(columns[:k] + columns[k + 1 :])))
-            sign = -1 if (len(columns) - 1 - k) % 2 else 1
-            total = [a + sign * b for a, b in zip(_padded(total, len(term) - 1), term, strict=True)]
-        return tuple(total)
-
-    return list(minor(tuple(range(len(matrix)))))
+    """From its values at as many integers as it has coefficients."""
+    degree = len(matrix) * (len(matrix[0][0]) - 1)
+    values = [determinant([[value(p, x) for p in row] for row in matrix]) for x in range(degree + 1)]
+    return _padded(through(values), degree)
 
 
 def _padded(p: Polynomial, degree: int) -> Polynomial:

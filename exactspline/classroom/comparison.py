@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from exactspline.classroom.answers import Finding, simple_parameters
 from exactspline.classroom.differences import (
     Difference,
@@ -40,7 +42,9 @@ def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
     if given == reference:
         return Finding(())
     differences: list[Difference] = [Shape.REVERSED] if given == reference.reverse() else _points(given, reference)
-    a, b = given.domain
+    # on one segment polynomials differ at all but finitely many parameters; elsewhere the curves may be the same
+    breaks = sorted({*given.breakpoints, *reference.breakpoints})
+    a, b = next((a, b) for a, b in pairwise(breaks) if given.restrict(a, b) != reference.restrict(a, b))
     t = next(t for t in simple_parameters(a, b) if given(t) != reference(t))
     return Finding((*differences, OtherValue(t, reference(t), given(t))))
 

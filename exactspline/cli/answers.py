@@ -98,9 +98,11 @@ def _sheet(row: dict[str, Any], digits: int) -> Sheet:
     """An answer, one number per row."""
     made = Sheet("what", "name", "value", "double", title=row["key"], name=row["key"], prose=["value"])
     for item in row["items"]:
+        ends = _ends(item)
         for name, number in item["values"].items():
             exact = number["exact"] if number["exact"] is not None else _between(number, digits)
-            made.add_row(item["what"], name, exact, "–" if number["double"] is None else repr(number["double"]))
+            double = "–" if number["double"] is None else repr(number["double"])
+            made.add_row(item["what"], name, ends.get(name, exact), "" if name in ends else double)
         for name, fact in item["facts"].items():
             made.add_row(item["what"], name.replace("_", " "), _shown(fact), "")
     if row["error"]:
@@ -108,6 +110,17 @@ def _sheet(row: dict[str, Any], digits: int) -> Sheet:
     elif not row["items"]:
         made.add_row("nothing", "", "there is none", "")
     return made
+
+
+def _ends(item: dict[str, Any]) -> dict[str, str]:
+    """The ends of intervals that contain what curves near a curve have, rounded outwards; `--json` has them exactly."""
+    from exactspline.display.features import ends_text
+
+    if "certain" not in item["facts"]:
+        return {}
+    pairs = [pair for pair in (("start", "end"), ("second 1", "second 2")) if pair[0] in item["values"]]
+    exact = [(pair, [item["values"][name]["exact"] for name in pair]) for pair in pairs]
+    return {name: end for pair, own in exact for name, end in zip(pair, ends_text(*own), strict=True)}
 
 
 def _between(number: dict[str, Any], digits: int) -> str:

@@ -259,6 +259,28 @@ def check_distance(epsilon: str) -> None:
         _see_that_it_is_positive("--epsilon", epsilon, f", or {WRITTEN}")
 
 
+def with_distance(asked: Sequence[str], epsilon: str, usual: Sequence[str]) -> list[str]:
+    """Questions, with the distance of an option --epsilon for those that need one and have none; where none does, the
+    usual ones of these, too.
+    """
+    if not epsilon:
+        return list(asked)
+    check_distance(epsilon)
+    needs = [each.partition(":")[0].endswith("_within") for each in asked]
+    if not any(needs):
+        asked, needs = [*asked, *usual], [*needs, *[True] * len(usual)]
+    return [
+        f"{each}:{epsilon}" if need and ":" not in each else f"{each},{epsilon}" if _names_a_curve(each) else each
+        for each, need in zip(asked, needs, strict=True)
+    ]
+
+
+def _names_a_curve(asked: str) -> bool:
+    """Whether a question about two curves has the other one and no distance."""
+    name, _, argument = asked.partition(":")
+    return name == "intersections_within" and "," not in argument
+
+
 def check_approximate(within: str) -> None:
     """See that an option --approximate, if it is given, is a distance."""
     if within:

@@ -22,6 +22,7 @@ from exactspline.cli.common import (
     reading_of,
     see_that_coq_can_name,
     tell_written,
+    with_distance,
 )
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
@@ -134,6 +135,12 @@ def inspect(
     from exactspline.cli.surfaces import surfaces_among
 
     check_approximate(approximate)
+    if ask:
+        near = with_distance(ask, epsilon, ())
+        if epsilon and near == ask:
+            remedy = "it is for those that end in _within, such as features_within"
+            raise OptionsError(f"--epsilon and --ask {ask[0]}", remedy=remedy)
+        ask = near
     read, good = each_read(curve, lambda name: (name, reading_of(name, approximate)))
     if with_surfaces := surfaces_among(read, requested=surfaces):
         if len(with_surfaces) < len(read):
@@ -150,8 +157,8 @@ def inspect(
     elif ask:
         answer_questions(out, read_curves(read, good), ask, digits, certificates)
     else:
-        _see_that_they_fit(curve, approach, epsilon, emit_coq)
         found, good = read_curves(read, good)
+        _see_that_they_fit(found, approach, epsilon, emit_coq)
         if emit_coq and found:
             _emit(found[0].curve, emit_coq)
         inspected = [
@@ -188,13 +195,13 @@ def _inspect_surfaces(
     inspect_surfaces(out, own, digits, plot, epsilon, good=good)
 
 
-def _see_that_they_fit(names: Sequence[str], approach: str, epsilon: str, emit_coq: str) -> None:
+def _see_that_they_fit(found: Sequence[Read], approach: str, epsilon: str, emit_coq: str) -> None:
     """See that the options for curves fit to each other."""
     from exactspline.geometry.inspection import Approach
 
     if approach and approach != ALL:
         choice(Approach, approach, "approach", also=(ALL,))
-    if emit_coq and len(names) > 1:
+    if emit_coq and len(found) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
     if emit_coq:
         see_that_coq_can_name(emit_coq)

@@ -10,7 +10,7 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING, Annotated
 
-from exactspline.cli.common import Approximate, check_approximate, quiet_fonts
+from exactspline.cli.common import Approximate, check_approximate, quiet_fonts, with_distance
 from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import bar
@@ -88,6 +88,16 @@ Values = Annotated[
 Surfaces = Annotated[
     bool, Option("--surfaces", help="The surfaces of the corpus instead of its curves, which are named as skipped.")
 ]
+Epsilon = Annotated[
+    str,
+    Option(
+        "--epsilon",
+        metavar="E",
+        help="Also what all curves (surfaces) have whose control points and weights differ by at most E, and what some "
+        "of them may have; or, of the questions that end in _within, those that are named: a number, or written (half "
+        "a unit of the last digit).",
+    ),
+]
 OutputFile = Annotated[
     str,
     Option(
@@ -118,6 +128,7 @@ def sweep(
     values: Values = False,
     surfaces: Surfaces = False,
     approximate: Approximate = "",
+    epsilon: Epsilon = "",
     output: OutputFile = "",
     jobs: Jobs = 1,
     backend: Backend = "processes",
@@ -130,10 +141,14 @@ def sweep(
     from exactspline.batch.backends import check_backend
     from exactspline.batch.corpus import Taken
     from exactspline.batch.families import Family
+    from exactspline.batch.inspections import USUAL
     from exactspline.batch.summary import Summary
     from exactspline.batch.sweep import Where, recorded, work_of
 
     check_approximate(approximate)
+    if epsilon:
+        usual = ("shapes_within", "umbilics_within") if surfaces else ("features_within", "self_intersections_within")
+        find = with_distance(find or (["all"] if surfaces else USUAL), epsilon, usual)
     taken = Taken.of(surfaces=surfaces, approximate=approximate or None)
     if surfaces and random:
         raise OptionsError("--random and --surfaces", remedy="there are no families of random surfaces")

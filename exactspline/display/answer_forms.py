@@ -195,7 +195,7 @@ FORMS: dict[Any, Form] = {
     CurvePiece: INTERVALS,
     tuple[CurvePiece, Plane]: form_of(intervals=INTERVALS, plane=TEXT),
     RecognizedPiece: _described(ShapeKind, "whole"),
-    RecognizedPart: form_of(kind=one_of(ShapeKind), patches=list_of(PATCH), whole=FLAG, numbers=_NUMBERS),
+    RecognizedPart: form_of(kind=one_of(ShapeKind), patches=list_of(PATCH), whole=FLAG, once=FLAG, numbers=_NUMBERS),
     NearbyFeature: _described(FeatureKind, "certain", "single"),
     NearbyMeeting: _described(IntersectionKind, "certain"),
     StableFeature: _described(FeatureKind),

@@ -10,12 +10,12 @@ from rich.console import Console
 
 from exactspline.display import console
 from exactspline.display.described import described, readable, shape_text
-from exactspline.display.numbers import decimal
+from exactspline.display.numbers import decimal, rounded_down
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis import QUESTIONS, questions_about
 from exactspline.geometry.kinds import FeatureKind, JointKind, kind_name
 from exactspline.geometry.recognition.shapes import ShapeKind
-from exactspline.numbers.exact import rational
+from exactspline.numbers.exact import decimal_unit, mpq, rational
 from exactspline.questions.entry import Answered
 from exactspline.splines.nurbs import Nurbs
 
@@ -196,7 +196,7 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     for found in _in_order(data["nearby"]):
         ((low, high),) = found["intervals"]
         number = ("exactly one" if found["single"] else "at least one") if found["certain"] else "perhaps some"
-        made.add_row(kind_name(FeatureKind(found["kind"])), number, end_text(low), end_text(high))
+        made.add_row(kind_name(FeatureKind(found["kind"])), number, *ends_text(low, high))
     return made
 
 
@@ -213,7 +213,7 @@ def common_points_sheet(meetings: object, title: str) -> Sheet:
     made = Sheet("common points", "s between", "and", "t between", "and", title=title, heads=1)
     for found in listed:
         ((low, high),) = found["intervals"]
-        ends = map(end_text, (low, high, *found["numbers"]["second"]))
+        ends = *ends_text(low, high), *ends_text(*found["numbers"]["second"])
         made.add_row("exactly one" if found["certain"] else "perhaps some", *ends)
     return made
 
@@ -226,7 +226,8 @@ def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     for found in _in_order(data["stability"]):
         ((low, high),) = found["intervals"]
         numbers = [rational(x) for (x,) in found["numbers"].values()]
-        radius, *gone = (decimal(x, 4) for x in numbers)
+        # what is proved of a distance is so of smaller ones, and what is gone at one, within larger ones
+        radius, *gone = (decimal(s * rounded_down(s * x, 4), 4) for s, x in zip((1, -1), numbers, strict=False))
         times = f"{round(float(numbers[-1] / numbers[0]))} ×" if gone and numbers[0] else ""
         at, certain = decimal((rational(low) + rational(high)) / 2, DIGITS), radius if radius != "0" else "not proved"
         made.add_row(
@@ -254,6 +255,19 @@ def _in_order(found: Any) -> list[Any]:
 def end_text(t: str) -> str:
     """An end of an interval, to as many digits as are read at a glance."""
     return t if len(t) <= DIGITS else decimal(rational(t), DIGITS)
+
+
+def ends_text(low: str, high: str) -> tuple[str, str]:
+    """The ends of an interval that contains something, rounded outwards to as many digits as are read at a glance.
+
+    >>> ends_text("1/7", "1/7"), ends_text("1000000/3000001", "1000001/3000000")
+    (('1/7', '1/7'), ('0.333333222222', '0.333333666667'))
+    """
+    if max(len(low), len(high)) <= DIGITS:
+        return low, high
+    a, b = rational(low), rational(high)
+    unit = decimal_unit(max(abs(a), abs(b))) / mpq(10) ** (DIGITS - 1)
+    return decimal(a // unit * unit, DIGITS), decimal(-(-b // unit) * unit, DIGITS)
 
 
 def _continuity(joints: list[dict[str, Any]]) -> str:

@@ -11,7 +11,7 @@ from typing import Any, cast
 from exactspline.display.bisector_data import control_net
 from exactspline.display.data import Data, picked, plain
 from exactspline.display.described import described_surface, shape_text
-from exactspline.display.numbers import decimal
+from exactspline.display.features import ends_text
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, counted
@@ -159,9 +159,8 @@ def _place_data(place: Place, digits: int) -> Data:
 
 @_element_data.register
 def _shape_data(part: RecognizedPart, digits: int) -> Data:
-    return {"kind": str(part.kind), "patches": [list(patch) for patch in part.patches], "whole": part.whole} | {
-        "numbers": {name: [str(x) for x in values] for name, values in part.values.items()}
-    }
+    numbers = {name: [str(x) for x in values] for name, values in part.values.items()}
+    return {"kind": str(part.kind), **picked(part, "patches", "whole", "once"), "numbers": numbers}
 
 
 @_element_data.register
@@ -281,9 +280,13 @@ def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
     """The umbilics of all surfaces near a surface, and those that some of them may have."""
     made = Sheet("umbilics", "u between", "and", "v between", "and", title=title, heads=1)
     for umbilic in found:
-        ends = [decimal(x, DIGITS_OF_ENDS) for side in umbilic.sides for x in side]
+        ends = [x for side in umbilic.sides for x in ends_text(*map(text, side))]
         made.add_row("exactly one" if umbilic.certain else "perhaps some", *ends)
     return made
+
+
+#: What a table says of whether a shape is covered once.
+COVERED = {True: "covered once", False: "perhaps covered twice"}
 
 
 def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[RecognizedPart] | None = None) -> Sheet:
@@ -297,7 +300,8 @@ def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[R
     for part in inspection.shapes if shapes is None else shapes:
         sides = [surface.w.patch(*patch) for patch in part.patches]
         for box in _together(_together(sorted(sides), 0), 1):
-            made.add_row(str(part.kind), *(str(side) for side in box), shape_text(part.shape.numbers, part.within))
+            remark = f"{shape_text(part.shape.numbers, part.within)}, {COVERED[part.once]}"
+            made.add_row(str(part.kind), *(str(side) for side in box), remark)
     for line in inspection.parabolic_lines:
         note = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
         made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), note)

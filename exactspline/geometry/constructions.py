@@ -57,9 +57,9 @@ class Absence(StrEnum):
     def words(self) -> str:
         """The reason in words."""
         return {
-            Absence.STRAIGHT: "the curve is straight (its curvature vanishes identically)",
-            Absence.PLANAR: "the curve is planar (its torsion vanishes identically)",
-            Absence.STILL: "the curve stands still (its velocity vanishes identically)",
+            Absence.STRAIGHT: "the curvature vanishes identically (straight segments)",
+            Absence.PLANAR: "the torsion vanishes identically (segments in planes)",
+            Absence.STILL: "the velocity vanishes identically (the curve stands still)",
         }.get(self, "the denominator vanishes identically")
 
 

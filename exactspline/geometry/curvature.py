@@ -16,6 +16,7 @@ from exactspline.polynomials.bernstein import ONE, is_square_class, primitive
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.real import square_root_parts
+from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import in_lowest_terms
@@ -67,7 +68,10 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
     t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := _inner(interval, j)) and turning(t))
     coefficient, radicand = square_root_parts(up / down)
     # [γ′ γ″] is f2/w³: its sign is that of f2 only where w > 0
-    sign = 1 if n(t) * m(t) * turning(t) * c.w(t) > 0 else -1
+    agreement = n * m * turning * c.w
+    if any(root.sign_change for root in zeros(agreement)):
+        return CurvaturePiece(interval, 0, None, "the curve turns back here, where γ′ = 0: the sign of κ jumps")
+    sign = 1 if agreement(t) > 0 else -1
     return CurvaturePiece(interval, radicand, n.scaled(sign * coefficient) / m)
 
 

@@ -5,7 +5,6 @@ Parameters and coordinates are unitless exact numbers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -75,7 +74,7 @@ class Derived(Displayed):
 
         >>> from exactspline.interchange.examples import example
         >>> print(derive("evolute", example("straight_between_arcs")).existence)
-        on [0, 1] and [2, 3]; not on [1, 2]: the curve is straight (its curvature vanishes identically)
+        on [0, 1] and [2, 3]; not on [1, 2]: the curvature vanishes identically (straight segments)
         """
         there = " and ".join(_shown(piece.interval) for piece in self.pieces)
         gaps = [f"not on {_shown(interval)}: {reason.words}" for interval, reason in self.missing]
@@ -89,7 +88,7 @@ class Derived(Displayed):
                 return piece.value(t) if not isinstance(piece.value, Vector) else tuple(c(t) for c in piece.value)
         raise ShapeError(
             f"{self.name} does not exist at the parameter {short_text(t)}",
-            remedy="; ".join(reason.words for _, reason in self.missing),
+            remedy="; ".join(reason.words for (a, b), reason in self.missing if a <= t <= b) or "stay in the domain",
         )
 
 
@@ -138,16 +137,18 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     value = formula(curve)
     ruled = isinstance(value, RuledSurface)
     exists, breaks = _exists(value), curve.breakpoints
+    reasons = [None if here else _why_missing(made, curve, i) for i, here in enumerate(exists)]
     missing = tuple(
-        (interval, _why_missing(made, curve, interval))
-        for interval in intervals_where(breaks, [not here for here in exists])
+        sorted(
+            (interval, reason)
+            for reason in {each for each in reasons if each is not None}
+            for interval in intervals_where(breaks, [each is reason for each in reasons])
+        )
     )
     pieces = tuple(Piece(interval, compute(part(curve, *interval))) for interval in intervals_where(breaks, exists))
     if not pieces:
-        raise ShapeError(
-            f"{curve.name or 'the curve'} has no {name}: {missing[0][1].words} on its whole domain",
-            remedy="choose another curve",
-        )
+        everywhere = ", ".join(f"on {_shown(interval)} {reason.words}" for interval, reason in missing)
+        raise ShapeError(f"{curve.name or 'the curve'} has no {name}: {everywhere}", remedy="choose another curve")
     return Derived(name, Variant(variant), pieces, missing, ruled)
 
 
@@ -162,19 +163,14 @@ def _exists(value: Any) -> list[bool]:
     return [True] * len((value[0] if isinstance(value, Vector) else value).mesh)
 
 
-def _why_missing(made: Construction | None, curve: Nurbs, interval: Interval) -> Absence:
-    """Why a construction does not exist on an interval: what vanishes identically there on the curve itself."""
+def _why_missing(made: Construction | None, curve: Nurbs, i: int) -> Absence:
+    """Why a construction does not exist on a segment: what vanishes identically there on the curve itself."""
     if made is not None and curve.dimension in (2, 3):
         facts = analyse(curve)
-        inside = [interval[0] <= a < interval[1] for a in facts.breaks[:-1]]
-
-        def all_over(vanishes: Iterable[bool]) -> bool:
-            return all(here for here, asked in zip(vanishes, inside, strict=True) if asked)
-
-        if all_over(facts.standing):
+        if facts.standing[i]:
             return Absence.STILL
-        if all_over(facts.flatness.vanishes_on(facts.breaks)):
+        if facts.flatness.vanishes_on(facts.breaks)[i]:
             return Absence.STRAIGHT
-        if facts.in_space and all_over(facts.zero_form("zero_torsion", Variant.PAPER).vanishes_on(facts.breaks)):
+        if facts.in_space and facts.zero_form("zero_torsion", Variant.PAPER).vanishes_on(facts.breaks)[i]:
             return Absence.PLANAR
     return Absence.DENOMINATOR

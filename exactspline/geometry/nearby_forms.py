@@ -147,7 +147,7 @@ class Family:
         derivatives = self.rows * _derivative_matrix(self.degree)
         middle = _bernstein(self.degree, mpq(1, 2))
         values, slopes = ([float(x.mid()) for (x,) in (m * middle).table()] for m in (self.rows, derivatives))
-        factor = arb(best_factor(values, slopes)[1])
+        factor = arb(_best_factor(values, slopes))
         if not _common_sign([derivatives[0, k] + factor * x for k, x in enumerate(own)]):
             return 0
         return _common_sign(_enclosed(derivatives + self.rows * factor))
@@ -175,13 +175,11 @@ class Family:
             low, high = (middle, high) if row[0] * first > 0 else (low, middle)
         return low
 
-    def values_and_slopes(self, t: mpq) -> tuple[list[arb], list[arb]]:
-        """The value of the form of the curve at a local parameter, and what a change of each coordinate by E adds; the
-        same for its derivative.
+    def values(self, t: mpq) -> list[arb]:
+        """The value of the form of the curve at a local parameter, what a change of each coordinate by E adds, and the
+        remainder.
         """
-        place, derivatives = _bernstein(self.degree, t), self.rows * _derivative_matrix(self.degree)
-        first, second = ([x for (x,) in (rows * place).table()] for rows in (self.rows, derivatives))
-        return first, second
+        return [x for (x,) in (self.rows * _bernstein(self.degree, t)).table()]
 
 
 class CurvesNear:
@@ -315,17 +313,16 @@ def basis_ordinates(n: int, knots: tuple[mpq, ...]) -> tuple[tuple[arb, ...], ..
     return tuple(tuple(arb(to_fmpq(x)) for x in BSpline(n, knots, unit).segments[0]) for unit in units)
 
 
-def best_factor(values: Sequence[Any], slopes: Sequence[Any]) -> tuple[int | None, Any]:
+def _best_factor(values: Sequence[float], slopes: Sequence[float]) -> float:
     """The number λ for which ``|a₀ + λ b₀| / Σ|aⱼ + λ bⱼ|`` is largest, for slopes a and values b: one at which a
-    summand vanishes, with the number of that summand, or 0.
+    summand vanishes, or 0.
     """
 
-    def share(found: tuple[int | None, Any]) -> Any:
-        own, *others = (abs(a + found[1] * b) for a, b in zip(slopes, values, strict=True))
+    def share(factor: float) -> float:
+        own, *others = (abs(a + factor * b) for a, b in zip(slopes, values, strict=True))
         return own / total if (total := sum(others)) else own
 
-    pairs = enumerate(zip(slopes[1:], values[1:], strict=True))
-    return max([(None, slopes[0] * 0), *[(k, -a / b) for k, (a, b) in pairs if b]], key=share)
+    return max([0.0, *[-a / b for a, b in zip(slopes[1:], values[1:], strict=True) if b]], key=share)
 
 
 @cache

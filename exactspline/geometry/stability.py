@@ -2,8 +2,10 @@
 proved that no such change does it, and a curve, at a distance not much larger, without the feature.
 
 The distance is the largest of a list for which `exactspline.geometry.nearby` finds the feature once in all curves that
-near. The other curve moves each control point by the same amount, in the direction in which the form of the feature
-grows fastest where it is hardest to lift over zero; that it lacks a feature is decided in exact arithmetic.
+near. The other curve is sought by linear programs, one after the other, each for the form at the curve found before:
+which change of all numbers by at most a distance lifts the form most over zero between two zeros? Each is solved about,
+as a game: the best answer to the place where the form is least moves every number by the whole distance, with the sign
+of its slope (Brown 1951: the mean of such answers). That the curve lacks a feature is decided in exact arithmetic.
 """
 
 from __future__ import annotations
@@ -11,7 +13,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from heapq import merge
 from itertools import pairwise
+from math import copysign, inf
 
 from flint import arb, ctx
 
@@ -21,12 +25,11 @@ from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Facts
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.geometry.nearby import NearbyFeature, features_nearby
-from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family, best_factor
+from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family
 from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, TORSION
 from exactspline.geometry.recognition.proof import rounded_up
 from exactspline.geometry.space_features import SpaceFacts
-from exactspline.numbers.exact import mpq, sign
-from exactspline.numbers.intervals import ball_ends
+from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.reals.real import Real, real
 from exactspline.splines.expected import curve_of
@@ -42,12 +45,15 @@ FORMS: dict[int, dict[FeatureKind, tuple[str, int]]] = {
 }
 #: The distances that are tried, in units of the size of the curve.
 DISTANCES = tuple(mpq(m, 8) * mpq(2) ** e for e in range(-60, 0) for m in (8, 10, 12, 14))
-#: Where, between two zeros of a form, it may be hardest to lift over zero.
-PLACES = tuple(mpq(k, 12) for k in range(1, 12))
-#: How many places at which two zeros may merge are tried.
-MERGED = 3
-#: Multiples of the distance that the linear part of the form asks for.
-FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32, 48, 64, 96, 128, 256))
+#: At how many places from one zero of a form to the next it is lifted over zero, and to the middle behind them.
+PLACES, BESIDE = 10, 2
+#: The distances that are tried for that grow by this factor, from the least one that may be large enough on.
+STEP, MOST_STEPS = mpq(9, 8), 26
+#: Rounds of the game by which a linear program is solved, and shares of its solution that are tried.
+ROUNDS = 120
+SHARES = 1.0, 0.3
+#: By what fractions of a distance numbers are moved.
+FINE = 2**16
 
 
 @dataclass(frozen=True)
@@ -85,9 +91,9 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
     >>> from exactspline import example
     >>> for found in stability(example("cubic_s")):
     ...     print(found.kind, f"{float(found.radius):.3f} {float(found.gone):.3f}")
-    minimum 0.031 1.000
-    inflection 0.250 0.756
-    maximum 0.031 1.000
+    minimum 0.031 1.110
+    inflection 0.250 0.639
+    maximum 0.031 1.110
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """
@@ -124,19 +130,23 @@ def _stable(facts: Facts, kind: FeatureKind, place: Real, radii: _Radii) -> Stab
     else:
         name, which = FORMS[curve.dimension][kind]
         variant = Variant.PAPER if which == TORSION and curve.dimension == 3 else Variant.MINIMAL
-        low, high = _neighbours(list(facts.zero_form(name, variant).zeros), place, curve)
-        moved = _flattened(curve, which, (low, place, high))
+        around = _around(list(facts.zero_form(name, variant).zeros), place, curve)
+        low, high = (real((a + b) / 2) for a, b in pairwise(around[1:4]))
+        moved = _flattened(curve, which, around)
     before = len(_of_kind(facts, kind))
     witness = next((each for each in moved if _lacks(each, kind, before, low, high)), None)
     gone = None if witness is None else _difference(curve, witness)
     return StableFeature(kind, place, radii.of(kind, place), witness, gone)
 
 
-def _neighbours(zeros: Sequence[Real], place: Real, curve: Nurbs) -> tuple[Real, Real]:
-    """The zeros before and behind one, or the ends of the domain."""
-    start, end = map(real, curve.domain)
-    before, behind = [x for x in zeros if x < place], [x for x in zeros if x > place]
-    return before[-1] if before else start, behind[0] if behind else end
+def _around(zeros: Sequence[Real], place: Real, curve: Nurbs) -> list[mpq]:
+    """About where a form has two zeros before one, this one, and two behind it; the ends of the domain for those that
+    it has not.
+    """
+    (start, end), near = curve.domain, sorted(zeros)
+    before, behind = [x for x in near if x < place][-2:], [x for x in near if x > place][:2]
+    found = [x.enclosure(20).middle for x in (*before, place, *behind)]
+    return [start] * (2 - len(before)) + found + [end] * (2 - len(behind))
 
 
 def _lacks(curve: Nurbs, kind: FeatureKind, before: int, low: Real, high: Real) -> bool:
@@ -147,13 +157,17 @@ def _lacks(curve: Nurbs, kind: FeatureKind, before: int, low: Real, high: Real) 
     return len(found) < before and not any(low <= place <= high for place in found)
 
 
+def _size(curve: Nurbs) -> mpq:
+    columns = list(zip(*curve.control_points, strict=True))
+    return max(max(column) - min(column) for column in columns) or mpq(1)
+
+
 class _Radii:
     """The largest distances for which features are certain, found by halving; what is computed serves all features."""
 
     def __init__(self, curve: Nurbs) -> None:
         self.curve, self._found = curve, dict[int, tuple[NearbyFeature, ...]]()
-        columns = list(zip(*curve.control_points, strict=True))
-        self.size = max(max(column) - min(column) for column in columns) or mpq(1)
+        self.size = _size(curve)
 
     def of(self, kind: FeatureKind, place: Real) -> mpq:
         """The largest distance that is tried for a feature, 0 for none."""
@@ -213,95 +227,119 @@ def _straightened(curve: Nurbs, place: Real) -> Iterator[Nurbs]:
     yield Nurbs(curve.degree, curve.knots, points, curve.weights)
 
 
-def _flattened(curve: Nurbs, which: int, places: tuple[Real, Real, Real]) -> Iterator[Nurbs]:
-    """Curves near a curve, the nearest first, whose form is lifted over zero between the middle one of three places, a
-    zero, and one of the others, or which has a double zero there.
+def _flattened(curve: Nurbs, which: int, around: Sequence[mpq]) -> Iterator[Nurbs]:
+    """Curves near a curve, the nearest first, whose form has one sign around a zero, the third of five, and one of its
+    neighbours.
     """
-    gradients = _Gradients(curve, which)
-    lifts = [[list(gradients.lifts(t)) for t in _samples(*gap, curve)] for gap in pairwise(places)]
-    nearest = [max((single for single, *_ in own), key=_distance) for own in lifts]
-    nearest += sorted((double for own in lifts for _, *both in own for double in both), key=_distance)[:MERGED]
-    tried = [(lift.distance * factor, lift) for lift in nearest for factor in FACTORS]
-    for distance, lift in sorted(tried, key=lambda each: each[0]):
-        if distance:
-            with suppress(WeightError):
-                yield lift.applied(curve, rounded_up(distance))
+    lifting = _Lifting(curve, which)
+    both = [lifting.curves(around[1:]), lifting.curves(around[3::-1])]
+    return (found for _, found in merge(*both, key=lambda each: each[0]))
 
 
-def _distance(lift: _Lift) -> mpq:
-    return lift.distance
+class _Lifting:
+    """Changes of a curve that lift a form over zero."""
 
+    def __init__(self, curve: Nurbs, which: int) -> None:
+        self.curve, self.which, self.size = curve, which, _size(curve)
+        self.width = curve.dimension + (not curve.polynomial)
 
-def _samples(low: Real, high: Real, curve: Nurbs) -> list[mpq]:
-    """Places between two zeros, with those of them that are ends of the domain."""
-    a, b = low.enclosure(20).middle, high.enclosure(20).middle
-    return [a + (b - a) * share for share in PLACES] + [t for t in (a, b) if t in curve.domain]
+    def curves(self, places: Sequence[mpq]) -> Iterator[tuple[mpq, Nurbs]]:
+        """Curves whose form has one sign, at some places, around the second and the third of four zeros, that which it
+        does not have between them; with their distances, which increase.
+        """
+        first, zero, other, last = places
+        inner = _spread(zero, other, PLACES)
+        outer = [*_spread((first + 3 * zero) / 4, zero, BESIDE), *_spread(other, (3 * other + last) / 4, BESIDE)]
+        known = self._rows(self.curve, [*inner, *outer], 1)
+        middle = known.get(inner[PLACES // 2])
+        if zero == other or middle is None or not middle.height:
+            return
+        up = -1 if middle.height > 0 else 1
+        # the form may change its sign beside a zero by a jump
+        at = [t for t, row in known.items() if t in inner or row.height * up > 0]
+        rows = self._rows(self.curve, at, up)
+        hardest, steps = min(rows.values(), key=lambda row: row.height), dict[int, float]()
+        distance = mpq(-hardest.height)
+        for _ in range(MOST_STEPS if distance > 0 else 0):
+            distance = rounded_up(distance * STEP)
+            best = _best([*rows.values()], steps, float(distance))
+            for share in SHARES:
+                tried = {k: steps.get(k, 0.0) * (1 - share) + x * share for k, x in best.items()}
+                with suppress(ShapeError, WeightError):
+                    found = self._rows(self._moved(tried, distance), at, up)
+                    if _least(found) > _least(rows):
+                        steps, rows = tried, found
+                        break
+            if _least(rows) > 0:
+                yield distance, self._moved(steps, distance)
+            straight = {k: copysign(float(distance), x) for k, x in hardest.slopes.items()}
+            with suppress(ShapeError, WeightError):
+                if _least(self._rows(curve := self._moved(straight, distance), inner, up)) > 0:
+                    yield distance, curve
+
+    def _rows(self, curve: Nurbs, places: Sequence[mpq], up: int) -> dict[mpq, _Row]:
+        """The form at some places, to first order; without those at which nothing changes it."""
+        forms, known, found = CurvesNear(curve, mpq(0)), dict[int, Family](), dict[mpq, _Row]()
+        for t in places:
+            i = curve.mesh.locate(t)
+            if i not in known:
+                known[i] = forms.form(self.which, i)
+            value, *slopes = known[i].values(curve.mesh.local(i, t))[:-1]
+            norm = sum(map(abs, slopes), start=arb(0))
+            if norm > 0:
+                first = forms.basis(i)[0] * self.width
+                share = {first + k: up * float((x / norm).mid()) for k, x in enumerate(slopes) if x}
+                found[t] = _Row(up * float((value / norm / to_fmpq(self.size)).mid()), share)
+        return found
+
+    def _moved(self, steps: dict[int, float], distance: mpq) -> Nurbs:
+        """The curve with its numbers moved by these steps, rounded to fractions of a distance."""
+        points, weights = [list(p) for p in self.curve.control_points], list(self.curve.weights)
+        for k, step in steps.items():
+            i, c = divmod(k, self.width)
+            share = mpq(max(-FINE, min(FINE, round(step / float(distance) * FINE))), FINE)
+            if c < self.curve.dimension:
+                points[i][c] += share * distance * self.size
+            else:
+                weights[i] += share * distance * self.size
+        return Nurbs(self.curve.degree, self.curve.knots, points, weights)
 
 
 @dataclass(frozen=True)
-class _Lift:
-    """By how much control points must be moved, at first order, so that the form vanishes at a place, or has a double
-    zero there: each coordinate and weight of the control points from `first` on by a share of `distance`.
+class _Row:
+    """A form at a place, as a distance in units of the size of the curve: by how much all numbers must be changed for
+    it to be 0, with its sign; and what a change of each number does to it.
     """
 
-    distance: mpq
-    first: int
-    shares: tuple[tuple[mpq, ...], ...]
+    height: float
+    slopes: dict[int, float]
 
-    def applied(self, curve: Nurbs, distance: mpq) -> Nurbs:
-        """The curve with its control points moved by this distance."""
-        return _moved(curve, {self.first + i: [s * distance for s in row] for i, row in enumerate(self.shares)})
-
-
-def _moved(curve: Nurbs, steps: dict[int, Sequence[mpq]]) -> Nurbs:
-    """The curve with control points moved by these steps, each for all coordinates and, perhaps, the weight."""
-    points, weights = list(curve.control_points), list(curve.weights)
-    for i, row in steps.items():
-        points[i] = tuple(x + step for x, step in zip(points[i], row, strict=False))
-        weights[i] += sum(row[curve.dimension :])
-    return Nurbs(curve.degree, curve.knots, points, weights)
+    def change(self, steps: dict[int, float]) -> float:
+        """By how much steps change it."""
+        return sum(x * steps[k] for k, x in self.slopes.items() if k in steps)
 
 
-class _Gradients:
-    """A form of a curve, and how it changes with the control points, segment by segment."""
-
-    def __init__(self, curve: Nurbs, which: int) -> None:
-        self.curve, self.which = curve, which
-        self.forms, self._known = CurvesNear(curve, mpq(0)), dict[int, Family]()
-
-    def lifts(self, t: mpq) -> Iterator[_Lift]:
-        """What lifts the form to zero at a parameter, and what makes that a double zero there."""
-        i = self.curve.mesh.locate(t)
-        if i not in self._known:
-            self._known[i] = self.forms.form(self.which, i)
-        first = self.forms.basis(i)[0]
-        own, derivatives = (
-            [*map(_middle, x)][:-1] for x in self._known[i].values_and_slopes(self.curve.mesh.local(i, t))
-        )
-        yield self._lift(own, first)
-        free, factor = best_factor(own, derivatives)
-        if free is None:
-            return
-        lift = self._lift([d + factor * v for d, v in zip(derivatives, own, strict=True)], first)
-        shares = [x for row in lift.shares for x in row]
-        # one number is free: the form itself vanishes, too
-        rest = own[0] + lift.distance * sum(
-            x * v for k, (x, v) in enumerate(zip(shares, own[1:], strict=True)) if k != free
-        )
-        if lift.distance and abs(share := -rest / (own[1 + free] * lift.distance)) <= 1:
-            shares[free] = share
-            yield _Lift(lift.distance, first, self._by_points(shares))
-
-    def _lift(self, numbers: Sequence[mpq], first: int) -> _Lift:
-        value, *slopes = numbers
-        norm = sum(map(abs, slopes))
-        shares = [mpq(-sign(value) * sign(x)) for x in slopes]
-        return _Lift(abs(value) / norm if norm else mpq(0), first, self._by_points(shares))
-
-    def _by_points(self, shares: Sequence[mpq]) -> tuple[tuple[mpq, ...], ...]:
-        width = self.forms.per_point
-        return tuple(tuple(shares[k : k + width]) for k in range(0, len(shares), width))
+def _least(rows: dict[mpq, _Row]) -> float:
+    return min((row.height for row in rows.values()), default=-inf)
 
 
-def _middle(x: arb) -> mpq:
-    return ball_ends(x).middle
+def _best(rows: Sequence[_Row], steps: dict[int, float], distance: float) -> dict[int, float]:
+    """About the steps by at most a distance for which the least of the forms is largest; `rows` are for others."""
+    answers = [{k: copysign(distance, x) for k, x in row.slopes.items()} for row in rows]
+    base = [row.height - row.change(steps) for row in rows]
+    changes = [[row.change(answer) for answer in answers] for row in rows]
+    means, times = [0.0] * len(rows), [0] * len(rows)
+    for k in range(ROUNDS):
+        least = min(range(len(rows)), key=lambda i: base[i] + means[i])
+        times[least] += 1
+        means = [mean + (own[least] - mean) / (k + 1) for mean, own in zip(means, changes, strict=True)]
+    found = dict[int, float]()
+    for n, answer in zip(times, answers, strict=True):
+        for k, x in answer.items() if n else ():
+            found[k] = found.get(k, 0.0) + x * n / ROUNDS
+    return found
+
+
+def _spread(a: mpq, b: mpq, count: int) -> list[mpq]:
+    """Places from a to b, evenly, both included."""
+    return [a + (b - a) * mpq(k, count) for k in range(count + 1)]

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any, Generic, Protocol, TypeVar
 
+from exactspline.errors import as_items
 from exactspline.hooks import Displayed
 from exactspline.language.choices import Parameter
 from exactspline.language.operand import Constant, Operand
@@ -172,7 +173,8 @@ class Curve(Evaluated, Generic[T]):
 
     def with_point(self, point: Iterable[Constant]) -> Curve[T]:
         """The curve together with a point, whose coordinates are exact constants."""
-        return Curve(self.p, self.w, polynomial=self.polynomial, point=Vector(*[self.w.constant(x) for x in point]))
+        beside = Vector(*map(self.w.constant, as_items(point, "the coordinates of a point")))
+        return Curve(self.p, self.w, polynomial=self.polynomial, point=beside)
 
 
 class Pair(Evaluated, Generic[T]):

@@ -14,11 +14,10 @@ from exactspline.numbers.exact import mpq, to_fmpq, to_fmpz
 from exactspline.polynomials.annihilating import linear, quotient_at
 from exactspline.polynomials.bernstein import ONE, value
 from exactspline.polynomials.bezout import PlaneForms
-from exactspline.polynomials.common_arcs import Arc, Meeting, Meetings, RationalMap, between
+from exactspline.polynomials.common_arcs import Arc, Meeting, Meetings, RationalMap
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize
 from exactspline.polynomials.isolation import Isolation, isolate
-from exactspline.polynomials.refinement import sign_at
 from exactspline.polynomials.zero_places import FIRST, SUSPICIOUS, Place, at, places
 
 
@@ -177,8 +176,12 @@ def _is_before(one: Place, other: Place) -> bool:
 
 
 def _runs(coordinate: RationalMap) -> list[_Run]:
-    turns = [Place(zero) for zero in isolate(coordinate.slope, 2 * coordinate.degree - 2).inner if sum(zero.signs) == 0]
+    isolation = isolate(coordinate.slope, 2 * coordinate.degree - 2)
+    turning = [zero for zero in isolation.inner if sum(zero.signs) == 0]
+    turns = [Place(zero) for zero in turning]
     for place in turns:
         _ = place.rational  # then it is known where it is rational
     ends = [Coordinate(coordinate, place) for place in (at(mpq(0), 0), *turns, at(mpq(1), 0))]
-    return [_Run(a, b, sign_at(coordinate.slope, between(a.place, b.place)) > 0) for a, b in pairwise(ends)]
+    # not the signs at parameters between: the slope may vanish there without a change of sign
+    signs = [isolation.signs[0], *(zero.signs[1] for zero in turning)]
+    return [_Run(a, b, sign > 0) for (a, b), sign in zip(pairwise(ends), signs, strict=True)]

@@ -158,15 +158,17 @@ class PatchForm:
             return entries[m * (n + 1) :] if end else entries[: n + 1]
         return entries[n :: n + 1] if end else entries[:: n + 1]
 
-    def without_border(self) -> tuple[PatchForm, Borders]:
-        """The form without its factors x, 1 − x, y and 1 − y, and the multiplicity of each; not for the zero form.
+    def without_border(self, directions: Sequence[int] = (0, 1)) -> tuple[PatchForm, Borders]:
+        """The form without its factors x, 1 − x (direction 0), y and 1 − y, and the multiplicity of each; not for the
+        zero form.
 
         >>> f, times = PatchForm.of_net([[0, 0], [2, 2], [0, 0]]).without_border()  # 4 x (1 − x)
         >>> f.degree, times
         ((0, 0), Borders(u_low=1, u_high=1, v_low=0, v_high=0))
         """
-        first, low, high = _without_ends(self.matrix)
-        second, left, right = _without_ends(first.transpose())
+        first, low, high = _without_ends(self.matrix) if 0 in directions else (self.matrix, 0, 0)
+        turned = first.transpose()
+        second, left, right = _without_ends(turned) if 1 in directions else (turned, 0, 0)
         return PatchForm(_lowest(_lowest(second).transpose())), Borders(low, high, left, right)
 
     def elevated(self, degree: tuple[int, int]) -> PatchForm:

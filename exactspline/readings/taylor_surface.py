@@ -48,7 +48,7 @@ class DoubleSeries(FieldOperand):
     def _plus(self, right: Self) -> Self:
         total = dict(self.coefficients)
         for place, a in right.coefficients.items():
-            total[place] = total.get(place, self.number(0)) + a
+            total[place] = total[place] + a if place in total else a
         return type(self)(total, min(self.terms, right.terms))
 
     def _times(self, right: Self) -> Self:
@@ -57,7 +57,8 @@ class DoubleSeries(FieldOperand):
         for (i, j), a in self.coefficients.items():
             for m, n, b in others:
                 if i + j + m + n < terms:
-                    product[i + m, j + n] = product.get((i + m, j + n), self.number(0)) + a * b
+                    place = i + m, j + n
+                    product[place] = product[place] + a * b if place in product else a * b
         return type(self)(product, terms)
 
     def reciprocal(self) -> Self:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ShapeError, as_items
 from exactspline.language.operand import Operand
 from exactspline.numbers.exact import Number, mpq
 from exactspline.splines.given import exact_row
@@ -23,7 +23,8 @@ def mapped(p: Sequence[T], w: T, matrix: Sequence[Sequence[Number]], *, polynomi
 
     Raises `ShapeError` for a matrix of another shape.
     """
-    rows = [exact_row(row, f"matrix[{i}]") for i, row in enumerate(matrix)]
+    given = enumerate(as_items(matrix, "rows of a matrix"))
+    rows = [exact_row(as_items(row, "the numbers of a row"), f"matrix[{i}]") for i, row in given]
     n = len(p)
     shapes = {(len(rows), len(row)) for row in rows}
     projective, affine = shapes == {(n + 1, n + 1)}, shapes == {(n, n + 1)}

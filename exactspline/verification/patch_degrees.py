@@ -71,6 +71,8 @@ def variants_table(source: Paper) -> list[VariantsRow]:
     >>> row = variants_table(paper("surfaces"))[-2]
     >>> row.formula, row.defined, row.reduced, row.lifted, row.true
     ('line_coefficient_vv', '12d', '11d_u − 2, 11d_v − 4', '8d_u − 2, 8d_v − 4', '8d_u − 4, 8d_v − 8')
+    >>> row.polynomial, row.polynomial_true
+    ('5d_u − 2, 5d_v − 4', '5d_u − 2, 5d_v − 5')
     """
     source = as_instance(source, Paper, "a paper", "give what exactspline.paper returns")
     rows, known = [], source.formulas

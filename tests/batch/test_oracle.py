@@ -396,10 +396,19 @@ def test_two_curves_a_curve_and_a_point():
     circle = xs.example("circle")
     assert [item.what for item in items(circle, "intersections:ellipse")] == ["touching", "touching"]
     assert value(circle, "distance:ellipse", "distance") == 0
+    (near,) = items(xs.example("ellipse"), "intersections_within:cubic_s,1/1000")
+    assert near.facts == {"certain": True}
     (near,) = items(circle, "nearest:0,3")
     assert (near.values["parameter"], near.values["distance"], near.values["y"]) == (1, 2, 1)
     assert [item.what for item in items(circle, "nearest:0,0")] == ["everywhere"]
     assert value(circle.reverse(), "winding_number:1/2,1/3", "value") == -1
-    for asked in ("intersections", "intersections:nothing", "nearest:1", "winding_number:1,0", "nearest:x,y"):
+    for asked in (
+        "intersections",
+        "intersections:nothing",
+        "intersections_within:ellipse",
+        "nearest:1",
+        "winding_number:1,0",
+        "nearest:x,y",
+    ):
         with pytest.raises(ExactSplineError):
             oracle(circle, asked)

@@ -303,6 +303,10 @@ def test_results_of_another_sweep_are_not_touched(tmp_path):
     with pytest.raises(ResultsError, match="was not written by a sweep"):
         record(foreign)
     assert (place.read_bytes(), foreign.read_text()) == (before, "my notes, no line break")
+    # a list where the settings should be was an AttributeError
+    (tmp_path / "lines.jsonl.settings.json").write_text("[]")
+    with pytest.raises(ResultsError, match="other settings"):
+        record(place)
 
 
 def test_a_corpus_that_has_changed_is_told(tmp_path):

@@ -17,6 +17,7 @@ from __future__ import annotations
 import sys
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from itertools import pairwise
 from math import inf
 from random import Random
@@ -174,21 +175,27 @@ def wrong(near: Nurbs, said: Sequence[NearbyFeature], *, complete: bool = True) 
     return ""
 
 
+def answered(tally: Counter[str], of: str, what: str, ask: Callable[[], Sequence[Any]]) -> Sequence[Any] | None:
+    """An answer, counted; None where it is refused."""
+    try:
+        said = ask()
+    except ExactSplineError:
+        tally["refused: weights may vanish"] += 1
+        return None
+    tally[of] += 1
+    tally[f"certain {what}"] += sum(found.certain for found in said)
+    tally[f"possible {what}"] += sum(not found.certain for found in said)
+    return said
+
+
 def campaign(count: int, seed: int = SEED, dimension: int = 2) -> Counter[str]:
     """Random curves, each with a few near it at a random distance."""
     random, tally = Random(seed), Counter[str]()
     mp.dps = 60
     for _ in range(count):
         curve, epsilon = drawn(random, dimension), mpq(1, 10 ** random.randint(1, 14))
-        try:
-            said = features_nearby(curve, epsilon)
-        except ExactSplineError:
-            tally["refused: weights may vanish"] += 1
-            continue
-        tally["curves"] += 1
-        tally["certain features"] += sum(found.certain for found in said)
-        tally["possible features"] += sum(not found.certain for found in said)
-        for _ in range(DRAWN):
+        said = answered(tally, "curves", "features", partial(features_nearby, curve, epsilon))
+        for _ in range(DRAWN if said is not None else 0):
             tally["curves near them"] += 1
             if what := wrong(moved(curve, epsilon, random), said):
                 tally[f"WRONG: {what}, {curve!r}"] += 1
@@ -226,15 +233,9 @@ def meetings(count: int, seed: int = SEED) -> Counter[str]:
     for k in range(count):
         first = drawn(random)
         second, epsilon = (first if k % 2 else drawn(random)), mpq(1, 10 ** random.randint(1, 14))
-        try:
-            said = self_intersections_nearby(first, epsilon) if k % 2 else intersections_nearby(first, second, epsilon)
-        except ExactSplineError:
-            tally["refused: weights may vanish"] += 1
-            continue
-        tally["pairs of curves"] += 1
-        tally["certain common points"] += sum(found.certain for found in said)
-        tally["possible common points"] += sum(not found.certain for found in said)
-        for _ in range(DRAWN):
+        alone, both = partial(self_intersections_nearby, first), partial(intersections_nearby, first, second)
+        said = answered(tally, "pairs of curves", "common points", partial(alone if k % 2 else both, epsilon))
+        for _ in range(DRAWN if said is not None else 0):
             tally["pairs near them"] += 1
             a = moved(first, epsilon, random)
             b = a if k % 2 else moved(second, epsilon, random)

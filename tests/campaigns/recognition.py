@@ -13,8 +13,8 @@ from __future__ import annotations
 import sys
 from collections import Counter
 from collections.abc import Sequence
-from itertools import pairwise
-from math import hypot
+from itertools import combinations, pairwise, product
+from math import dist, hypot
 from random import Random
 
 from gmpy2 import mpq
@@ -23,7 +23,7 @@ from mpmath import mp, mpf
 from exactspline import Nurbs, NurbsSurface, example
 from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized
 from exactspline.geometry.recognition.shapes import Circle, Line
-from exactspline.geometry.surface.recognized import recognized_surface
+from exactspline.geometry.surface.recognized import RecognizedPart, recognized_surface
 
 SEED = 2031
 #: Points of a piece at which distances are measured.
@@ -318,9 +318,8 @@ def far_from(shape: object, point: tuple[mpf, ...]) -> mpf:
     return abs(mp.hypot(rho - major, along) - minor)
 
 
-def wrong_surface(surface: NurbsSurface, epsilon: mpq, kind: str) -> str:
+def wrong_surface(surface: NurbsSurface, found: Sequence[RecognizedPart], kind: str) -> str:
     """What is wrong with what is recognized of a surface that is nearly of a kind, "" for nothing."""
-    found = recognized_surface(surface, epsilon)
     if not found or not found[0].whole:
         return f"a moved {kind} is {[str(part.kind) for part in found]}"
     (part,) = found
@@ -329,7 +328,81 @@ def wrong_surface(surface: NurbsSurface, epsilon: mpq, kind: str) -> str:
     far = max(far_from(part.shape, tuple(map(number, surface(*place)))) for place in places)
     if far > number(part.within) + mpf(10) ** -35:
         return f"{far} away from {part.shape}, not {part.within}"
+    if part.once and layers(surface, part.shape) != 1:
+        return f"{layers(surface, part.shape)} layers of {part.shape}"
     return f"{part.within} proved where {far} was measured" if far * 6 < number(part.within) else ""
+
+
+def layers(surface: NurbsSurface, shape: object, count: int = 6) -> int:
+    """How many triangles of nearest points on a shape lie over one of some of these points, at most: of a grid of
+    parameters, seen along the normal of the shape.
+    """
+    n = {name: [float(number(x)) for x in values] for name, values in shape.numbers.items()}
+
+    def foot(place: tuple[mpq, mpq]) -> tuple[list[float], list[float]]:
+        """The nearest point, and the normal there."""
+        point = [float(x) for x in surface(*place)]
+        if shape.kind == "plane":
+            away = (fdot(n["normal"], point) - n["offset"][0]) / fdot(n["normal"], n["normal"])
+            return [x - away * a for x, a in zip(point, n["normal"], strict=True)], n["normal"]
+        start = n.get("centre") or n.get("point") or n["apex"]
+        offset = [x - a for x, a in zip(point, start, strict=True)]
+        if shape.kind == "sphere":
+            scale = n["radius"][0] / hypot(*offset)
+            return [a + scale * x for a, x in zip(start, offset, strict=True)], offset
+        size = hypot(*n["axis"])
+        axis = [x / size for x in n["axis"]]
+        along = fdot(offset, axis)
+        radial = [x - along * a for x, a in zip(offset, axis, strict=True)]
+        rho = hypot(*radial)
+        out = [x / rho for x in radial]
+        if shape.kind == "cylinder":
+            r, z, normal = n["radius"][0], along, (1.0, 0.0)
+        elif shape.kind == "cone":
+            c, s = 1 / hypot(1, n["tan"][0]), n["tan"][0] / hypot(1, n["tan"][0])
+            s = s if along > 0 else -s
+            t = (rho * abs(s) + abs(along) * c) * (1 if along > 0 else -1)
+            r, z, normal = t * s, t * c, (c, -s)
+        else:
+            major, minor = n["radii"]
+            far = hypot(rho - major, along)
+            normal = ((rho - major) / far, along / far)
+            r, z = major + minor * normal[0], minor * normal[1]
+        step, direction = ([a * x + b * y for x, y in zip(out, axis, strict=True)] for a, b in ((r, z), normal))
+        return [a + x for a, x in zip(start, step, strict=True)], direction
+
+    sides = surface.domain
+    grid = [[foot(sides.at(mpq(i, count), mpq(j, count))) for j in range(count + 1)] for i in range(count + 1)]
+    triangles = []
+    for i, j in product(range(count), repeat=2):
+        a, b, c, d = grid[i][j], grid[i + 1][j], grid[i][j + 1], grid[i + 1][j + 1]
+        triangles += [(a, b, c), (b, c, d)]
+    most = 0
+    for i, j in product(range(count), repeat=2):
+        at, normal = foot(sides.at((i + mpq(1, 3)) / count, (j + mpq(1, 5)) / count))
+        smallest = min(range(3), key=lambda k: abs(normal[k]))
+        e = cross(normal, [float(k == smallest) for k in range(3)])
+        frame = e, cross(normal, e)
+        over = 0
+        for triangle in triangles:
+            far = max(dist(p, at) for p, _ in triangle)
+            near = far < 1.1 * max(dist(p, q) for (p, _), (q, _) in combinations(triangle, 2))
+            if near and all(fdot(m, normal) > 0 for _, m in triangle):
+                flat = [[fdot([x - y for x, y in zip(p, at, strict=True)], f) for f in frame] for p, _ in triangle]
+                turns = [flat[k - 1][0] * flat[k][1] - flat[k - 1][1] * flat[k][0] for k in range(3)]
+                over += min(turns) > 0 or max(turns) < 0
+        most = max(most, over)
+    return most
+
+
+def fdot(a: Sequence[float], b: Sequence[float]) -> float:
+    """The scalar product in doubles."""
+    return sum(x * y for x, y in zip(a, b, strict=True))
+
+
+def cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
+    """The vector product in doubles."""
+    return [a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2] for k in range(3)]
 
 
 def in_space_campaign(count: int, seed: int = SEED) -> Counter[str]:
@@ -343,8 +416,12 @@ def in_space_campaign(count: int, seed: int = SEED) -> Counter[str]:
         found["exact patches"] += 1
         if len(parts) != 1 or not parts[0].whole or not (parts[0].exact and parts[0].kind == kind):
             found[f"WRONG: an exact {kind} is {[(str(part.shape), part.exact) for part in parts]}"] += 1
+        found["of these covered once"] += bool(parts) and parts[0].once
         found["patches moved by a tenth of epsilon"] += 1
-        if what := wrong_surface(moved_surface(exact, EPSILON / 20, random), EPSILON, kind):
+        near_exact = moved_surface(exact, EPSILON / 20, random)
+        parts = recognized_surface(near_exact, EPSILON)
+        found["of those covered once"] += any(part.once for part in parts)
+        if what := wrong_surface(near_exact, parts, kind):
             found[f"WRONG: {what}"] += 1
         net = [[tuple(mpq(random.randint(-99, 99), 8) for _ in range(3)) for _ in range(3)] for _ in range(3)]
         found["random surfaces"] += 1

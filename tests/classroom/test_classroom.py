@@ -257,6 +257,17 @@ def test_curves_are_compared_as_functions():
     assert compare_curves(curve, example("twisted_cubic")).differences == (OtherDimension(3, 2),)
 
 
+@pytest.mark.parametrize("width", [mpq(1, 10), mpq(1, 10**9)])
+def test_curves_that_differ_on_a_short_segment(width):
+    """Before, a parameter was looked for among all simple ones of the domain: without end on a segment of 10⁻⁹."""
+    knots = [0, 0, 0, *[mpq(1, 2)] * 2, *[mpq(1, 2) + width] * 2, 1, 1, 1]
+    points = [(0, 0), (1, 0), (2, 0), (2, 1), (3, 0), (4, 0), (5, 0)]
+    right = Nurbs(2, knots, points)
+    point, value = compare_curves(Nurbs(2, knots, [*points[:3], (2, 2), *points[4:]]), right).differences
+    assert (point.index, value.right) == (3, right(value.at))
+    assert mpq(1, 2) < value.at < mpq(1, 2) + width
+
+
 def test_formulas_are_compared_for_all_curves():
     given = find("f1")
     assert compare_formulas(given, find("f2"), "w")

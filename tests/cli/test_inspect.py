@@ -10,6 +10,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach
 from exactspline.geometry.kinds import JointKind
 from exactspline.interchange.files import read
+from exactspline.numbers.exact import rational
 from tests.geometry.test_shared_curves import FILES
 from tests.support.command import invoke
 
@@ -151,3 +152,27 @@ def test_an_unknown_approach_is_told_all_that_there_are():
     words = str(found.exception).rpartition("there are")[2].replace(",", " ").split()
     assert words == [*Approach, "all"]
     assert [invoke("inspect", "circle", "--approach", word).exit_code for word in words] == [0] * len(words)
+
+
+def test_what_holds_of_all_curves_near_one_by_the_oracle_and_in_sweeps():
+    """`--ask inflections --epsilon E` ignored the distance and answered about the one curve; ends were rounded to the
+    nearest decimals, so that an interval might lack what it was said to contain; sweeps gave what some curves may have
+    as if the curve had it.
+    """
+    exact = json.loads(invoke("inspect", "cubic_s", "--ask", "features_within:1e-3", "--json").output)["rows"][0][
+        "items"
+    ]
+    lines = invoke("inspect", "cubic_s", "--ask", "features_within", "--epsilon", "1e-3").output.splitlines()
+    shown = [rational(line.split()[2]) for line in lines if line.split()[1:2] in (["start"], ["end"])]
+    own = [rational(item["values"][name]["exact"]) for item in exact for name in ("start", "end")]
+    unit = rational("1e-12")
+    assert all(0 < (x - y) * (-1) ** k < unit for k, (x, y) in enumerate(zip(own, shown, strict=True)))
+    refused = str(invoke("inspect", "cubic_s", "--ask", "inflections", "--epsilon", "1e-3").exception)
+    assert "features_within" in refused
+    asked = invoke("sweep", "ellipse", "--epsilon", "1e-3", "--backend", "serial", "-o", "-").output
+    found = json.loads(asked.splitlines()[0])["found"]
+    assert {one["kind"] for one in found["features_within:1e-3"]} == {
+        f"possible {kind}" for kind in ("maximum", "minimum", "corner")
+    }
+    (seam,) = found["self_intersections_within:1e-3"]
+    assert (seam["kind"], seam["low"], seam["other_high"]) == ("possible crossing", "0", "4")

@@ -103,7 +103,7 @@ def test_every_schema_is_published():
     listed = json.loads(invoke("schema").stdout)["schemas"]
     assert set(DOCUMENTS) | {"figures", "convert", "convert surface"} == set(schemas())
     assert set(schemas()) | {"sweep_line"} == set(listed)
-    assert json.loads(invoke("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 5"
+    assert json.loads(invoke("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 6"
     assert json.loads(invoke("schema", "prove").stdout)["title"] == "exactspline/prove, version 2"
 
 

@@ -131,7 +131,7 @@ def at_a_point(f: Formula, dimension: int) -> tuple[object, ...] | None:
     kind = f.kind
     symbols = kind.symbols(dimension)
     parameters = {symbol.parameters for symbol in symbols if symbol.parameters}
-    if kind.rules(dimension) or kind.composed or kind.adjoins_roots or len(parameters) > 1:
+    if kind.rules(dimension) or kind.composed or len(parameters) > 1:
         return None
     double = parameters == {BOTH}
     if not double and any(len(each) > 1 for each in parameters):
@@ -148,11 +148,14 @@ def at_a_point(f: Formula, dimension: int) -> tuple[object, ...] | None:
 
     unit = DoubleSeries({(0, 0): mpq(1)}, DOUBLE_TERMS) if double else Series(map(mpq, [1, *[0] * (TERMS - 1)]))
     components, _ = split(f(kind.argument(dimension, operand, unit)))
-    return tuple(x.coefficients.get((0, 0), mpq(0)) if double else x.coefficients[0] for x in components)
+    parts = _parts(components)
+    return tuple(x.coefficients.get((0, 0), mpq(0)) if double else x.coefficients[0] for x in parts)
 
 
-#: Not multiplied out: a product of more terms than `FormulaError` allows. A claim ties it to what it equals.
-TOO_LONG = {"radius_derivative_line_5", "focal_third_term_by_arc_length", "focal_curve_by_both_derivatives"}
+def _parts(components: Iterable[object]) -> Iterator[object]:
+    """What numbers are made of: those with an adjoined root of three."""
+    for x in components:
+        yield from _parts((x.plain, x.rooted, x.square)) if hasattr(x, "rooted") else (x,)
 
 
 @cache
@@ -160,9 +163,7 @@ def meaning(f: Formula) -> tuple[object, ...]:
     """What two formulas share that are equal for all curves, in the lowest dimension of their kind."""
     dimension = f.kind.dimensions[0]
     value = at_a_point(f, dimension)
-    if f.name in TOO_LONG:
-        value = (f.name,)
-    elif value is None:
+    if value is None:
         c = RationalJetReading(order_of(f, dimension)).argument(f.kind, dimension)
         value = tuple(_written(x) for x in split(f(c))[0])
     return f.kind.name, f.kind.dimensions, *value

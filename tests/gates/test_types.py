@@ -71,7 +71,6 @@ UNTYPED = {"language/formula.py: Formula.__call__"}
 #: Likewise what is written once for numbers, points, curves and surfaces, and for doubles and rational numbers.
 OF_SEVERAL = re.compile(
     r"geometry/recognition/shapes\.py: (\w+\.(margins|parts|p|w)|cross_product|scalar)"
-    r"|geometry/nearby_forms\.py: best_factor"
     # polynomials with integers or fractions as coefficients
     r"|certificates/(elimination\.py: (trimmed|total|value|on_interval|strict_sign|sign_at_root)|zeros\.py: product_of)"
 )

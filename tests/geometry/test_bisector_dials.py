@@ -89,9 +89,9 @@ def test_a_pair_at_doubled_end_points_is_told_once(number, at):
     assert checked > 4
 
 
-def plane_curves(degree, number, seed=1, end=1):
+def plane_curves(degree, number, seed=1):
     random = Random(seed)
-    knots = [0] * (degree + 1) + [end] * (degree + 1)
+    knots = [0] * (degree + 1) + [1] * (degree + 1)
     return [Nurbs(degree, knots, [(number(random), number(random), 0) for _ in range(degree + 1)]) for _ in range(2)]
 
 
@@ -163,13 +163,14 @@ def test_plane_curves_of_degree_ten_end_and_what_is_left_out_is_named():
     assert time.process_time() - start < 20
 
 
-def test_a_knot_at_1e_minus_300_ends():
-    """Before: it did not end."""
+def test_a_knot_close_to_the_beginning_ends():
+    """Before: 11 s with nothing named, with 1e-100 24 s, and with 1e-300 it did not end."""
     start = time.process_time()
-    found = curve_bisector(*plane_curves(2, lambda random: random.randint(-9, 9), end="1e-300"))
+    first = Nurbs(3, [0] * 4 + ["1e-60"] + [1] * 4, [(0, 0, 0), (1, 2, 0), (3, 1, 0), (4, 0, 0), (5, 5, 0)])
+    found = curve_bisector(first, Nurbs(3, [0] * 4 + [1] * 4, [(0, 3, 0), (2, 5, 0), (5, 4, 0), (6, 6, 0)]))
     assert found.lines or found.left_out
     assert all(len(text) < 400 for text in found.left_out)
-    assert time.process_time() - start < 20
+    assert time.process_time() - start < 7
 
 
 @over_dials

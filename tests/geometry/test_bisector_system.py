@@ -7,7 +7,7 @@ from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, zeros
-from exactspline.geometry.bisector import cusps
+from exactspline.geometry.bisector import cusps, single_pairs
 from exactspline.geometry.bisector.components import Solutions
 from exactspline.geometry.bisector.correspondence import graph_intervals
 from exactspline.geometry.bisector.lines import Path, along
@@ -27,6 +27,19 @@ def test_cusps_have_all_of_space_only_where_they_certainly_meet(monkeypatch, mee
     found = cusps.over_both_cusps(System(piece(first, 0), piece(second, 0)))
     assert [pair.solutions for pair in found.pairs] == ([] if expected is None else [expected])
     assert len(found.left_out) == (expected is None)
+
+
+@pytest.mark.parametrize("touch", [True, False, None])
+def test_curves_cross_only_where_they_certainly_do_not_touch(monkeypatch, touch):
+    """Passed before: "a line of solutions" at a common point of which it is not decided whether the curves touch."""
+    ends = ((1, 0, 0), (2, 1, 0)), ((0, 1, 1), (1, 2, 5))
+    first, second = (Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0, 0), *own]) for own in ends)
+    system = System(piece(first, 0), piece(second, 0))
+    monkeypatch.setattr(single_pairs, "vanish_together", lambda polynomials, s, t: touch)
+    found = single_pairs.singles(system, [], [(mpq(0), mpq(0))])
+    kinds = [pair.solutions for pair in found.pairs]
+    assert kinds == {True: [Solutions.PLANE], False: [Solutions.LINE], None: []}[touch]
+    assert bool(found.left_out) == (touch is None)
 
 
 def test_a_piece_has_no_factor_in_common():

@@ -98,6 +98,8 @@ def exchanged(zero):
         (lambda patch, zeros: patch["functions"].pop(), "fewer functions than two"),
         (lambda patch, zeros: patch["functions"][0].pop(), "different degrees"),
         (lambda patch, zeros: patch["functions"][1][0].pop(), "different degrees"),
+        (lambda patch, zeros: patch.update(functions=[[], []], zeros=[]), "different degrees"),
+        (lambda patch, zeros: patch.update(functions=[[[]], [[]]], zeros=[]), "different degrees"),
         (lambda patch, zeros: patch["boxes"].pop(), "boxes that are missing"),
         (lambda patch, zeros: patch["boxes"].append(["1", "0"]), "more boxes"),
         (lambda patch, zeros: patch["boxes"].__setitem__(0, ["1", "0"]), "not one sign"),
@@ -107,12 +109,15 @@ def exchanged(zero):
         (lambda patch, zeros: patch["zeros"].append(patch["zeros"][0]), "regions of two zeros that meet"),
         (lambda patch, zeros: zeros["crossed"].update(region=[["0", "1"], ["0", "1"]]), "may be singular"),
         (lambda patch, zeros: zeros["crossed"].update(region=[["0", "2"], ["0", "1"]]), "not in the square"),
+        (lambda patch, zeros: zeros["crossed"].update(region=[["0", "1"], ["-1/2", "1"]]), "not in the square"),
+        (lambda patch, zeros: zeros["crossed"].update(region=[["0", "1"], ["1/2", "1/2"]]), "not in the square"),
         (lambda patch, zeros: zeros["crossed"].update(combinations=[["1", "0"]] * 2), "may be singular"),
         (lambda patch, zeros: zeros["crossed"].update(by="nothing"), "without a proof"),
         (lambda patch, zeros: exchanged(zeros["crossed"]), "without opposite signs"),
         (lambda patch, zeros: zeros["edge"].update(by="crossed"), "without opposite signs"),
         (lambda patch, zeros: zeros["edge"].update(edge=[0, 0]), "not in the region"),
         (lambda patch, zeros: zeros["edge"].update(edge=[2, 0]), "not in the region"),
+        (lambda patch, zeros: zeros["edge"].update(edge=[0, 2]), "not in the region"),
         (lambda patch, zeros: zeros["point"].update(point=["1", "1/2"]), "outside its region"),
         (lambda patch, zeros: zeros["point"].update(point=["1", "334/1000"]), "is not zero"),
         (lambda patch, zeros: zeros["point"].update(combinations=[["1", "0"]]), "not enough values"),
@@ -134,6 +139,39 @@ def exchanged(zero):
 def test_a_false_certificate_is_refused_with_its_flaw(change, flaw):
     with pytest.raises(ValueError, match=flaw):
         check_certificate(forged(change))
+
+
+def of_lines(regions, boxes, sign=1):
+    """A certificate about 2s − 1 and 2t − 1, with each region for their only zero; without regions about s and t."""
+    at = -1 if regions else 0
+    functions = [[[at, at], [sign, sign]], [[at, sign], [at, sign]]]
+    proof = {"combinations": [["1", "0"], ["0", "1"]], "by": "point", "point": ["1/2", "1/2"]}
+    patch = {
+        "functions": [[[str(x) for x in row] for row in net] for net in functions],
+        "zeros": [{"region": region, **proof} for region in regions],
+        "boxes": boxes,
+    }
+    return {"format": "exactspline certificate 1", "what": "common zeros", "patches": [patch]}
+
+
+WHOLE, LOW, HIGH = [["0", "1"], ["0", "1"]], [["0", "1/2"], ["0", "1"]], [["1/2", "1"], ["0", "1"]]
+
+
+@pytest.mark.parametrize(
+    ("regions", "boxes"), [((LOW, HIGH), ["first", 0, 1]), ((HIGH, LOW), ["first", 1, 0]), ((WHOLE, LOW), [0])]
+)
+def test_one_zero_is_not_counted_in_two_regions(regions, boxes):
+    """Mutants passed: two zeros, where regions touch in the only one, or one lies in the other."""
+    assert check_certificate(of_lines((WHOLE,), [0])) == {"zeros": 1, "multiplicity": 1}
+    with pytest.raises(ValueError, match="regions of two zeros that meet"):
+        check_certificate(of_lines(regions, boxes))
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_function_that_vanishes_at_a_corner_has_not_one_sign(sign):
+    """A mutant passed: that s and t have no zero in common, as no coefficient of −s is positive."""
+    with pytest.raises(ValueError, match="not one sign"):
+        check_certificate(of_lines((), [["1", "0"]], sign))
 
 
 def test_a_region_beside_an_edge_does_not_prove_a_zero_on_it():

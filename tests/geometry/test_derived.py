@@ -31,6 +31,23 @@ def test_a_straight_line_has_no_evolute(name):
         derive("evolute", example(name))
 
 
+@pytest.mark.parametrize("stop", [0, 1])
+def test_each_part_without_an_evolute_has_its_own_reason(stop):
+    """Passed before: "the curve is straight on its whole domain" where it stands still on half of it."""
+    points = [(0, 0), (1, 0), (2, 0), (2, 0), (2, 0)]
+    curve = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], points[:: -1 if stop else 1])
+    with pytest.raises(ShapeError) as refused:
+        derive("evolute", curve)
+    still = f"on [{1 - stop}, {2 - stop}] the velocity vanishes identically"
+    assert still in refused.value.problem
+    assert f"on [{stop}, {stop + 1}] the curvature vanishes identically" in refused.value.problem
+    arc = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 3, 3, 3], [*points, (3, 1), (3, 2)])
+    assert [reason for _, reason in derive("evolute", arc).missing] == [Absence.STRAIGHT, Absence.STILL]
+    with pytest.raises(ShapeError, match="stands still") as refused:
+        derive("evolute", arc)("3/2")
+    assert "straight" not in str(refused.value)
+
+
 def test_a_curve_with_one_straight_segment_has_an_evolute_on_the_others():
     evolute = derive("evolute", example("straight_between_arcs"))
     assert [piece.interval for piece in evolute.pieces] == [(0, 1), (2, 3)]
@@ -52,7 +69,7 @@ def test_degrees_of_what_exists_in_pieces_are_those_of_the_pieces():
     for row in rows(example("straight_between_arcs")):
         assert row.true == found.true_degree == 3
         assert row.text == found.existence
-        assert "not on [1, 2]: the curve is straight" in row.text
+        assert "not on [1, 2]: the curvature vanishes identically" in row.text
     assert rows(example("straight_between_arcs"))[-1].control_points == found.control_points == 8
     for row in rows(example("straight_line")):
         assert (row.represented, row.true, row.control_points) == (None, None, None)

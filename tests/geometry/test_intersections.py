@@ -428,6 +428,23 @@ def test_straight_curves_that_turn_back_at_irrational_parameters():
     assert len(intersections(zigzag, other).everywhere) == 8
 
 
+@pytest.mark.parametrize("place", [mpq(1, 4), mpq(1, 3), mpq(1, 2), mpq(3, 4)])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_straight_curves_that_slow_down_without_turning_back(place, sign):
+    """Passed before: curves that overlap "meet nowhere"; whether x grows was read off its slope at a sample, 0 there.
+
+    One is ``x = ± (t − r)³``, the other ``x = 2t²/3 − 1/4``, all on the line y = 0.
+    """
+    cubic = [sign * x for x in (-(place**3), place * place * (1 - place), -place * (1 - place) ** 2, (1 - place) ** 3)]
+    one, other = bezier(*[(x, 0) for x in cubic]), bezier((mpq(-1, 4), 0), (mpq(-1, 4), 0), (mpq(5, 12), 0))
+    low, high = max(min(cubic[0], cubic[3]), mpq(-1, 4)), min(max(cubic[0], cubic[3]), mpq(5, 12))
+    for found, k in ((intersections(one, other), 0), (intersections(other, one), 1)):
+        (arc,) = found.everywhere
+        ends = sorted((arc.first, arc.second)[k], key=lambda t: t * sign)
+        assert [sign * (t - place) * (t - place) * (t - place) for t in ends] == [low, high]
+    assert not self_intersections(one).everywhere
+
+
 def test_a_curve_that_runs_on_is_not_searched(monkeypatch):
     """Closed, broken and doubled chains of integers up to doubles: the answers are those of the search of all pairs. A
     search that took a gap for a joint, or a half turn for a cone, would have left out crossings.

@@ -117,7 +117,7 @@ def test_a_circle_that_runs_around_twice_is_two_pieces():
 
 def rows_of_turns(halves):
     """Half circles one after the other, each as two arcs of degree 2: (1 − t², 2t, 1 + t²) on [−1, 0] and [0, 1]."""
-    arc = [(0, -1, 1), (1, -1, 1), (1, 0, 1)], [(1, 0, 1), (1, 1, 1), (0, 2, 2)]
+    arc = [(0, -2, 2), (1, -1, 1), (1, 0, 1)], [(1, 0, 1), (1, 1, 1), (0, 2, 2)]
     rows = []
     for k in range(halves):
         turn = (-1) ** k
@@ -126,6 +126,58 @@ def rows_of_turns(halves):
             new = [tuple(scale * x for x in (turn * p[0], turn * p[1], p[2])) for p in points]
             rows += new if not rows else new[1:]
     return rows
+
+
+def turned_around(halves, profile):
+    """A profile of homogeneous points (ρ, z, w) turned around the z axis by this many half turns."""
+    rows = rows_of_turns(halves)
+    net = [[(mpq(x) * r, mpq(y) * r, mpq(w) * z, mpq(w) * v) for r, z, v in profile] for x, y, w in rows]
+    points = [[tuple(x / p[3] for x in p[:3]) for p in row] for row in net]
+    weights = [[p[3] for p in row] for row in net]
+    sides = [[0, *sorted([*range(len(own) // 2 + 1)] * 2), len(own) // 2] for own in (rows, profile)]
+    return xs.NurbsSurface((2, 2), *sides, points, weights)
+
+
+@pytest.mark.parametrize(
+    ("kind", "profile"),
+    [
+        ("cone", [(2, 0, 1), (3, 1, 1), (4, 2, 1)]),
+        ("plane", [(0, 0, 1), (3, 0, 1), (4, 0, 1)]),
+        ("sphere", [(1, 0, 1), (1, 1, 1), (0, 2, 2)]),
+        ("torus", [(2 * w + x, y, w) for x, y, w in rows_of_turns(2)]),
+    ],
+)
+def test_what_runs_over_a_surface_once(kind, profile):
+    """A whole turn is proved to cover once, one and a half are not, though the Jacobian has one sign."""
+    for halves, once in ((2, True), (3, False)):
+        surface = turned_around(halves, profile)
+        part, *_ = recognized_surface(surface)
+        assert (part.kind, part.exact, part.once) == (kind, True, once)
+        assert campaign.layers(surface, part.shape) == 2 - once
+
+
+def test_a_sphere_as_kernels_write_it():
+    """Weights of doubles: the centre by least squares is beside the axis through both poles, about which it turns."""
+    half = mpq(0.5**0.5)
+    around = [(1, 0, 1), (1, 1, half), (0, 1, 1), (-1, 1, half), (-1, 0, 1), (-1, -1, half), (0, -1, 1), (1, -1, half)]
+    profile = [(0, -1, 1), (1, -1, half), (1, 0, 1), (1, 1, half), (0, 1, 1)]
+    net = [[(x * r, y * r, z) for r, z, _ in profile] for x, y, _ in (*around, around[0])]
+    weights = [[v * w for *_, w in profile] for *_, v in (*around, around[0])]
+    surface = xs.NurbsSurface((2, 2), [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4], [0, 0, 0, 1, 1, 2, 2, 2], net, weights)
+    (part,) = recognized_surface(surface)
+    assert (part.kind, part.exact, part.whole, part.once) == ("sphere", False, True, True)
+    assert part.within < mpq(1, 10**15)
+
+
+def test_folds_of_a_plane_are_not_covered_once():
+    """A quadrilateral is; one whose sides cross, and a strip that turns back, are not."""
+    for ends, once in ((((0, 0), (0, 1), (2, 0), (1, 1)), True), (((0, 0), (0, 1), (1, 1), (1, 0)), False)):
+        a, b, c, d = ((*p, 0) for p in ends)
+        (part,) = recognized_surface(xs.NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[a, b], [c, d]]))
+        assert part.once == once
+    strip = [[(x, y, 0) for y in (0, 1)] for x in (0, 2, 1)]
+    (part,) = recognized_surface(xs.NurbsSurface((2, 1), [0, 0, 0, 1, 1, 1], [0, 0, 1, 1], strip))
+    assert not part.once
 
 
 def test_what_turns_back_or_has_a_gap_is_not_one_arc():

@@ -38,6 +38,20 @@ def test_both_ways_to_the_curvature_agree_with_its_definition(sign):
             assert piece.value(t) == true
 
 
+def test_the_curvature_of_a_curve_that_turns_back_changes_its_sign():
+    """Passed before: κ has one sign where γ′ = 0 cancels; of t ↦ γ(t²) that of a single sample, wrong on one side."""
+    there, back = (
+        power_curve([0, 0, 0, 1, *[0] * 5, mpq(-4, 3)], [*[0] * 6, 2]),
+        power_curve([0, 0, 1, 0, 0, 0, mpq(-4, 3)], [*[0] * 4, 2]),
+    )
+    (piece,) = curvature_function(back)
+    assert piece.value is None
+    assert "turns back" in piece.reason
+    assert values_along.curvature(back, mpq(1, 2)) == -values_along.curvature(back, mpq(-1, 2)) != 0
+    (piece,) = curvature_function(there)
+    assert all(piece.value(t) == values_along.curvature(there, t) != 0 for t in (mpq(-1, 2), mpq(1, 3)))
+
+
 def elevated_with(points, weights):
     """Homogeneous points of a polynomial cubic times a linear function with these Bézier points."""
     w = BSpline.bezier(weights)

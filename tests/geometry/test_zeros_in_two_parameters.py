@@ -290,3 +290,9 @@ def test_what_is_out_of_reach_is_undecided(monkeypatch):
     monkeypatch.setattr(zeros_in_two_parameters, "QUESTION", 0)
     found = common_zeros(f, g)
     assert (len(found), bool(found), len(found.undecided)) == (0, True, 1)
+
+
+def test_a_zero_of_what_remains_on_a_common_line_is_no_single_one():
+    """A mutant passed: (1/2, 1/2) as a point beside the line s = 1/2, on which it is."""
+    found = common_zeros(function(lambda s, t: (2 * s - 1) * (t - s)), function(lambda s, t: (2 * s - 1) * (t + s - 1)))
+    assert (found.points, len(found.everywhere)) == ((), 1)

@@ -275,6 +275,7 @@ def test_a_bulge_is_the_tangent_of_a_quarter_of_the_angle():
     ("0 ELLIPSE 10 0 20 0 11 1 21 0 40 0.5 41 0 42 1.0", "not a multiple of π/2"),
     ("0 SPLINE 70 8 71 3 72 8 73 4 10 0 20 0", "8 knots announced, 0 given"),
     ("0 SPLINE 71 3 11 0 21 0", "fit points only"),
+    ("0 LWPOLYLINE 90 5 10 0 20 0 10 1 20 0", "5 vertices announced, 2 given"),
     ("0 CIRCLE 10 0 20 0 40 1 210 1 220 1 230 0", "irrational length"),
 ])  # fmt: skip
 def test_what_dxf_cannot_give_exactly_is_named(words, why):

@@ -49,6 +49,14 @@ def test_the_page_of_the_sources_names_every_error(name):
         assert title in page
 
 
+def test_a_convention_is_no_error_and_an_offset_is_one_at_any_distance():
+    """Passed before: a convention of signs as an error of its source; "(1 − dκ) c′" that was proved for d = 1 alone."""
+    signs = [claim for claim in claims_of(paper("levien_parallel_curves")) if claim.error == "cusp-sign"]
+    assert Status.PRINTED not in {claim.status for claim in signs}
+    speeds = [claim for claim in claims_of(paper("demers_hodographs")) if "sigma(1 - eps kappa)" in claim.words]
+    assert "plane with delta" in {claim.curve for claim in speeds}
+
+
 def test_there_are_enough_claims_and_no_statement_twice():
     claims = [claim for name in SOURCES for claim in claims_of(name)]
     assert len(claims) >= 120

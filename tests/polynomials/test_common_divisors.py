@@ -116,3 +116,12 @@ def test_a_divisor_over_a_field_is_counted_with_its_reconstruction():
     assert paid.total - paid.remaining > 30 * 10**6
     with drawing_on(Budget(10**7)), pytest.raises(ReachError, match="a common divisor over the field"):
         one.gcd(other)
+
+
+def test_primes_that_divide_a_denominator_are_passed_over():
+    """A mutant ended in an error: the first prime below 2⁶¹ is the denominator of a coefficient of either operand."""
+    modulus, prime = fmpq_poly([-2, 0, 1]), (1 << 61) - 1
+    shared, one, other = (OverRoot([fmpq_poly([fmpq(1, k)]), 1], modulus) for k in (prime, 3, 5))
+    for first, second in ((shared * one, shared), (shared, shared * other), (shared * one, shared * other)):
+        assert first.gcd(second).coefficients == shared.coefficients
+    assert one.gcd(shared).coefficients == shared.gcd(one).coefficients == OverRoot([1], modulus).coefficients

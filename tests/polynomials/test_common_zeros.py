@@ -11,8 +11,8 @@ from exactspline.geometry.surface.common_factor import common_factor, odd_part
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Box, Interval
-from exactspline.polynomials.certified_boxes import isolate, simplest
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.certified_boxes import Isolated, isolate, simplest
 from exactspline.polynomials.patch_forms import PatchForm, clusters, of_powers, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form
 from exactspline.roots.common_zeros import zeros_of
@@ -55,6 +55,25 @@ def test_borders_are_taken_off_and_nothing_else():
     assert odd_part(as_form((S - T) ** 3 * (S + T) ** 2)).degree == (1, 1)
     assert common_factor([as_form(S * (S - T)), as_form((S - T) * (T + 1))]).degree == (1, 1)
     assert common_factor([as_form(S), as_form(T)]) is None
+
+
+@pytest.mark.parametrize("place", [mpq(97, 100), mpq(29, 30), mpq(0.97)])
+def test_the_box_of_a_zero_contains_it_however_far_it_is_refined(place):
+    """x + 4(1 − x)⁵/25 has a slope of nearly 1 but close to 0. A mutant passed: Krawczyk's operator with the values at
+    another point than the middle, to whose distance from the ends the radius then does not belong.
+    """
+
+    def vanishing_at(x, end):
+        there = 25 * x + 4 * (1 - x) ** 5
+        scale = int(there.denominator)
+        return as_form((end * 25 + (1 - end) ** 5 * 4) * scale - int(there * scale)).elevated((5, 5))
+
+    # the second zero is close to the other end
+    zero = Isolated((vanishing_at(place, S), vanishing_at(place, 1 - T)), UNIT)
+    for bits in (2, 9, 40, 200):
+        box = zero.refine(bits)
+        assert box.contains(Box.point(place, 1 - place))
+        assert box.longest <= mpq(1, 1 << bits)
 
 
 @pytest.mark.parametrize("n", [2, 40])

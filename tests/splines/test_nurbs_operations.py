@@ -74,6 +74,19 @@ def test_a_projective_map_makes_a_circle_of_a_parabola():
     assert all(x * x + y * y == 1 for x, y in map(image, PLACES))
 
 
+def test_what_is_not_a_matrix_or_a_point_is_refused():
+    """Before, the errors of Python: "'int' object is not iterable"."""
+    for call in (
+        lambda: PARABOLA.transform(2),
+        lambda: PARABOLA.transform([1, 2]),
+        lambda: PARABOLA.transform("12"),
+        lambda: PARABOLA.with_point(None),
+        lambda: PARABOLA.with_point("12"),
+    ):
+        with pytest.raises(ShapeError, match="are expected"):
+            call()
+
+
 @pytest.mark.parametrize("matrix", [[[1, 0], [0]], [[1, 0, 0, 0]] * 2, [[1, 2, 3]], [[1, 0, 0]] * 4, []])
 def test_a_matrix_of_another_shape_is_refused(matrix):
     with pytest.raises(ShapeError) as caught:

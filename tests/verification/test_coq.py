@@ -7,6 +7,7 @@ corrupted certificates.
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -18,11 +19,13 @@ from pathlib import Path
 from random import Random
 
 import pytest
+from flint import fmpq, fmpq_poly
 
 from docs import ten_claims
 from exactspline import example, examples, intersections, write, zeros
 from exactspline.display.evidence import opinion
 from exactspline.errors import ClaimError
+from exactspline.interchange.curve_files import curve_data
 from exactspline.papers import find, papers
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification import coq_judge
@@ -30,7 +33,7 @@ from exactspline.verification.claims import select
 from exactspline.verification.coq.answers import answers, theorem_of
 from exactspline.verification.coq.emission import BY_HAND, ROOT, library
 from exactspline.verification.coq.formulas import Formulas
-from exactspline.verification.coq.meetings import meeting_theorem
+from exactspline.verification.coq.meetings import _determinant, meeting_theorem
 from exactspline.verification.vocabulary import Verdict
 from tests.support.command import run
 from workshop.mutation import kernel
@@ -233,9 +236,13 @@ def test_from_the_command_line(tmp_path: Path) -> None:
         refused = run("inspect", "cubic_s", "--emit-coq", folder)
         assert refused.returncode == 2
         assert refused.stderr.startswith("error: ")
-    refused = run("inspect", "cubic_s", "circle", "--emit-coq", file)
-    assert refused.returncode == 2
-    assert "one file per curve" in refused.stderr
+    both = tmp_path / "both.json"
+    both.write_text(json.dumps({"curves": [curve_data(example(name)) for name in ("cubic_s", "circle")]}))
+    # of a file with two curves the first alone was written, without a word
+    for curves in (("cubic_s", "circle"), (both,)):
+        refused = run("inspect", *curves, "--emit-coq", file)
+        assert refused.returncode == 2
+        assert "one file per curve" in refused.stderr
 
 
 def test_formulas_that_lean_on_each_other_keep_their_names() -> None:
@@ -307,6 +314,13 @@ def test_coq_accepts_all_points_of_two_curves_and_no_others(room: Path) -> None:
         assert not accepted(room, text[:begin] + statement.sub(boxes, text[begin:]))
     assert text.count("coordinates := [[2; 2; 3; 2]") == 1
     assert not accepted(room, text.replace("coordinates := [[2; 2; 3; 2]", "coordinates := [[2; 2; 3; 1]"))
+
+
+def test_determinants_take_a_time_bounded_by_a_power_of_their_size() -> None:
+    """Before, all sets of columns were gone through: without end for curves of the degrees 12 and 2."""
+    size, x = 22, fmpq_poly([0, fmpq(1, 3)])
+    rows = [[fmpq_poly([i + j]) if i < j else x if i == j else fmpq_poly([]) for j in range(size)] for i in range(size)]
+    assert _determinant(rows[::-1]) == -(x**size)
 
 
 def test_what_has_no_theorem_says_so(tmp_path: Path) -> None:

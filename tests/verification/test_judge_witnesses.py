@@ -21,13 +21,18 @@ from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import trace
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.claims import claims_of, select
+from exactspline.verification.claims import claims_of, select, stands_at
+from exactspline.verification.combined import Proofs, combined, computed_once
+from exactspline.verification.curve_check import table_1_splines
 from exactspline.verification.decision import DirectrixOf, Equation
+from exactspline.verification.degree_tables import construction_table
 from exactspline.verification.divisors import divided_by, divisors
+from exactspline.verification.errata import check, true_relation
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import (
     At,
     DegreeFound,
+    Evidence,
     ExactQuotient,
     Fact,
     JudgesDisagree,
@@ -38,7 +43,12 @@ from exactspline.verification.evidence import (
 from exactspline.verification.judges import agreed
 from exactspline.verification.kinds.degree import held_against
 from exactspline.verification.kinds.equality import IsoCurve
+from exactspline.verification.kinds.invariance import with_article
 from exactspline.verification.kinds.types import on_cubics
+from exactspline.verification.ledger import proved
+from exactspline.verification.patch_degrees import patch_table
+from exactspline.verification.questions import verify
+from exactspline.verification.rows import Counts
 from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import (
     CONTRADICTION,
@@ -68,6 +78,8 @@ FORMULAS = plane_formulas(
     gamma="c.gamma * 1",
     large="c.w / (c.p[0] + c.p[1] + c.w + c.p[0].d(1) + c.p[1].d(1) + c.w.d(1))**60",
     three="join(c.p[0] / c.w, c.p[1] / c.w, c.w / c.w)",
+    below="0 - c.p[0] * c.p[0]",
+    mixed="c.p[0] + c.p[0].d(1)",
 )
 
 
@@ -359,3 +371,84 @@ def test_numbers_are_no_divisors():
     quotient = Formula(lambda c: c.p[0] / c.w / 2, "quotient", CURVE, "0")
     assert [*divided_by(trace(half, 2))] == []
     assert len([*divided_by(trace(quotient, 2))]) == 1
+
+
+# ---- parts that are said of all curves
+
+
+@pytest.mark.parametrize("height", ["-1", "0", "1"])
+def test_what_is_not_homogeneous_has_no_height_that_is_known(claimed, height):
+    """Passed before: x + x′ has the height −1, as if it were zero; any other one was refuted, "identically zero"."""
+    claim = claimed(kind="degree", formula="mixed", measure="height", claimed=height)
+    assert proved(claim).verdict == UNDECIDED
+    own = claimed(kind="degree", formula="f", measure="height", claimed=height)
+    assert proved(own).verdict == (PROVED if height == "0" else REFUTED)
+
+
+@pytest.mark.parametrize(("formula", "sign"), [("below", "≤ 0"), ("square", "≥ 0")])
+def test_a_sign_is_that_of_the_squares(claimed, formula, sign):
+    """A mutant passed: any polynomial less than or equal to 0, as 0 times it is not negative."""
+    for said in ("≤ 0", "≥ 0", "< 0", "> 0"):
+        claim = claimed(kind="sign", formula=formula, sign=said, squares=["abscissa"], factor="w^2")
+        assert (proved(claim).verdict == PROVED) == (said == sign)
+        assert (claim.examine(PARABOLA, Evaluation(PARABOLA)).verdict == VERIFIED) == (said == sign)
+
+
+def test_a_run_computes_once_and_goes_on_with_what_is_known(claimed):
+    claim = claimed(kind="vanishing", left="f")
+    known = Proofs()
+    with computed_once(known):
+        assert combined(claim) is known.combined(claim)
+    with computed_once():
+        assert combined(claim) is combined(claim)
+
+
+def test_evidence_is_a_value_that_cannot_be_changed():
+    class Made(Evidence, words="$number"):
+        number: int
+
+    made = Made(3)
+    assert made == Made(3)
+    with pytest.raises(AttributeError, match="cannot assign"):
+        made.number = 4
+
+
+def test_a_check_says_that_its_paper_is_trusted(tmp_path):
+    folder = written(
+        tmp_path / "p", FORMULAS, [{"id": "1", "statement": "x", "kind": "vanishing", "curve": "plane", "left": "f"}]
+    )
+    for trust in (False, True):
+        (claim,) = claims_of(load_paper(folder, trust=trust))
+        assert any("trust=True" in line for line in check(claim)) == trust
+
+
+def test_the_true_relation_is_known_where_the_factor_is():
+    (printed,), (other,) = select(["C42b-g1-g0"]), select(["C43c-signed_curvature-inverted_curvature"])
+    relation = true_relation(printed, combined(printed)[1])
+    assert relation is not None
+    assert str(relation.factor) == "w⁸"
+    assert true_relation(other, combined(other)[1]) is None
+
+
+def test_the_words_of_a_question_name_both_formulas_and_what_is_counted():
+    answer = verify("f1", "f2", example("rational_cubic"), "w")
+    assert (answer.left, answer.right) == ("f1", "f2")
+    assert Counts(10, 6, 3, 1).neither == 1
+    assert [with_article(name) for name in ("isometry", "affine map", "scaling", "reversal")] == [
+        "an isometry",
+        "an affine map",
+        "a scaling",
+        "a reversal",
+    ]
+    assert [stands_at(place, "remark") for place in ("remark2", "remark")] == [True, True]
+    with pytest.raises(FormulaError, match=r"no formula of surfaces among f2 \(plane\)"):
+        patch_table([find("f2")], (2, 2))
+
+
+def test_rows_of_degrees_say_what_they_count():
+    naive, *others = construction_table(example("rational_cubic"))
+    assert naive().text == "[γ′ γ″]"
+    assert others
+    first, second = (operands.knots for operands in (table_1_splines(2, 3).p1, table_1_splines(2, 3).p2))
+    assert [*first] == [0, 0, 0, 1, 2, 3, 3, 3]
+    assert [*second] == [0, 0, 0, 0, mpq(1, 2), 2, 2, 3, 3, 3, 3]

@@ -60,7 +60,7 @@ def touching(system: System, meetings: list[Place]) -> SpecialPairs:
     for place in meetings:
         if at_cusp(system, place):
             continue
-        touches = vanish_together([f for f in system.crosses()[1] if f], *place)
+        touches = _touches(system, place)
         if touches:
             pairs.append(SinglePair(*place, Solutions.PLANE, Cause.OVERLAP, system))
         elif touches is None:
@@ -68,15 +68,19 @@ def touching(system: System, meetings: list[Place]) -> SpecialPairs:
     return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))
 
 
+def _touches(system: System, place: Place) -> bool | None:
+    """Whether the tangents at a pair are parallel; None where that is not decided."""
+    return vanish_together([f for f in system.crosses()[1] if f], *place)
+
+
 def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> SpecialPairs:
     """The single pairs of a patch except those at cusps; `factors` are the equations whose pairs have lines."""
     tangencies = touching(system, meetings)
-    planes = [pair.place for pair in tangencies.pairs]
     others, left_out = _dependent(system, [*factors, *system.cusps], meetings)
     lines = [(x, Cause.DEPENDENT) for x in others]
     # where the curves meet all minors vanish, and with them their common factor if that is one of them
     if not any(p and (p / system.factor).total_degree() == 0 for p in (system.determinant, *system.numerators)):
-        lines += [(x, Cause.CROSSING) for x in meetings if x not in planes]
+        lines += [(x, Cause.CROSSING) for x in meetings if _touches(system, x) is False]
     pairs = [
         SinglePair(*place, Solutions.LINE, cause, system)
         for place, cause in lines

@@ -45,6 +45,7 @@ from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.two_parameters import as_form, in_one, lifted, rows_of
 from exactspline.roots.of_polynomials import Parameter, Place, as_splines, exactly, roots_in
 from exactspline.roots.root import Root
+from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -186,15 +187,17 @@ def _cause(kind: Solutions) -> Cause:
 
 
 def _has(system: System, place: Place, kind: Solutions) -> bool:
-    """Whether a single pair of an equation has the solutions that a general one has."""
+    """Whether a single pair of an equation has the solutions that a general one has; raises `ReachError` where that
+    would take too long.
+    """
     conditions = [f for v in system.crosses() for f in v if f]
-    return kind == Solutions.PLANE or not vanish_together(conditions, *place)
+    return kind == Solutions.PLANE or not vanish_at(conditions, *place)
 
 
 def _value(top: fmpz_poly, bottom: fmpz_poly, s: Parameter, side: Interval) -> mpq:
     """The quotient at a parameter at which it is an end of the side."""
     borders = [(y, lifted(top * int(y.denominator) - bottom * int(y.numerator), 0)) for y in side]
-    return next(y for y, border in borders if vanish_together([border], s, y))
+    return next(y for y, border in borders if vanish_at([border], s, y))
 
 
 def _graph(system: System, equation: PairEquation, intervals: tuple[tuple[Parameter, Parameter], ...]) -> LineComponent:

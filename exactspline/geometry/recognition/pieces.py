@@ -77,6 +77,8 @@ class _Run:
     def curve(self) -> Nurbs:
         """The segments alone."""
         breaks = self._of.breakpoints
+        if self.last - self.first == len(breaks) - 2:
+            return self._of
         return self._of.restrict(breaks[self.first], breaks[self.last + 1])
 
     @property
@@ -238,10 +240,10 @@ def _runs_once(run: _Run, shape: CurveShape) -> bool:
     """Whether the curve goes on along the shape without turning back, and over no part of it twice."""
     if signs(shape.advance(run.curve)) not in ({1}, {-1}):
         return False
-    return not shape.closes or not _passes_its_start(run.curve, shape)
+    return not shape.closes or not passes_its_start(run.curve, shape)
 
 
-def _passes_its_start(curve: Nurbs, shape: CurveShape) -> bool:
+def passes_its_start(curve: Nurbs, shape: CurveShape) -> bool:
     """Whether a curve around a centre meets the ray from there to its start again, before its end."""
     a, b = curve.domain
     centre = shape.centre  # type: ignore[attr-defined]  # a shape that closes has a centre

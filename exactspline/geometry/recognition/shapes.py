@@ -64,7 +64,7 @@ class Homogeneous(Protocol):
 
 
 @dataclass(frozen=True)
-class _Place:
+class Place:
     """A point, as what a shape can be asked about."""
 
     p: Point
@@ -115,7 +115,7 @@ class Shape(ABC):
 
     def estimate(self, point: Point) -> mpq:
         """About the square of the distance of a point: where to begin the search for a bound that is proved."""
-        return sum((n * n / d if d else n * n for n, d in self.parts(_Place(point, mpq(1)))), start=NOTHING)
+        return sum((n * n / d if d else n * n for n, d in self.parts(Place(point, mpq(1)))), start=NOTHING)
 
     def holds(self, of: Homogeneous) -> bool:
         """Whether the whole curve or surface lies on the shape."""
@@ -424,7 +424,7 @@ class Conic(CurveShape):
             return ()
         # in the main axes the conic is λ x² + μ y² = −q(centre)
         trace = sum((row[i] for i, row in enumerate(self._quadratic)), start=NOTHING)
-        spread, level = square_root(trace * trace - 4 * self._minor), -self._value(_Place(self.centre, mpq(1)))[0]
+        spread, level = square_root(trace * trace - 4 * self._minor), -self._value(Place(self.centre, mpq(1)))[0]
         squares = [real(level) / ((real(trace) + s * spread) / 2) for s in (1, -1)]
         return tuple(square_root(abs(x)) for x in sorted(squares, reverse=True))
 
@@ -463,9 +463,15 @@ class Conic(CurveShape):
 
     def _value(self, of: Homogeneous) -> tuple[Any, Vector[Any]]:
         """q times w², and half its gradient times w."""
-        coordinates = (*of.p, of.w)
-        images = [scalar(coordinates, row) for row in self.matrix]
-        return scalar(images, coordinates), Vector(*images[:-1])
+        # often asked of one curve several times
+        asked, value, gradient = vars(self).get("_asked", (None, None, None))
+        if asked is not of:
+            coordinates = (*of.p, of.w)
+            images = [scalar(coordinates, row) for row in self.matrix]
+            value, gradient = scalar(images, coordinates), Vector(*images[:-1])
+            if not isinstance(of, Place):
+                vars(self)["_asked"] = of, value, gradient
+        return value, gradient
 
     def parts(self, of: Homogeneous) -> Parts:
         """What vanishes on it."""
@@ -484,6 +490,15 @@ class Conic(CurveShape):
         for s in (1, -1):
             yield reach - (value + w2 * (s * step)) * (value + w2 * (s * step))
         yield steepness - w2 * (least * least)
+
+    def estimate(self, point: Point) -> mpq:
+        """The same, of a point of the plane with as few operations as can be: it is asked most often."""
+        if len(point) > 2:
+            return super().estimate(point)
+        ((a, b, d), (_, c, e), (*_, f)), (x, y) = self.matrix, point
+        u, v = a * x + b * y + d, b * x + c * y + e
+        value, steepness = (u + d) * x + (v + e) * y + f, u * u + v * v
+        return value * value / (4 * steepness) if steepness else value * value
 
     def advance(self, curve: Nurbs) -> BSpline:
         """A function with the sign of the speed along it."""

@@ -46,7 +46,7 @@ def pole_at(forms: SurfaceForms, patch: Patch, edge: Edge) -> Pole:
     surface, sides = forms.surface, sides_of(forms.surface, patch)
     value = edge.value(sides)
     return Pole(
-        line_of(edge), value, sides[1 - edge.direction], _point_of(surface, patch, edge), _gap(forms, patch, edge)
+        line_of(edge), value, sides[1 - edge.direction], point_of(surface, patch, edge), _gap(forms, patch, edge)
     )
 
 
@@ -62,7 +62,7 @@ def _gap(forms: SurfaceForms, patch: Patch, edge: Edge) -> Gap:
     return Gap.FINITE if order == 0 else Gap.NONE if order > 0 else Gap.INFINITE
 
 
-def _point_of(surface: NurbsSurface, patch: Patch, edge: Edge) -> tuple[mpq, ...] | None:
+def point_of(surface: NurbsSurface, patch: Patch, edge: Edge) -> tuple[mpq, ...] | None:
     """The point to which an edge of a patch is contracted; None where the edge is a curve."""
     nets = [edge_points(f, patch, edge) for f in (*surface.p, surface.w)]
     *p, w = [[mpq(x) for x in net] for net in nets]

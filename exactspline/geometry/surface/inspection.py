@@ -326,8 +326,8 @@ class SurfaceInspection(Inspected, Displayed):
         See `exactspline.geometry.surface.umbilics_nearby.umbilics_nearby`.
 
         >>> from exactspline import analyse, example
-        >>> [found.certain for found in analyse(example("biquadratic")).umbilics_within("1/1000000")]
-        [True]
+        >>> analyse(example("hyperbolic_paraboloid")).umbilics_within("1/1000000")
+        ()
 
         Raises `ShapeError` for a distance that is not positive.
         """

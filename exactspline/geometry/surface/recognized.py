@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
+from math import prod
 
 from exactspline.geometry.recognition.candidates import farthest
 from exactspline.geometry.recognition.pieces import SMALL, longest_side
 from exactspline.geometry.recognition.proof import proved_distance
 from exactspline.geometry.recognition.shapes import Shape, ShapeKind, upper_square_root
+from exactspline.geometry.surface.coverage import between_poles, covers_once
 from exactspline.geometry.surface.forms import Patch, SurfaceForms
 from exactspline.geometry.surface.shape_candidates import Sample, proposed
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
@@ -30,14 +32,17 @@ PLACES = tuple(mpq(i, 32) for i in (1, 11, 21, 31))
 class RecognizedPart:
     """Patches of a surface and the shape on which they are, or to which they are near.
 
-    Every point of these patches is at most `within` away from the shape, 0 where they lie on it exactly. Which part of
-    the shape they cover, and how often, is not said. `whole`: these are all patches of the surface.
+    Every point of these patches is at most `within` away from the shape, 0 where they lie on it exactly. `once`: no
+    point of the shape is the nearest one to two points of these patches, so that every point of the part that they
+    cover is at most as far from them; where it is False, that was not shown. `whole`: these are all patches of the
+    surface.
     """
 
     patches: tuple[Patch, ...]
     shape: Shape
     within: mpq
     whole: bool
+    once: bool
 
     @property
     def kind(self) -> ShapeKind:
@@ -63,11 +68,11 @@ def recognized_surface(surface: NurbsSurface, epsilon: Number | None = None) -> 
     >>> from exactspline import example
     >>> for name in ("sphere", "cylinder", "cone", "torus"):
     ...     (found,) = recognized_surface(example(name))
-    ...     print(found.shape, found.exact)
-    sphere: centre (0, 0, 0), radius 1 True
-    cylinder: point (0, 0, 0), axis (0, 0, 1), radius 1 True
-    cone: apex (0, 0, 2), axis (0, 0, 1), tan 1/2 True
-    torus: centre (0, 0, 0), axis (0, 0, 1), radii (2, 1) True
+    ...     print(found.shape, found.exact, found.once)
+    sphere: centre (0, 0, 0), radius 1 True True
+    cylinder: point (0, 0, 0), axis (0, 0, 1), radius 1 True True
+    cone: apex (0, 0, 2), axis (0, 0, 1), tan 1/2 True True
+    torus: centre (0, 0, 0), axis (0, 0, 1), radii (2, 1) True True
 
     Raises `ShapeError` for a surface that is not in space and for an epsilon that is not positive.
     Theory: docs/as-meant.md.
@@ -81,10 +86,19 @@ def recognized_surface(surface: NurbsSurface, epsilon: Number | None = None) -> 
     size = longest_side([[x.point for x in own] for own in samples.values()])
     limit = size * SMALL if epsilon is None else distance(epsilon, given)
     everything = [x for own in samples.values() for x in own]
-    for shape in proposed(everything, limit):
+    for shape in _proposed(given, everything, limit):
         if (within := _proved(given, everything, shape, limit)) is not None:
-            return (RecognizedPart(tuple(samples), shape, within, whole=True),)
+            once = covers_once(given, shape, within)
+            return (RecognizedPart(tuple(samples), shape, within, whole=True, once=once),)
     return tuple(_by_patches(given, samples, limit)) if len(samples) > 1 else ()
+
+
+def _proposed(surface: NurbsSurface, samples: Sequence[Sample], limit: mpq) -> Iterator[Shape]:
+    """Shapes for all of a surface."""
+    for shape in proposed(samples, limit):
+        if (moved := between_poles(surface, shape)) is not None:
+            yield moved
+        yield shape
 
 
 def _by_patches(surface: NurbsSurface, samples: dict[Patch, list[Sample]], limit: mpq) -> list[RecognizedPart]:
@@ -98,14 +112,25 @@ def _by_patches(surface: NurbsSurface, samples: dict[Patch, list[Sample]], limit
             for other, points in samples.items():
                 if other in done or (other != patch and patch not in near):
                     continue
-                within = _proved(surface.restrict(*surface.w.patch(*other)), points, shape, limit)
-                if within is not None:
-                    near[other] = within
+                own_within = _proved(surface.restrict(*surface.w.patch(*other)), points, shape, limit)
+                if own_within is not None:
+                    near[other] = own_within
             if near:
-                found.append(RecognizedPart(tuple(near), shape, max(near.values()), whole=False))
+                within = max(near.values())
+                once = (block := _block(surface, [*near])) is not None and covers_once(block, shape, within)
+                found.append(RecognizedPart(tuple(near), shape, within, whole=False, once=once))
                 done |= set(near)
                 break
     return found
+
+
+def _block(surface: NurbsSurface, patches: Sequence[Patch]) -> NurbsSurface | None:
+    """The part that consists of these patches, None where it is not a rectangle of them."""
+    ends = [(min(own), max(own)) for own in zip(*patches, strict=True)]
+    if len(patches) != prod(last - first + 1 for first, last in ends):
+        return None
+    first, last = (surface.w.patch(*corner) for corner in zip(*ends, strict=True))
+    return surface.restrict((first.first.low, last.first.high), (first.second.low, last.second.high))
 
 
 def _places(surface: NurbsSurface, patch: Patch) -> list[tuple[mpq, mpq]]:

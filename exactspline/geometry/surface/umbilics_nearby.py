@@ -13,6 +13,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache, reduce
+from itertools import product
 from math import comb, factorial, perm, prod
 from typing import Any, cast
 
@@ -206,6 +207,8 @@ class _Search:
         here, around = self._forms(_point(box)), self._forms(box)
         gap = [ball_around(-side.width / 2, side.width / 2) for side in box]
         values = [f.ball for f in here]
+        if all(v.contains(0) for v in values) and self._may_have_one_at_each_corner(box):
+            return True
         slopes = [f.gradient for f in around]
         enclosed = [v + dot(g, gap) for v, g in zip(values, slopes, strict=True)]
         if not all(x.contains(0) for x in enclosed):
@@ -217,6 +220,11 @@ class _Search:
             v.contains(0) and SPREAD * v.rad() >= dot([abs(x) for x in g], [abs(x).upper() for x in gap]).mid()
             for v, g in zip(values, slopes, strict=True)
         )
+
+    def _may_have_one_at_each_corner(self, box: Box) -> bool:
+        """Whether no smaller part would be decided, as on a sphere."""
+        corners = (Box.point(u, v) for u, v in product(*box))
+        return all(f.ball.contains(0) for corner in corners for f in self._forms(corner, TERMS - 1))
 
     def _settles(self, box: Box, slopes: list[list[arb]]) -> bool:
         """Whether each surface has exactly one umbilic in a rectangle around this one."""

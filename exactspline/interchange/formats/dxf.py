@@ -79,7 +79,7 @@ def read(source: Source) -> Reading:
 def _entities(source: Source, collector: Collector) -> Iterator[Entity]:
     """The entities of the sections ENTITIES and BLOCKS."""
     lines = source.text.split("\n")
-    section, block, variable = "", "", ""
+    section, block, variable, value = "", "", "", ""
     entity: Entity | None = None
     for i in range(0, len(lines) - 1, 2):
         code, value = lines[i].strip(), lines[i + 1].strip()
@@ -109,6 +109,8 @@ def _entities(source: Source, collector: Collector) -> Iterator[Entity]:
                 block = value
     if entity:
         yield entity
+    if value != "EOF":
+        collector.note("EOF is missing: the file may be cut off")
 
 
 class _Values:
@@ -157,6 +159,13 @@ class _Values:
                 rows[-1][codes.index(group)] = decimal(value, self.collector.limits)
         return rows
 
+    def see_that_all_are_there(self, code: int, what: str, listed: Sequence[object]) -> None:
+        """See that as many are given as the entity announces, where it does."""
+        if self.entity.texts(code) and self.flag(code) != len(listed):
+            raise CurveFileError(
+                f"{self.flag(code)} {what} announced, {len(listed)} given", remedy="the two must agree"
+            )
+
     def frame(self) -> tuple[Sequence[mpq], Sequence[mpq], Sequence[mpq]]:
         """The axes of the entity's coordinate system, by the arbitrary axis algorithm; raises `ShapeError` if they are
         irrational.
@@ -183,11 +192,8 @@ def _spline(values: _Values) -> None:
     flags = values.flag(70)
     if not points and values.entity.texts(11):
         raise CurveFileError("a spline with fit points only", remedy="control points and knots are required")
-    for code, title, listed in ((72, "knots", knots), (73, "control points", points)):
-        if values.entity.texts(code) and values.flag(code) != len(listed):
-            raise CurveFileError(
-                f"{values.flag(code)} {title} announced, {len(listed)} given", remedy="the two must agree"
-            )
+    values.see_that_all_are_there(72, "knots", knots)
+    values.see_that_all_are_there(73, "control points", points)
     if all(point[2] == 0 for point in points):
         points = [point[:2] for point in points]
     degree = values.flag(71)
@@ -245,6 +251,7 @@ def _elliptic(values: _Values, centre: Sequence[mpq], u: Sequence[mpq], v: Seque
 
 def _polyline(values: _Values) -> None:
     vertices = values.rows(10, 20, 42)
+    values.see_that_all_are_there(90, "vertices", vertices)
     if values.flag(70) & CLOSED:
         vertices.append([*vertices[0][:2], mpq(0)] if vertices else [])
     segments: list[Segment] = []

@@ -38,7 +38,7 @@ WIREFRAME = "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION"
 BOUNDED_SURFACES = "GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION"
 POLYLINE = "POLYLINE"
 #: Every keyword of a curve with control points.
-ANY_CURVE = frozenset((POLYLINE, KEYWORDS[CURVE].spline, *KEYWORDS[CURVE].kinds))
+ANY_CURVE = frozenset((POLYLINE, KEYWORDS[CURVE].spline, KEYWORDS[CURVE].rational, *KEYWORDS[CURVE].kinds))
 SKIPPED = {
     "PARABOLA": "unbounded", "HYPERBOLA": "unbounded", "TRIMMED_CURVE": "trimming is not applied",
     "COMPOSITE_CURVE": "its parts are read separately", "OFFSET_CURVE_2D": "not rational",
@@ -51,6 +51,8 @@ PLACING = (
     "MAPPED_ITEM", "ITEM_DEFINED_TRANSFORMATION", "CARTESIAN_TRANSFORMATION_OPERATOR_3D",
     "CARTESIAN_TRANSFORMATION_OPERATOR_2D", "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION",
 )  # fmt: skip
+#: Every keyword of an entity that is not a spline and is read, named as skipped, or noted.
+KNOWN = frozenset((*ELEMENTARY, EDGE, *SKIPPED, *PLACING, *FACES, *OTHERS))
 _METRE = re.compile(r"\bSI_UNIT\s*\(\s*(\$|\.[A-Z]+\.)\s*,\s*\.METRE\.\s*\)")
 _CONVERSION = re.compile(r"\bCONVERSION_BASED_UNIT\s*\(\s*'([^']{1,40})'")
 _REFERENCE = re.compile(r"#(\d{1,12})", re.ASCII)
@@ -70,7 +72,8 @@ def read(source: Source) -> Reading:
     for number, text in file.instances.items():
         where = f"#{number}"
         named = keywords(text)
-        keyword = named[0] if named else ""
+        # of a complex instance, whose keywords are in alphabetical order, the one that is known here
+        keyword = next((each for each in named if each in KNOWN), named[0] if named else "")
         if not ANY_CURVE.isdisjoint(named):
             with collector.skipping(keyword, where):
                 _curve(file, parts(text, source.limits), where, edges.notes(number))

@@ -9,15 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import cache
 from itertools import zip_longest
+from math import lcm
 
 from flint import fmpq_poly
 
 from exactspline.errors import ClaimError, DomainError, counted
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq
 from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.bezout import determinant
 from exactspline.polynomials.cells import Cell, bernstein_signs, cells_of
+from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.roots.values import in_powers
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.coq.answers import boolean, cell_text, definition, number, pairs_text, polynomial_text
@@ -66,7 +68,8 @@ def meeting_theorem(first: Nurbs, second: Nurbs) -> str:
     for curve in (first, second):
         if curve.dimension != 2 or curve.segments != 1 or min(curve.weights) <= 0:
             raise ClaimError("not a plane curve of one segment with positive weights", where=curve.name, remedy=REMEDY)
-    found = _elimination(*(_difference(first, second, k) for k in (0, 1)))
+    with drawing_on(Budget()):
+        found = _elimination(*(_difference(first, second, k) for k in (0, 1)))
     try:
         cells, places = _places(found, first.domain, second.domain)
     except DomainError as error:
@@ -168,20 +171,12 @@ def _subresultant(f: Rows, g: Rows, j: int) -> tuple[Rows, Rows]:
 
 
 def _determinant(matrix: Sequence[Rows]) -> fmpq_poly:
-    """By the first rows and subsets of the columns."""
-
-    @cache
-    def minor(columns: tuple[int, ...]) -> fmpq_poly:
-        if not columns:
-            return fmpq_poly([1])
-        row, total = matrix[len(columns) - 1], fmpq_poly([])
-        for k, column in enumerate(columns):
-            if row[column]:
-                term = row[column] * minor(columns[:k] + columns[k + 1 :])
-                total = total - term if (len(columns) - 1 - k) % 2 else total + term
-        return total
-
-    return minor(tuple(range(len(matrix))))
+    """Over one denominator, by the integers of the numerators."""
+    entries = [x for row in matrix for x in row]
+    bottom = lcm(*[int(x.denom()) for x in entries])
+    whole = [[(x * bottom).numer() for x in row] for row in matrix]
+    numerator = fmpq_poly(determinant(whole, max((x.degree() for x in entries), default=0)))
+    return numerator * to_fmpq(mpq(1, bottom ** len(matrix)))
 
 
 def _by_line(p: Rows, line: Rows, resultant: fmpq_poly, exponent: int) -> tuple[Rows, Rows]:

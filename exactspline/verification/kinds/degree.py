@@ -246,7 +246,7 @@ UNEQUAL = 12
 def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
     """The finding on the degree of a claim for every d from its least one upwards."""
     formula = claim.find(claim.formula)
-    zero = claim.curve != ArgumentKind.TABLE and vanishes(formula, dimension, polynomial)
+    zero = vanishes(formula, dimension, polynomial)
     if claim.measure == Measure.NOMINAL:
         return held_against(claim, DegreeFound(_nominal(claim, dimension, polynomial), as_written=zero))
     if zero:
@@ -259,8 +259,11 @@ def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
     reduction = reduction_of(formula, dimension, polynomial, _counted(claim))
     part = reduction.main
     if claim.measure == Measure.HEIGHT:
-        height = part.true.j if part.true else -1
-        return held_against(claim, DegreeFound(Degree.number(height)))
+        if part.true is None:
+            raise FormulaError(
+                f"{formula.name} is not homogeneous: its height is not computed", remedy="claim those of its parts"
+            )
+        return held_against(claim, DegreeFound(Degree.number(part.true.j)))
     if claim.measure == Measure.REDUCED:
         lower = (
             dict(part.true.lower)
