@@ -58,7 +58,7 @@ function show({ answer, milliseconds }) {
   plane.clear("marks", "bisector");
   rectangle.clear("marks", "across", "up", "bisector");
   for (const name of ["across", "up", "bisector"]) for (const run of answer[name]) rectangle.line(name, run);
-  const joined = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]) * plane.view.unit < 160;
+  const joined = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]) < 160;
   for (const run of answer.bisector) plane.line("bisector", run.map(middle), {}, joined);
   const rows = answer.points.map((p) => {
     const title = `${p.kind} at s = ${p.s}, t = ${p.t}`;
