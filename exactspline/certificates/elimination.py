@@ -140,27 +140,28 @@ def subresultant(first: Rows, second: Rows, k: int) -> Polynomial:
         size = m + n - 2 * k
         matrix = [[0] * i + f + [0] * (n - k - 1 - i) for i in range(n - k)]
         matrix += [[0] * i + g + [0] * (m - k - 1 - i) for i in range(m - k)]
-        values.append(_determinant([row[:size] for row in matrix]))
-    return trimmed(_through(values))
+        values.append(determinant([row[:size] for row in matrix]))
+    return trimmed(through(values))
 
 
-def _determinant(matrix: list[list[int]]) -> int:
-    """By Bareiss's algorithm."""
-    rows, sign, last = [list(row) for row in matrix], 1, 1
+def determinant(matrix: list[list[int]]) -> int:
+    """By Bareiss's algorithm: every entry is a minor, so that the divisions are exact."""
+    rows, last = [list(row) for row in matrix], 1
     for k in range(len(rows)):
         pivot = next((i for i in range(k, len(rows)) if rows[i][k]), None)
         if pivot is None:
             return 0
         if pivot != k:
-            rows[k], rows[pivot], sign = rows[pivot], rows[k], -sign
-        for i in range(k + 1, len(rows)):
-            for j in range(k + 1, len(rows)):
-                rows[i][j] = (rows[k][k] * rows[i][j] - rows[i][k] * rows[k][j]) // last
-        last = rows[k][k]
-    return sign * last
+            rows[k], rows[pivot] = rows[pivot], [-x for x in rows[k]]
+        top = rows[k]
+        for row in rows[k + 1 :]:
+            pairs = zip(row[k + 1 :], top[k + 1 :], strict=True)
+            row[k + 1 :] = [(top[k] * x - row[k] * y) // last for x, y in pairs]
+        last = top[k]
+    return last
 
 
-def _through(values: list[int]) -> Polynomial:
+def through(values: list[int]) -> Polynomial:
     """The polynomial with these values at 0, 1, 2, …, which has integer coefficients."""
     differences = []
     while values:

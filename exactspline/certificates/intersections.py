@@ -11,10 +11,10 @@ weight.
 
 from collections.abc import Mapping
 from fractions import Fraction
-from itertools import pairwise
-from math import factorial, gcd
+from math import gcd
 from typing import Any
 
+from exactspline.certificates.elimination import determinant, through, value
 from exactspline.certificates.numbers import count, fraction, integer, require
 from exactspline.certificates.zeros import isolated_zeros, restricted
 
@@ -99,44 +99,10 @@ def _along(line: tuple[int, ...], curve: list[Polynomial]) -> Polynomial:
 
 
 def _determinant(matrix: list[list[Polynomial]]) -> Polynomial:
-    """From its values at as many integers as it has coefficients, by Newton's interpolation."""
-    size, degree = len(matrix), len(matrix[0][0]) - 1
-    nodes = [k - size * degree // 2 for k in range(size * degree + 1)]
-    values = [_determinant_of_numbers([[_value(p, x) for p in row] for row in matrix]) for x in nodes]
-    differences = []
-    for k in range(len(nodes)):
-        differences.append(Fraction(values[0], factorial(k)))
-        values = [b - a for a, b in pairwise(values)]
-    total = [Fraction(0)]
-    for x, difference in zip(reversed(nodes), reversed(differences), strict=True):
-        total = [a - x * b for a, b in zip([Fraction(0), *total], [*total, Fraction(0)], strict=True)]
-        total[0] += difference
-    return [int(c) for c in total[: len(nodes)]]
-
-
-def _value(p: Polynomial, x: int) -> int:
-    value = 0
-    for c in reversed(p):
-        value = value * x + c
-    return value
-
-
-def _determinant_of_numbers(rows: list[list[int]]) -> int:
-    """By elimination without fractions (Bareiss): every entry is a minor, so that the divisions are exact."""
-    before = 1
-    for k in range(len(rows) - 1):
-        pivot = next((i for i in range(k, len(rows)) if rows[i][k]), None)
-        if pivot is None:
-            return 0
-        if pivot > k:
-            rows[k], rows[pivot] = rows[pivot], [-x for x in rows[k]]
-        top = rows[k]
-        for row in rows[k + 1 :]:
-            row[k + 1 :] = [
-                (x * top[k] - row[k] * y) // before for x, y in zip(row[k + 1 :], top[k + 1 :], strict=True)
-            ]
-        before = top[k]
-    return rows[-1][-1]
+    """From its values at as many integers as it has coefficients."""
+    degree = len(matrix) * (len(matrix[0][0]) - 1)
+    values = [determinant([[value(p, x) for p in row] for row in matrix]) for x in range(degree + 1)]
+    return _padded(through(values), degree)
 
 
 def _padded(p: Polynomial, degree: int) -> Polynomial:

@@ -10,7 +10,7 @@ from rich.console import Console
 
 from exactspline.display import console
 from exactspline.display.described import described, readable, shape_text
-from exactspline.display.numbers import decimal
+from exactspline.display.numbers import decimal, rounded_down
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis import QUESTIONS, questions_about
 from exactspline.geometry.kinds import FeatureKind, JointKind, kind_name
@@ -226,7 +226,8 @@ def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     for found in _in_order(data["stability"]):
         ((low, high),) = found["intervals"]
         numbers = [rational(x) for (x,) in found["numbers"].values()]
-        radius, *gone = (decimal(x, 4) for x in numbers)
+        # what is proved of a distance is so of smaller ones, and what is gone at one, within larger ones
+        radius, *gone = (decimal(s * rounded_down(s * x, 4), 4) for s, x in zip((1, -1), numbers, strict=False))
         times = f"{round(float(numbers[-1] / numbers[0]))} ×" if gone and numbers[0] else ""
         at, certain = decimal((rational(low) + rational(high)) / 2, DIGITS), radius if radius != "0" else "not proved"
         made.add_row(
@@ -259,8 +260,8 @@ def end_text(t: str) -> str:
 def ends_text(low: str, high: str) -> tuple[str, str]:
     """The ends of an interval that contains something, rounded outwards to as many digits as are read at a glance.
 
-    >>> ends_text("1/7", "1/7"), ends_text("12345678901234567/1000", "20000000000000")
-    (('1/7', '1/7'), ('12345678901200', '20000000000000'))
+    >>> ends_text("1/7", "1/7"), ends_text("1000000/3000001", "1000001/3000000")
+    (('1/7', '1/7'), ('0.333333222222', '0.333333666667'))
     """
     if max(len(low), len(high)) <= DIGITS:
         return low, high

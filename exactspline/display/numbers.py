@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import decimal_unit, mpq, text
 
 _NUMBER = re.compile(r"(?<![\w/.])-?\d+/\d+(?![\w/.])|(?<![\w/.])-?\d{25,}(?![\w/.])")
 #: A number with more characters than this is shown as a decimal.
@@ -70,6 +70,18 @@ def polynomial_text(coefficients: Sequence[mpq], variable: str = "t") -> str:
             gap = " " if "/" in size and i else ""
             written += sign + size + gap + ("" if not i else variable if i == 1 else f"{variable}^{i}")
     return written or "0"
+
+
+def rounded_down(x: mpq, digits: int) -> mpq:
+    """The largest number with this many significant decimal digits that is not above a number.
+
+    >>> rounded_down(mpq(1, 64), 2), -rounded_down(mpq(-1, 64), 2), rounded_down(mpq(0), 2)
+    (mpq(3,200), mpq(2,125), mpq(0,1))
+    """
+    if not x:
+        return x
+    unit = decimal_unit(abs(x)) / mpq(10) ** (digits - 1)
+    return x // unit * unit
 
 
 def decimal(value: mpq, digits: int) -> str:

@@ -22,28 +22,44 @@ _TOKEN = re.compile(r"\s*('(?:[^']|'')*(?:'|\Z)|[(),]|[^\s(),']+)", re.S)
 _REFERENCE = re.compile(r"#\d{1,12}", re.ASCII)
 _KEYWORD = re.compile(r"[A-Z_][A-Z0-9_]*", re.ASCII)
 _FIRST = re.compile(r"(?P<complex>\()|\s*(?P<keyword>[A-Z0-9_]+)", re.ASCII)
+_BEGUN = re.compile(r"\s*(#\d+)\s*=", re.ASCII)
+#: The last statement of a file.
+END = "END-ISO-10303-21"
 _STRING = re.compile(r"'(?:[^']|'')*(?:'|\Z)", re.S)
 _CALLED = re.compile(r"([A-Z0-9_]+)\s*\(", re.ASCII)
 
 
-def instances(text: str, limits: Limits) -> dict[int, str]:
-    """The text of every instance in the data sections, by instance number."""
+def instances(text: str, collector: Collector) -> dict[int, str]:
+    """The text of every instance in the data sections, by instance number. The collector gets what shows that a file
+    is cut off, or that an instance is defined twice.
+    """
     texts: dict[int, str] = {}
-    for statement in _statements(text):
+    statement, end = "", 0
+    for statement, behind in _statements(text):
+        end = behind
         match = _INSTANCE.match(statement)
         if match:
+            if int(match[1]) in texts:
+                collector.skip("instance", f"#{match[1]}", "it is defined twice: the last one is read")
             texts[int(match[1])] = match[2]
-            if len(texts) > limits.objects:
-                raise CurveFileError(f"more than {limits.objects} instances", remedy="read with larger limits")
+            if len(texts) > collector.limits.objects:
+                raise CurveFileError(
+                    f"more than {collector.limits.objects} instances", remedy="read with larger limits"
+                )
+    if rest := _BEGUN.match(text, end):
+        collector.skip("instance", rest[1], "the file ends in it")
+    if END not in statement:
+        collector.note(f"{END} is missing: the file may be cut off")
     return texts
 
 
-def _statements(text: str) -> Iterator[str]:
+def _statements(text: str) -> Iterator[tuple[str, int]]:
+    """Each statement with the place behind it."""
     begin = 0
     pieces: list[str] = []
     for match in _NOISE.finditer(text):
         if match[0] == ";":
-            yield "".join([*pieces, text[begin : match.start()]])
+            yield "".join([*pieces, text[begin : match.start()]]), match.end()
             begin, pieces = match.end(), []
         elif match[0][0] == "/":
             pieces.append(text[begin : match.start()] + " ")
@@ -109,7 +125,7 @@ class StepFile:
 
     def __init__(self, text: str, collector: Collector) -> None:
         self.collector, self.limits = collector, collector.limits
-        self.instances = instances(text, self.limits)
+        self.instances = instances(text, collector)
         self.points: dict[str, list[mpq]] = {}
 
     def point(self, reference: Value) -> list[mpq]:

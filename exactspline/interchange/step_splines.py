@@ -51,7 +51,7 @@ class Keywords:
 
 KEYWORDS = {what: Keywords(what) for what in (CURVE, SURFACE)}
 #: Every keyword of a B-spline surface.
-ANY_SURFACE = frozenset((KEYWORDS[SURFACE].spline, *KEYWORDS[SURFACE].kinds))
+ANY_SURFACE = frozenset((KEYWORDS[SURFACE].spline, KEYWORDS[SURFACE].rational, *KEYWORDS[SURFACE].kinds))
 #: Entities that use a part of a surface.
 FACES = ("ADVANCED_FACE", "FACE_SURFACE", "CURVE_BOUNDED_SURFACE", "RECTANGULAR_TRIMMED_SURFACE")
 #: Surfaces that are not splines.

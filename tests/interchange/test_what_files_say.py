@@ -380,6 +380,26 @@ def test_step_names_what_it_does_not_read_of_complex_instances():
     assert "the file places parts: curves are read where they are defined" in reading.notes
 
 
+def test_a_file_that_is_cut_off_says_so():
+    """Passed before: files that end within an instance, or without their last line, held all of their curves."""
+    whole = read(STEP)
+    assert not [note for note in whole.notes if "cut off" in note]
+    cut = read(STEP[: STEP.index(b"(#1,#2,#3))", STEP.index(b"#6=POLYLINE"))])
+    assert ("#6", True) in [(skipped.where, skipped.curve) for skipped in cut.skipped]
+    assert [note for note in cut.notes if "END-ISO-10303-21 is missing" in note]
+    twice = read(STEP.replace(b"#6=POLYLINE('',(#1,#2,#3));", b"#6=POLYLINE('',(#1,#2,#3));#6=POLYLINE('',(#1,#2));"))
+    assert ("#6", True) in [(skipped.where, skipped.curve) for skipped in twice.skipped]
+    assert len(twice.curves) == len(whole.curves)
+    line = dxf("0 LINE 10 0 20 0 11 1 21 1")
+    assert not read(line).notes
+    assert read(line.replace(b"EOF", b"")).notes == ("EOF is missing: the file may be cut off",)
+    without_knots = b"#40=RATIONAL_B_SPLINE_CURVE('',2,(#1,#2,#3),.UNSPECIFIED.,.F.,.F.,(1.,2.,1.));ENDSEC;\nEND-ISO"
+    assert "#40" in [skipped.where for skipped in read(STEP.replace(b"ENDSEC;\nEND-ISO", without_knots)).skipped]
+    plane = b"CASCADE Topology V1\nCurve2ds 1\n6 0 1 0 0 1 1\n"
+    assert not read(plane + b"Curves 0\n").notes
+    assert read(plane).notes == ("there is no section Curves: the file may be cut off",)
+
+
 def test_notes_in_our_own_json_are_kept():
     """False before: the note of a curve in {"curves": […]} was lost."""
     entry = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], "note": "from a paper"}'

@@ -7,6 +7,7 @@ from itertools import compress, pairwise
 from math import log10
 from typing import TYPE_CHECKING, cast
 
+from exactspline.display.numbers import rounded_down
 from exactspline.display.plot.canvas import (
     BLACK,
     BLUE,
@@ -138,7 +139,7 @@ def plot_stability(curve: Nurbs, ax: Axes | None = None) -> Axes:
     >>> from exactspline.interchange.examples import example
     >>> ax = plot_stability(example("cubic_s"), plot_curve(example("cubic_s")))
     >>> [text.get_text() for text in ax.get_legend().get_texts()][-1]
-    'maximum of κ (certain up to 0.031)'
+    'maximum of κ (up to 0.031)'
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space, otherwise as `plot_curve`.
     """
@@ -150,7 +151,7 @@ def plot_stability(curve: Nurbs, ax: Axes | None = None) -> Axes:
         marker, color = STABLE.get(found.kind, ("s", VERMILLION))
         share = float(found.radius) / whole
         size = 4 + 10 * min(max(log10(share * 1e6) / log10(1e6 / 16), 0.0), 1.0) if share else 6
-        said = f"certain up to {float(found.radius):.2g}" if share else "not proved"
+        said = f"up to {float(rounded_down(found.radius, 2)):.2g}" if share else "not proved"
         label = f"{kind_name(found.kind)} ({said})"
         plot_features(
             curve, [cast(Root, found.place)], ax, marker=marker, color=color, label=label, size=size, hollow=not share

@@ -79,7 +79,7 @@ def read(source: Source) -> Reading:
 def _entities(source: Source, collector: Collector) -> Iterator[Entity]:
     """The entities of the sections ENTITIES and BLOCKS."""
     lines = source.text.split("\n")
-    section, block, variable = "", "", ""
+    section, block, variable, value = "", "", "", ""
     entity: Entity | None = None
     for i in range(0, len(lines) - 1, 2):
         code, value = lines[i].strip(), lines[i + 1].strip()
@@ -109,6 +109,8 @@ def _entities(source: Source, collector: Collector) -> Iterator[Entity]:
                 block = value
     if entity:
         yield entity
+    if value != "EOF":
+        collector.note("EOF is missing: the file may be cut off")
 
 
 class _Values:

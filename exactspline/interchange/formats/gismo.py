@@ -54,16 +54,16 @@ def _parts(
     """Degree and knots of each parameter, the control points and the weights."""
     below = list(element.walk())
     vectors = [e for e in below if e.tag == "KnotVector"]
-    coefficients = next((e for e in below if e.tag == "coefs"), None)
-    if len(vectors) != parameters or coefficients is None:
+    coefficients = [e for e in below if e.tag == "coefs"]
+    if len(vectors) != parameters or len(coefficients) != 1:
         raise CurveFileError(
-            f"{len(vectors)} knot vectors",
+            f"{counted(len(vectors), 'knot vector')} and {len(coefficients)} coefs",
             where="Basis",
             remedy="a curve has one knot vector, a surface two, and both coefs",
         )
     sides = [_side(collector, vector) for vector in vectors]
-    values = collector.numbers(coefficients.text.split())
-    dimension = whole(coefficients.attributes.get("geoDim", ""))
+    values = collector.numbers(coefficients[0].text.split())
+    dimension = whole(coefficients[0].attributes.get("geoDim", ""))
     if dimension < 1 or len(values) % dimension:
         raise CurveFileError(
             f"{counted(len(values), 'number')} for points of dimension {dimension}",

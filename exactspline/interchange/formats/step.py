@@ -38,7 +38,7 @@ WIREFRAME = "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION"
 BOUNDED_SURFACES = "GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION"
 POLYLINE = "POLYLINE"
 #: Every keyword of a curve with control points.
-ANY_CURVE = frozenset((POLYLINE, KEYWORDS[CURVE].spline, *KEYWORDS[CURVE].kinds))
+ANY_CURVE = frozenset((POLYLINE, KEYWORDS[CURVE].spline, KEYWORDS[CURVE].rational, *KEYWORDS[CURVE].kinds))
 SKIPPED = {
     "PARABOLA": "unbounded", "HYPERBOLA": "unbounded", "TRIMMED_CURVE": "trimming is not applied",
     "COMPOSITE_CURVE": "its parts are read separately", "OFFSET_CURVE_2D": "not rational",

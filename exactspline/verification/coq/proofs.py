@@ -11,6 +11,7 @@ from exactspline.errors import FormulaError
 from exactspline.numbers.exact import from_flint, mpq, over_one_denominator
 from exactspline.polynomials.factorization import Factorization
 from exactspline.polynomials.factors import Factored, prime_factors
+from exactspline.readings.expression import Operation
 from exactspline.readings.jet import Jet
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node
@@ -31,6 +32,14 @@ class Premise:
     name: str
     node: Node
     value: Any
+
+
+def _base(node: Node) -> tuple[Node, int]:
+    """What a tree is a power of, which vanishes where the tree does, and the exponent."""
+    power = 1
+    while node.op is Operation.POWER and node.value > 0:
+        node, power = node.args[0], power * node.value
+    return node, power
 
 
 @dataclass(kw_only=True)
@@ -100,14 +109,16 @@ class Proof(Nonzero):
             if not isinstance(value, JetFraction) or all(self.follows(each) for each, _ in parts.powers):
                 self.recognize(parts)
                 continue
-            self.existing.append(Premise(f"D{len(self.existing) + 1}", node, value))
-            if value.bottom.is_one() and len(value.top) > LARGE:
-                self.known.append(((*[0] * len(self.atoms), 1), ()))
-                self._add(value.top, f"vm_cast_no_check {self.existing[-1].name}", self.writer(node))
+            base, power = _base(node)
+            assumed = Premise(f"D{len(self.existing) + 1}", base, self.setting.flat(self.evaluation(base)))
+            self.existing.append(assumed)
+            if assumed.value.bottom.is_one() and len(assumed.value.top) > LARGE:
+                self.known.append(((*[0] * len(self.atoms), power), ()))
+                self._add(assumed.value.top, f"vm_cast_no_check {assumed.name}", self.writer(base))
             else:
                 for polynomial, _ in parts.powers:
                     if not self.follows(polynomial):
-                        self._divides(polynomial, self.existing[-1])
+                        self._divides(polynomial, assumed)
                 self.recognize(parts)
 
     def meet(self, atom: Atom) -> None:
