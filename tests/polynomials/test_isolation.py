@@ -31,6 +31,9 @@ def test_cells_cover_an_interval_and_say_what_is_so():
             assert cell.factor**2 * cell.rest == f
             assert all((cell.rest(fmpq(int(t.numerator), int(t.denominator))) > 0) == cell.rest_sign for t in places)
     assert any(cell.factor is not None for cell in found)
+    # the coefficients −1 and 2; a mutant passed: nothing is negative
+    (cell,) = cells.cells_of(fmpq_poly([-1, 3]), mpq(0), mpq(1))
+    assert (cell.one, cell.sign) == (True, False)
 
 
 def test_halving_that_finds_no_end_is_given_up(monkeypatch):
