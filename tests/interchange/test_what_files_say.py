@@ -395,6 +395,9 @@ def test_a_file_that_is_cut_off_says_so():
     assert read(line.replace(b"EOF", b"")).notes == ("EOF is missing: the file may be cut off",)
     without_knots = b"#40=RATIONAL_B_SPLINE_CURVE('',2,(#1,#2,#3),.UNSPECIFIED.,.F.,.F.,(1.,2.,1.));ENDSEC;\nEND-ISO"
     assert "#40" in [skipped.where for skipped in read(STEP.replace(b"ENDSEC;\nEND-ISO", without_knots)).skipped]
+    plane = b"CASCADE Topology V1\nCurve2ds 1\n6 0 1 0 0 1 1\n"
+    assert not read(plane + b"Curves 0\n").notes
+    assert read(plane).notes == ("there is no section Curves: the file may be cut off",)
 
 
 def test_notes_in_our_own_json_are_kept():

@@ -39,7 +39,10 @@ def read(source: Source) -> Reading:
     collector = Collector("brep", source)
     if _EDGE.search(source.text):
         collector.note("curves are read as defined: edges may use only a part of them, or be placed elsewhere")
-    for match in _SECTION.finditer(source.text):
+    sections = list(_SECTION.finditer(source.text))
+    for title in sorted({"Curve2ds", "Curves"} - {match[1] for match in sections}):
+        collector.note(f"there is no section {title}: the file may be cut off")
+    for match in sections:
         words = Tokens(source.text, source.limits, match.end())
         dimension = 2 if match[1] == "Curve2ds" else 3
         for number in range(1, int(match[2]) + 1):
