@@ -8,8 +8,9 @@ from gmpy2 import mpq
 
 from exactspline.errors import DomainError
 from exactspline.polynomials import cells
-from exactspline.polynomials.isolation import LocalPolynomial
+from exactspline.polynomials.isolation import LocalPolynomial, isolate
 from exactspline.polynomials.refinement import enclosures
+from exactspline.polynomials.zero_places import Place
 
 
 def test_cells_cover_an_interval_and_say_what_is_so():
@@ -69,3 +70,12 @@ def test_a_zero_next_to_one_end_in_an_interval_from_the_other(power, bits):
     for low, high in enclosures(LocalPolynomial(factor), mpq(0), 1 - mpq(1, 4 * far), -1, bits):
         assert low == high == zero or low < zero < high
     assert high - low <= mpq(1, 1 << bits)
+
+
+def test_a_place_is_rational_where_its_irreducible_factor_is_linear():
+    """Zeros in z = t/(1 − t): 1/2, √2 and 7/3. Mutants passed: other numbers, none, or all."""
+    z = fmpz_poly([0, 1])
+    found = [Place(zero) for zero in isolate((2 * z - 1) * (3 * z - 7) * (z * z - 2), 4).inner]
+    assert [place.exact for place in found] == [None] * 3
+    assert [place.rational for place in found] == [mpq(1, 3), None, mpq(7, 10)]
+    assert [place.exact for place in found] == [mpq(1, 3), None, mpq(7, 10)]
