@@ -15,6 +15,7 @@ INTERACTIVE = {
     "reduce": "What cancels",
     "claims": "What is true",
     "bisector": "Point and curve",
+    "pair": "Two curves",
     "surface": "Surfaces",
 }
 #: What an interactive page has in the place of the side bar.

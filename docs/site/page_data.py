@@ -52,6 +52,7 @@ def write(folder: Path, ledger: list[dict[str, Any]]) -> None:
     told: dict[str, Any] = {
         "curves": curves(),
         "first": first_answers(),
+        "pairs": pairs(),
         "degrees": degrees(),
         "claims": ledger,
         "surfaces": listed,
@@ -83,6 +84,29 @@ def first_answers() -> dict[str, Any]:
         "reduce": page.reduce(sample),
         "sample": SAMPLE,
     }
+
+
+def pairs() -> list[dict[str, Any]]:
+    """Pairs of curves to start from, the first one with its answer."""
+
+    def bezier(*points: tuple[int, int]) -> xs.Nurbs:
+        n = len(points) - 1
+        return xs.Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points)
+
+    chosen = {
+        "two crossings 0.012 apart": (bezier((2, 8), (2, 3), (3, 0), (2, 5)), bezier((2, 2), (8, 8), (5, 8), (10, 8))),
+        "five crossings": (bezier((0, 0), (2, 9), (4, -8), (6, 2)), bezier((0, 1), (9, 3), (-4, -2), (6, 0))),
+        "a parabola and its tangent": (bezier((-2, 4), (0, -4), (2, 4)), bezier((-1, -3), (3, 5))),
+        "a part of the same curve": (bezier((0, 0), (1, 3), (3, -2), (4, 1)), bezier((0, 0), (1, 3), (3, -2), (4, 1))),
+        "an ellipse and a cubic": (xs.example("ellipse"), xs.example("cubic_s")),
+    }
+    made: list[dict[str, Any]] = [
+        {"name": name, "first": curve_data(first), "second": curve_data(second)}
+        for name, (first, second) in chosen.items()
+    ]
+    made[3]["second"] = curve_data(chosen["a part of the same curve"][1].restrict("1/4", "3/4").reverse())
+    made[0]["answer"] = page.pair(made[0] | {"bisector": False})
+    return made
 
 
 def curve_data(curve: xs.Nurbs) -> dict[str, Any]:

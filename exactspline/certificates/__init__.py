@@ -57,5 +57,5 @@ def check_certificate(certificate: Mapping[str, object], sturm: bool = True) -> 
         if certificate["what"] == ZERO_CURVES:
             return check_zero_curves(certificate)
         raise ValueError("a proof of something unknown")
-    except (TypeError, AttributeError, LookupError) as error:  # a field is missing or has another type
+    except (TypeError, AttributeError, LookupError, ArithmeticError) as error:  # a field is missing, or another one
         raise ValueError(f"not a certificate: {type(error).__name__}: {error}") from error

@@ -78,7 +78,7 @@ def _check_boxes(functions: Sequence[Net], tokens: Sequence[Any], regions: Seque
             k = int(token == SECOND)
             low, high = box[k]
             middle = (low + high) / 2
-            pairs = [_halves(net, k) for net in nets]
+            pairs = [halves(net, k) for net in nets]
             for end in (1, 0):
                 side = (low, middle) if end == 0 else (middle, high)
                 half = (box[0], side) if k else (side, box[1])
@@ -89,24 +89,26 @@ def _check_boxes(functions: Sequence[Net], tokens: Sequence[Any], regions: Seque
             require(inside, "a box that is not inside the region of a zero")
         else:
             require(type(token) is list, "neither a cut, a region nor a combination")
-            require(_sign(_combined(nets, token)) != 0, "a box on which the combination has not one sign")
+            require(sign_on(_combined(nets, token)) != 0, "a box on which the combination has not one sign")
     require(not todo, "boxes that are missing")
 
 
-def _halves(net: Net, direction: int) -> tuple[Net, Net]:
-    rows = [halves_at(row, HALF) for row in (net if direction else _turned(net))]
+def halves(net: Net, direction: int) -> tuple[Net, Net]:
+    """The Bernstein coefficients on both halves in a direction, up to a positive constant."""
+    rows = [halves_at(row, HALF) for row in (net if direction else turned(net))]
     low, high = ([pair[k] for pair in rows] for k in (0, 1))
-    return (low, high) if direction else (_turned(low), _turned(high))
+    return (low, high) if direction else (turned(low), turned(high))
 
 
-def _turned(net: Net) -> Net:
+def turned(net: Net) -> Net:
+    """With the parameters exchanged."""
     return [list(column) for column in zip(*net, strict=True)]
 
 
-def _part(net: Net, box: Box) -> Net:
+def part(net: Net, box: Box) -> Net:
     """The Bernstein coefficients on a box, up to a positive constant that depends on the box and the degrees alone."""
     rows = [values_on(row, *box[1]) for row in net]
-    return _turned([values_on(column, *box[0]) for column in _turned(rows)])
+    return turned([values_on(column, *box[0]) for column in turned(rows)])
 
 
 def _combined(nets: Sequence[Net], coefficients: Sequence[Any]) -> Net:
@@ -119,9 +121,9 @@ def _combined(nets: Sequence[Net], coefficients: Sequence[Any]) -> Net:
     ]
 
 
-def _sign(net: Net) -> int:
+def sign_on(net: Net) -> int:
     """The strict sign of all coefficients, else 0."""
-    values = [x for row in net for x in row]
+    values = [x for row in net for x in row] or [0]
     return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
 
 
@@ -135,7 +137,7 @@ def _region(functions: Sequence[Net], zero: Mapping[str, Any]) -> tuple[Box, int
     box = first, second
     if zero["by"] == ELIMINATED:
         return box, check_single_zero([powers_of_net(net) for net in functions], box, zero)
-    parts = [_part(net, box) for net in functions]
+    parts = [part(net, box) for net in functions]
     one, other = (_combined(parts, row) for row in zero["combinations"])
     require(_is_regular(one, other), "a region in which the Jacobian may be singular")
     require(zero["by"] in PROOFS, "a zero without a proof")
@@ -169,8 +171,8 @@ def _product(one: tuple[int, int], other: tuple[int, int]) -> tuple[int, int]:
 
 def _is_crossed(functions: Sequence[Net], box: Box, pair: tuple[Net, Net], zero: Mapping[str, Any]) -> None:
     require(len(functions) == 2, "signs of two combinations for more functions")
-    one, other = pair[0], _turned(pair[1])
-    signs = [_sign([net[0]]) * _sign([net[-1]]) for net in (one, other)]
+    one, other = pair[0], turned(pair[1])
+    signs = [sign_on([net[0]]) * sign_on([net[-1]]) for net in (one, other)]
     require(signs == [-1, -1], "sides without opposite signs")
 
 
@@ -192,7 +194,7 @@ def _blended(values: Sequence[Any], t: Fraction) -> Fraction:
 def _is_on_edge(functions: Sequence[Net], box: Box, pair: tuple[Net, Net], zero: Mapping[str, Any]) -> None:
     direction, end = (count(x) for x in zero["edge"])
     require(direction in (0, 1) and end in (0, 1) and box[direction][end] == end, "an edge that is not in the region")
-    edges = [(_turned(net) if direction else net)[-end] for net in functions]
+    edges = [(turned(net) if direction else net)[-end] for net in functions]
     common = reduce(common_divisor, ([comb(len(b) - 1, i) * x for i, x in enumerate(b)] for b in edges))
     require(len(common) > 1 and changes_sign(common, *box[1 - direction]), "an edge without a zero")
 

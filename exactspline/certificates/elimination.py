@@ -16,6 +16,8 @@ from exactspline.certificates.zeros import product_of
 Polynomial = list[int]
 Rows = list[Polynomial]
 Side = tuple[Fraction, Fraction]
+#: The bisections of an interval around a root after which a sign is given up.
+STEPS = 512
 
 
 # ---- polynomials in one variable
@@ -60,6 +62,22 @@ def strict_sign(p: Sequence[Any], low: Fraction, high: Fraction) -> int:
     """The sign on an interval where all Bernstein coefficients have it, else 0."""
     values = on_interval(p, low, high)
     return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
+
+
+def sign_at_root(p: Sequence[Any], minimal: Sequence[int], low: Fraction, high: Fraction) -> int:
+    """The sign at the root that another polynomial has between two numbers at which its signs are opposite, or at a
+    number given by both; 0 where the polynomial vanishes there or nearly does.
+    """
+    for _ in range(STEPS):
+        sign = strict_sign(p, low, high)
+        if sign or low == high:
+            return sign
+        middle = (low + high) / 2
+        if value(minimal, low) * value(minimal, middle) <= 0:
+            high = middle
+        if value(minimal, middle) * value(minimal, high) <= 0:
+            low = middle
+    return 0
 
 
 def has_one_root(p: Sequence[int], low: Fraction, high: Fraction) -> bool:
@@ -179,7 +197,7 @@ def through(values: list[int]) -> Polynomial:
 
 
 def check_single_zero(
-    functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, Any]
+    functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, object]
 ) -> int:
     """Check that functions, given by their coefficients of ``sⁱ tʲ``, have exactly one common zero in a box, and return
     the intersection multiplicity of the `pair` of combinations there.
@@ -188,6 +206,10 @@ def check_single_zero(
     multiplicity; over it the greatest common divisor is a power of s − b(z), and b solves all functions modulo that
     factor. As one of the pair has a constant leading coefficient in s, no common zero over the root is at infinity.
     """
+    return _checked(functions, box, zero)
+
+
+def _checked(functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, Any]) -> int:
     slope = integer(zero["slope"])
     require(slope > 0, "a slope that is not positive")
     minimal = trimmed([integer(x) for x in zero["minimal"]])
@@ -225,7 +247,7 @@ def check_single_zero(
         require(_is_divisible(p, above, power, minimal), "a power that does not divide")
     if power < min(len(p) - 1 for p in combined):
         leading = subresultant(first, second, power)
-        require(bool(leading) and strict_sign(leading, low, high) != 0, "another zero over the root")
+        require(bool(leading) and sign_at_root(leading, minimal, low, high) != 0, "another zero over the root")
     return times
 
 

@@ -16,7 +16,7 @@ from itertools import pairwise
 from math import comb, gcd, lcm
 from typing import Any
 
-from exactspline.certificates.common_zeros import FIRST, SECOND
+from exactspline.certificates.common_zeros import FIRST, SECOND, Box, Net, Side, halves, part, sign_on, turned
 from exactspline.certificates.elimination import (
     Polynomial,
     check_single_zero,
@@ -25,6 +25,7 @@ from exactspline.certificates.elimination import (
     powers_of_net,
     quotient_by,
     remainder_of,
+    sign_at_root,
     strict_sign,
     subresultant,
     total,
@@ -32,15 +33,11 @@ from exactspline.certificates.elimination import (
     value,
 )
 from exactspline.certificates.numbers import count, fraction, integer, require
-from exactspline.certificates.zeros import halves_at, isolated_zeros, product_of, restricted, values_on
+from exactspline.certificates.zeros import isolated_zeros, product_of, restricted, values_on
 
-Net = list[list[int]]
-Side = tuple[Fraction, Fraction]
-Box = tuple[Side, Side]
 #: A zero on a line: its direction (0: x is constant), the value, and the index there; or both coordinates.
 Vertex = tuple[Any, ...]
 UNIT = Fraction(0), Fraction(1)
-HALF = Fraction(1, 2)
 #: A box on which the product has one sign; those in which its zeros are graphs, by the constant sign of a derivative.
 SIGN, ACROSS = "sign", ("first monotone", "second monotone")
 #: What is in the box of a singular point.
@@ -118,7 +115,7 @@ class _OnPatch:
         require(all(ends[0] == 0 and ends[-1] == 1 and len(ends) > 1 for ends in cuts), "cuts that miss the border")
         require(all(a < b for ends in cuts for a, b in pairwise(ends)) and len(cuts) == 2, "cuts that do not ascend")
         boxes = [(first, second) for first in pairwise(cuts[0]) for second in pairwise(cuts[1])]
-        todo = [(box, _part(self.net, box)) for box in boxes[::-1]]
+        todo = [(box, part(self.net, box)) for box in boxes[::-1]]
         seen = set[int]()
         for token in tokens:
             require(bool(todo), "more boxes than the cuts leave")
@@ -127,13 +124,13 @@ class _OnPatch:
                 k = int(token == SECOND)
                 low, high = box[k]
                 middle = (low + high) / 2
-                for net_of_half, side in zip(_halves(net, k)[::-1], ((middle, high), (low, middle)), strict=True):
+                for net_of_half, side in zip(halves(net, k)[::-1], ((middle, high), (low, middle)), strict=True):
                     todo.append(((box[0], side) if k else (side, box[1]), net_of_half))
             elif token == SIGN:
-                require(_sign(net) != 0, "a box on which the function has not one sign")
+                require(sign_on(net) != 0, "a box on which the function has not one sign")
             elif token in ACROSS:
                 k = ACROSS.index(token)
-                require(_sign(_differences(net, k)) != 0, "a box on which the derivative has not one sign")
+                require(sign_on(_differences(net, k)) != 0, "a box on which the derivative has not one sign")
                 self._graph(box, k)
             else:
                 k = count(token)
@@ -161,7 +158,7 @@ class _OnPatch:
                 self._ways.append((first, last))
 
     def _value(self, point: tuple[Fraction, Fraction]) -> int:
-        return _along(_turned([_along(self.net, 0, point[0])]), 0, point[1])[0]
+        return _along(turned([_along(self.net, 0, point[0])]), 0, point[1])[0]
 
     # ---- singular points
 
@@ -177,7 +174,7 @@ class _OnPatch:
         inside = all(a <= low <= high <= b for (low, high), (a, b) in zip(region, box, strict=True))
         require(inside, "a region that is not in its box")
         check_single_zero([powers, *slopes], region, cell["zero"])
-        net = _part(self.net, box)
+        net = part(self.net, box)
         second = [_differences(_differences(net, i), j) for i, j in ((0, 0), (0, 1), (1, 1))]
         # the differences are derivatives up to these factors
         m, n = len(net) - 1, len(net[0]) - 1
@@ -219,7 +216,9 @@ class _OnPatch:
         rest = quotient_by(subresultant(trimmed(rows), slopes, 0), trimmed(rows)[-1])
         require(bool(rest) and _is_free(rest or [], minimal, first), "another multiple zero in the box")
         # over the root: the function is a power of the factor in y, whose only zero is the point, times another one
-        factor = [[Fraction(integer(x), integer(cell["below"])) for x in row] for row in cell["factor"]]
+        below = integer(cell["below"])
+        require(below > 0, "a denominator that is not positive")
+        factor = [[Fraction(integer(x), below) for x in row] for row in cell["factor"]]
         require(len(factor) > 1 and trimmed(factor[-1]) == [1], "a factor that is not monic")
         require(all(len(row) < len(minimal) for row in factor), "a factor that is not reduced")
         require(count(cell["power"]) > 0, "a power that is not positive")
@@ -337,28 +336,8 @@ def _lines(factor: Mapping[str, Any]) -> int:
 
 def _along(net: Net, direction: int, at: Fraction) -> list[int]:
     """The Bernstein coefficients on a line, up to a positive constant."""
-    rows = net if direction else _turned(net)
+    rows = net if direction else turned(net)
     return [values_on(row, at, at)[0] for row in rows] if 0 < at < 1 else [row[-int(at)] for row in rows]
-
-
-def _turned(net: Net) -> Net:
-    return [list(column) for column in zip(*net, strict=True)]
-
-
-def _part(net: Net, box: Box) -> Net:
-    rows = [values_on(row, *box[1]) for row in net]
-    return _turned([values_on(column, *box[0]) for column in _turned(rows)])
-
-
-def _halves(net: Net, direction: int) -> tuple[Net, Net]:
-    rows = [halves_at(row, HALF) for row in (net if direction else _turned(net))]
-    low, high = ([pair[k] for pair in rows] for k in (0, 1))
-    return (low, high) if direction else (_turned(low), _turned(high))
-
-
-def _sign(net: Net) -> int:
-    low, high = _range(net)
-    return 1 if low > 0 else -1 if high < 0 else 0
 
 
 def _range(net: Net) -> tuple[int, int]:
@@ -423,7 +402,7 @@ def _value_over(factor: Sequence[Sequence[Fraction]], at: Fraction, root: Side, 
     rest = remainder_of(_at_height(factor, at), minimal)
     if not rest:
         return 0
-    sign = strict_sign(rest, *root)
+    sign = sign_at_root(rest, minimal, *root)
     require(sign != 0, "a sign over the root that is not proved")
     return sign
 

@@ -39,19 +39,20 @@ def errata(
     from exactspline.papers import named_papers
     from exactspline.verification.combined import computed_once
     from exactspline.verification.errata import errata as errors
-    from exactspline.verification.errata import remarks
+    from exactspline.verification.errata import left_open, remarks
 
     numbers = Numbers(digits, exact)
     sources = named_papers(paper or [], trust=trust)
     with computed_once():
         found = list(errors(sources))
         entries = _chosen([*found, *remarks(sources)], error or [], sources)
+        undecided = [] if error else list(left_open(sources))
 
     out.give(
         "errata",
         (erratum_data(entry) for entry in entries),
         [errata_sheet(entries, numbers)],
-        lambda: print_errata(entries, found, numbers, quiet=out.quiet),
+        lambda: print_errata(entries, found, numbers, undecided, quiet=out.quiet),
     )
 
 

@@ -14,6 +14,7 @@ from exactspline.display.wrapping import code_lines
 from exactspline.errors import command_name, counted
 from exactspline.papers import option_of
 from exactspline.verification.errata import Erratum, Holds, Refuted
+from exactspline.verification.vocabulary import Verdict
 
 
 def erratum_data(entry: Erratum) -> dict[str, object]:
@@ -43,8 +44,17 @@ def errata_sheet(entries: Sequence[Erratum], numbers: Numbers) -> Sheet:
     return Sheet(*columns, rows=cells, prose=columns[1:])
 
 
-def print_errata(entries: Sequence[Erratum], errors: Sequence[Erratum], numbers: Numbers, *, quiet: bool) -> None:
-    """Print entries: those that are errors with their number among all errors, then the others as remarks."""
+def print_errata(
+    entries: Sequence[Erratum],
+    errors: Sequence[Erratum],
+    numbers: Numbers,
+    undecided: Sequence[tuple[str, Verdict]] = (),
+    *,
+    quiet: bool,
+) -> None:
+    """Print entries: those that are errors with their number among all errors, then the others as remarks; then the
+    keys of what neither holds nor fails.
+    """
     shown = console.console()
     listed = [entry for entry in entries if entry in errors]
     for entry in listed:
@@ -54,8 +64,11 @@ def print_errata(entries: Sequence[Erratum], errors: Sequence[Erratum], numbers:
             _print(shown, "Remark: ", entry, numbers)
     statements = sum(len(entry.statements) for entry in listed)
     console.lines(shown, f"{counted(len(listed), 'error')} of the paper, {counted(statements, 'statement')} refuted")
+    if undecided:
+        keys = ", ".join(f"{key} ({verdict})" for key, verdict in undecided)
+        console.lines(shown, f"neither proved nor refuted: {keys}")
     if not quiet:
-        console.legend(shown, ["PROVED", "VERIFIED"])
+        console.legend(shown, [*dict.fromkeys(verdict for _, verdict in undecided), "PROVED", "VERIFIED"])
 
 
 def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> None:

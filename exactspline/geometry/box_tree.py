@@ -41,7 +41,7 @@ def box_of(segment: SegmentForms, shift: int) -> IntegerBox:
 
 
 class BoxTree:
-    """Boxes around segments, and around all of them from one to another.
+    """Boxes around segments, with a margin on each side, and around all of them from one to another.
 
     >>> from exactspline import example
     >>> from exactspline.roots.local_parameters import segment_forms
@@ -50,8 +50,9 @@ class BoxTree:
     ((0, 17), (0, 17))
     """
 
-    def __init__(self, segments: Sequence[SegmentForms], shift: int) -> None:
-        self.boxes = [box_of(segment, shift) for segment in segments]
+    def __init__(self, segments: Sequence[SegmentForms], shift: int, margin: int = 0) -> None:
+        boxes = [box_of(segment, shift) for segment in segments]
+        self.boxes = [box and tuple((low - margin, high + margin) for low, high in box) for box in boxes]
         self._joined: dict[tuple[int, int], IntegerBox] = {}
         self._join(0, len(self.boxes))
 

@@ -43,7 +43,7 @@ class IntersectionKind(StrEnum):
     END = "end"
     #: At a knot of one of them; it is not decided whether they cross.
     KNOT = "knot"
-    #: In space, where curves have no sides.
+    #: In space, where curves have no sides; of offsets, where it is not decided whether they cross.
     SPACE = "common point"
 
 

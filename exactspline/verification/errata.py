@@ -126,6 +126,19 @@ def unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
             yield Erratum(claim.paper, error_of(claim), claim.statement, (found,), (), why)
 
 
+def left_open(sources: Iterable[Paper]) -> Iterator[tuple[str, Verdict]]:
+    """Claims of papers whose every claim `errata` decides that neither hold nor fail: their keys and verdicts.
+
+    >>> from exactspline.papers import named_papers
+    >>> list(left_open(named_papers(["levien_parallel_curves"])))
+    []
+    """
+    for claim in (each for source in sources if not source.default for each in claims_of(source)):
+        verdict = combined(claim)[1].verdict
+        if verdict not in (PROVED, VERIFIED, REFUTED):
+            yield claim.key, verdict
+
+
 def _refuted(claim: Claim) -> Refuted | None:
     finding = combined(claim)[1]
     if finding.verdict != REFUTED:

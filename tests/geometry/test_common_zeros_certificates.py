@@ -110,6 +110,7 @@ def exchanged(zero):
         (lambda patch, zeros: zeros["crossed"].update(region=[["0", "1"], ["0", "1"]]), "may be singular"),
         (lambda patch, zeros: zeros["crossed"].update(region=[["0", "2"], ["0", "1"]]), "not in the square"),
         (lambda patch, zeros: zeros["crossed"].update(region=[["0", "1"], ["-1/2", "1"]]), "not in the square"),
+        (lambda patch, zeros: zeros["crossed"].update(region=[["-1/2", "1"], ["0", "1"]]), "not in the square"),
         (lambda patch, zeros: zeros["crossed"].update(region=[["0", "1"], ["1/2", "1/2"]]), "not in the square"),
         (lambda patch, zeros: zeros["crossed"].update(combinations=[["1", "0"]] * 2), "may be singular"),
         (lambda patch, zeros: zeros["crossed"].update(by="nothing"), "without a proof"),

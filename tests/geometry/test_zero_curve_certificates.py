@@ -120,6 +120,7 @@ def away(patch):
         (lambda patch: patch["cells"][0].update(kind="nothing"), "unknown kind"),
         (lambda patch: patch["cells"][0].update(box=[["0", "1"], ["0", "1"]]), "not that of its cell"),
         (lambda patch: first(patch, "branches").update(minimal=["-1", "3"]), "a place without a root"),
+        (lambda patch: first(patch, "branches").update(below="0"), "denominator that is not positive"),
         (lambda patch: first(patch, "branches").update(power=1), "another zero over the root"),
         (lambda patch: first(patch, "branches").update(power=5), "does not divide"),
         (lambda patch: first(patch, "branches").update(factor=[["1"]]), "not monic"),

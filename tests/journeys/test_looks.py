@@ -143,7 +143,14 @@ def write_by_commands(folder: Path) -> None:
 #: Pages whose fragment is what they show (a curve), not an anchor.
 STATEFUL = ("play/curve.html",)
 #: The pages that compute: what they keep of their first answer.
-ANSWERS = {"curve": "degrees", "reduce": "reduced", "bisector": "pieces", "de-boor": "product", "surface": "surface"}
+ANSWERS = {
+    "curve": "degrees",
+    "reduce": "reduced",
+    "bisector": "pieces",
+    "pair": "points",
+    "de-boor": "product",
+    "surface": "surface",
+}
 COMPUTING = [f"play/{name}.html" for name in ANSWERS]
 
 

@@ -47,6 +47,7 @@ def test_the_pages_answers_do_not_depend_on_gmpy2(tmp_path):
     questions = [("features", json.dumps(curve)) for curve in held]
     questions += [("forms", json.dumps({"curve": held[0], "variants": ["squaring", "paper", "minimal"]}))]
     questions += [("bisector", json.dumps({"curve": held[0], "point": ["7/4", "3/2"]}))]
+    questions += [("pair", json.dumps({"first": held[0], "second": held[1], "bisector": True}))]
     questions += [("triangle", json.dumps({"curve": curve, "share": "17/60"})) for curve in held]
     questions += [("refined", json.dumps({"curve": curve, **how})) for curve in held for how in ({"knot": "2/7"}, {})]
     text = "from exactspline.language import det\n\n\ndef f(c):\n    return det(c.gamma.d(1), c.gamma.d(2))\n"

@@ -217,6 +217,18 @@ def test_the_bisector_is_that_of_the_library(browser, address):
         assert set(shown(tab, "pieces")) <= {"arc", "end point", "corner"}
 
 
+def test_common_points_of_two_curves_follow_a_control_point(browser, address):
+    with opened(browser, address, "play/pair.html") as tab:
+        assert [kind for kind, *_ in shown(tab, "points")] == ["crossing", "crossing"]
+        asked = tab.evaluate("fetch('data/pairs.json').then((r) => r.json())")[0]
+        tab.evaluate("delete document.body.dataset.points")
+        tab.locator(".handles.second .handle").first.focus()
+        tab.locator(".handles.second .handle").first.press("ArrowUp")
+        asked["second"]["points"][0][1] = "33/16"
+        there = in_this_python("pair", asked | {"bisector": False})["points"]
+        assert shown(tab, "points") == [[point["kind"], point["s"], point["t"]] for point in there]
+
+
 def test_de_boors_triangle_follows_the_point_and_the_curve_stays(browser, address):
     with opened(browser, address, "play/de-boor.html") as tab:
         curves = tab.evaluate("fetch('data/curves.json').then((r) => r.json())")

@@ -8,8 +8,9 @@ from gmpy2 import mpq
 
 from exactspline.errors import DomainError
 from exactspline.polynomials import cells
-from exactspline.polynomials.isolation import LocalPolynomial
+from exactspline.polynomials.isolation import LocalPolynomial, isolate
 from exactspline.polynomials.refinement import enclosures
+from exactspline.polynomials.zero_places import Place
 
 
 def test_cells_cover_an_interval_and_say_what_is_so():
@@ -31,6 +32,9 @@ def test_cells_cover_an_interval_and_say_what_is_so():
             assert cell.factor**2 * cell.rest == f
             assert all((cell.rest(fmpq(int(t.numerator), int(t.denominator))) > 0) == cell.rest_sign for t in places)
     assert any(cell.factor is not None for cell in found)
+    # the coefficients −1 and 2; a mutant passed: nothing is negative
+    (cell,) = cells.cells_of(fmpq_poly([-1, 3]), mpq(0), mpq(1))
+    assert (cell.one, cell.sign) == (True, False)
 
 
 def test_halving_that_finds_no_end_is_given_up(monkeypatch):
@@ -66,3 +70,12 @@ def test_a_zero_next_to_one_end_in_an_interval_from_the_other(power, bits):
     for low, high in enclosures(LocalPolynomial(factor), mpq(0), 1 - mpq(1, 4 * far), -1, bits):
         assert low == high == zero or low < zero < high
     assert high - low <= mpq(1, 1 << bits)
+
+
+def test_a_place_is_rational_where_its_irreducible_factor_is_linear():
+    """Zeros in z = t/(1 − t): 1/2, √2 and 7/3. Mutants passed: other numbers, none, or all."""
+    z = fmpz_poly([0, 1])
+    found = [Place(zero) for zero in isolate((2 * z - 1) * (3 * z - 7) * (z * z - 2), 4).inner]
+    assert [place.exact for place in found] == [None] * 3
+    assert [place.rational for place in found] == [mpq(1, 3), None, mpq(7, 10)]
+    assert [place.exact for place in found] == [mpq(1, 3), None, mpq(7, 10)]

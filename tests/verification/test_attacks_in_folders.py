@@ -305,6 +305,14 @@ def test_a_curve_on_which_a_check_fails_does_not_hide_a_refutation(monkeypatch):
     assert worded(found.witness).startswith("on the example curve")
 
 
+def test_errata_name_what_is_not_decided(tmp_path):
+    """Passed before: "0 errors of the paper", where a claim of it was not decided at all."""
+    formulas = FORMULAS + plane_formulas(a="c.p[0] / c.w.d(1)", h="(2 * c.p[0]) / (2 * c.w.d(1))")
+    folder = written(tmp_path / "p", formulas, [FALSE, FALSE | {"id": "2", "left": "a", "right": "h"}])
+    told = invoke("errata", "--paper", folder).output
+    assert "neither proved nor refuted: 2-identity (UNDECIDED)" in told
+
+
 def test_the_kernel_says_why_it_says_nothing(tmp_path):
     """Before, the column of the kernel was blank for every claim of a user's paper."""
     from exactspline.display.evidence import opinion

@@ -23,9 +23,10 @@ export function fromHash(hash) {
 export class Editor {
   #handles = [];
 
-  constructor(plane, changed) {
-    Object.assign(this, { plane, changed, selected: 0 });
-    plane.layer("polygon");
+  // Several in one plane have layers with different ends of their names.
+  constructor(plane, changed, layer = "") {
+    Object.assign(this, { plane, changed, selected: 0, polygon: `polygon${layer}`, handles: `handles${layer}` });
+    plane.layer(this.polygon);
   }
 
   set(curve) {
@@ -57,9 +58,9 @@ export class Editor {
   }
 
   #rebuild() {
-    this.plane.clear("handles");
+    this.plane.clear(this.handles);
     this.#handles = this.curve.points.map((p, i) => {
-      const handle = this.plane.handle("handles", p.map(double), `control point ${i}`, {
+      const handle = this.plane.handle(this.handles, p.map(double), `control point ${i}`, {
         moved: (place) => this.#move(i, place.map((v) => snapped(v, STEPS))),
         stepped: (dx, dy) => this.#move(i, this.curve.points[i].map((v, k) => snapped(double(v) + [dx, dy][k] / STEPS, STEPS))),
         pressed: (key) => this.#weigh(i, key),
@@ -89,8 +90,8 @@ export class Editor {
 
   #draw() {
     const points = this.curve.points.map((p) => p.map(double));
-    this.plane.clear("polygon");
-    this.plane.line("polygon", points);
+    this.plane.clear(this.polygon);
+    this.plane.line(this.polygon, points);
     this.#handles.forEach((handle, i) => this.plane.moveHandle(handle, points[i]));
   }
 }

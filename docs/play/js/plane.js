@@ -37,15 +37,15 @@ export class Plane {
     return this.layers.get(name);
   }
 
-  // Choose the view so that these points are inside; units of both axes are alike.
-  fit(points) {
+  // Choose the view so that these points are inside; units of both axes are alike, and at most this large.
+  fit(points, largest = 200) {
     const [xs, ys] = [points.map((p) => p[0]), points.map((p) => p[1])];
     const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     const unit = Math.min(
       (WIDTH - 2 * MARGIN) / Math.max(right - left, 1e-9),
       (this.height - 2 * MARGIN) / Math.max(high - low, 1e-9),
     );
-    this.view = { x: (left + right) / 2, y: (low + high) / 2, unit: Math.min(unit, 200) };
+    this.view = { x: (left + right) / 2, y: (low + high) / 2, unit: Math.min(unit, largest) };
     this.#grid();
   }
 

@@ -109,6 +109,52 @@ def bisector(data: dict[str, Any]) -> dict[str, Any]:
     return {"pieces": [_piece(curve, piece) for piece in found.pieces], "missing": list(found.missing)}
 
 
+def pair(data: dict[str, Any]) -> dict[str, Any]:
+    """The common points of two plane curves; the pairs of one abscissa, of one ordinate, and of the bisector if it is
+    asked for, drawn in doubles.
+    """
+    from exactspline.geometry.bisector.plane_curves import PlanePair
+
+    first, second = _curve(data["first"]), _curve(data["second"])
+    found = xs.intersections(first, second)
+    runs = [_runs(xs.zero_curve(f)) for f in PlanePair.of_curves(first, second).chord]
+    pairs = _runs(xs.bisector(first, second).pairs) if data["bisector"] else []
+    return {
+        "points": [_common_point(point) for point in found],
+        "arcs": [str(arc) for arc in found.everywhere],
+        "left_out": list(found.left_out),
+        "across": _drawn(runs[0]),
+        "up": _drawn(runs[1]),
+        "bisector": _drawn(pairs),
+    }
+
+
+def _common_point(point: Any) -> dict[str, Any]:
+    place = point.first, point.second
+    s, t = (str(x.exact) if x.exact is not None else x.decimal(DIGITS) for x in place)
+    drawn = [float(x) for x in point.point]
+    told = {"kind": str(point.kind), "multiplicity": point.multiplicity, "point": drawn, "place": [*map(float, place)]}
+    return told | {"s": s, "t": t}
+
+
+def _runs(found: Any) -> list[list[Any]]:
+    """Curves of zeros as runs of rational points near them, and lines."""
+    lines = [[line.box[0], line.box[1]] for line in found.lines]
+    runs = [[(a, c), (b, d)] for (a, b), (c, d) in lines]
+    pieces = [piece for curve in found.curves for piece in curve.pieces]
+    for piece, arc in [(own, arc) for own in pieces for arc in own.part.arcs]:
+        # of short arcs the ends suffice
+        ends = [piece.curve.place(vertex) for vertex in (arc.first, arc.last)]
+        steps = int(40 * max(abs(float(a) - float(b)) for a, b in zip(*ends, strict=True)))
+        own = piece.curve.points(arc, steps) if steps > 1 else [[xs.from_floats(float(x)) for x in end] for end in ends]
+        runs.append([piece.sides.at(*place) for place in own])
+    return runs
+
+
+def _drawn(runs: list[list[Any]]) -> list[list[list[float]]]:
+    return [[[float(x) for x in place] for place in run] for run in runs]
+
+
 def triangle(data: dict[str, Any]) -> dict[str, Any]:
     """De Boor's triangle at a share of the domain: every entry exactly, and in doubles to draw it."""
     curve = _curve(data["curve"])
@@ -218,6 +264,7 @@ QUESTIONS: dict[str, Callable[[Any], Any]] = {
     "forms": forms,
     "reduce": reduce,
     "bisector": bisector,
+    "pair": pair,
     "triangle": triangle,
     "refined": refined,
     "product": product,

@@ -7,6 +7,7 @@ from typing import overload
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisector.common import Bisector
+from exactspline.geometry.bisector.plane_curves import PlaneBisector
 from exactspline.geometry.bisector.point_and_curve import PointBisector, point_bisector, refuse_point
 from exactspline.geometry.bisector.trimmed import TrimmedBisector, trimmed_bisector
 from exactspline.geometry.bisector.two_curves import CurveBisector, curve_bisector
@@ -16,8 +17,8 @@ from exactspline.splines.nurbs import Nurbs
 
 
 @overload
-def bisector(first: Nurbs, second: Nurbs) -> CurveBisector:
-    """The bisector of two curves in space."""
+def bisector(first: Nurbs, second: Nurbs) -> CurveBisector | PlaneBisector:
+    """The bisector of two curves in space or in the plane."""
 
 
 @overload
@@ -29,7 +30,8 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
     """The bisector of a curve and another curve, or a point (its coordinates), in pieces.
 
     Of two space curves a surface in patches, of equal *critical* distances, with lines, planes and single pairs; of a
-    space curve and a point ruled surfaces; of a plane curve and a point the curves of equal distances.
+    space curve and a point ruled surfaces; of a plane curve and a point the curves of equal distances; of two plane
+    curves the arcs of pairs of parameters, not trimmed.
 
     >>> from exactspline import example
     >>> bisector(example("twisted_cubic"), example("rational_space_cubic"))
@@ -44,7 +46,7 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
     """
     first = curve_of(first)
     if isinstance(second, Nurbs):
-        return curve_bisector(first, second)
+        return PlaneBisector(first, second) if first.dimension == 2 else curve_bisector(first, second)
     if first.dimension == 3:
         return point_bisector(first, second)
     if first.dimension != 2:

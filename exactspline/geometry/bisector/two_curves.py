@@ -182,7 +182,7 @@ def curve_bisector(
         if c.dimension != 3:
             raise ShapeError(
                 f"a curve in R{c.dimension}",
-                remedy="the bisector of two plane curves is not a rational curve; use curves in space",
+                remedy="use curves in space; bisector(first, second) of the library takes plane curves, too",
             )
     return CurveBisector(first, second, chosen)
 

@@ -237,7 +237,9 @@ class _Covering:
         for form, patch in product(forms, self.forms.patches):
             own = self._inside(form, patch)
             found.add(0 if own is None else SIGNS.get(sign_on_patch(own).sign, 0))
-        return found.pop() if len(found) == 1 else 0
+            if found not in ({1}, {-1}):
+                return 0
+        return found.pop()
 
     def _inside(self, form: TensorSpline, patch: Patch) -> PatchForm | None:
         """A form on a patch without its zeros on edges that are points; None where it vanishes, or does on another

@@ -317,12 +317,7 @@ class ZeroCurve:
 
     def _is_open_at(self, vertex: Vertex) -> bool:
         """Whether a vertex is on an undecided box."""
-        along: mpq | Root
-        if vertex.other is not None:
-            at, along = vertex.value, vertex.other
-        else:
-            at, along = vertex.value, self._line(vertex.direction, vertex.value)[vertex.index]
-        spot = (at, along) if vertex.direction == 0 else (along, at)
+        spot = self.place(vertex)
 
         def is_in(box: Box) -> bool:
             return all(low <= t <= high for t, (low, high) in zip(spot, box, strict=True))
@@ -332,6 +327,11 @@ class ZeroCurve:
     @cached_property
     def _clusters(self) -> list[tuple[Box, list[Box]]]:
         return clusters(self.undecided)
+
+    def place(self, vertex: Vertex) -> Place:
+        """Both coordinates of a zero on a line of the subdivision."""
+        own = self._line(vertex.direction, vertex.value)[vertex.index] if vertex.other is None else vertex.other
+        return (vertex.value, own) if vertex.direction == 0 else (own, vertex.value)
 
     def points(self, arc: Arc, count: int = 4) -> list[tuple[mpq, mpq]]:
         """Points near an arc, for pictures: this many steps, each found to `DRAWN_BITS` bits."""

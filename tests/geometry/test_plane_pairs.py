@@ -1,0 +1,181 @@
+"""Pairs of plane curves whose normals meet: the bisector of two curves, and the points at which an offset meets itself,
+against the definition in exact numbers and against polygons of many sides.
+"""
+
+from itertools import pairwise
+from math import hypot
+from random import Random
+
+import pytest
+from gmpy2 import mpq
+
+import exactspline as xs
+from exactspline import Nurbs, analyse, bisector, example, self_intersections
+from exactspline.errors import ReachError, ShapeError
+from tests.support.bisector_oracle import bezier
+
+
+def drawn(random, dial, n, rational=False):
+    """A random curve, in small integers or in doubles."""
+    number = (lambda: random.randint(-5, 5)) if dial == "small" else (lambda: mpq(random.uniform(-5, 5)))
+    points = [(number(), number()) for _ in range(n + 1)]
+    weights = [random.randint(1, 4) for _ in points] if rational else None
+    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points, weights=weights)
+
+
+DIALS = ("small", "doubles")
+
+# ---- bisectors
+
+
+@pytest.mark.parametrize("dial", DIALS)
+@pytest.mark.parametrize("seed", range(3))
+def test_points_of_a_bisector_are_equally_far_on_both_normals(seed, dial):
+    """A bisector of two plane curves was refused. Exactly, at all zeros on some lines s = constant."""
+    random = Random(seed)
+    first, second = drawn(random, dial, 2 + seed % 2, rational=seed % 3 == 0), drawn(random, dial, 2)
+    found, count = bisector(first, second), 0
+    assert found.missing == ()
+    for s in (mpq(1, 3), mpq(4, 5)):
+        for t in xs.zeros(found.function.at_s(s)):
+            x, p, q = found.point(s, t), xs.at(first, s), xs.at(second, t)
+            ways = [[b - a for a, b in zip(one, x, strict=True)] for one in (p, q)]
+            one, other = (way[0] * way[0] + way[1] * way[1] for way in ways)
+            assert one == other
+            for curve, at, (a, b) in ((first, s, ways[0]), (second, t, ways[1])):
+                u, v = (f.d() * curve.w - f * curve.w.d() for f in curve.p)
+                assert xs.at(u, at) * a + xs.at(v, at) * b == 0
+            count += 1
+    signs = [_difference(first, second, mpq(1, 3), mpq(2 * k + 1, 160)) for k in range(80)]
+    changes, zeros = sum(a * b < 0 for a, b in pairwise(signs)), len(xs.zeros(found.function.at_s(mpq(1, 3))))
+    assert changes <= zeros
+    assert (zeros - changes) % 2 == 0 or abs(signs[0] * signs[-1]) < 1e-3
+    assert count or not found.pieces or seed
+
+
+def _difference(first, second, s, t):
+    """The difference of the squared distances of where the normals meet, times [a b], in doubles."""
+    (p, a), (q, b) = (_frame(curve, x) for curve, x in ((first, s), (second, t)))
+    across = a[0] * b[1] - a[1] * b[0]
+    along = [((q[0] - p[0]) * c[0] + (q[1] - p[1]) * c[1]) for c in (b, a)]
+    return (along[0] ** 2 * (a[0] ** 2 + a[1] ** 2) - along[1] ** 2 * (b[0] ** 2 + b[1] ** 2)) / across
+
+
+def _frame(curve, t):
+    """A point and a tangent in doubles."""
+    step = 1e-6
+    points = [[float(x) for x in xs.at(curve, t + mpq(e))] for e in (0, step, -step)]
+    return points[0], [(u - v) / (2 * step) for u, v in zip(points[1], points[2], strict=True)]
+
+
+def test_known_bisectors():
+    """Of two lines their angle bisectors; of a line and a circle the parabolas with its centre as focus, moved."""
+    one, other = bezier((0, 0), (4, 0)), bezier((0, 1), (4, 4))
+    found = bisector(one, other)
+    for arc in found.pieces:
+        x, y = found.point(*arc.start)
+        assert (y * 5) * (y * 5) == (3 * x - 4 * y + 4) * (3 * x - 4 * y + 4)  # equal distances from both lines
+    circle, line = example("circle"), bezier((-3, -2), (3, -2))
+    found = bisector(line, circle)
+    assert len(found.pieces) >= 2
+    for arc in found.pieces:
+        x, y = found.point(*arc.end)
+        inner = (x * x + y * y - (y + 2 + 1) * (y + 2 + 1)) * (x * x + y * y - (y + 2 - 1) * (y + 2 - 1))
+        assert inner == 0  # the distance from the circle is that from its centre, less or more by 1
+
+
+def test_what_a_bisector_refuses():
+    with pytest.raises(ShapeError):
+        bisector(example("circle"), example("twisted_cubic"))
+    parallel = bisector(bezier((0, 0), (2, 0)), bezier((0, 1), (2, 1)))
+    with pytest.raises(ReachError, match="parallel"):
+        parallel.point(0, 1)
+    assert parallel.point(1, 1) == (mpq(2), mpq(1, 2))
+
+
+# ---- offsets
+
+
+def polygon(curve, distance, sides):
+    """The offset as a polygon, in doubles."""
+    points = []
+    for k in range(sides + 1):
+        t = mpq(k, sides) * (curve.domain[1] - curve.domain[0]) + curve.domain[0]
+        (x, y), (u, v) = ([float(c) for c in xs.at(curve, t)], [float(xs.at(f, t)) for f in _velocity(curve)])
+        size = hypot(u, v)
+        points.append((x - distance * v / size, y + distance * u / size))
+    return points
+
+
+def _velocity(curve):
+    return tuple(f.d() * curve.w - f * curve.w.d() for f in curve.p)
+
+
+def crossings(points):
+    """How often a polygon crosses itself."""
+    count, sides = 0, list(pairwise(points))
+    for i, (a, b) in enumerate(sides):
+        for c, d in sides[i + 2 :]:
+            count += _side(a, b, c) * _side(a, b, d) < 0 and _side(c, d, a) * _side(c, d, b) < 0
+    return count
+
+
+def _side(a, b, c):
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+@pytest.mark.parametrize("dial", DIALS)
+@pytest.mark.parametrize("seed", [102, 103, 104, 105, 107])
+def test_offsets_meet_themselves_as_polygons_do(seed, dial):
+    """There was no door for the self-intersections of an offset."""
+    random = Random(seed)
+    curve, distance = drawn(random, dial, 2 + seed % 2), random.choice([mpq(1, 2), mpq(-1), mpq(3, 2)])
+    found = self_intersections(curve, offset=distance)
+    assert found.left_out == ()
+    assert len(found) == crossings(polygon(curve, float(distance), 230))
+    for point in found:
+        one, other = (point.point, _offset(curve, point.second, distance))
+        assert all(abs(float(x) - y) < 1e-9 for x, y in zip(one, other, strict=True))
+        assert (str(point.kind), point.multiplicity) == ("crossing", 1)
+
+
+def _offset(curve, t, distance):
+    (x, y), (u, v) = ([float(c) for c in xs.at(curve, t)], [float(xs.at(f, t)) for f in _velocity(curve)])
+    return x - float(distance) * v / hypot(u, v), y + float(distance) * u / hypot(u, v)
+
+
+def test_the_offset_of_a_parabola():
+    """y = x² at d: the normals of ±x meet in (0, x² + 1/2), at the distance √(x² + 1/4)."""
+    parabola = bezier((-2, 4), (0, -4), (2, 4))
+    (found,) = self_intersections(parabola, offset="5/4")
+    assert (found.point, found.first + found.second) == ((0, mpq(29, 16)), 1)
+    assert (4 * found.first - 2) * (4 * found.first - 2) == mpq(21, 16)
+    assert self_intersections(parabola, offset="1/2").points == ()  # the cusp is about to be born
+    assert self_intersections(parabola, offset=-1).points == ()
+    moved = parabola.insert_knot("1/5").insert_knot("4/5")
+    (over_knots,) = self_intersections(moved, offset="5/4")
+    assert (over_knots.point, over_knots.first) == (found.point, found.first)
+
+
+def test_an_offset_that_touches_itself_where_normals_are_parallel():
+    """Two sides that are 2 apart, and an ellipse whose offset touches itself in the middle."""
+    horseshoe = bezier((0, 0), (0, 4), (2, 4), (2, 0))
+    assert len(self_intersections(horseshoe, offset="-1/3")) == len(self_intersections(horseshoe, offset=-2)) == 0
+    touching = self_intersections(horseshoe, offset=-1)
+    assert [(p.first, p.second, str(p.kind), p.multiplicity) for p in touching] == [(0, 1, "knot", None)]
+    (middle,) = self_intersections(example("ellipse"), offset=1)
+    assert (middle.first, middle.second, middle.point) == (1, 3, (0, 0))
+    (seam,) = self_intersections(example("ellipse"), offset=2)
+    assert (seam.first, seam.second) == (0, 2)
+
+
+def test_without_an_offset_and_what_is_left_out():
+    loop = bezier((0, 0), (3, 3), (-2, 3), (1, 0))
+    assert self_intersections(loop) == self_intersections(loop, offset=0)
+    circle = example("circle")
+    assert self_intersections(circle, offset="1/2").left_out == ()
+    assert "single point" in self_intersections(circle, offset=1).left_out[0]
+    assert "without a tangent" in self_intersections(example("cusp"), offset=1).left_out[0]
+    assert len(analyse(loop).offset_cusps(1)) == 2  # cusps are another question
+    with pytest.raises(ShapeError):
+        self_intersections(example("twisted_cubic"), offset=1)
