@@ -197,6 +197,7 @@ OPTIONS = {
     "reading_along": ("4.3",),
     "reduction": ("f2",),
     "ruled_surface": ("binormal_scroll", SPACE),
+    "self_intersections": (CUSP,),
     "series_curve": (CUSP, "1/3", 3),
     "sweep": ([CUSP],),
     "symbolic_table": (),
